@@ -1,0 +1,2 @@
+#include "tests/support/matchers.h"
+#include "tests/support/test_data.h"
