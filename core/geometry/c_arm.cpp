@@ -1,0 +1,110 @@
+#include "core/geometry/c_arm.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace core {
+namespace {
+
+double radians(double degrees)
+{
+    return degrees * std::numbers::pi / 180.0;
+}
+
+bool isPositive(const Sourced<double>& sourced)
+{
+    return sourced.value && std::isfinite(*sourced.value) && *sourced.value > 0.0;
+}
+
+Error missing(const std::string& what)
+{
+    return {what +
+            " is missing or not positive. Enter it in the geometry of the case (the image header does not tell)."};
+}
+
+/// In-plane turn of the image; positive turns it clockwise on screen.
+Eigen::Matrix3d rollRotation(double rollDeg, bool mirrored)
+{
+    // Screen right is −X (unmirrored) and screen down is +Y, so clockwise on screen is a negative turn about +Z.
+    const double sign = mirrored ? 1.0 : -1.0;
+    return Eigen::AngleAxisd(sign * radians(rollDeg), Eigen::Vector3d::UnitZ()).toRotationMatrix();
+}
+
+}   // namespace
+
+Eigen::Vector3d detectorDirection(double primaryAngleDeg, double secondaryAngleDeg)
+{
+    const double alpha = radians(primaryAngleDeg);
+    const double beta = radians(secondaryAngleDeg);
+    return {std::cos(beta) * std::sin(alpha), -std::cos(beta) * std::cos(alpha), std::sin(beta)};
+}
+
+Result<ProjectionCamera> cameraFromCArm(const CArm& cArm, int width, int height)
+{
+    if (!isPositive(cArm.sourceToDetectorMm)) {
+        return missing("The distance source to detector (SID)");
+    }
+    if (!isPositive(cArm.columnSpacingMm) || !isPositive(cArm.rowSpacingMm)) {
+        return missing("The detector pixel spacing");
+    }
+    ProjectionCamera camera;
+    camera.width = width;
+    camera.height = height;
+    const double sid = *cArm.sourceToDetectorMm.value;
+    camera.fx = (cArm.mirrored.value.value_or(false) ? 1.0 : -1.0) * sid / *cArm.columnSpacingMm.value;
+    camera.fy = sid / *cArm.rowSpacingMm.value;
+    const Eigen::Vector2d centre(0.5 * (width - 1), 0.5 * (height - 1));
+    const Eigen::Vector2d principal = cArm.principalPointPx.value.value_or(centre);
+    camera.cx = principal.x();
+    camera.cy = principal.y();
+    if (const std::string problem = findProblem(camera); !problem.empty()) {
+        return Error{problem};
+    }
+    return camera;
+}
+
+Result<RigidTransform> cameraFromPatient(const CArm& cArm, const Eigen::Vector3d& isocentreInPatient)
+{
+    if (!isPositive(cArm.sourceToPatientMm)) {
+        return missing("The distance source to patient (SOD)");
+    }
+    if (!cArm.primaryAngleDeg.value || !cArm.secondaryAngleDeg.value) {
+        return Error{"The positioner angles (LAO/RAO, CRA/CAU) are missing. Enter them in the geometry of the case."};
+    }
+    const double alpha = radians(*cArm.primaryAngleDeg.value);
+    const double beta = radians(*cArm.secondaryAngleDeg.value);
+    const Eigen::Vector3d direction = detectorDirection(*cArm.primaryAngleDeg.value, *cArm.secondaryAngleDeg.value);
+    const Eigen::Vector3d imageRight(std::cos(alpha), std::sin(alpha), 0.0);
+    const Eigen::Vector3d imageUp(-std::sin(beta) * std::sin(alpha), std::sin(beta) * std::cos(alpha), std::cos(beta));
+
+    Eigen::Matrix3d rotation;
+    rotation << -imageRight.transpose(), -imageUp.transpose(), direction.transpose();
+    rotation = rollRotation(cArm.rollDeg.value.value_or(0.0), cArm.mirrored.value.value_or(false)) * rotation;
+    const Eigen::Vector3d source = isocentreInPatient - *cArm.sourceToPatientMm.value * direction;
+    return RigidTransform{rotation, -(rotation * source)};
+}
+
+std::vector<std::string> findContradictions(const CArm& cArm)
+{
+    std::vector<std::string> found;
+    if (isPositive(cArm.sourceToDetectorMm) && isPositive(cArm.sourceToPatientMm)) {
+        const double magnification = *cArm.sourceToDetectorMm.value / *cArm.sourceToPatientMm.value;
+        if (magnification <= 1.0) {
+            found.emplace_back("SOD is not smaller than SID: the patient would lie behind the detector.");
+        } else if (magnification > 3.0) {
+            found.emplace_back("SID is more than three times SOD: the magnification is implausible.");
+        }
+    }
+    if (isPositive(cArm.columnSpacingMm) && (*cArm.columnSpacingMm.value < 0.05 || *cArm.columnSpacingMm.value > 2.0)) {
+        found.emplace_back("The detector pixel spacing lies outside 0.05 to 2 mm.");
+    }
+    if (cArm.primaryAngleDeg.value && std::abs(*cArm.primaryAngleDeg.value) > 180.0) {
+        found.emplace_back("The primary angle lies outside ±180°.");
+    }
+    if (cArm.secondaryAngleDeg.value && std::abs(*cArm.secondaryAngleDeg.value) > 90.0) {
+        found.emplace_back("The secondary angle lies outside ±90°.");
+    }
+    return found;
+}
+
+}   // namespace core

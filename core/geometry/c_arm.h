@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/geometry/projection_camera.h"
+#include "core/geometry/rigid_transform.h"
+#include "core/support/result.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace core {
+
+/// Where a geometry value comes from; shown beside it wherever it is shown.
+enum class Origin { Missing, Header, Derived, User, Assumed };
+
+/// A value that knows where it comes from. `basis` says it in words ("(0018,1110)", "intensifier 204.8 mm / 512 px").
+template <class T>
+struct Sourced {
+    std::optional<T> value;
+    Origin origin = Origin::Missing;
+    std::string basis;
+};
+
+/// C-arm geometry as DICOM describes it (PS3.3 C.8.7.5; ALGORITHMS §5). Lengths mm, angles degrees.
+struct CArm {
+    Sourced<double> sourceToDetectorMm;   ///< SID
+    Sourced<double> sourceToPatientMm;   ///< SOD, source to isocentre
+    Sourced<double> columnSpacingMm;   ///< detector pixel pitch along u
+    Sourced<double> rowSpacingMm;   ///< detector pixel pitch along v
+    Sourced<double> primaryAngleDeg;   ///< LAO +, RAO −
+    Sourced<double> secondaryAngleDeg;   ///< CRA +, CAU −
+    Sourced<double> rollDeg;   ///< image turned clockwise on screen; no DICOM tag, 0 unless the user says
+    Sourced<Eigen::Vector2d> principalPointPx;   ///< (cx, cy); missing: image centre
+    Sourced<bool> mirrored;   ///< true: shown as seen from the source, fx > 0
+};
+
+/// Pin-hole camera of the C-arm: fx = −SID/Δu (positive when mirrored), fy = SID/Δv, ALGORITHMS §5.2.
+/// Fails naming the value that is missing or impossible and how to supply it.
+Result<ProjectionCamera> cameraFromCArm(const CArm& cArm, int width, int height);
+
+/// Pose of the C-arm about an isocentre given in patient LPS mm (ALGORITHMS §5.3). det R = +1 always.
+/// Fails when SOD or an angle is missing.
+Result<RigidTransform> cameraFromPatient(const CArm& cArm, const Eigen::Vector3d& isocentreInPatient);
+
+/// Unit vector from isocentre to detector in patient LPS for the given angles: LAO 90° points to the patient's left.
+Eigen::Vector3d detectorDirection(double primaryAngleDeg, double secondaryAngleDeg);
+
+/// Values that contradict each other or physics (SOD ≥ SID, magnification out of 1…3, …), in words for the user.
+std::vector<std::string> findContradictions(const CArm& cArm);
+
+}   // namespace core

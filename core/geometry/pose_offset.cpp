@@ -1,0 +1,69 @@
+#include "core/geometry/pose_offset.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace core {
+namespace {
+
+constexpr double degPerRad = 180.0 / std::numbers::pi;
+
+/// Camera-frame sign of "to the right" and "down" on screen.
+struct ScreenSigns {
+    double right;
+    double down;
+};
+
+ScreenSigns screenSigns(const ProjectionCamera& camera)
+{
+    return {camera.fx < 0.0 ? -1.0 : 1.0, camera.fy < 0.0 ? -1.0 : 1.0};
+}
+
+/// Turn of the vessels in camera axes. The C-arm going to LAO is a positive turn about +Y, going cranial a negative
+/// turn about +X (ALGORITHMS §5.3), however the image is displayed; only the roll on screen depends on the display.
+Eigen::Matrix3d turn(const PoseOffset& offset, const ScreenSigns& signs)
+{
+    const double roll = offset.rollDeg / degPerRad * signs.right * signs.down;
+    const double cra = -offset.craCauDeg / degPerRad;
+    const double lao = offset.laoRaoDeg / degPerRad;
+    return (Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(cra, Eigen::Vector3d::UnitX()) *
+            Eigen::AngleAxisd(lao, Eigen::Vector3d::UnitY()))
+        .toRotationMatrix();
+}
+
+}   // namespace
+
+RigidTransform applyOffset(const RigidTransform& reference, const PoseOffset& offset,
+                           const Eigen::Vector3d& pivotInPatient, const ProjectionCamera& camera)
+{
+    const ScreenSigns signs = screenSigns(camera);
+    const Eigen::Vector3d shift(signs.right * offset.rightMm, -signs.down * offset.upMm, offset.alongRayMm);
+    const Eigen::Matrix3d rotation = turn(offset, signs) * reference.rotation;
+    const Eigen::Vector3d pivotInCamera = reference * pivotInPatient + shift;
+    return {rotation, pivotInCamera - rotation * pivotInPatient};
+}
+
+PoseOffset offsetBetween(const RigidTransform& reference, const RigidTransform& pose,
+                         const Eigen::Vector3d& pivotInPatient, const ProjectionCamera& camera)
+{
+    const ScreenSigns signs = screenSigns(camera);
+    const Eigen::Vector3d shift = pose * pivotInPatient - reference * pivotInPatient;
+    const Eigen::Matrix3d r = pose.rotation * reference.rotation.transpose();
+
+    // r = Rz(roll) Rx(cra) Ry(lao): bottom row (−cos cra sin lao, sin cra, cos cra cos lao), middle column Rz Rx e_y.
+    const double cra = std::asin(std::clamp(r(2, 1), -1.0, 1.0));
+    const double lao = std::atan2(-r(2, 0), r(2, 2));
+    const double roll = std::atan2(-r(0, 1), r(1, 1));
+
+    PoseOffset offset;
+    offset.rightMm = signs.right * shift.x();
+    offset.upMm = -signs.down * shift.y();
+    offset.alongRayMm = shift.z();
+    offset.rollDeg = roll * degPerRad * signs.right * signs.down;
+    offset.laoRaoDeg = lao * degPerRad;
+    offset.craCauDeg = -cra * degPerRad;
+    return offset;
+}
+
+}   // namespace core

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/geometry/projection_camera.h"
+#include "core/geometry/rigid_transform.h"
+
+namespace core {
+
+/// A pose edit in the terms of a radiographer, relative to a reference pose and about a pivot (the tree's centroid).
+/// Shifts are screen directions at the pivot; angles turn the vessels about the pivot, in camera axes.
+struct PoseOffset {
+    double rightMm = 0.0;   ///< to the right on screen
+    double upMm = 0.0;   ///< up on screen
+    double alongRayMm = 0.0;   ///< away from the source, along the camera axis
+    double rollDeg = 0.0;   ///< clockwise on screen
+    double laoRaoDeg = 0.0;   ///< as if the C-arm went to LAO (+) or RAO (−): about the screen's vertical axis
+    double craCauDeg = 0.0;   ///< as if the C-arm went cranial (+) or caudal (−): about the screen's horizontal axis
+
+    bool operator==(const PoseOffset&) const = default;
+};
+
+/// The pose after applying `offset` to `reference`; the pivot (patient frame, mm) moves by the shifts alone.
+RigidTransform applyOffset(const RigidTransform& reference, const PoseOffset& offset,
+                           const Eigen::Vector3d& pivotInPatient, const ProjectionCamera& camera);
+
+/// The offset that leads from `reference` to `pose`; exact inverse of applyOffset for |laoRao| < 90°.
+PoseOffset offsetBetween(const RigidTransform& reference, const RigidTransform& pose,
+                         const Eigen::Vector3d& pivotInPatient, const ProjectionCamera& camera);
+
+}   // namespace core

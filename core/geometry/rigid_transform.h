@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace core {
+
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+/// Rigid motion in mm. Named for the frames it joins: `cameraFromPatient * pointInPatient = pointInCamera`.
+struct RigidTransform {
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+
+    RigidTransform operator*(const RigidTransform& other) const
+    {
+        return {rotation * other.rotation, rotation * other.translation + translation};
+    }
+    Eigen::Vector3d operator*(const Eigen::Vector3d& point) const { return rotation * point + translation; }
+
+    RigidTransform inverse() const;
+    Eigen::Matrix4d matrix() const;
+};
+
+/// 3×3 matrix with `skew(a) * b == a × b`.
+Eigen::Matrix3d skew(const Eigen::Vector3d& vector);
+
+/// Rotation by |omega| rad about omega; exact for any angle, series near zero.
+Eigen::Matrix3d expSo3(const Eigen::Vector3d& omega);
+
+/// Rotation vector with |omega| ≤ π; inverse of expSo3, stable up to and including π.
+Eigen::Vector3d logSo3(const Eigen::Matrix3d& rotation);
+
+/// Exact exponential of a twist (omega rad, upsilon mm).
+RigidTransform expSe3(const Vector6d& twist);
+
+/// Exact logarithm, twist (omega rad, upsilon mm).
+Vector6d logSe3(const RigidTransform& transform);
+
+/// Adjoint for twists ordered (omega, upsilon): `T exp(x) T^-1 = exp(Ad(T) x)`.
+Matrix6d adjoint(const RigidTransform& transform);
+
+/// Inverse right Jacobian of SE(3): `log(T exp(x)) ≈ log(T) + Jr^-1(log T) x`.
+Matrix6d inverseRightJacobianSe3(const Vector6d& twist);
+
+/// The rotation nearest to `matrix` (Frobenius norm), determinant +1.
+Eigen::Matrix3d nearestRotation(const Eigen::Matrix3d& matrix);
+
+/// Angle in rad between two orientations.
+double angleBetween(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b);
+
+/// True when all entries are finite and the rotation is orthonormal with determinant +1 within `tolerance`.
+bool isRigid(const RigidTransform& transform, double tolerance = 1e-4);
+
+}   // namespace core
