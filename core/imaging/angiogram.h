@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/geometry/c_arm.h"
+#include "core/imaging/image2d.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace core {
+
+enum class Polarity { VesselsDark, VesselsBright };
+
+/// What the header says about who and when; every field may be empty. Never logged.
+struct StudyIdentity {
+    std::string patientName;
+    std::string patientId;
+    std::string birthDate;   ///< yyyy-mm-dd
+    std::string sex;
+    std::string institution;
+    std::string studyDate;   ///< yyyy-mm-dd
+    std::string studyTime;   ///< hh:mm
+    std::string modality;
+    std::string manufacturer;
+    std::string description;
+    std::string studyUid;
+    std::string seriesUid;
+    std::string sopInstanceUid;
+};
+
+/// One X-ray run: frames of equal size, stored values as float, with the geometry its header gives.
+struct Angiogram {
+    std::vector<ImageF> frames;
+    Polarity polarity = Polarity::VesselsDark;
+    double frameTimeMs = 0.0;   ///< 0 when unknown or a single frame
+    int suggestedFrame = 0;   ///< the fullest frame: most vessel-like pixels
+    CArm cArm;
+    StudyIdentity identity;
+    std::vector<std::string> warnings;   ///< in plain words, e.g. "colour image converted to grey"
+
+    int width() const { return frames.empty() ? 0 : frames.front().width; }
+    int height() const { return frames.empty() ? 0 : frames.front().height; }
+    int frameCount() const { return static_cast<int>(frames.size()); }
+};
+
+}   // namespace core

@@ -1,0 +1,57 @@
+#include "core/vessel/centerline2d.h"
+
+#include "core/vessel/polyline.h"
+
+namespace core {
+
+double Curve2d::lengthPx() const
+{
+    return polylineLength(pointsPx);
+}
+
+std::size_t Centerline2d::pointCount() const
+{
+    std::size_t count = 0;
+    for (const Curve2d& curve : curves) {
+        count += curve.pointsPx.size();
+    }
+    return count;
+}
+
+std::vector<Eigen::Vector2d> tangentsOf(const std::vector<Eigen::Vector2d>& points, int reach)
+{
+    return polylineTangents(points, static_cast<std::size_t>(reach));
+}
+
+Centerline2d resampled(const Centerline2d& centerline, double spacingPx)
+{
+    Centerline2d result;
+    for (const Curve2d& curve : centerline.curves) {
+        const std::vector<PolylineStation> stations = evenStations(curve.pointsPx, spacingPx);
+        Curve2d even{curve.id, interpolate(curve.pointsPx, stations), {}};
+        if (curve.radiusPx.size() == curve.pointsPx.size()) {
+            even.radiusPx = interpolate(curve.radiusPx, stations);
+        }
+        result.curves.push_back(std::move(even));
+    }
+    return result;
+}
+
+std::string findProblem(const Centerline2d& centerline)
+{
+    if (centerline.pointCount() == 0) {
+        return "The 2-D centreline is empty: no vessel was found in the image. Choose another frame or a higher "
+               "sensitivity, or give a centreline file.";
+    }
+    for (const Curve2d& curve : centerline.curves) {
+        for (const Eigen::Vector2d& point : curve.pointsPx) {
+            if (!point.allFinite()) {
+                return "Curve " + std::to_string(curve.id) +
+                       " of the 2-D centreline has a coordinate that is not a number (NaN or infinite).";
+            }
+        }
+    }
+    return {};
+}
+
+}   // namespace core

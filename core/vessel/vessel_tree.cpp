@@ -1,0 +1,154 @@
+#include "core/vessel/vessel_tree.h"
+
+#include "core/vessel/polyline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace core {
+namespace {
+
+struct BranchEnd {
+    int branchId;
+    Eigen::Vector3d point;
+};
+
+std::vector<BranchEnd> endsOf(const VesselTree& tree)
+{
+    std::vector<BranchEnd> ends;
+    for (const VesselBranch& branch : tree.branches) {
+        if (!branch.pointsInPatient.empty()) {
+            ends.push_back({branch.id, branch.pointsInPatient.front()});
+            ends.push_back({branch.id, branch.pointsInPatient.back()});
+        }
+    }
+    return ends;
+}
+
+bool passesNear(const VesselBranch& branch, const Eigen::Vector3d& point, double toleranceMm)
+{
+    return std::any_of(branch.pointsInPatient.begin(), branch.pointsInPatient.end(),
+                       [&](const Eigen::Vector3d& p) { return (p - point).norm() <= toleranceMm; });
+}
+
+}   // namespace
+
+double VesselBranch::lengthMm() const
+{
+    return polylineLength(pointsInPatient);
+}
+
+std::size_t VesselTree::pointCount() const
+{
+    std::size_t count = 0;
+    for (const VesselBranch& branch : branches) {
+        count += branch.pointsInPatient.size();
+    }
+    return count;
+}
+
+const VesselBranch* VesselTree::find(int branchId) const
+{
+    const auto found = std::find_if(branches.begin(), branches.end(),
+                                    [&](const VesselBranch& branch) { return branch.id == branchId; });
+    return found == branches.end() ? nullptr : &*found;
+}
+
+std::vector<VesselNode> findNodes(const VesselTree& tree, double toleranceMm)
+{
+    std::vector<VesselNode> nodes;
+    for (const BranchEnd& end : endsOf(tree)) {
+        const bool known = std::any_of(nodes.begin(), nodes.end(), [&](const VesselNode& node) {
+            return (node.pointInPatient - end.point).norm() <= toleranceMm;
+        });
+        if (known) {
+            continue;
+        }
+        VesselNode node{end.point, {}};
+        for (const VesselBranch& branch : tree.branches) {
+            if (passesNear(branch, end.point, toleranceMm)) {
+                node.branchIds.push_back(branch.id);
+            }
+        }
+        nodes.push_back(std::move(node));
+    }
+    return nodes;
+}
+
+Eigen::Vector3d centroidInPatient(const VesselTree& tree)
+{
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double length = 0.0;
+    for (const VesselBranch& branch : tree.branches) {
+        const auto& points = branch.pointsInPatient;
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const double step = (points[i] - points[i - 1]).norm();
+            sum += 0.5 * step * (points[i] + points[i - 1]);
+            length += step;
+        }
+    }
+    if (length > 0.0) {
+        return sum / length;
+    }
+    return tree.pointCount() > 0 ? tree.branches.front().pointsInPatient.front() : Eigen::Vector3d::Zero().eval();
+}
+
+std::vector<Eigen::Vector3d> tangentsOf(const std::vector<Eigen::Vector3d>& points)
+{
+    return polylineTangents(points, 1);
+}
+
+VesselTree resampled(const VesselTree& tree, double spacingMm)
+{
+    VesselTree result;
+    for (const VesselBranch& branch : tree.branches) {
+        const std::vector<PolylineStation> stations = evenStations(branch.pointsInPatient, spacingMm);
+        VesselBranch even{branch.id, branch.name, interpolate(branch.pointsInPatient, stations), {}};
+        if (branch.radiusMm.size() == branch.pointsInPatient.size()) {
+            even.radiusMm = interpolate(branch.radiusMm, stations);
+        }
+        result.branches.push_back(std::move(even));
+    }
+    return result;
+}
+
+VesselTree without(const VesselTree& tree, const std::vector<int>& excludedIds)
+{
+    const std::set<int> excluded(excludedIds.begin(), excludedIds.end());
+    VesselTree result;
+    std::copy_if(tree.branches.begin(), tree.branches.end(), std::back_inserter(result.branches),
+                 [&](const VesselBranch& branch) { return !excluded.contains(branch.id); });
+    return result;
+}
+
+std::string findProblem(const VesselTree& tree)
+{
+    if (tree.branches.empty()) {
+        return "The vessel tree has no branches. Load a centreline with at least one branch.";
+    }
+    std::set<int> ids;
+    for (const VesselBranch& branch : tree.branches) {
+        const std::string name = "Branch " + std::to_string(branch.id);
+        if (!ids.insert(branch.id).second) {
+            return name + " occurs twice in the vessel tree. Branch ids must be unique.";
+        }
+        if (branch.pointsInPatient.size() < 2) {
+            return name + " of the vessel tree has fewer than two points. Remove it or add points.";
+        }
+        const bool finite = std::all_of(branch.pointsInPatient.begin(), branch.pointsInPatient.end(),
+                                        [](const Eigen::Vector3d& p) { return p.allFinite(); });
+        if (!finite) {
+            return name + " of the vessel tree has a coordinate that is not a number (NaN or infinite).";
+        }
+        if (branch.lengthMm() <= 0.0) {
+            return name + " of the vessel tree has no length: all its points coincide.";
+        }
+        if (!branch.radiusMm.empty() && branch.radiusMm.size() != branch.pointsInPatient.size()) {
+            return name + " of the vessel tree does not have one radius per point.";
+        }
+    }
+    return {};
+}
+
+}   // namespace core

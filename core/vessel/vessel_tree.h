@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace core {
+
+/// One branch of a vessel tree: an ordered centreline in patient LPS, mm.
+struct VesselBranch {
+    int id = 0;   ///< stable, unique in the tree
+    std::string name;   ///< as labelled; may be empty
+    std::vector<Eigen::Vector3d> pointsInPatient;   ///< at least two
+    std::vector<double> radiusMm;   ///< one per point, or empty when unknown
+
+    double lengthMm() const;
+};
+
+/// Branches of one vessel tree. Branches that meet need not share a point: nodes join ends that touch.
+struct VesselTree {
+    std::vector<VesselBranch> branches;
+
+    std::size_t pointCount() const;
+    const VesselBranch* find(int branchId) const;
+};
+
+/// A bifurcation (two or more branches meet) or a free end.
+struct VesselNode {
+    Eigen::Vector3d pointInPatient;
+    std::vector<int> branchIds;   ///< the branches that end or pass here
+
+    bool isBifurcation() const { return branchIds.size() > 1; }
+};
+
+/// Bifurcations and ends. Branch ends closer than `toleranceMm` to another branch's point are one node with it.
+std::vector<VesselNode> findNodes(const VesselTree& tree, double toleranceMm = 1.5);
+
+/// Length-weighted centroid of the whole tree, patient LPS mm: the pivot of pose edits and of OBJ parameters.
+Eigen::Vector3d centroidInPatient(const VesselTree& tree);
+
+/// Unit tangents of an ordered curve by central differences; a zero-length neighbourhood inherits its predecessor's.
+std::vector<Eigen::Vector3d> tangentsOf(const std::vector<Eigen::Vector3d>& points);
+
+/// The same tree with points every `spacingMm` of arc length (ends kept, radius interpolated; duplicates dropped).
+VesselTree resampled(const VesselTree& tree, double spacingMm);
+
+/// The tree without the branches in `excludedIds`.
+VesselTree without(const VesselTree& tree, const std::vector<int>& excludedIds);
+
+/// What makes this tree unusable (no branch, one point, NaN, …), in words for the user; empty when it is fine.
+std::string findProblem(const VesselTree& tree);
+
+}   // namespace core
