@@ -1,0 +1,69 @@
+#include "core/registration_case.h"
+
+namespace core {
+
+Result<ProjectionCamera> cameraOf(const RegistrationCase& registrationCase)
+{
+    if (registrationCase.cameraOverride) {
+        if (const std::string problem = findProblem(*registrationCase.cameraOverride); !problem.empty()) {
+            return Error{problem};
+        }
+        return *registrationCase.cameraOverride;
+    }
+    if (!registrationCase.angiogram) {
+        return Error{"There is no angiogram yet. Open an image first."};
+    }
+    return cameraFromCArm(registrationCase.cArm, registrationCase.angiogram->width(),
+                          registrationCase.angiogram->height());
+}
+
+Result<RigidTransform> startPoseOf(const RegistrationCase& registrationCase)
+{
+    if (registrationCase.hasInitialPose) {
+        return registrationCase.initialCameraFromPatient;
+    }
+    if (!registrationCase.tree) {
+        return Error{"There is no vessel tree yet. Open a centreline first."};
+    }
+    return cameraFromPatient(registrationCase.cArm, centroidInPatient(*registrationCase.tree));
+}
+
+Result<Centerline2d> targetOf(const RegistrationCase& registrationCase)
+{
+    if (registrationCase.givenTarget) {
+        return *registrationCase.givenTarget;
+    }
+    if (!registrationCase.angiogram || registrationCase.angiogram->frames.empty()) {
+        return Error{"There is no angiogram yet. Open an image first."};
+    }
+    const Angiogram& angiogram = *registrationCase.angiogram;
+    if (registrationCase.frame < 0 || registrationCase.frame >= angiogram.frameCount()) {
+        return Error{"Frame " + std::to_string(registrationCase.frame) + " does not exist: the image has frames 0 to " +
+                     std::to_string(angiogram.frameCount() - 1) + "."};
+    }
+    auto trace = traceAngiogram(angiogram.frames[static_cast<std::size_t>(registrationCase.frame)], angiogram.polarity,
+                                registrationCase.traceOptions);
+    if (!trace) {
+        return trace.error();
+    }
+    return std::move(trace).value().centerline;
+}
+
+Result<RegistrationInput> registrationInputOf(const RegistrationCase& registrationCase, Centerline2d target)
+{
+    if (!registrationCase.tree) {
+        return Error{"There is no vessel tree yet. Open a centreline first."};
+    }
+    auto camera = cameraOf(registrationCase);
+    if (!camera) {
+        return camera.error();
+    }
+    return RegistrationInput{*registrationCase.tree,
+                             std::move(target),
+                             camera.value(),
+                             registrationCase.cameraFromPatient,
+                             registrationCase.auxiliaryBranchIds,
+                             registrationCase.excludedBranchIds};
+}
+
+}   // namespace core

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/geometry/c_arm.h"
+#include "core/imaging/angiogram.h"
+#include "core/support/random.h"
+#include "core/vessel/centerline2d.h"
+#include "core/vessel/vessel_tree.h"
+
+#include <cstdint>
+
+namespace core {
+
+/// Shape of a generated tree; lengths mm.
+struct TreeOptions {
+    int branchCount = 24;
+    double extentMm = 180.0;   ///< about the size of the bounding box
+    double rootRadiusMm = 3.0;
+    double pointSpacingMm = 1.0;
+};
+
+/// A random, smooth, bifurcating vessel tree around the origin of the patient frame. Same seed, same tree.
+VesselTree simulateTree(std::uint64_t seed, const TreeOptions& options = {});
+
+/// Image formation (ALGORITHMS §4.4).
+struct DsaOptions {
+    int width = 512;
+    int height = 512;
+    int frameCount = 8;   ///< bolus passes through; the middle frames are the fullest
+    double photonCount = 3000.0;   ///< N0 of the Poisson noise
+    double missingBranchShare = 0.2;   ///< probability that a branch is not filled
+    double extraBranchShare = 0.1;   ///< 2-D vessels that the tree does not have, per branch
+    double nonRigidStdMm = 0.0;   ///< smooth deformation of the true vessel
+    double catheterProbability = 0.5;
+    double maskMotionPx = 1.0;   ///< up to this shift between mask and contrast frames
+};
+
+/// A case with known answer.
+struct SimulatedCase {
+    VesselTree tree;
+    Angiogram angiogram;   ///< DSA run, vessels dark, geometry as a header would give it
+    ProjectionCamera camera;
+    RigidTransform trueCameraFromPatient;   ///< best rigid pose
+    RigidTransform initialCameraFromPatient;   ///< DICOM-like: angles ±1°, isocentre off by lateral 15 mm, depth 30 mm
+    std::vector<int> missingBranchIds;   ///< not filled in the image
+    Centerline2d trueTarget;   ///< exact projections of the filled branches and the extra vessels
+};
+
+/// Tree, clinical C-arm pose, DSA frames. Everything follows from the seed.
+SimulatedCase simulateCase(std::uint64_t seed, const TreeOptions& tree = {}, const DsaOptions& dsa = {});
+
+/// Pose noise conventions of ALGORITHMS §4.2, never mixed in one table.
+/// OBJ: rotation about the tree's centroid, then shift. CAM: twist applied in the camera frame (rotates about the
+/// source).
+RigidTransform perturbedAboutCentroid(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient,
+                                      double rotationStdDeg, double translationStdMm, CounterRandom& random);
+RigidTransform perturbedAboutSource(const RigidTransform& cameraFromPatient, double rotationStdDeg,
+                                    double translationStdMm, CounterRandom& random);
+
+/// Exact projections of every tree point, one curve per branch (points behind the source are left out).
+Centerline2d projectTree(const VesselTree& tree, const ProjectionCamera& camera,
+                         const RigidTransform& cameraFromPatient);
+
+}   // namespace core

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/imaging/angiogram.h"
+#include "core/imaging/image2d.h"
+#include "core/support/result.h"
+#include "core/vessel/centerline2d.h"
+
+#include <string>
+
+namespace core {
+
+/// One set of defaults for every image; lengths in px of the stored frame.
+struct TraceOptions {
+    double minVesselRadiusPx = 1.0;   ///< thinnest vessel looked for
+    double maxVesselRadiusPx = 6.0;   ///< widest vessel looked for
+    int minBranchLengthPx = 10;   ///< shorter spurs are removed
+    int minComponentLengthPx = 30;   ///< shorter isolated pieces are removed
+    double sensitivity = 1.0;   ///< above 1: fainter vessels too; scales Otsu's threshold by 1/sensitivity
+
+    bool operator==(const TraceOptions&) const = default;
+};
+
+/// What tracing found in one frame, with what it saw on the way.
+struct AngiogramTrace {
+    Centerline2d centerline;
+    ImageF vesselness;   ///< 0…1
+    Mask2d vesselMask;
+    Mask2d fieldMask;   ///< where the image is exposed: inside shutter and border
+};
+
+/// Vesselness → Otsu → thinning → ordered, smoothed curves with width (ALGORITHMS §4.4 "actual pipeline").
+/// Fails when the frame is empty, flat, not finite, or shows nothing vessel-like.
+Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& options = {});
+
+/// Curves of a drawn mask (e.g. a PNG): thinning and ordering only.
+Result<Centerline2d> traceMask(const Mask2d& mask, const TraceOptions& options = {});
+
+}   // namespace core

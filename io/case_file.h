@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/registration_case.h"
+#include "core/support/result.h"
+
+#include <string>
+#include <string_view>
+
+namespace io {
+
+/// The JSON Schema of `*.angiopose` files, as published under resources/.
+std::string_view caseSchema();
+
+/// Reads a case file and the inputs it names (FORMATS §2). Relative paths are relative to the case file.
+/// An input whose content no longer matches its stored hash loads with a warning.
+core::Result<core::RegistrationCase> loadCase(const std::string& path, std::vector<std::string>& warnings);
+
+/// Schema and meaning only, without loading the inputs: every problem found, empty when the case is fine.
+core::Result<std::vector<std::string>> validateCase(const std::string& path);
+
+/// Writes atomically (temporary file, flush, rename); paths relative to the case file, hashes of the inputs,
+/// keys unknown to this version kept.
+core::Status saveCase(const core::RegistrationCase& registrationCase, const std::string& path);
+
+}   // namespace io

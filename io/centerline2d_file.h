@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/support/result.h"
+#include "core/vessel/centerline2d.h"
+
+#include <string>
+
+namespace io {
+
+/// 2-D centreline from CSV (`x,y,branch,radius`) or a PNG mask (traced).
+core::Result<core::Centerline2d> readCenterline2d(const std::string& path);
+
+/// Writes CSV `x,y,branch,radius`, px, atomically.
+core::Status writeCenterline2d(const core::Centerline2d& centerline, const std::string& path);
+
+}   // namespace io

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/registration_case.h"
+#include "core/support/result.h"
+
+#include <string>
+
+namespace io {
+
+/// result.json of FORMATS §3 as text.
+std::string resultJson(const core::RegistrationCase& registrationCase, const core::RegistrationResult& result);
+
+/// Writes it atomically.
+core::Status writeResult(const core::RegistrationCase& registrationCase, const core::RegistrationResult& result,
+                         const std::string& path);
+
+}   // namespace io

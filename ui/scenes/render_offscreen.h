@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/imaging/image2d.h"
+#include "core/support/result.h"
+#include "ui/scenes/overlay_scene.h"
+
+#include <string>
+#include <vector>
+
+namespace ui {
+
+/// Text burned into an exported overlay, one list per corner.
+struct CornerTexts {
+    std::vector<std::string> topLeft, topRight, bottomLeft, bottomRight;
+};
+
+/// Renders the scene without any display (surfaceless EGL, software if need be). `viewRect` fills the picture.
+/// `scaleMaximumPx` > 0 draws the residual scale. Fails when no OpenGL context can be had, saying what to install.
+core::Result<core::ColorImage> renderOffscreen(OverlayScene& scene, int width, int height, const ViewRect& viewRect,
+                                               const CornerTexts& texts = {}, double scaleMaximumPx = 0.0,
+                                               double scaleMaximumMm = 0.0);
+
+}   // namespace ui
