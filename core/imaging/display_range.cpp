@@ -1,0 +1,56 @@
+#include "core/imaging/display_range.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace core {
+namespace {
+
+constexpr double borderShare = 0.02;   // an extreme value that fills more of the frame than this is border or shutter
+
+/// Finite pixels, sorted; at most about 60 000 of them, evenly picked.
+std::vector<float> sortedSample(const ImageF& frame)
+{
+    const std::size_t step = std::max<std::size_t>(1, frame.pixels.size() / 60000);
+    std::vector<float> sample;
+    sample.reserve(frame.pixels.size() / step + 1);
+    for (std::size_t i = 0; i < frame.pixels.size(); i += step) {
+        if (std::isfinite(frame.pixels[i])) {
+            sample.push_back(frame.pixels[i]);
+        }
+    }
+    std::sort(sample.begin(), sample.end());
+    return sample;
+}
+
+double quantile(const std::vector<float>& sorted, double fraction)
+{
+    const auto last = static_cast<double>(sorted.size() - 1);
+    return sorted[static_cast<std::size_t>(std::lround(fraction * last))];
+}
+
+}   // namespace
+
+DisplayRange displayRange(const ImageF& frame)
+{
+    std::vector<float> sample = sortedSample(frame);
+    if (sample.empty()) {
+        return {};
+    }
+    const auto enough = static_cast<std::ptrdiff_t>(borderShare * static_cast<double>(sample.size()));
+    const auto afterLowest = std::upper_bound(sample.begin(), sample.end(), sample.front());
+    const auto firstHighest = std::lower_bound(afterLowest, sample.end(), sample.back());
+    const bool dropsLowest = afterLowest - sample.begin() > enough && afterLowest != sample.end();
+    const bool dropsHighest = sample.end() - firstHighest > enough && firstHighest != afterLowest;
+    const std::vector<float> exposed(dropsLowest ? afterLowest : sample.begin(),
+                                     dropsHighest ? firstHighest : sample.end());
+
+    DisplayRange range{quantile(exposed, 0.005), quantile(exposed, 0.995)};
+    if (!(range.high > range.low)) {
+        range.high = range.low + 1.0;
+    }
+    return range;
+}
+
+}   // namespace core

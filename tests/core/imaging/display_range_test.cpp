@@ -1,0 +1,49 @@
+#include "core/imaging/display_range.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace {
+
+using namespace core;
+
+/// A ramp from 100 to 200 inside a black border.
+ImageF borderedRamp()
+{
+    ImageF image(120, 100, 0.0F);
+    for (int y = 20; y < 80; ++y) {
+        for (int x = 20; x < 120; ++x) {
+            image.at(x, y) = 100.0F + static_cast<float>(x - 20);
+        }
+    }
+    return image;
+}
+
+TEST(DisplayRange, IgnoresABlackBorder)
+{
+    const DisplayRange range = displayRange(borderedRamp());
+    EXPECT_GE(range.low, 100.0);
+    EXPECT_LE(range.low, 103.0);
+    EXPECT_GE(range.high, 195.0);
+}
+
+TEST(DisplayRange, IsNeverEmptyWhateverTheImage)
+{
+    for (const float value : {0.0F, 7.0F, std::numeric_limits<float>::quiet_NaN()}) {
+        const DisplayRange range = displayRange(ImageF(10, 10, value));
+        EXPECT_GT(range.window(), 0.0);
+    }
+    EXPECT_GT(displayRange(ImageF{}).window(), 0.0);
+}
+
+TEST(DisplayRange, KeepsATwoValuedImage)
+{
+    ImageF image(10, 10, 0.0F);
+    for (int y = 0; y < 10; ++y) {
+        image.at(3, y) = 9.0F;
+    }
+    const DisplayRange range = displayRange(image);
+    EXPECT_GT(range.window(), 0.0);
+}
+
+}   // namespace
