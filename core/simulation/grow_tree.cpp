@@ -1,0 +1,249 @@
+#include "core/simulation/grow_tree.h"
+
+#include "core/simulation/murray_radii.h"
+#include "core/simulation/smooth_path.h"
+#include "core/vessel/polyline.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace core {
+namespace {
+
+constexpr double takeoffMarginMm = 9.0;   ///< free of takeoffs around ends and other takeoffs
+constexpr double minReachMm = 22.0;   ///< straight length of the shortest branch while growing
+constexpr int candidateCount = 60;
+
+/// What makes one seed's vessels differ from another's.
+struct Anatomy {
+    Eigen::Vector3d halfAxesMm;
+    double hollowness;   ///< 0: vessels fill the organ, 1: they run on its surface (heart, brain)
+    double tortuosity;
+    double upward;   ///< +1: blood flows towards the head
+};
+
+Anatomy drawAnatomy(const TreeOptions& options, CounterRandom& random)
+{
+    Anatomy anatomy;
+    const double half = 0.5 * options.extentMm;
+    anatomy.halfAxesMm = {half * random.uniform(0.75, 1.0), half * random.uniform(0.6, 0.95), half};
+    anatomy.hollowness = random.uniform();
+    anatomy.tortuosity = random.uniform(0.8, 1.8);
+    anatomy.upward = random.uniform() < 0.5 ? 1.0 : -1.0;
+    return anatomy;
+}
+
+Eigen::Vector3d randomDirection(CounterRandom& random)
+{
+    const double x = random.normal();
+    const double y = random.normal();
+    const double z = random.normal();
+    return (Eigen::Vector3d(x, y, z) + Eigen::Vector3d(0.0, 0.0, 1e-9)).normalized();
+}
+
+Eigen::Vector3d randomPlaceInOrgan(const Anatomy& anatomy, CounterRandom& random)
+{
+    const Eigen::Vector3d direction = randomDirection(random);
+    const double filled = std::cbrt(random.uniform());
+    const double radius = (1.0 - anatomy.hollowness) * filled + anatomy.hollowness * random.uniform(0.85, 1.0);
+    return radius * anatomy.halfAxesMm.cwiseProduct(direction);
+}
+
+double distanceToTree(const VesselTree& tree, const Eigen::Vector3d& place)
+{
+    double nearest = std::numeric_limits<double>::max();
+    for (const VesselBranch& branch : tree.branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            nearest = std::min(nearest, (point - place).squaredNorm());
+        }
+    }
+    return std::sqrt(nearest);
+}
+
+/// The emptiest of a few random places: farthest-point sampling fills the organ evenly.
+Eigen::Vector3d emptiestPlace(const VesselTree& tree, const Anatomy& anatomy, CounterRandom& random)
+{
+    Eigen::Vector3d best = Eigen::Vector3d::Zero();
+    double bestDistance = -1.0;
+    for (int i = 0; i < candidateCount; ++i) {
+        const Eigen::Vector3d place = randomPlaceInOrgan(anatomy, random);
+        const double distance = distanceToTree(tree, place);
+        if (distance > bestDistance) {
+            bestDistance = distance;
+            best = place;
+        }
+    }
+    return best;
+}
+
+bool isFree(const GrownTree& grown, std::size_t branch, std::size_t point)
+{
+    const auto margin = static_cast<std::size_t>(takeoffMarginMm);   // points are 1 mm apart while growing
+    const std::size_t count = grown.tree.branches[branch].pointsInPatient.size();
+    if (point < margin || point + margin >= count) {
+        return false;
+    }
+    return std::none_of(grown.takeoffs.begin(), grown.takeoffs.end(), [&](const Takeoff& other) {
+        const std::size_t apart = std::max(other.parentPoint, point) - std::min(other.parentPoint, point);
+        return other.parentIndex == static_cast<int>(branch) && apart < margin;
+    });
+}
+
+int generationOf(const GrownTree& grown, std::size_t branch)
+{
+    int generation = 0;
+    for (int parent = grown.takeoffs[branch].parentIndex; parent >= 0; ++generation) {
+        parent = grown.takeoffs[static_cast<std::size_t>(parent)].parentIndex;
+    }
+    return generation;
+}
+
+/// The takeoff from which a branch reaches `place` on the shortest way, where turning away from the parent's direction
+/// and leaving a late generation cost extra: branching angles come out near 40°.
+Takeoff cheapestTakeoff(const GrownTree& grown, const Eigen::Vector3d& place)
+{
+    Takeoff best;
+    double bestCost = std::numeric_limits<double>::max();
+    for (std::size_t b = 0; b < grown.tree.branches.size(); ++b) {
+        const std::vector<Eigen::Vector3d>& points = grown.tree.branches[b].pointsInPatient;
+        const std::vector<Eigen::Vector3d> tangents = polylineTangents<3>(points, 3);
+        const double generationFactor = 1.0 + 0.2 * generationOf(grown, b);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Eigen::Vector3d way = place - points[i];
+            const double cost = generationFactor * (4.0 * way.norm() - 3.0 * tangents[i].dot(way));
+            if (cost < bestCost && way.norm() > minReachMm && isFree(grown, b, i)) {
+                bestCost = cost;
+                best = {static_cast<int>(b), i};
+            }
+        }
+    }
+    return best;
+}
+
+std::vector<Eigen::Vector3d> growTrunk(const Anatomy& anatomy, CounterRandom& random)
+{
+    const Eigen::Vector3d up(0.0, 0.0, anatomy.upward);
+    const Eigen::Vector3d sideways = anatomy.halfAxesMm.cwiseProduct(randomDirection(random));
+    PathPlan plan;
+    plan.start = -anatomy.halfAxesMm.z() * up + 0.15 * sideways;
+    plan.end = random.uniform(0.55, 0.8) * anatomy.halfAxesMm.z() * up + random.uniform(0.4, 0.8) * sideways;
+    plan.startDirection = (up + 0.7 * randomDirection(random)).normalized();
+    plan.endDirection = (up + 0.9 * randomDirection(random)).normalized();
+    plan.tortuosity = anatomy.tortuosity;
+    return smoothPath(plan, random);
+}
+
+/// Adds one branch; nothing when no place could be reached.
+bool growBranch(GrownTree& grown, const Anatomy& anatomy, CounterRandom& random)
+{
+    const Eigen::Vector3d place = emptiestPlace(grown.tree, anatomy, random);
+    const Takeoff takeoff = cheapestTakeoff(grown, place);
+    if (takeoff.parentIndex < 0) {
+        return false;
+    }
+    const std::vector<Eigen::Vector3d>& parent =
+        grown.tree.branches[static_cast<std::size_t>(takeoff.parentIndex)].pointsInPatient;
+    PathPlan plan;
+    plan.start = parent[takeoff.parentPoint];
+    plan.end = place;
+    const Eigen::Vector3d way = (plan.end - plan.start).normalized();
+    plan.startDirection = (0.5 * polylineTangents<3>(parent, 3)[takeoff.parentPoint] + way).normalized();
+    plan.endDirection = (way + 0.4 * randomDirection(random)).normalized();
+    plan.tortuosity = anatomy.tortuosity;
+
+    VesselBranch branch;
+    branch.id = static_cast<int>(grown.tree.branches.size()) + 1;
+    branch.pointsInPatient = smoothPath(plan, random);
+    grown.tree.branches.push_back(std::move(branch));
+    grown.takeoffs.push_back(takeoff);
+    return true;
+}
+
+/// Trunk, then A, B, … for its children, A1, A2, … for theirs, A1.1, … below.
+void nameBranches(GrownTree& grown)
+{
+    std::vector<int> children(grown.tree.branches.size(), 0);
+    for (std::size_t b = 0; b < grown.tree.branches.size(); ++b) {
+        const int parent = grown.takeoffs[b].parentIndex;
+        if (parent < 0) {
+            grown.tree.branches[b].name = "Trunk";
+            continue;
+        }
+        const int rank = children[static_cast<std::size_t>(parent)]++;
+        const std::string& parentName = grown.tree.branches[static_cast<std::size_t>(parent)].name;
+        const int generation = generationOf(grown, b);
+        if (generation == 1) {
+            grown.tree.branches[b].name =
+                rank < 26 ? std::string(1, static_cast<char>('A' + rank)) : "A" + std::to_string(rank);
+        } else {
+            grown.tree.branches[b].name = parentName + (generation == 2 ? "" : ".") + std::to_string(rank + 1);
+        }
+    }
+}
+
+/// Moves the bounding box to the origin and scales its longest side to `extentMm`.
+void fitIntoBox(VesselTree& tree, double extentMm)
+{
+    Eigen::AlignedBox3d box;
+    for (const VesselBranch& branch : tree.branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            box.extend(point);
+        }
+    }
+    const double scale = extentMm / box.sizes().maxCoeff();
+    for (VesselBranch& branch : tree.branches) {
+        for (Eigen::Vector3d& point : branch.pointsInPatient) {
+            point = scale * (point - box.center());
+        }
+    }
+}
+
+/// The final spacing; takeoffs move along to the nearest new point.
+void resampleTo(GrownTree& grown, double spacingMm)
+{
+    for (std::size_t b = 0; b < grown.tree.branches.size(); ++b) {
+        Takeoff& takeoff = grown.takeoffs[b];
+        if (takeoff.parentIndex < 0) {
+            continue;
+        }
+        const auto parent = static_cast<std::size_t>(takeoff.parentIndex);
+        const double oldLast = static_cast<double>(grown.tree.branches[parent].pointsInPatient.size() - 1);
+        const double newLast = std::max(1.0, std::round(grown.tree.branches[parent].lengthMm() / spacingMm));
+        takeoff.parentPoint =
+            static_cast<std::size_t>(std::round(static_cast<double>(takeoff.parentPoint) * newLast / oldLast));
+    }
+    grown.tree = resampled(grown.tree, spacingMm);
+}
+
+}   // namespace
+
+GrownTree growTree(std::uint64_t seed, const TreeOptions& options)
+{
+    CounterRandom random(seed);
+    const Anatomy anatomy = drawAnatomy(options, random);
+    GrownTree grown;
+    grown.tree.branches.push_back({1, "", growTrunk(anatomy, random), {}});
+    grown.takeoffs.emplace_back();
+    // A crowded tree may have no free takeoff left for a place; other places are tried, but not for ever.
+    for (int attempt = 0; attempt < 20 * options.branchCount; ++attempt) {
+        if (static_cast<int>(grown.tree.branches.size()) >= options.branchCount) {
+            break;
+        }
+        growBranch(grown, anatomy, random);
+    }
+    nameBranches(grown);
+    fitIntoBox(grown.tree, options.extentMm);
+    resampleTo(grown, options.pointSpacingMm);
+    assignMurrayRadii(grown, options.rootRadiusMm);
+    return grown;
+}
+
+VesselTree simulateTree(std::uint64_t seed, const TreeOptions& options)
+{
+    return growTree(seed, options).tree;
+}
+
+}   // namespace core

@@ -1,0 +1,41 @@
+#include "core/simulation/simulated_case.h"
+
+#include <numbers>
+
+namespace core {
+namespace {
+
+Eigen::Vector3d normalVector(double standardDeviation, CounterRandom& random)
+{
+    const double x = random.normal();
+    const double y = random.normal();
+    const double z = random.normal();
+    return standardDeviation * Eigen::Vector3d(x, y, z);
+}
+
+double radians(double degrees)
+{
+    return degrees * std::numbers::pi / 180.0;
+}
+
+}   // namespace
+
+RigidTransform perturbedAboutCentroid(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient,
+                                      double rotationStdDeg, double translationStdMm, CounterRandom& random)
+{
+    const Eigen::Vector3d omega = normalVector(radians(rotationStdDeg), random);
+    const Eigen::Vector3d shift = normalVector(translationStdMm, random);
+    const Eigen::Matrix3d rotation = expSo3(omega) * cameraFromPatient.rotation;
+    return {rotation, cameraFromPatient * centroidInPatient + shift - rotation * centroidInPatient};
+}
+
+RigidTransform perturbedAboutSource(const RigidTransform& cameraFromPatient, double rotationStdDeg,
+                                    double translationStdMm, CounterRandom& random)
+{
+    Vector6d twist;
+    twist.head<3>() = normalVector(radians(rotationStdDeg), random);
+    twist.tail<3>() = normalVector(translationStdMm, random);
+    return expSe3(twist) * cameraFromPatient;
+}
+
+}   // namespace core

@@ -1,0 +1,30 @@
+#include "core/simulation/simulated_case.h"
+
+namespace core {
+
+Centerline2d projectTree(const VesselTree& tree, const ProjectionCamera& camera,
+                         const RigidTransform& cameraFromPatient)
+{
+    Centerline2d target;
+    for (const VesselBranch& branch : tree.branches) {
+        const bool hasRadii = branch.radiusMm.size() == branch.pointsInPatient.size();
+        Curve2d curve{branch.id, {}, {}};
+        for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
+            const Eigen::Vector3d pointInCamera = cameraFromPatient * branch.pointsInPatient[i];
+            const std::optional<Eigen::Vector2d> pixel = project(camera, pointInCamera);
+            if (!pixel) {
+                continue;
+            }
+            curve.pointsPx.push_back(*pixel);
+            if (hasRadii) {
+                curve.radiusPx.push_back(branch.radiusMm[i] / millimetresPerPixel(camera, pointInCamera.z()));
+            }
+        }
+        if (!curve.pointsPx.empty()) {
+            target.curves.push_back(std::move(curve));
+        }
+    }
+    return target;
+}
+
+}   // namespace core
