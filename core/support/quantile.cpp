@@ -1,0 +1,32 @@
+#include "core/support/quantile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace core {
+
+std::vector<double> quantiles(std::vector<double> values, const std::vector<double>& fractions)
+{
+    std::vector<double> result(fractions.size(), std::numeric_limits<double>::quiet_NaN());
+    if (values.empty()) {
+        return result;
+    }
+    std::sort(values.begin(), values.end());
+    for (std::size_t k = 0; k < fractions.size(); ++k) {
+        const double position = std::clamp(fractions[k], 0.0, 1.0) * static_cast<double>(values.size() - 1);
+        const auto below = static_cast<std::size_t>(position);
+        const std::size_t above = std::min(below + 1, values.size() - 1);
+        const double share = position - static_cast<double>(below);
+        // An infinite neighbour must not turn an exact hit into NaN.
+        result[k] = share > 0.0 ? (1.0 - share) * values[below] + share * values[above] : values[below];
+    }
+    return result;
+}
+
+double quantile(std::vector<double> values, double fraction)
+{
+    return quantiles(std::move(values), {fraction}).front();
+}
+
+}   // namespace core

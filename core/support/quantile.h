@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+namespace core {
+
+/// Value below which `fraction` (0…1) of the values lie, linear between neighbours (R type 7); NaN when there are none.
+double quantile(std::vector<double> values, double fraction);
+
+/// The same for several fractions with one sort.
+std::vector<double> quantiles(std::vector<double> values, const std::vector<double>& fractions);
+
+}   // namespace core
