@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/geometry/rigid_transform.h"
+
+namespace core {
+
+/// Quadratic model of a least-squares cost about a pose: cost(x) ≈ cost(0) + 2 gᵀx + xᵀHx, x = (ω rad, υ mm) or any
+/// other six parameters. Only the lower triangle of the Hessian is meaningful.
+struct NormalEquations {
+    Matrix6d hessian = Matrix6d::Zero();
+    Vector6d gradient = Vector6d::Zero();
+};
+
+/// Which parameters may move: all six, or the first three (rotation).
+enum class Freedom { Rotation, Full };
+
+/// Minimiser of the model damped by μ·diag(H) (scale invariant: units of x do not matter, ALGORITHMS §1).
+/// Parameters that the data do not move at all stay zero.
+Vector6d dampedStep(const NormalEquations& equations, double damping, Freedom freedom = Freedom::Full);
+
+/// What the undamped model promises for a step; positive when it lowers the cost.
+double predictedDecrease(const NormalEquations& equations, const Vector6d& step);
+
+/// Nielsen's damping schedule (ALGORITHMS §1; Madsen, Nielsen, Tingleff 2004).
+class Damping {
+public:
+    double factor() const { return factor_; }
+    void accept(double gain);   ///< gain: actual / predicted decrease
+    void reject();
+    void reset() { *this = Damping(); }
+
+private:
+    double factor_ = 1e-3;
+    double growth_ = 2.0;
+};
+
+}   // namespace core
