@@ -173,14 +173,15 @@ void nameBranches(GrownTree& grown)
             continue;
         }
         const int rank = children[static_cast<std::size_t>(parent)]++;
-        const std::string& parentName = grown.tree.branches[static_cast<std::size_t>(parent)].name;
         const int generation = generationOf(grown, b);
-        if (generation == 1) {
-            grown.tree.branches[b].name =
-                rank < 26 ? std::string(1, static_cast<char>('A' + rank)) : "A" + std::to_string(rank);
-        } else {
-            grown.tree.branches[b].name = parentName + (generation == 2 ? "" : ".") + std::to_string(rank + 1);
+        std::string& name = grown.tree.branches[b].name;
+        if (generation == 1 && rank < 26) {
+            name = static_cast<char>('A' + rank);
+            continue;
         }
+        name = grown.tree.branches[static_cast<std::size_t>(parent)].name;
+        name += generation == 2 ? "" : ".";
+        name += std::to_string(rank + 1);
     }
 }
 
