@@ -1,0 +1,53 @@
+#include "core/imaging/grey_statistics.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
+
+namespace core {
+
+float otsuThreshold(const std::vector<float>& values)
+{
+    constexpr std::size_t binCount = 256;
+    const float top = values.empty() ? 0.0F : *std::max_element(values.begin(), values.end());
+    if (!(top > 0.0F)) {
+        return 0.0F;
+    }
+    std::array<double, binCount> histogram{};
+    double moment = 0.0;
+    for (const float value : values) {
+        const auto bin = static_cast<std::size_t>(std::max(0.0F, value / top) * (binCount - 1));
+        histogram[bin] += 1.0;
+        moment += static_cast<double>(bin);
+    }
+    const auto total = static_cast<double>(values.size());
+    double below = 0.0;
+    double momentBelow = 0.0;
+    double widestGap = 0.0;
+    std::size_t best = 0;
+    for (std::size_t bin = 0; bin + 1 < binCount; ++bin) {
+        below += histogram[bin];
+        momentBelow += static_cast<double>(bin) * histogram[bin];
+        if (below <= 0.0 || below >= total) {
+            continue;
+        }
+        const double gap = momentBelow / below - (moment - momentBelow) / (total - below);
+        const double between = below * (total - below) * gap * gap;   // class variance, up to a constant
+        if (between > widestGap) {
+            widestGap = between;
+            best = bin + 1;
+        }
+    }
+    return static_cast<float>(best) / (binCount - 1) * top;
+}
+
+float ranked(std::vector<float> values, double share)
+{
+    assert(!values.empty());
+    const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + rank, values.end());
+    return values[static_cast<std::size_t>(rank)];
+}
+
+}   // namespace core

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+namespace core {
+
+/// The threshold that best separates values ≥ 0 into two classes (Otsu 1979), over 256 bins from 0 to the largest.
+/// 0 when there is nothing to separate.
+float otsuThreshold(const std::vector<float>& values);
+
+/// The value that `share` (0…1) of the values do not exceed; `values` must not be empty. Linear time.
+float ranked(std::vector<float> values, double share);
+
+}   // namespace core

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/imaging/image2d.h"
+
+namespace core {
+
+/// Gaussian smoothing; the image goes on as its edge pixels. `sigmaPx` ≤ 0 returns the image itself.
+ImageF blurred(const ImageF& image, double sigmaPx);
+
+/// Means of 2×2 pixels: pixel (i, j) lies at (2i + 0.5, 2j + 0.5) of the source. Odd last rows and columns repeat.
+ImageF halved(const ImageF& image);
+
+/// Bilinear enlargement by `factor`, the inverse of repeated `halved`, to the given size.
+ImageF enlarged(const ImageF& image, int factor, int width, int height);
+
+/// Bilinear sample at (x, y) px; outside, the nearest edge value. The image must not be empty.
+float sampled(const ImageF& image, double x, double y);
+
+}   // namespace core

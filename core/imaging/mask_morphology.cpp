@@ -1,0 +1,132 @@
+#include "core/imaging/mask_morphology.h"
+
+#include <algorithm>
+#include <array>
+
+namespace core {
+namespace {
+
+struct Step {
+    int dx;
+    int dy;
+};
+constexpr std::array<Step, 8> steps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+
+/// Pixels reached from `seed` over pixels that are set (or clear) as the seed is; marks them as seen.
+std::vector<std::size_t> flood(const Mask2d& mask, std::size_t seed, std::size_t neighbours, Mask2d& seen)
+{
+    const bool wanted = mask.pixels[seed] != 0;
+    std::vector<std::size_t> reached{seed};
+    seen.pixels[seed] = 255;
+    for (std::size_t next = 0; next < reached.size(); ++next) {
+        const int x = static_cast<int>(reached[next] % static_cast<std::size_t>(mask.width));
+        const int y = static_cast<int>(reached[next] / static_cast<std::size_t>(mask.width));
+        for (std::size_t k = 0; k < neighbours; ++k) {
+            if (!mask.contains(x + steps[k].dx, y + steps[k].dy)) {
+                continue;
+            }
+            const std::size_t index = mask.index(x + steps[k].dx, y + steps[k].dy);
+            if (seen.pixels[index] == 0 && (mask.pixels[index] != 0) == wanted) {
+                seen.pixels[index] = 255;
+                reached.push_back(index);
+            }
+        }
+    }
+    return reached;
+}
+
+bool onImageEdge(const Mask2d& mask, std::size_t index)
+{
+    const int x = static_cast<int>(index % static_cast<std::size_t>(mask.width));
+    const int y = static_cast<int>(index / static_cast<std::size_t>(mask.width));
+    return x == 0 || y == 0 || x == mask.width - 1 || y == mask.height - 1;
+}
+
+enum class Target { Clear, Set };
+
+/// Where pixels of the kind `sought` occur within ±radius along one line of `count` pixels, `stride` apart.
+void spreadLine(const std::uint8_t* source, std::uint8_t* target, int count, std::size_t stride, int radius,
+                Target sought)
+{
+    const auto at = [&](int i) { return static_cast<std::size_t>(i) * stride; };
+    const bool wanted = sought == Target::Set;
+    int until = -1;
+    for (int i = -radius; i < count; ++i) {
+        const int ahead = i + radius;
+        if (ahead < count && (source[at(ahead)] != 0) == wanted) {
+            until = ahead + radius;
+        }
+        if (i >= 0) {
+            target[at(i)] = (until >= i) == wanted ? 255 : 0;
+        }
+    }
+}
+
+Mask2d spread(const Mask2d& mask, int radius, Target sought)
+{
+    Mask2d rows(mask.width, mask.height);
+    for (int y = 0; y < mask.height; ++y) {
+        spreadLine(&mask.at(0, y), &rows.at(0, y), mask.width, 1, radius, sought);
+    }
+    Mask2d result(mask.width, mask.height);
+    for (int x = 0; x < mask.width; ++x) {
+        spreadLine(&rows.at(x, 0), &result.at(x, 0), mask.height, static_cast<std::size_t>(mask.width), radius, sought);
+    }
+    return result;
+}
+
+}   // namespace
+
+Mask2d eroded(const Mask2d& mask, int radiusPx)
+{
+    return mask.isEmpty() ? mask : spread(mask, radiusPx, Target::Clear);
+}
+
+Mask2d dilated(const Mask2d& mask, int radiusPx)
+{
+    return mask.isEmpty() ? mask : spread(mask, radiusPx, Target::Set);
+}
+
+Mask2d connectedToEdge(const Mask2d& mask)
+{
+    Mask2d seen(mask.width, mask.height);
+    for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
+        if (mask.pixels[i] != 0 && seen.pixels[i] == 0 && onImageEdge(mask, i)) {
+            flood(mask, i, 8, seen);
+        }
+    }
+    return seen;
+}
+
+Mask2d withHolesFilled(Mask2d mask, int maxAreaPx)
+{
+    Mask2d seen(mask.width, mask.height);
+    for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
+        if (mask.pixels[i] != 0 || seen.pixels[i] != 0) {
+            continue;
+        }
+        const std::vector<std::size_t> hole = flood(mask, i, 4, seen);
+        const bool open = std::any_of(hole.begin(), hole.end(), [&](std::size_t p) { return onImageEdge(mask, p); });
+        if (!open && hole.size() <= static_cast<std::size_t>(maxAreaPx)) {
+            for (const std::size_t p : hole) {
+                mask.pixels[p] = 255;
+                seen.pixels[p] = 255;
+            }
+        }
+    }
+    return mask;
+}
+
+std::vector<std::vector<std::size_t>> componentsOf(const Mask2d& mask)
+{
+    std::vector<std::vector<std::size_t>> components;
+    Mask2d seen(mask.width, mask.height);
+    for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
+        if (mask.pixels[i] != 0 && seen.pixels[i] == 0) {
+            components.push_back(flood(mask, i, 8, seen));
+        }
+    }
+    return components;
+}
+
+}   // namespace core
