@@ -11,8 +11,8 @@ namespace core {
 
 /// One set of defaults for every image; lengths in px of the stored frame.
 struct TraceOptions {
-    double minVesselRadiusPx = 1.0;   ///< thinnest vessel looked for
-    double maxVesselRadiusPx = 6.0;   ///< widest vessel looked for
+    double minVesselRadiusPx = 1.5;   ///< thinnest vessel looked for
+    double maxVesselRadiusPx = 8.0;   ///< widest vessel looked for
     int minBranchLengthPx = 10;   ///< shorter spurs are removed
     int minComponentLengthPx = 30;   ///< shorter isolated pieces are removed
     double sensitivity = 1.0;   ///< above 1: fainter vessels too; scales Otsu's threshold by 1/sensitivity

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/imaging/image2d.h"
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace core {
+
+/// A stretch of skeleton between two nodes; its points begin and end at them.
+struct SkeletonEdge {
+    int startNode = 0;
+    int endNode = 0;
+    std::vector<Eigen::Vector2d> pointsPx;
+};
+
+/// Junctions and free ends of a skeleton, and what runs between them. A closed ring is an edge from a node to itself.
+struct SkeletonGraph {
+    std::vector<Eigen::Vector2d> nodesPx;
+    std::vector<SkeletonEdge> edges;
+};
+
+/// Graph of a one pixel wide skeleton; touching junction pixels are one node at their centroid.
+SkeletonGraph skeletonGraph(const Mask2d& skeleton);
+
+/// Without spurs: the shortest branch with a free end goes first, until all are at least `minLengthPx` long. Pieces
+/// (connected parts) shorter in all than `minPieceLengthPx` go too.
+SkeletonGraph pruned(const SkeletonGraph& graph, double minLengthPx, double minPieceLengthPx);
+
+/// Ordered curves through the graph: at each node, edges that continue each other straight on are joined, so that two
+/// crossing vessels give two curves. A crossing that thinning split in two junctions up to `crossingPx` apart is one.
+std::vector<std::vector<Eigen::Vector2d>> orderedCurves(const SkeletonGraph& graph, double crossingPx);
+
+}   // namespace core

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/imaging/angiogram.h"
+
+#include <vector>
+
+namespace core {
+
+/// How much of the field each frame shows filled with contrast, 0…1: the share of pixels in ridges above a threshold
+/// common to all frames. 0 for frames that cannot be traced (empty, another size, not finite, of one colour).
+std::vector<double> opacificationCurve(const std::vector<ImageF>& frames, Polarity polarity);
+
+/// The fullest frame: the first with the most opacification; 0 when there are no frames.
+int suggestFrame(const std::vector<ImageF>& frames, Polarity polarity);
+
+}   // namespace core

@@ -1,0 +1,106 @@
+#include "core/tracing/trace_angiogram.h"
+
+#include "core/imaging/grey_statistics.h"
+#include "core/tracing/curve_refinement.h"
+#include "core/tracing/field_mask.h"
+#include "core/tracing/flatten_background.h"
+#include "core/tracing/skeleton_graph.h"
+#include "core/tracing/thin_mask.h"
+#include "core/tracing/vessel_threshold.h"
+#include "core/tracing/vesselness.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+namespace {
+
+constexpr double surroundingsInRadii = 3.0;
+// Thinning splits the crossing of two vessels into two junctions about as far apart as they are wide.
+constexpr double crossingInRadii = 2.0;
+
+std::string problemWith(const ImageF& frame)
+{
+    if (frame.isEmpty()) {
+        return "The angiogram frame is empty. Choose another frame or file.";
+    }
+    if (!std::all_of(frame.pixels.begin(), frame.pixels.end(), [](float value) { return std::isfinite(value); })) {
+        return "The angiogram frame has pixels that are not a number (NaN or infinite). Choose another frame, or "
+               "export "
+               "the image again.";
+    }
+    const auto [darkest, brightest] = std::minmax_element(frame.pixels.begin(), frame.pixels.end());
+    if (*darkest == *brightest) {
+        return "The angiogram frame is of one colour: there is nothing to trace. Choose another frame or file.";
+    }
+    return {};
+}
+
+ImageF withVesselsDark(const ImageF& frame, Polarity polarity)
+{
+    ImageF dark = frame;
+    if (polarity == Polarity::VesselsBright) {
+        for (float& value : dark.pixels) {
+            value = -value;
+        }
+    }
+    return dark;
+}
+
+std::vector<std::vector<Eigen::Vector2d>> pathsThrough(const Mask2d& mask, const TraceOptions& options)
+{
+    const SkeletonGraph graph = skeletonGraph(thinned(mask));
+    const SkeletonGraph kept = pruned(graph, options.minBranchLengthPx, options.minComponentLengthPx);
+    return orderedCurves(kept, crossingInRadii * options.maxVesselRadiusPx);
+}
+
+/// 0…1: the strongest 0.1 % count as 1.
+ImageF normalised(ImageF ridges)
+{
+    const float top = std::max(ranked(ridges.pixels, 0.999), 1e-12F);
+    for (float& value : ridges.pixels) {
+        value = std::min(1.0F, value / top);
+    }
+    return ridges;
+}
+
+}   // namespace
+
+Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& options)
+{
+    if (const std::string problem = problemWith(frame); !problem.empty()) {
+        return Error{problem};
+    }
+    AngiogramTrace trace;
+    const ImageF vesselsDark = withVesselsDark(frame, polarity);
+    trace.fieldMask = findField(vesselsDark, 2.0 * options.maxVesselRadiusPx);
+    const ImageF opacity =
+        flattenBackground(vesselsDark, trace.fieldMask, surroundingsInRadii * options.maxVesselRadiusPx);
+    trace.vesselness = normalised(ridgeStrength(opacity, options.minVesselRadiusPx, options.maxVesselRadiusPx));
+    trace.vesselMask = thresholdVessels(trace.vesselness, trace.fieldMask, options.sensitivity);
+    for (const auto& path : pathsThrough(trace.vesselMask, options)) {
+        trace.centerline.curves.push_back(centredCurve(path, static_cast<int>(trace.centerline.curves.size()) + 1,
+                                                       opacity, options.maxVesselRadiusPx));
+    }
+    if (trace.centerline.curves.empty()) {
+        return Error{
+            "Nothing like a vessel was found in the angiogram frame. Choose a frame with more contrast, raise "
+            "the sensitivity, or check whether vessels are dark or bright."};
+    }
+    return trace;
+}
+
+Result<Centerline2d> traceMask(const Mask2d& mask, const TraceOptions& options)
+{
+    Centerline2d centerline;
+    for (const auto& path : pathsThrough(mask, options)) {
+        centerline.curves.push_back(smoothCurve(path, static_cast<int>(centerline.curves.size()) + 1));
+    }
+    if (centerline.curves.empty()) {
+        return Error{"The vessel mask has no vessel of at least " + std::to_string(options.minComponentLengthPx) +
+                     " px in it. Draw longer vessels, or lower the shortest length."};
+    }
+    return centerline;
+}
+
+}   // namespace core

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/imaging/image2d.h"
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+namespace test {
+
+/// Grey values of a drawn frame.
+struct FrameLook {
+    float background = 120.0F;
+    float depth = 60.0F;   ///< how much darker the middle of a vessel is
+    double blurPx = 0.7;   ///< point spread, one sigma
+    double noise = 0.0;   ///< standard deviation
+};
+
+using Path = std::vector<Eigen::Vector2d>;
+
+Path line(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
+Path circle(const Eigen::Vector2d& centre, double radius);
+
+/// A frame with dark round tubes (absorption along the chord) around the paths; where two cross, they add up.
+core::ImageF drawnFrame(int width, int height, const std::vector<Path>& paths, double radiusPx,
+                        const FrameLook& look = {});
+
+void addNoise(core::ImageF& image, double sigma, std::uint64_t seed);
+
+/// Distance from a point to the nearest point of the path, linearly between its points.
+double distanceTo(const Path& path, const Eigen::Vector2d& point);
+
+}   // namespace test
