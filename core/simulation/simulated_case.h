@@ -27,11 +27,12 @@ struct DsaOptions {
     int height = 512;
     int frameCount = 8;   ///< bolus passes through; the middle frames are the fullest
     double photonCount = 3000.0;   ///< N0 of the Poisson noise
-    double missingBranchShare = 0.2;   ///< probability that a branch is not filled
+    double missingBranchShare = 0.2;   ///< of the branches; they close from the ends, thin ones more often
     double extraBranchShare = 0.1;   ///< 2-D vessels that the tree does not have, per branch
     double nonRigidStdMm = 0.0;   ///< smooth deformation of the true vessel
     double catheterProbability = 0.5;
     double maskMotionPx = 1.0;   ///< up to this shift between mask and contrast frames
+    double shutterProbability = 0.5;   ///< black, octagonal or round border, as exported with the display shutter
 };
 
 /// A case with known answer.

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/geometry/projection_camera.h"
+#include "core/geometry/rigid_transform.h"
+
+#include <vector>
+
+namespace core {
+
+/// The pose near `start` that projects `pointsInPatient` closest to their known `pixels` (least squares).
+RigidTransform fitKnownPose(const std::vector<Eigen::Vector3d>& pointsInPatient,
+                            const std::vector<Eigen::Vector2d>& pixels, const ProjectionCamera& camera,
+                            const RigidTransform& start);
+
+}   // namespace core

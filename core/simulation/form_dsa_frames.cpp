@@ -1,0 +1,159 @@
+#include "core/simulation/form_dsa_frames.h"
+
+#include "core/imaging/gaussian_blur.h"
+#include "core/simulation/body_attenuation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace core {
+namespace {
+
+constexpr double runS = 3.6;   ///< first frame to last: the bolus comes and goes
+constexpr double fillingS = 1.4;   ///< inlet to the farthest tip
+constexpr double attenuationPerMm = 0.08;   ///< of undiluted contrast medium
+constexpr double scatterShare = 0.2;
+constexpr double scatterSigmaShare = 40.0 / 512.0;   ///< of the image width
+constexpr double focalSpotSigmaPx = 0.5;   ///< with the next, σ 0.7 px in all
+constexpr double screenSigmaPx = 0.5;   ///< blurs the quantum noise too
+constexpr int maskAverage = 4;   ///< the mask is the mean of this many frames
+constexpr double midGrey = 2048.0;
+constexpr double greyPerAttenuation = 2200.0;
+constexpr double largestGrey = 4095.0;
+constexpr int marginPx = 8;   ///< body beyond the field, for motion
+
+/// Streams of the run's generator.
+enum Stream : std::uint64_t { BodyStream, MotionStream, ShutterStream, MaskStream, FirstFrameStream };
+
+/// Bilinear cut-out of the body as seen after a shift.
+ImageF shiftedBody(const ImageF& body, const Eigen::Vector2d& shiftPx)
+{
+    ImageF result(body.width - 2 * marginPx, body.height - 2 * marginPx);
+    const double left = marginPx + std::clamp(shiftPx.x(), -6.0, 6.0);
+    const double top = marginPx + std::clamp(shiftPx.y(), -6.0, 6.0);
+    const int x0 = static_cast<int>(std::floor(left));
+    const int y0 = static_cast<int>(std::floor(top));
+    const auto fx = static_cast<float>(left - x0);
+    const auto fy = static_cast<float>(top - y0);
+    for (int y = 0; y < result.height; ++y) {
+        for (int x = 0; x < result.width; ++x) {
+            const float above = (1.0F - fx) * body.at(x0 + x, y0 + y) + fx * body.at(x0 + x + 1, y0 + y);
+            const float below = (1.0F - fx) * body.at(x0 + x, y0 + y + 1) + fx * body.at(x0 + x + 1, y0 + y + 1);
+            result.at(x, y) = (1.0F - fy) * above + fy * below;
+        }
+    }
+    return result;
+}
+
+/// Expected counts behind an attenuation image: primary beam, scatter, focal-spot blur.
+ImageF expectedCounts(const ImageF& attenuation, double photonCount)
+{
+    ImageF primary(attenuation.width, attenuation.height);
+    std::transform(attenuation.pixels.begin(), attenuation.pixels.end(), primary.pixels.begin(),
+                   [photonCount](float a) { return static_cast<float>(photonCount) * std::exp(-a); });
+    const ImageF scattered = gaussianBlurred(primary, scatterSigmaShare * attenuation.width);
+    ImageF counts = gaussianBlurred(primary, focalSpotSigmaPx);
+    for (std::size_t i = 0; i < counts.pixels.size(); ++i) {
+        counts.pixels[i] =
+            static_cast<float>((1.0 - scatterShare) * counts.pixels[i] + scatterShare * scattered.pixels[i]);
+    }
+    return counts;
+}
+
+/// ln of the counts that the detector reports after averaging `frames` exposures.
+ImageF logDetected(const ImageF& expected, int frames, CounterRandom random)
+{
+    ImageF counts(expected.width, expected.height);
+    for (std::size_t i = 0; i < counts.pixels.size(); ++i) {
+        const double total = static_cast<double>(random.poisson(frames * static_cast<double>(expected.pixels[i])));
+        counts.pixels[i] = static_cast<float>(total / frames);
+    }
+    counts = gaussianBlurred(counts, screenSigmaPx);
+    for (float& value : counts.pixels) {
+        value = std::log(std::max(value, 0.5F));
+    }
+    return counts;
+}
+
+/// Exposed part of the field: whole, octagonal or round.
+Mask2d drawShutter(int width, int height, double probability, CounterRandom random)
+{
+    Mask2d open(width, height, 1);
+    if (random.uniform() >= probability) {
+        return open;
+    }
+    const double half = 0.5 * std::min(width, height);
+    const double side = half * random.uniform(0.95, 0.99);
+    const double corner = random.uniform() < 0.5 ? side * random.uniform(1.7, 1.9) : 10.0 * half;
+    const double round = corner > 2.0 * half ? half * random.uniform(1.02, 1.15) : 10.0 * half;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const double dx = std::abs(x - 0.5 * (width - 1));
+            const double dy = std::abs(y - 0.5 * (height - 1));
+            const bool inside = dx <= side && dy <= side && dx + dy <= corner && std::hypot(dx, dy) <= round;
+            open.at(x, y) = inside ? 1 : 0;
+        }
+    }
+    return open;
+}
+
+/// Drift of the patient since the mask was taken, at `share` of the run: grows, with a little breathing on top.
+Eigen::Vector2d motionAt(double share, double largestPx, CounterRandom random)
+{
+    const double direction = random.uniform(0.0, 2.0 * std::numbers::pi);
+    const double sizePx = largestPx * random.uniform(0.3, 1.0);
+    const double breathing = 0.25 * std::sin(2.0 * std::numbers::pi * (share + random.uniform()));
+    return sizePx * (0.4 + 0.35 * share + breathing) * Eigen::Vector2d(std::cos(direction), std::sin(direction));
+}
+
+ImageF subtracted(const ImageF& logMask, const ImageF& logFrame, const Mask2d& open)
+{
+    ImageF result(logMask.width, logMask.height);
+    for (std::size_t i = 0; i < result.pixels.size(); ++i) {
+        const double grey =
+            midGrey - greyPerAttenuation * (static_cast<double>(logMask.pixels[i]) - logFrame.pixels[i]);
+        result.pixels[i] =
+            open.pixels[i] != 0 ? static_cast<float>(std::round(std::clamp(grey, 0.0, largestGrey))) : 0.0F;
+    }
+    return result;
+}
+
+}   // namespace
+
+DsaRun formDsaFrames(const DsaScene& scene, const DsaOptions& options, const CounterRandom& random)
+{
+    const int width = options.width;
+    const int height = options.height;
+    CounterRandom bodyRandom = random.fork(BodyStream);
+    const ImageF body = bodyAttenuation(width + 2 * marginPx, height + 2 * marginPx, bodyRandom);
+    const ImageF logMask = logDetected(expectedCounts(shiftedBody(body, Eigen::Vector2d::Zero()), options.photonCount),
+                                       maskAverage, random.fork(MaskStream));
+    const Mask2d open = drawShutter(width, height, options.shutterProbability, random.fork(ShutterStream));
+    const Bolus bolus{.speedMmPerS = scene.longestPathMm / fillingS};
+
+    DsaRun run;
+    run.frameTimeMs = options.frameCount > 1 ? std::round(1000.0 * runS / options.frameCount) : 0.0;
+    double fullest = -1.0;
+    for (int k = 0; k < options.frameCount; ++k) {
+        const double share = (k + 0.5) / options.frameCount;
+        const ImageF thicknessMm =
+            contrastThicknessMm(scene.paths, bolus, share * runS, scene.camera, scene.cameraFromPatient);
+        ImageF attenuation = shiftedBody(body, motionAt(share, options.maskMotionPx, random.fork(MotionStream)));
+        for (std::size_t i = 0; i < attenuation.pixels.size(); ++i) {
+            attenuation.pixels[i] += static_cast<float>(attenuationPerMm) * thicknessMm.pixels[i];
+        }
+        const double contrast = std::accumulate(thicknessMm.pixels.begin(), thicknessMm.pixels.end(), 0.0);
+        if (contrast > fullest) {
+            fullest = contrast;
+            run.fullestFrame = k;
+        }
+        const ImageF logFrame = logDetected(expectedCounts(attenuation, options.photonCount), 1,
+                                            random.fork(FirstFrameStream + static_cast<std::uint64_t>(k)));
+        run.frames.push_back(subtracted(logMask, logFrame, open));
+    }
+    return run;
+}
+
+}   // namespace core

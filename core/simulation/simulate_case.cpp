@@ -1,0 +1,161 @@
+#include "core/simulation/simulated_case.h"
+
+#include "core/simulation/deform_tree.h"
+#include "core/simulation/fill_vessels.h"
+#include "core/simulation/fit_known_pose.h"
+#include "core/simulation/form_dsa_frames.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace core {
+namespace {
+
+/// Streams of the case's generator: what one part draws never shifts another's draws.
+enum Stream : std::uint64_t { GeometryStream = 1, DeformationStream, FillingStream, ImageStream };
+
+constexpr double angleErrorDeg = 1.0;
+constexpr double lateralErrorMm = 15.0;
+constexpr double depthErrorMm = 30.0;
+constexpr double centringErrorMm = 8.0;   ///< operators centre the vessels about this well
+
+template <class T>
+Sourced<T> fromHeader(T value, const char* tag)
+{
+    return {value, Origin::Header, tag};
+}
+
+double roundedTo(double value, double step)
+{
+    return std::round(value / step) * step;
+}
+
+/// A clinical set-up whose field of view holds the vessels; rounded as headers are.
+CArm drawCArm(const TreeOptions& tree, const DsaOptions& dsa, CounterRandom& random)
+{
+    CArm cArm;
+    const double sidMm = roundedTo(random.uniform(1000.0, 1200.0), 1.0);
+    const double sodMm = roundedTo(random.uniform(700.0, 820.0), 1.0);
+    const double fieldMm = random.uniform(1.1, 1.25) * tree.extentMm * sidMm / sodMm;
+    const double spacingMm = roundedTo(fieldMm / std::min(dsa.width, dsa.height), 0.001);
+    cArm.sourceToDetectorMm = fromHeader(sidMm, "(0018,1110)");
+    cArm.sourceToPatientMm = fromHeader(sodMm, "(0018,1111)");
+    cArm.columnSpacingMm = fromHeader(spacingMm, "(0018,1164)");
+    cArm.rowSpacingMm = fromHeader(spacingMm, "(0018,1164)");
+    cArm.primaryAngleDeg = fromHeader(roundedTo(random.uniform(-45.0, 45.0), 0.1), "(0018,1510)");
+    cArm.secondaryAngleDeg = fromHeader(roundedTo(random.uniform(-30.0, 30.0), 0.1), "(0018,1511)");
+    return cArm;
+}
+
+/// What the gantry really did: the header's angles are a degree off, and the detector is a little turned.
+CArm withTrueAngles(CArm cArm, CounterRandom& random)
+{
+    *cArm.primaryAngleDeg.value += angleErrorDeg * random.normal();
+    *cArm.secondaryAngleDeg.value += angleErrorDeg * random.normal();
+    cArm.rollDeg = {angleErrorDeg * random.normal(), Origin::Assumed, ""};
+    return cArm;
+}
+
+/// Patient-frame offset with the given deviations across and along the ray.
+Eigen::Vector3d drawOffset(const CArm& cArm, double lateralStdMm, double depthStdMm, CounterRandom& random)
+{
+    const double x = lateralStdMm * random.normal();
+    const double y = lateralStdMm * random.normal();
+    const double z = depthStdMm * random.normal();
+    const Result<RigidTransform> pose = cameraFromPatient(cArm, Eigen::Vector3d::Zero());
+    assert(pose);
+    return pose.value().rotation.transpose() * Eigen::Vector3d(x, y, z);
+}
+
+struct Geometry {
+    CArm header;
+    ProjectionCamera camera;
+    RigidTransform trueCameraFromPatient;
+    RigidTransform initialCameraFromPatient;
+};
+
+Geometry drawGeometry(const Eigen::Vector3d& centroid, const TreeOptions& tree, const DsaOptions& dsa,
+                      CounterRandom random)
+{
+    Geometry geometry;
+    geometry.header = drawCArm(tree, dsa, random);
+    const CArm truth = withTrueAngles(geometry.header, random);
+    const Eigen::Vector3d isocentre = centroid + drawOffset(truth, centringErrorMm, 0.5 * depthErrorMm, random);
+    const Eigen::Vector3d guess = isocentre + drawOffset(geometry.header, lateralErrorMm, depthErrorMm, random);
+    const Result<ProjectionCamera> camera = cameraFromCArm(geometry.header, dsa.width, dsa.height);
+    const Result<RigidTransform> truePose = cameraFromPatient(truth, isocentre);
+    const Result<RigidTransform> initialPose = cameraFromPatient(geometry.header, guess);
+    assert(camera && truePose && initialPose);   // drawCArm gives every value
+    geometry.camera = camera.value();
+    geometry.trueCameraFromPatient = truePose.value();
+    geometry.initialCameraFromPatient = initialPose.value();
+    return geometry;
+}
+
+/// The rigid pose that lays the undeformed tree best onto its deformed self in the image.
+RigidTransform bestRigidPose(const VesselTree& tree, const VesselTree& bent, const ProjectionCamera& camera,
+                             const RigidTransform& cameraFromPatient)
+{
+    std::vector<Eigen::Vector3d> points;
+    std::vector<Eigen::Vector2d> pixels;
+    for (std::size_t b = 0; b < tree.branches.size(); ++b) {
+        for (std::size_t i = 0; i < tree.branches[b].pointsInPatient.size(); ++i) {
+            const auto pixel = project(camera, cameraFromPatient * bent.branches[b].pointsInPatient[i]);
+            if (pixel) {
+                points.push_back(tree.branches[b].pointsInPatient[i]);
+                pixels.push_back(*pixel);
+            }
+        }
+    }
+    return fitKnownPose(points, pixels, camera, cameraFromPatient);
+}
+
+Angiogram asAngiogram(DsaRun run, const CArm& header, std::uint64_t seed)
+{
+    Angiogram angiogram;
+    angiogram.frames = std::move(run.frames);
+    angiogram.polarity = Polarity::VesselsDark;
+    angiogram.frameTimeMs = run.frameTimeMs;
+    angiogram.suggestedFrame = run.fullestFrame;
+    angiogram.cArm = header;
+    angiogram.identity.patientName = "Simulated";
+    angiogram.identity.patientId = "SIM-" + std::to_string(seed);
+    angiogram.identity.modality = "XA";
+    angiogram.identity.manufacturer = "AngioPose simulator";
+    angiogram.identity.description = "Simulated DSA, seed " + std::to_string(seed);
+    return angiogram;
+}
+
+}   // namespace
+
+SimulatedCase simulateCase(std::uint64_t seed, const TreeOptions& tree, const DsaOptions& dsa)
+{
+    const CounterRandom random(seed);
+    const GrownTree grown = growTree(seed, tree);
+    const Geometry geometry = drawGeometry(centroidInPatient(grown.tree), tree, dsa, random.fork(GeometryStream));
+
+    GrownTree bent = grown;
+    CounterRandom deformation = random.fork(DeformationStream);
+    if (dsa.nonRigidStdMm > 0.0) {
+        bent.tree = deformed(grown.tree, dsa.nonRigidStdMm, deformation);
+    }
+    CounterRandom filling = random.fork(FillingStream);
+    FilledVessels vessels = fillVessels(bent, dsa, filling);
+
+    SimulatedCase result;
+    result.tree = grown.tree;
+    result.camera = geometry.camera;
+    result.initialCameraFromPatient = geometry.initialCameraFromPatient;
+    result.trueCameraFromPatient =
+        dsa.nonRigidStdMm > 0.0 ? bestRigidPose(grown.tree, bent.tree, geometry.camera, geometry.trueCameraFromPatient)
+                                : geometry.trueCameraFromPatient;
+    result.missingBranchIds = vessels.missingBranchIds;
+    result.trueTarget = projectTree(vessels.visible, geometry.camera, geometry.trueCameraFromPatient);
+    const DsaScene scene{std::move(vessels.paths), vessels.longestPathMm, geometry.camera,
+                         geometry.trueCameraFromPatient};
+    result.angiogram = asAngiogram(formDsaFrames(scene, dsa, random.fork(ImageStream)), geometry.header, seed);
+    return result;
+}
+
+}   // namespace core
