@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, and passes the tests: style, release build, sanitizers.
+# Usage: test.sh [quick]   quick: style and release tests only
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+cd "$(dirname "$here")"
+mode=${1:-full}
+
+step() { printf '\n== %s (%s)\n' "$1" "$(date +%H:%M:%S)"; }
+
+step "Packages"
+"$here/install_packages.sh" build test
+
+step "Format"
+"$here/check_format.sh"
+
+step "Release: build"
+cmake --preset release >/dev/null
+cmake --build build/release
+step "Release: tests"
+ctest --preset release
+
+if [ "$mode" = full ]; then
+    step "Address and undefined-behaviour sanitizers: build"
+    cmake --preset asan >/dev/null
+    cmake --build build/asan
+    step "Address and undefined-behaviour sanitizers: tests"
+    ctest --preset asan
+    step "Thread sanitizer: jobs"
+    cmake --preset tsan >/dev/null
+    cmake --build build/tsan --target jobs_test
+    ctest --preset tsan -R '^jobs\.'
+    step "clang-tidy"
+    "$here/check_tidy.sh"
+fi
+step "Done"
