@@ -1,0 +1,107 @@
+#include "io/support/csv_table.h"
+
+#include "io/support/file_error.h"
+#include "io/support/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace io {
+namespace {
+
+constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
+
+std::vector<std::string_view> splitCells(std::string_view line)
+{
+    std::vector<std::string_view> cells;
+    for (std::size_t start = 0; start <= line.size();) {
+        const std::size_t comma = std::min(line.find(',', start), line.size());
+        std::string_view cell = trimmed(line.substr(start, comma - start));
+        if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') {
+            cell = cell.substr(1, cell.size() - 2);
+        }
+        cells.push_back(cell);
+        start = comma + 1;
+    }
+    return cells;
+}
+
+std::string lowered(std::string_view text)
+{
+    std::string lower(text);
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return lower;
+}
+
+bool areNumbers(const std::vector<std::string_view>& cells)
+{
+    return std::all_of(cells.begin(), cells.end(), [](std::string_view cell) { return parseNumber(cell).has_value(); });
+}
+
+bool isText(std::string_view text)
+{
+    return text.substr(0, 4096).find('\0') == std::string_view::npos;
+}
+
+}   // namespace
+
+std::optional<std::size_t> CsvTable::column(std::string_view name) const
+{
+    const auto found = std::find(columns.begin(), columns.end(), name);
+    return found == columns.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - columns.begin()));
+}
+
+core::Result<CsvTable> parseCsv(std::string_view text, const std::string& path)
+{
+    if (!isText(text)) {
+        return fileError(path, "this is not a text table. Choose a CSV file with a header row.");
+    }
+    if (text.starts_with(byteOrderMark)) {
+        text.remove_prefix(byteOrderMark.size());
+    }
+    CsvTable table;
+    std::size_t width = 0;
+    int lineNumber = 0;
+    for (std::size_t start = 0; start < text.size();) {
+        const std::size_t end = std::min(text.find('\n', start), text.size());
+        const std::string_view line = trimmed(text.substr(start, end - start));
+        start = end + 1;
+        ++lineNumber;
+        if (line.empty() || line.front() == '#') {
+            continue;
+        }
+        std::vector<std::string_view> cells = splitCells(line);
+        if (width == 0) {
+            width = cells.size();
+            table.hasHeader = !areNumbers(cells);
+            if (table.hasHeader) {
+                std::transform(cells.begin(), cells.end(), std::back_inserter(table.columns), lowered);
+                continue;
+            }
+        }
+        if (cells.size() != width) {
+            return fileError(path, "line " + std::to_string(lineNumber) + " has " + std::to_string(cells.size()) +
+                                       " columns, the first line has " + std::to_string(width) +
+                                       ". Separate columns by commas and use . as decimal point.");
+        }
+        table.rows.push_back(std::move(cells));
+        table.lineOfRow.push_back(lineNumber);
+    }
+    return table;
+}
+
+core::Result<double> numberAt(const CsvTable& table, std::size_t row, std::size_t column, const std::string& path)
+{
+    const std::string_view cell = table.rows[row][column];
+    const std::optional<double> value = parseNumber(cell);
+    if (value && std::isfinite(*value)) {
+        return *value;
+    }
+    const std::string name = column < table.columns.size() ? table.columns[column] : std::to_string(column + 1);
+    return fileError(path, "line " + std::to_string(table.lineOfRow[row]) + ", column " + name + ": \"" +
+                               std::string(cell.substr(0, 40)) +
+                               "\" is not a finite number. Correct or remove the line.");
+}
+
+}   // namespace io

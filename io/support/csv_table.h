@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/support/result.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace io {
+
+/// A comma-separated table with a header row (lower-cased names). Every row has as many cells as the header.
+struct CsvTable {
+    std::vector<std::string> columns;
+    std::vector<std::vector<std::string_view>> rows;   ///< cells point into the parsed text
+    std::vector<int> lineOfRow;   ///< line in the file, from 1, for messages
+    bool hasHeader = true;   ///< false: the first line was numbers; `columns` is empty
+
+    std::optional<std::size_t> column(std::string_view name) const;
+};
+
+/// Parses UTF-8 text. Fails, naming the line, on ragged rows and on text that is no table.
+core::Result<CsvTable> parseCsv(std::string_view text, const std::string& path);
+
+/// The finite number in a cell; fails naming line and column.
+core::Result<double> numberAt(const CsvTable& table, std::size_t row, std::size_t column, const std::string& path);
+
+}   // namespace io

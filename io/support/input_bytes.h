@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/support/result.h"
+
+#include <string>
+#include <string_view>
+
+namespace io {
+
+/// Content of a whole file, read-only: mapped from disk, or owned when it had to be unpacked.
+class InputBytes {
+public:
+    InputBytes() = default;
+    explicit InputBytes(std::string content) : owned_(std::move(content)) {}
+    InputBytes(const char* mapping, std::size_t size) : mapping_(mapping), size_(size) {}
+    InputBytes(InputBytes&& other) noexcept;
+    InputBytes& operator=(InputBytes&& other) noexcept;
+    ~InputBytes();
+
+    std::string_view view() const { return mapping_ ? std::string_view(mapping_, size_) : std::string_view(owned_); }
+
+private:
+    const char* mapping_ = nullptr;
+    std::size_t size_ = 0;
+    std::string owned_;
+};
+
+/// Opens an input. Fails, saying what to do, on a missing, unreadable or empty file, a folder, a device,
+/// and on a Git LFS pointer in place of the file itself.
+core::Result<InputBytes> openInput(const std::string& path);
+
+/// Lower-case extension with its dot, ".nii.gz" as one; empty when there is none.
+std::string extensionOf(const std::string& path);
+
+/// A known format by its first bytes ("a NIfTI volume", "a gzip archive", …); empty when not recognised.
+std::string_view describeContent(std::string_view content);
+
+}   // namespace io

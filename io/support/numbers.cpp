@@ -1,0 +1,54 @@
+#include "io/support/numbers.h"
+
+#include <array>
+#include <charconv>
+
+namespace io {
+namespace {
+
+constexpr std::string_view blanks(" \t\r\n\v\f\0", 7);   // DICOM pads with a zero byte
+
+template <class Number>
+std::optional<Number> parseAll(std::string_view text)
+{
+    text = trimmed(text);
+    if (text.starts_with('+')) {
+        text.remove_prefix(1);
+    }
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) {
+        return std::nullopt;
+    }
+    return value;
+}
+
+}   // namespace
+
+std::string_view trimmed(std::string_view text)
+{
+    const std::size_t first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) {
+        return {};
+    }
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::optional<double> parseNumber(std::string_view text)
+{
+    return parseAll<double>(text);
+}
+
+std::optional<int> parseInteger(std::string_view text)
+{
+    return parseAll<int>(text);
+}
+
+std::string toText(double value)
+{
+    std::array<char, 32> buffer;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    return {buffer.data(), end};
+}
+
+}   // namespace io

@@ -1,0 +1,37 @@
+#include "io/support/quiet_libraries.h"
+
+#include <gdcmTrace.h>
+#include <itkObject.h>
+#include <vtkNew.h>
+#include <vtkObject.h>
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
+#include <mutex>
+
+namespace io {
+namespace {
+
+/// Swallows what VTK would print.
+class SilentWindow : public vtkOutputWindow {
+public:
+    static SilentWindow* New();
+    void DisplayText(const char*) override {}
+};
+vtkStandardNewMacro(SilentWindow)
+
+}   // namespace
+
+void quietLibraries()
+{
+    static std::once_flag once;
+    std::call_once(once, [] {
+        const vtkNew<SilentWindow> window;
+        vtkOutputWindow::SetInstance(window);
+        itk::Object::SetGlobalWarningDisplay(false);
+        gdcm::Trace::DebugOff();
+        gdcm::Trace::WarningOff();
+        gdcm::Trace::ErrorOff();
+    });
+}
+
+}   // namespace io

@@ -1,0 +1,91 @@
+#include "io/vessel/line_set.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace io {
+namespace {
+
+using Segment = std::pair<std::size_t, std::size_t>;
+
+/// Segments of one id as a graph over point indices.
+class SegmentGraph {
+public:
+    explicit SegmentGraph(const std::set<Segment>& segments) : unused_(segments)
+    {
+        for (const auto& [from, to] : segments) {
+            neighbours_[from].push_back(to);
+            neighbours_[to].push_back(from);
+        }
+    }
+
+    std::vector<std::vector<std::size_t>> chains()
+    {
+        std::vector<std::vector<std::size_t>> result;
+        for (const auto& [point, next] : neighbours_) {
+            if (next.size() != 2) {
+                for (const std::size_t second : next) {
+                    follow(point, second, result);
+                }
+            }
+        }
+        while (!unused_.empty()) {   // what is left are closed loops
+            const Segment first = *unused_.begin();
+            follow(first.first, first.second, result);
+        }
+        return result;
+    }
+
+private:
+    void follow(std::size_t start, std::size_t second, std::vector<std::vector<std::size_t>>& result)
+    {
+        std::vector<std::size_t> chain{start};
+        for (std::size_t next = second; unused_.erase(std::minmax(chain.back(), next)) > 0;) {
+            chain.push_back(next);
+            const std::vector<std::size_t>& around = neighbours_[next];
+            if (around.size() != 2 || next == start) {
+                break;
+            }
+            next = around[0] == chain[chain.size() - 2] ? around[1] : around[0];
+        }
+        if (chain.size() > 1) {
+            result.push_back(std::move(chain));
+        }
+    }
+
+    std::map<std::size_t, std::vector<std::size_t>> neighbours_;
+    std::set<Segment> unused_;
+};
+
+}   // namespace
+
+LineSet chainSegments(LineSet set)
+{
+    const bool onlySegments = set.lines.size() > 1 && std::all_of(set.lines.begin(), set.lines.end(),
+                                                                  [](const auto& line) { return line.size() == 2; });
+    if (!onlySegments) {
+        return set;
+    }
+    std::map<int, std::set<Segment>> segmentsOfId;
+    for (std::size_t i = 0; i < set.lines.size(); ++i) {
+        if (set.lines[i][0] != set.lines[i][1]) {
+            segmentsOfId[set.ids.empty() ? 0 : set.ids[i]].insert(std::minmax(set.lines[i][0], set.lines[i][1]));
+        }
+    }
+    std::vector<int> ids;
+    set.lines.clear();
+    set.names.clear();
+    for (const auto& [id, segments] : segmentsOfId) {
+        for (std::vector<std::size_t>& chain : SegmentGraph(segments).chains()) {
+            set.lines.push_back(std::move(chain));
+            ids.push_back(id);
+        }
+    }
+    if (!set.ids.empty()) {
+        set.ids = std::move(ids);
+    }
+    return set;
+}
+
+}   // namespace io

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/support/result.h"
+#include "core/vessel/vessel_tree.h"
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace io {
+
+/// Poly-lines as files hold them, before they become branches.
+struct LineSet {
+    std::vector<Eigen::Vector3d> points;   ///< as in the file
+    std::vector<double> radius;   ///< one per point, or empty
+    std::vector<std::vector<std::size_t>> lines;   ///< indices into `points`
+    std::vector<int> ids;   ///< one per line, may repeat; or empty
+    std::vector<std::string> names;   ///< one per line, or empty
+    bool isRas = false;   ///< +x right, +y anterior; otherwise LPS
+    bool hasSurface = false;   ///< polygons were there too
+};
+
+/// More points than this are no centreline.
+inline constexpr std::size_t maxCenterlinePoints = 200'000;
+inline constexpr std::size_t maxCenterlineBranches = 5'000;
+
+/// Branches of a line set: LPS, two-point segments chained, shared trunks once, ids kept where they are unique.
+/// Fails on indices out of range, NaN, no lines, or what findProblem(tree) says.
+core::Result<core::VesselTree> treeFromLines(LineSet set, const std::string& path);
+
+/// Joins segments of two points into the longest runs without a bifurcation; longer lines stay as they are.
+/// Lines of different ids are never joined.
+LineSet chainSegments(LineSet set);
+
+}   // namespace io

@@ -1,0 +1,113 @@
+#include "io/support/file_error.h"
+#include "io/vessel/line_set.h"
+#include "io/vessel/shared_trunk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace io {
+namespace {
+
+using core::VesselBranch;
+
+std::string findDamage(const LineSet& set)
+{
+    if (set.lines.empty()) {
+        return set.hasSurface ? "it holds a surface, not centrelines. Extract the centrelines first (e.g. with VMTK or "
+                                "Slicer) and open those."
+                              : "it holds no lines. Choose a file with vessel centrelines.";
+    }
+    if (set.points.size() > maxCenterlinePoints) {
+        return "it has " + std::to_string(set.points.size()) + " points; a centreline tree has at most " +
+               std::to_string(maxCenterlinePoints) + ". Resample the centrelines.";
+    }
+    std::size_t total = 0;
+    for (const auto& line : set.lines) {
+        total += line.size();
+        if (std::any_of(line.begin(), line.end(), [&](std::size_t i) { return i >= set.points.size(); })) {
+            return "a line refers to a point that does not exist. The file is damaged; export it again.";
+        }
+    }
+    if (total > 4 * maxCenterlinePoints) {
+        return "its lines visit the same points too often. The file is damaged; export it again.";
+    }
+    return {};
+}
+
+VesselBranch branchOf(const LineSet& set, std::size_t line)
+{
+    VesselBranch branch;
+    branch.name = set.names.empty() ? std::string() : set.names[line];
+    for (const std::size_t index : set.lines[line]) {
+        Eigen::Vector3d point = set.points[index];
+        if (set.isRas) {
+            point.head<2>() = -point.head<2>();
+        }
+        branch.pointsInPatient.push_back(point);
+        if (!set.radius.empty()) {
+            branch.radiusMm.push_back(set.radius[index]);
+        }
+    }
+    const bool known = std::all_of(branch.radiusMm.begin(), branch.radiusMm.end(),
+                                   [](double radius) { return std::isfinite(radius) && radius >= 0.0; });
+    if (!known) {
+        branch.radiusMm.clear();
+    }
+    return branch;
+}
+
+/// The file's ids where each names one branch, otherwise 1…n in file order.
+void numberBranches(std::vector<VesselBranch>& branches, bool hasIds)
+{
+    std::set<int> seen;
+    const bool unique = hasIds && std::all_of(branches.begin(), branches.end(), [&](const VesselBranch& branch) {
+                            return seen.insert(branch.id).second;
+                        });
+    for (std::size_t i = 0; i < branches.size() && !unique; ++i) {
+        branches[i].id = static_cast<int>(i) + 1;
+    }
+}
+
+}   // namespace
+
+core::Result<core::VesselTree> treeFromLines(LineSet set, const std::string& path)
+{
+    if (const std::string damage = findDamage(set); !damage.empty()) {
+        return fileError(path, damage);
+    }
+    set = chainSegments(std::move(set));
+    core::VesselTree tree;
+    for (std::size_t i = 0; i < set.lines.size(); ++i) {
+        VesselBranch branch = branchOf(set, i);
+        if (branch.pointsInPatient.size() > 1 && branch.lengthMm() != 0.0) {   // NaN stays, to be reported
+            branch.id = set.ids.empty() ? static_cast<int>(i) + 1 : set.ids[i];
+            tree.branches.push_back(std::move(branch));
+        }
+    }
+    if (tree.branches.empty()) {
+        return fileError(path, "none of its lines has two different points. Choose a file with vessel centrelines.");
+    }
+    for (const VesselBranch& branch : tree.branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            if (!point.allFinite() || point.cwiseAbs().maxCoeff() > 1e6) {
+                return fileError(path,
+                                 "a coordinate is not a number, or beyond a kilometre. Correct or export it again.");
+            }
+        }
+    }
+    if (tree.branches.size() > maxCenterlineBranches) {
+        return fileError(path, "it has " + std::to_string(tree.branches.size()) +
+                                   " separate lines; a centreline tree has "
+                                   "at most " +
+                                   std::to_string(maxCenterlineBranches) + ". Keep the vessels of interest.");
+    }
+    tree.branches = withoutSharedTrunks(tree.branches);
+    numberBranches(tree.branches, !set.ids.empty());
+    if (const std::string problem = core::findProblem(tree); !problem.empty()) {
+        return fileError(path, problem);
+    }
+    return tree;
+}
+
+}   // namespace io

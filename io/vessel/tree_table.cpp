@@ -1,0 +1,150 @@
+#include "io/vessel/tree_table.h"
+
+#include "io/support/csv_table.h"
+#include "io/support/file_error.h"
+#include "io/support/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace io {
+namespace {
+
+struct TreeColumns {
+    std::size_t x = 0, y = 1, z = 2;
+    std::optional<std::size_t> radius, branch, label;
+};
+
+core::Result<TreeColumns> columnsOf(const CsvTable& table, const std::string& path)
+{
+    if (!table.hasHeader) {
+        if (!table.rows.empty() && table.rows.front().size() == 3) {
+            return TreeColumns{};
+        }
+        return fileError(path, "the first line must name the columns: x,y,z and, where known, radius,branch.");
+    }
+    const auto x = table.column("x"), y = table.column("y"), z = table.column("z");
+    if (!x || !y || !z) {
+        return fileError(path, "the header row has no columns x, y and z. Name them (mm, patient LPS).");
+    }
+    if (table.column("id") && !table.column("branch")) {
+        return fileError(path,
+                         "it looks like a list of graph nodes (column id), which has no order along the vessels. "
+                         "Give a branch column, or export the centrelines themselves.");
+    }
+    return TreeColumns{*x, *y, *z, table.column("radius"), table.column("branch"), table.column("label")};
+}
+
+/// Points far from their predecessor, judged by the branch's own spacing.
+std::vector<bool> leapsOf(const LineSet& set, const std::vector<int>& ids)
+{
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < set.points.size(); ++i) {
+        if (ids[i] == ids[i - 1]) {
+            steps.push_back((set.points[i] - set.points[i - 1]).norm());
+        }
+    }
+    std::vector<bool> leaps(set.points.size(), false);
+    if (steps.empty()) {
+        return leaps;
+    }
+    std::vector<double> sorted = steps;
+    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
+    const double limit = std::max(5.0, 10.0 * sorted[sorted.size() / 2]);
+    for (std::size_t i = 1; i < set.points.size(); ++i) {
+        leaps[i] = ids[i] == ids[i - 1] && (set.points[i] - set.points[i - 1]).norm() > limit;
+    }
+    return leaps;
+}
+
+/// Consecutive rows of one branch become a line; a branch id that returns later starts another line.
+void joinRows(LineSet& set, const std::vector<int>& ids, const std::vector<std::string>& labels, bool hasIds)
+{
+    const std::vector<bool> leaps = leapsOf(set, ids);
+    for (std::size_t i = 0; i < set.points.size(); ++i) {
+        if (i == 0 || ids[i] != ids[i - 1] || leaps[i]) {
+            set.lines.emplace_back();
+            set.names.push_back(labels[i]);
+            if (hasIds) {
+                set.ids.push_back(ids[i]);
+            }
+        }
+        set.lines.back().push_back(i);
+    }
+}
+
+std::string withoutSeparators(std::string name)
+{
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == ',' || c == '"' || c == '\n' || c == '\r'; }, ' ');
+    return name;
+}
+
+}   // namespace
+
+core::Result<LineSet> parseTreeTable(std::string_view text, const std::string& path)
+{
+    const auto parsed = parseCsv(text, path);
+    if (!parsed) {
+        return parsed.error();
+    }
+    const CsvTable& table = parsed.value();
+    const auto chosen = columnsOf(table, path);
+    if (!chosen) {
+        return chosen.error();
+    }
+    const TreeColumns& columns = chosen.value();
+    LineSet set;
+    std::vector<int> ids;
+    std::vector<std::string> labels;
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        Eigen::Vector3d point;
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::size_t column = axis == 0 ? columns.x : axis == 1 ? columns.y : columns.z;
+            const auto value = numberAt(table, row, column, path);
+            if (!value) {
+                return value.error();
+            }
+            point[axis] = value.value();
+        }
+        set.points.push_back(point);
+        const auto& cells = table.rows[row];
+        if (columns.radius) {
+            set.radius.push_back(
+                parseNumber(cells[*columns.radius]).value_or(std::numeric_limits<double>::quiet_NaN()));
+        }
+        const auto id = columns.branch ? parseInteger(cells[*columns.branch]) : std::optional(1);
+        if (!id) {
+            return fileError(path, "line " + std::to_string(table.lineOfRow[row]) +
+                                       ": the branch must be a whole number. Correct the line.");
+        }
+        ids.push_back(*id);
+        labels.push_back(columns.label ? std::string(cells[*columns.label]) : std::string());
+    }
+    joinRows(set, ids, labels, columns.branch.has_value());
+    return set;
+}
+
+std::string treeTable(const core::VesselTree& tree)
+{
+    const bool hasRadius = std::any_of(tree.branches.begin(), tree.branches.end(),
+                                       [](const core::VesselBranch& branch) { return !branch.radiusMm.empty(); });
+    const bool hasNames = std::any_of(tree.branches.begin(), tree.branches.end(),
+                                      [](const core::VesselBranch& branch) { return !branch.name.empty(); });
+    std::string text =
+        std::string("x,y,z") + (hasRadius ? ",radius" : "") + ",branch" + (hasNames ? ",label" : "") + "\n";
+    for (const core::VesselBranch& branch : tree.branches) {
+        for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
+            const Eigen::Vector3d& p = branch.pointsInPatient[i];
+            text += toText(p.x()) + "," + toText(p.y()) + "," + toText(p.z());
+            if (hasRadius) {
+                text += "," + (branch.radiusMm.empty() ? std::string("nan") : toText(branch.radiusMm[i]));
+            }
+            text += "," + std::to_string(branch.id) + (hasNames ? "," + withoutSeparators(branch.name) : "") + "\n";
+        }
+    }
+    return text;
+}
+
+}   // namespace io

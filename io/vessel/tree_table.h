@@ -1,0 +1,16 @@
+#pragma once
+
+#include "io/vessel/line_set.h"
+
+#include <string_view>
+
+namespace io {
+
+/// CSV `x,y,z[,radius][,branch][,label]` (mm, LPS), columns in any order; three bare columns of numbers are x, y, z.
+/// Rows of one branch follow each other along it; a leap of more than 5 mm and ten usual steps starts a new branch.
+core::Result<LineSet> parseTreeTable(std::string_view text, const std::string& path);
+
+/// CSV `x,y,z,radius,branch`; `nan` radius where unknown, the column left out when none is known.
+std::string treeTable(const core::VesselTree& tree);
+
+}   // namespace io

@@ -1,0 +1,217 @@
+#include "io/support/file_error.h"
+#include "io/support/numbers.h"
+#include "io/support/quiet_libraries.h"
+#include "io/vessel/vtk_lines.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCommand.h>
+#include <vtkFieldData.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+#include <algorithm>
+#include <array>
+#include <new>
+
+namespace io {
+namespace {
+
+constexpr int maxDeclared = 20'000'000;
+
+/// The reader reserves what the header declares before it looks at the data: refuse what no centreline can need.
+std::string findImpossibleCount(std::string_view content)
+{
+    constexpr std::array attributes = {"NumberOfPoints=\"", "NumberOfLines=\"",     "NumberOfVerts=\"",
+                                       "NumberOfStrips=\"", "NumberOfPolys=\"",     "NumberOfCells=\"",
+                                       "NumberOfTuples=\"", "NumberOfComponents=\""};
+    for (const std::string_view attribute : attributes) {
+        for (std::size_t at = content.find(attribute); at != std::string_view::npos;) {
+            at += attribute.size();
+            const std::string_view text = content.substr(at, content.substr(at, 64).find('"'));
+            const auto value = parseInteger(text);
+            const int limit = attribute.starts_with("NumberOfComponents") ? 1000 : maxDeclared;
+            if (!value || *value < 0 || *value > limit) {
+                return "it declares " + std::string(attribute) + std::string(text.substr(0, 40)) +
+                       "\", which cannot be. The file is damaged; export it again.";
+            }
+            at = content.find(attribute, at);
+        }
+    }
+    return {};
+}
+
+/// Remembers that a reader complained; without an observer VTK only prints.
+class ErrorFlag : public vtkCommand {
+public:
+    static ErrorFlag* New() { return new ErrorFlag; }
+    void Execute(vtkObject*, unsigned long, void*) override { raised = true; }
+    bool raised = false;
+};
+
+template <class Reader>
+vtkSmartPointer<vtkPointSet> readWith(std::string_view content)
+{
+    const vtkNew<Reader> reader;
+    const vtkNew<ErrorFlag> flag;
+    reader->AddObserver(vtkCommand::ErrorEvent, flag);
+    reader->ReadFromInputStringOn();
+    reader->SetInputString(std::string(content));
+    reader->Update();
+    if (flag->raised || reader->GetErrorCode() != 0) {
+        return nullptr;
+    }
+    return reader->GetOutput();
+}
+
+/// Offsets and point ids within bounds; the reader does not check what the arrays say.
+bool isSound(vtkCellArray* cells)
+{
+    vtkDataArray* offsets = cells->GetOffsetsArray();
+    const vtkIdType size = cells->GetConnectivityArray()->GetNumberOfTuples();
+    if (offsets->GetNumberOfTuples() == 0) {
+        return true;
+    }
+    double last = 0.0;
+    for (vtkIdType i = 0; i < offsets->GetNumberOfTuples(); ++i) {
+        const double offset = offsets->GetComponent(i, 0);
+        if (offset < last || offset > static_cast<double>(size)) {
+            return false;
+        }
+        last = offset;
+    }
+    return true;
+}
+
+bool appendLines(vtkCellArray* cells, const std::vector<std::size_t>& cellOfEntry, VtkLines& lines)
+{
+    const vtkNew<vtkIdList> ids;
+    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
+        const std::size_t cell = cellOfEntry[static_cast<std::size_t>(i)];
+        if (cell == static_cast<std::size_t>(-1)) {
+            continue;
+        }
+        cells->GetCellAtId(i, ids);
+        std::vector<std::size_t> line;
+        for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k) {
+            line.push_back(static_cast<std::size_t>(ids->GetId(k)));   // negative becomes out of range, found later
+        }
+        lines.set.lines.push_back(std::move(line));
+        lines.cellOfLine.push_back(cell);
+    }
+    return true;
+}
+
+std::map<std::string, std::vector<double>> scalarArrays(vtkFieldData* data)
+{
+    std::map<std::string, std::vector<double>> arrays;
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i) {
+        vtkDataArray* array = data->GetArray(i);
+        if (!array || !array->GetName() || array->GetNumberOfComponents() != 1) {
+            continue;
+        }
+        std::vector<double>& values = arrays[array->GetName()];
+        for (vtkIdType k = 0; k < array->GetNumberOfTuples(); ++k) {
+            values.push_back(array->GetComponent(k, 0));
+        }
+    }
+    return arrays;
+}
+
+/// Slicer notes the axes in field data.
+bool saysRas(vtkFieldData* data)
+{
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i) {
+        auto* texts = vtkStringArray::SafeDownCast(data->GetAbstractArray(i));
+        if (texts && texts->GetName() && std::string_view(texts->GetName()).starts_with("S") &&
+            texts->GetNumberOfValues() > 0 && texts->GetValue(0).find("RAS") != std::string::npos) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool collectPolyLines(vtkPolyData* data, VtkLines& lines)
+{
+    vtkCellArray* cells = data->GetLines();
+    if (!isSound(cells)) {
+        return false;
+    }
+    std::vector<std::size_t> cellOfEntry(static_cast<std::size_t>(cells->GetNumberOfCells()));
+    for (std::size_t i = 0; i < cellOfEntry.size(); ++i) {
+        cellOfEntry[i] = static_cast<std::size_t>(data->GetNumberOfVerts()) + i;
+    }
+    lines.set.hasSurface = data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0;
+    return appendLines(cells, cellOfEntry, lines);
+}
+
+bool collectGridLines(vtkUnstructuredGrid* grid, VtkLines& lines)
+{
+    vtkCellArray* cells = grid->GetCells();
+    if (!cells) {
+        return true;
+    }
+    if (!isSound(cells) || grid->GetCellTypesArray()->GetNumberOfValues() != cells->GetNumberOfCells()) {
+        return false;
+    }
+    std::vector<std::size_t> cellOfEntry;
+    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
+        const int type = grid->GetCellTypesArray()->GetValue(i);
+        const bool isLine = type == VTK_LINE || type == VTK_POLY_LINE;
+        cellOfEntry.push_back(isLine ? static_cast<std::size_t>(i) : static_cast<std::size_t>(-1));
+        lines.set.hasSurface |= type > VTK_POLY_LINE;
+    }
+    return appendLines(cells, cellOfEntry, lines);
+}
+
+core::Result<VtkLines> linesOf(vtkPointSet* data, const std::string& path)
+{
+    const core::Error damaged = fileError(path, "the VTK XML data in it is damaged or cut short. Export it again.");
+    if (!data) {
+        return damaged;
+    }
+    VtkLines lines;
+    for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
+        lines.set.points.emplace_back(data->GetPoint(i));
+    }
+    auto* poly = vtkPolyData::SafeDownCast(data);
+    if (!(poly ? collectPolyLines(poly, lines) : collectGridLines(vtkUnstructuredGrid::SafeDownCast(data), lines))) {
+        return damaged;
+    }
+    lines.pointArrays = scalarArrays(data->GetPointData());
+    lines.cellArrays = scalarArrays(data->GetCellData());
+    if (auto* names = vtkStringArray::SafeDownCast(data->GetCellData()->GetAbstractArray("Name"))) {
+        for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i) {
+            lines.cellNames.push_back(names->GetValue(i));
+        }
+    }
+    lines.set.isRas = saysRas(data->GetFieldData());
+    return lines;
+}
+
+}   // namespace
+
+core::Result<VtkLines> parseXmlVtk(std::string_view content, const std::string& path)
+{
+    quietLibraries();
+    if (const std::string impossible = findImpossibleCount(content); !impossible.empty()) {
+        return fileError(path, impossible);
+    }
+    const std::string_view head = content.substr(0, 4096);
+    const bool isGrid = head.find("type=\"UnstructuredGrid\"") != std::string_view::npos;
+    if (!isGrid && head.find("type=\"PolyData\"") == std::string_view::npos) {
+        return fileError(path, "it is not VTK XML PolyData or UnstructuredGrid. Export the centrelines as .vtp.");
+    }
+    try {
+        return linesOf(
+            isGrid ? readWith<vtkXMLUnstructuredGridReader>(content) : readWith<vtkXMLPolyDataReader>(content), path);
+    } catch (const std::bad_alloc&) {
+        return fileError(path, "it declares more data than memory holds. The file is damaged; export it again.");
+    }
+}
+
+}   // namespace io

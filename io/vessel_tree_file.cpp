@@ -1,0 +1,81 @@
+#include "io/vessel_tree_file.h"
+
+#include "io/support/atomic_file.h"
+#include "io/support/file_error.h"
+#include "io/support/input_bytes.h"
+#include "io/vessel/swc.h"
+#include "io/vessel/tree_table.h"
+#include "io/vessel/vtk_lines.h"
+#include "io/vessel/vtp_text.h"
+
+#include <cmath>
+
+namespace io {
+namespace {
+
+constexpr std::string_view knownFormats = "Choose a centreline file: .vtp, .vtk, .vtu, .csv or .swc.";
+
+core::Result<LineSet> parseVtk(std::string_view content, const std::string& path)
+{
+    auto lines = content.starts_with("# vtk DataFile") ? parseLegacyVtk(content, path) : parseXmlVtk(content, path);
+    if (!lines) {
+        return lines.error();
+    }
+    return lineSetOf(std::move(lines).value());
+}
+
+/// By content where that decides, by extension for plain tables.
+core::Result<LineSet> parseLines(std::string_view content, const std::string& path, double swcUnitMm)
+{
+    const bool isVtkXml = content.substr(0, 4096).find("<VTKFile") != std::string_view::npos;
+    if (isVtkXml || content.starts_with("# vtk DataFile")) {
+        return parseVtk(content, path);
+    }
+    const std::string extension = extensionOf(path);
+    const std::string_view found = describeContent(content);
+    if (!found.empty()) {
+        return fileError(path, "this is " + std::string(found) + ", not a centreline. " + std::string(knownFormats));
+    }
+    if (extension == ".swc") {
+        return parseSwc(content, swcUnitMm, path);
+    }
+    if (extension == ".csv" || extension == ".txt") {
+        return parseTreeTable(content, path);
+    }
+    if (extension == ".vtk" || extension == ".vtp" || extension == ".vtu") {
+        return fileError(path, "it does not begin like a VTK file. Export the centrelines again.");
+    }
+    return fileError(path, "this is no centreline format AngioPose reads. " + std::string(knownFormats));
+}
+
+}   // namespace
+
+core::Result<core::VesselTree> readVesselTree(const std::string& path, const VesselTreeReadOptions& options)
+{
+    if (!std::isfinite(options.swcUnitMm) || options.swcUnitMm <= 0.0) {
+        return fileError(path, "the SWC unit must be a positive length in mm.");
+    }
+    const auto input = openInput(path);
+    if (!input) {
+        return input.error();
+    }
+    auto lines = parseLines(input.value().view(), path, options.swcUnitMm);
+    if (!lines) {
+        return lines.error();
+    }
+    return treeFromLines(std::move(lines).value(), path);
+}
+
+core::Status writeVesselTree(const core::VesselTree& tree, const std::string& path)
+{
+    const std::string extension = extensionOf(path);
+    if (extension == ".csv") {
+        return writeAtomically(path, treeTable(tree));
+    }
+    if (extension == ".vtp") {
+        return writeAtomically(path, vtpText(tree));
+    }
+    return fileError(path, "vessel trees are written as .vtp or .csv. Change the extension.");
+}
+
+}   // namespace io
