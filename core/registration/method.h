@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/registration/progress_log.h"
+#include "core/registration/registration_problem.h"
+
+#include <span>
+
+namespace core {
+
+/// What a method hands back; registerVessels judges the pose.
+struct MethodSolution {
+    RigidTransform cameraFromPatient;   ///< the best pose found, also after a stop
+    StopReason stopReason = StopReason::IterationLimit;
+    int iterations = 0;
+    std::vector<Hypothesis> alternatives;   ///< best first, without the solution; empty when the method seeks none
+    std::vector<std::string> warnings;   ///< what only the method can know, plain words
+    StageTimes time;   ///< totalMs stays 0
+};
+
+/// Solves a checked problem. Reports every iteration to `progress` and returns at once when told to stop.
+using MethodFunction = MethodSolution (*)(const RegistrationProblem& problem, const RegistrationOptions& options,
+                                          ProgressLog& progress);
+
+/// One row of the table of methods.
+struct Method {
+    MethodInfo info;
+    MethodFunction solve = nullptr;
+};
+
+/// Every method that runs, the default first.
+std::span<const Method> methods();
+
+/// The method with this id, or null.
+const Method* findMethod(std::string_view id);
+
+}   // namespace core

@@ -1,0 +1,42 @@
+#include "core/registration/method.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace core {
+namespace {
+
+/// A new method is one more row, the default first.
+const std::vector<Method>& table()
+{
+    static const std::vector<Method> rows{};
+    return rows;
+}
+
+}   // namespace
+
+std::span<const Method> methods()
+{
+    return table();
+}
+
+const Method* findMethod(std::string_view id)
+{
+    const auto found =
+        std::find_if(table().begin(), table().end(), [&](const Method& method) { return method.info.id == id; });
+    return found == table().end() ? nullptr : &*found;
+}
+
+std::span<const MethodInfo> methodInfos()
+{
+    static const std::vector<MethodInfo> infos = [] {
+        std::vector<MethodInfo> all;
+        for (const Method& method : table()) {
+            all.push_back(method.info);
+        }
+        return all;
+    }();
+    return infos;
+}
+
+}   // namespace core

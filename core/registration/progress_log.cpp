@@ -1,0 +1,19 @@
+#include "core/registration/progress_log.h"
+
+#include <algorithm>
+
+namespace core {
+
+Verdict ProgressLog::report(IterationReport report)
+{
+    progress_ = std::clamp(report.progress, progress_, 1.0);
+    report.progress = progress_;
+    report.iteration = iterations() + 1;
+    history_.push_back(report);
+    if (observe_ && observe_(report) == Verdict::Stop) {
+        isStopped_ = true;
+    }
+    return isStopped_ ? Verdict::Stop : Verdict::Continue;
+}
+
+}   // namespace core

@@ -1,0 +1,154 @@
+#include "core/registration/registration_problem.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+namespace {
+
+// Skeletons step from pixel to pixel: directions settle only over several points.
+constexpr int targetTangentReach = 3;
+
+TreeSamples sampled(const VesselTree& tree, double spacingMm)
+{
+    TreeSamples samples;
+    for (const VesselBranch& branch : resampled(tree, spacingMm).branches) {
+        const std::vector<Eigen::Vector3d> tangents = tangentsOf(branch.pointsInPatient);
+        const std::size_t count = branch.pointsInPatient.size();
+        samples.points.insert(samples.points.end(), branch.pointsInPatient.begin(), branch.pointsInPatient.end());
+        samples.tangents.insert(samples.tangents.end(), tangents.begin(), tangents.end());
+        samples.radiusMm.insert(samples.radiusMm.end(), branch.radiusMm.begin(), branch.radiusMm.end());
+        samples.radiusMm.resize(samples.points.size(), 0.0);
+        samples.branchIndex.insert(samples.branchIndex.end(), count, static_cast<int>(samples.branchIds.size()));
+        samples.branchIds.push_back(branch.id);
+    }
+    for (const Eigen::Vector3d& point : samples.points) {
+        samples.centroid += point / static_cast<double>(samples.size());
+    }
+    double squares = 0.0;
+    for (const Eigen::Vector3d& point : samples.points) {
+        squares += (point - samples.centroid).squaredNorm();
+    }
+    samples.spreadMm = std::max(1e-6, std::sqrt(squares / static_cast<double>(samples.size())));
+    return samples;
+}
+
+void markNodes(const VesselTree& tree, TreeSamples& samples)
+{
+    samples.isNode.assign(samples.size(), 0);
+    for (const VesselNode& node : findNodes(tree)) {
+        const auto nearest = std::min_element(
+            samples.points.begin(), samples.points.end(), [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+                return (a - node.pointInPatient).squaredNorm() < (b - node.pointInPatient).squaredNorm();
+            });
+        samples.isNode[static_cast<std::size_t>(nearest - samples.points.begin())] = 1;
+    }
+}
+
+TargetSamples sampled(const Centerline2d& target, double spacingPx)
+{
+    TargetSamples samples;
+    int curveIndex = 0;
+    for (const Curve2d& curve : resampled(target, spacingPx).curves) {
+        const std::vector<Eigen::Vector2d> tangents = tangentsOf(curve.pointsPx, targetTangentReach);
+        samples.points.insert(samples.points.end(), curve.pointsPx.begin(), curve.pointsPx.end());
+        samples.tangents.insert(samples.tangents.end(), tangents.begin(), tangents.end());
+        samples.curveIndex.insert(samples.curveIndex.end(), curve.pointsPx.size(), curveIndex++);
+    }
+    return samples;
+}
+
+std::vector<int> auxiliaryPoints(const TreeSamples& tree, const std::vector<int>& branchIds)
+{
+    std::vector<int> points;
+    for (std::size_t i = 0; i < tree.size(); ++i) {
+        const int branchId = tree.branchIds[static_cast<std::size_t>(tree.branchIndex[i])];
+        const bool isChosen = std::find(branchIds.begin(), branchIds.end(), branchId) != branchIds.end();
+        if (branchIds.empty() ? tree.isNode[i] != 0 : isChosen) {
+            points.push_back(static_cast<int>(i));
+        }
+    }
+    return points;
+}
+
+std::string findUnknownBranch(const VesselTree& tree, const std::vector<int>& branchIds, std::string_view role)
+{
+    for (const int id : branchIds) {
+        if (tree.find(id) == nullptr) {
+            return "Branch " + std::to_string(id) + " is chosen as " + std::string(role) +
+                   " but the vessel tree has no such branch. Choose among its branches.";
+        }
+    }
+    return {};
+}
+
+bool isWhollyBehindSource(const VesselTree& tree, const RigidTransform& cameraFromPatient)
+{
+    for (const VesselBranch& branch : tree.branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            if ((cameraFromPatient * point).z() >= minProjectableDepthMm) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+std::string findProblem(const RegistrationInput& input, const VesselTree& usedTree)
+{
+    std::string problem = findProblem(input.tree);
+    if (problem.empty()) {
+        problem = findProblem(input.target);
+    }
+    if (problem.empty()) {
+        problem = findProblem(input.camera);
+    }
+    if (problem.empty()) {
+        problem = findUnknownBranch(input.tree, input.auxiliaryBranchIds, "auxiliary");
+    }
+    if (problem.empty()) {
+        problem = findUnknownBranch(input.tree, input.excludedBranchIds, "excluded");
+    }
+    if (!problem.empty()) {
+        return problem;
+    }
+    if (usedTree.branches.empty()) {
+        return "All branches of the vessel tree are excluded. Include at least one branch.";
+    }
+    if (!isRigid(input.initialCameraFromPatient)) {
+        return "The start pose is not a rigid motion: its rotation must be orthonormal with determinant +1 and all "
+               "numbers finite. Correct cameraFromPatient or derive the start pose from the angles.";
+    }
+    if (isWhollyBehindSource(usedTree, input.initialCameraFromPatient)) {
+        return "The start pose puts the whole vessel tree behind the X-ray source, where nothing projects. Check the "
+               "source-to-patient distance and the direction of the start pose.";
+    }
+    return {};
+}
+
+}   // namespace
+
+bool TreeSamples::hasRadius() const
+{
+    return std::any_of(radiusMm.begin(), radiusMm.end(), [](double radius) { return radius > 0.0; });
+}
+
+Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const RegistrationOptions& options)
+{
+    const VesselTree tree = without(input.tree, input.excludedBranchIds);
+    if (std::string problem = findProblem(input, tree); !problem.empty()) {
+        return Error{std::move(problem)};
+    }
+    RegistrationProblem problem;
+    problem.camera = input.camera;
+    problem.start = {nearestRotation(input.initialCameraFromPatient.rotation),
+                     input.initialCameraFromPatient.translation};
+    problem.tree = sampled(tree, options.pointSpacingMm);
+    markNodes(tree, problem.tree);
+    problem.target = sampled(input.target, options.targetSpacingPx);
+    problem.auxiliary = auxiliaryPoints(problem.tree, input.auxiliaryBranchIds);
+    problem.auxiliaryIsChosen = !input.auxiliaryBranchIds.empty();
+    return problem;
+}
+
+}   // namespace core
