@@ -1,6 +1,6 @@
 #include "core/simulation/body_attenuation.h"
 
-#include "core/imaging/gaussian_blur.h"
+#include "core/imaging/wide_blur.h"
 #include "core/simulation/splat_disc.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ ImageF randomField(int width, int height, double sigmaPx, CounterRandom& random)
     for (float& value : field.pixels) {
         value = static_cast<float>(random.normal());
     }
-    return gaussianBlurred(field, sigmaPx);
+    return widelyBlurred(field, sigmaPx);
 }
 
 void addScaled(ImageF& image, const ImageF& field, double standardDeviation)

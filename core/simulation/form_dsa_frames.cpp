@@ -1,6 +1,7 @@
 #include "core/simulation/form_dsa_frames.h"
 
-#include "core/imaging/gaussian_blur.h"
+#include "core/imaging/image_filters.h"
+#include "core/imaging/wide_blur.h"
 #include "core/simulation/body_attenuation.h"
 
 #include <algorithm>
@@ -27,21 +28,13 @@ constexpr int marginPx = 8;   ///< body beyond the field, for motion
 /// Streams of the run's generator.
 enum Stream : std::uint64_t { BodyStream, MotionStream, ShutterStream, MaskStream, FirstFrameStream };
 
-/// Bilinear cut-out of the body as seen after a shift.
+/// Cut-out of the body as seen after a shift.
 ImageF shiftedBody(const ImageF& body, const Eigen::Vector2d& shiftPx)
 {
     ImageF result(body.width - 2 * marginPx, body.height - 2 * marginPx);
-    const double left = marginPx + std::clamp(shiftPx.x(), -6.0, 6.0);
-    const double top = marginPx + std::clamp(shiftPx.y(), -6.0, 6.0);
-    const int x0 = static_cast<int>(std::floor(left));
-    const int y0 = static_cast<int>(std::floor(top));
-    const auto fx = static_cast<float>(left - x0);
-    const auto fy = static_cast<float>(top - y0);
     for (int y = 0; y < result.height; ++y) {
         for (int x = 0; x < result.width; ++x) {
-            const float above = (1.0F - fx) * body.at(x0 + x, y0 + y) + fx * body.at(x0 + x + 1, y0 + y);
-            const float below = (1.0F - fx) * body.at(x0 + x, y0 + y + 1) + fx * body.at(x0 + x + 1, y0 + y + 1);
-            result.at(x, y) = (1.0F - fy) * above + fy * below;
+            result.at(x, y) = sampled(body, x + marginPx + shiftPx.x(), y + marginPx + shiftPx.y());
         }
     }
     return result;
@@ -53,8 +46,8 @@ ImageF expectedCounts(const ImageF& attenuation, double photonCount)
     ImageF primary(attenuation.width, attenuation.height);
     std::transform(attenuation.pixels.begin(), attenuation.pixels.end(), primary.pixels.begin(),
                    [photonCount](float a) { return static_cast<float>(photonCount) * std::exp(-a); });
-    const ImageF scattered = gaussianBlurred(primary, scatterSigmaShare * attenuation.width);
-    ImageF counts = gaussianBlurred(primary, focalSpotSigmaPx);
+    const ImageF scattered = widelyBlurred(primary, scatterSigmaShare * attenuation.width);
+    ImageF counts = blurred(primary, focalSpotSigmaPx);
     for (std::size_t i = 0; i < counts.pixels.size(); ++i) {
         counts.pixels[i] =
             static_cast<float>((1.0 - scatterShare) * counts.pixels[i] + scatterShare * scattered.pixels[i]);
@@ -70,7 +63,7 @@ ImageF logDetected(const ImageF& expected, int frames, CounterRandom random)
         const double total = static_cast<double>(random.poisson(frames * static_cast<double>(expected.pixels[i])));
         counts.pixels[i] = static_cast<float>(total / frames);
     }
-    counts = gaussianBlurred(counts, screenSigmaPx);
+    counts = blurred(counts, screenSigmaPx);
     for (float& value : counts.pixels) {
         value = std::log(std::max(value, 0.5F));
     }

@@ -1,0 +1,27 @@
+#include "core/imaging/wide_blur.h"
+
+#include "core/imaging/image_filters.h"
+
+#include <cmath>
+
+namespace core {
+
+ImageF widelyBlurred(const ImageF& image, double sigmaPx)
+{
+    ImageF reduced = image;
+    int factor = 1;
+    while (sigmaPx / factor > 8.0) {
+        reduced = halved(reduced);
+        factor *= 2;
+    }
+    if (factor == 1) {
+        return blurred(image, sigmaPx);
+    }
+    // Averaging and bilinear enlargement blur too; their variances are taken off σ².
+    const double pixel = factor;
+    const double sidewaysVariance = (pixel * pixel - 1.0) / 12.0 + pixel * pixel / 6.0;
+    const double leftSigmaPx = std::sqrt(sigmaPx * sigmaPx - sidewaysVariance) / pixel;
+    return enlarged(blurred(reduced, leftSigmaPx), factor, image.width, image.height);
+}
+
+}   // namespace core
