@@ -1,0 +1,60 @@
+#include "core/registration/kd_tree_index.h"
+
+#include <cassert>
+#include <cstdint>
+#include <nanoflann.hpp>
+
+namespace core {
+namespace {
+
+constexpr std::size_t leafSize = 10;
+
+/// What nanoflann wants to know about the points.
+struct PointCloud {
+    std::vector<Eigen::Vector2d> points;
+
+    std::size_t kdtree_get_point_count() const { return points.size(); }
+    double kdtree_get_pt(std::size_t index, std::size_t axis) const
+    {
+        return points[index](static_cast<Eigen::Index>(axis));
+    }
+    template <class Box>
+    bool kdtree_get_bbox(Box&) const
+    {
+        return false;
+    }
+};
+
+class KdTreeIndex final : public PointIndex {
+public:
+    explicit KdTreeIndex(std::vector<Eigen::Vector2d> pointsPx)
+        : cloud_{std::move(pointsPx)}, tree_(2, cloud_, nanoflann::KDTreeSingleIndexAdaptorParams(leafSize))
+    {
+    }
+
+    std::size_t nearestIndex(const Eigen::Vector2d& queryPx) const override
+    {
+        std::uint32_t index = 0;
+        double squaredPx = 0.0;
+        tree_.knnSearch(queryPx.data(), 1, &index, &squaredPx);
+        return index;
+    }
+
+    const std::vector<Eigen::Vector2d>& points() const override { return cloud_.points; }
+
+private:
+    using Distance = nanoflann::L2_Simple_Adaptor<double, PointCloud>;
+
+    PointCloud cloud_;
+    nanoflann::KDTreeSingleIndexAdaptor<Distance, PointCloud, 2> tree_;
+};
+
+}   // namespace
+
+std::unique_ptr<PointIndex> makeKdTreeIndex(std::vector<Eigen::Vector2d> pointsPx)
+{
+    assert(!pointsPx.empty());
+    return std::make_unique<KdTreeIndex>(std::move(pointsPx));
+}
+
+}   // namespace core
