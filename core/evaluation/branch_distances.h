@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/geometry/projection_camera.h"
+#include "core/geometry/rigid_transform.h"
+#include "core/vessel/centerline2d.h"
+#include "core/vessel/vessel_tree.h"
+
+#include <map>
+#include <vector>
+
+namespace core {
+
+/// Distance in px of every projected tree point to the nearest traced point, per branch id, in the branch's order.
+/// Infinite for points at or behind the source. Empty when nothing was traced.
+std::map<int, std::vector<double>> branchDistances(const VesselTree& tree, const Centerline2d& target,
+                                                   const ProjectionCamera& camera,
+                                                   const RigidTransform& cameraFromPatient);
+
+}   // namespace core
