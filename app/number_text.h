@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+namespace app {
+
+/// "12.34": fixed decimals, '.' in every locale. "n/a" when not finite.
+std::string fixedText(double value, int decimals);
+
+/// "LAO 30.0" or "RAO 12.5"; "CRA …" or "CAU …".
+std::string primaryAngleText(double primaryAngleDeg);
+std::string secondaryAngleText(double secondaryAngleDeg);
+
+}   // namespace app
