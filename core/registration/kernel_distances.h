@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/geometry/projection_camera.h"
+#include "core/registration/damped_step.h"
+#include "core/registration/point_index.h"
+
+#include <span>
+#include <vector>
+
+namespace core {
+
+/// Tree points, the camera that sees them, and what they are matched with.
+struct KernelProblem {
+    std::span<const Eigen::Vector3d> points;   ///< mm, in the frame the pose maps from
+    ProjectionCamera camera;
+    const PointIndex* target = nullptr;   ///< every look matches anew with the nearest target point
+    std::span<const Eigen::Vector2d> fixedPartnersPx;   ///< not empty: one partner per point, held whatever the pose
+};
+
+/// Where the points stand under one pose. Buffers are reused: measuring does not allocate after the first time.
+struct KernelDistances {
+    std::vector<Eigen::Vector3d> inCamera;
+    std::vector<Eigen::Vector2d> residualPx;   ///< projection minus partner
+    std::vector<double> squaredPx;   ///< infinite for points that do not project
+};
+
+/// Projects, matches (point to point) and measures all points.
+void measure(const KernelProblem& problem, const RigidTransform& pose, KernelDistances& distances);
+
+/// Σ (1 − exp(−d²/2ℓ²)) = N − E_data (ALGORITHMS §1); keeps its digits when all distances are tiny. A point that leaves
+/// costs the maximum, 1.
+double kernelLoss(const KernelDistances& distances, double scalePx);
+
+/// Gauss–Newton system of Σ exp(−d²/2ℓ²)‖r‖² for pose ← exp(ξ) pose, weights frozen (§3.1, step 2).
+NormalEquations kernelEquations(const KernelProblem& problem, const KernelDistances& distances, double scalePx);
+
+/// Largest distance of a point that projects, px.
+double largestDistancePx(const KernelDistances& distances);
+
+/// How many points lie within `radiusPx` of their partner.
+int countWithin(const KernelDistances& distances, double radiusPx);
+
+/// Median distance, px; infinite when most points do not project.
+double medianDistancePx(const KernelDistances& distances, std::vector<double>& scratch);
+
+}   // namespace core
