@@ -1,4 +1,6 @@
 #include "core/registration/method.h"
+#include "core/registration/methods/dynaweight.h"
+#include "core/registration/methods/iterative_pnp.h"
 
 #include <algorithm>
 #include <vector>
@@ -9,7 +11,13 @@ namespace {
 /// A new method is one more row, the default first.
 const std::vector<Method>& table()
 {
-    static const std::vector<Method> rows{};
+    static const std::vector<Method> rows{
+        {{"dynaweight", "DynaWeightPnP",
+          "Alternates between a few auxiliary points and all points by kernel-weighted PnP (Song, Ghaffari)."},
+         solveDynaWeight},
+        {{"iterative-pnp", "DynaWeightPnP*", "Kernel-weighted iterative PnP on all points (Song, Ghaffari)."},
+         solveIterativePnp},
+    };
     return rows;
 }
 

@@ -16,6 +16,7 @@ struct RegistrationOptions {
 
     double pointSpacingMm = 1.0;   ///< tree points are this far apart
     double targetSpacingPx = 1.0;   ///< target points are this far apart
+    double resample = 1;   ///< 1: points evenly spaced as above, 0: as they are
     int maxIterations = 60;
     double finalScalePx = 1.0;   ///< kernel width at which the annealing ends
 
@@ -24,6 +25,7 @@ struct RegistrationOptions {
     double priorWeight = 100.0;   ///< λ of the pull towards the start pose
     double rotationFirst = 1;   ///< 1: a rotation-only solve comes first
     double alternation = 1;   ///< 1: auxiliary and full problem take turns
+    double decay = 0;   ///< index into Decay: when the kernel narrows
 
     // angiopose
     double search = 1;   ///< 1: coarse search before refining, 0: refine the start pose only

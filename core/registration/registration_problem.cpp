@@ -9,10 +9,10 @@ namespace {
 // Skeletons step from pixel to pixel: directions settle only over several points.
 constexpr int targetTangentReach = 3;
 
-TreeSamples sampled(const VesselTree& tree, double spacingMm)
+TreeSamples samplesOf(const VesselTree& tree)
 {
     TreeSamples samples;
-    for (const VesselBranch& branch : resampled(tree, spacingMm).branches) {
+    for (const VesselBranch& branch : tree.branches) {
         const std::vector<Eigen::Vector3d> tangents = tangentsOf(branch.pointsInPatient);
         const std::size_t count = branch.pointsInPatient.size();
         samples.points.insert(samples.points.end(), branch.pointsInPatient.begin(), branch.pointsInPatient.end());
@@ -45,11 +45,11 @@ void markNodes(const VesselTree& tree, TreeSamples& samples)
     }
 }
 
-TargetSamples sampled(const Centerline2d& target, double spacingPx)
+TargetSamples samplesOf(const Centerline2d& target)
 {
     TargetSamples samples;
     int curveIndex = 0;
-    for (const Curve2d& curve : resampled(target, spacingPx).curves) {
+    for (const Curve2d& curve : target.curves) {
         const std::vector<Eigen::Vector2d> tangents = tangentsOf(curve.pointsPx, targetTangentReach);
         samples.points.insert(samples.points.end(), curve.pointsPx.begin(), curve.pointsPx.end());
         samples.tangents.insert(samples.tangents.end(), tangents.begin(), tangents.end());
@@ -143,9 +143,10 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
     problem.camera = input.camera;
     problem.start = {nearestRotation(input.initialCameraFromPatient.rotation),
                      input.initialCameraFromPatient.translation};
-    problem.tree = sampled(tree, options.pointSpacingMm);
+    const bool isEven = options.resample != 0.0;
+    problem.tree = samplesOf(isEven ? resampled(tree, options.pointSpacingMm) : tree);
     markNodes(tree, problem.tree);
-    problem.target = sampled(input.target, options.targetSpacingPx);
+    problem.target = samplesOf(isEven ? resampled(input.target, options.targetSpacingPx) : input.target);
     problem.auxiliary = auxiliaryPoints(problem.tree, input.auxiliaryBranchIds);
     problem.auxiliaryIsChosen = !input.auxiliaryBranchIds.empty();
     return problem;

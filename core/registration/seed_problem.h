@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/registration/kernel_pnp.h"
+#include "core/registration/progress_log.h"
+#include "core/registration/registration_problem.h"
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace core {
+
+/// What both methods of the seed start from. Points live in the start camera's frame and the pose is the motion
+/// cameraFromStart, identity at first: only there do the rad² + mm² of the prior mean what they mean in the seed
+/// (ALGORITHMS §1, "perturbation models").
+struct SeedProblem {
+    std::vector<Eigen::Vector3d> points;
+    std::vector<Eigen::Vector3d> auxiliary;   ///< {p'}: nodes, or the points of the chosen branches
+    PosePrior prior;   ///< of the full problem, by preset
+    KernelSchedule schedule;   ///< of the full problem
+    double nearestMm = 0.0;   ///< the depth guard, for all that runs without a prior
+    double farthestMm = 0.0;
+    std::unique_ptr<PointIndex> target;   ///< KD-tree or distance map, by option
+};
+
+SeedProblem makeSeedProblem(const RegistrationProblem& problem, const RegistrationOptions& options);
+
+/// Whether {p'} can fix a pose: at least four points, spread over 30 % of the tree's own spread (ALGORITHMS §3.2).
+bool isSolvableAlone(const std::vector<Eigen::Vector3d>& auxiliary, const std::vector<Eigen::Vector3d>& points);
+
+}   // namespace core

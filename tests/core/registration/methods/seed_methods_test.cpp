@@ -1,0 +1,254 @@
+#include "core/evaluation/projection_error.h"
+#include "core/registration/kernel_pnp.h"
+#include "core/registration/methods/dynaweight.h"
+#include "core/registration/methods/iterative_pnp.h"
+#include "tests/support/clean_case.h"
+
+#include <gtest/gtest.h>
+#include <set>
+
+namespace {
+
+using namespace core;
+using test::CleanCase;
+
+/// Points as they are, so that every tree point has its exact partner.
+RegistrationOptions exactSamples(PriorPreset preset)
+{
+    RegistrationOptions options;
+    options.resample = 0.0;
+    options.preset = static_cast<double>(preset);
+    return options;
+}
+
+struct Outcome {
+    MethodSolution solution;
+    std::vector<IterationReport> reports;
+};
+
+Outcome run(MethodFunction method, const RegistrationInput& input, const RegistrationOptions& options,
+        const IterationObserver& observe = {})
+{
+    const Result<RegistrationProblem> problem = makeProblem(input, options);
+    EXPECT_TRUE(problem) << (problem ? "" : problem.error().message);
+    ProgressLog progress(observe);
+    MethodSolution solution = method(problem.value(), options, progress);
+    return {std::move(solution), progress.history()};
+}
+
+int countStages(const std::vector<IterationReport>& reports, std::string_view stage)
+{
+    int count = 0;
+    std::string_view before;
+    for (const IterationReport& report : reports) {
+        count += report.stage == stage && before != stage ? 1 : 0;
+        before = report.stage;
+    }
+    return count;
+}
+
+double meanPx(const CleanCase& clean, const Outcome& outcome)
+{
+    return projectionError(clean.tree, clean.camera, {outcome.solution.cameraFromPatient, clean.truth}).meanPx;
+}
+
+double seedDistanceMm(const CleanCase& clean, const Outcome& outcome)
+{
+    return poseError(centroidInPatient(clean.tree), {outcome.solution.cameraFromPatient, clean.truth}).seedDistanceMm;
+}
+
+/// Where the data hold 5 mm of lateral shift least: turned about the source to hide it.
+RigidTransform valleyStart(const CleanCase& clean)
+{
+    const RigidTransform shifted =
+        RigidTransform{Eigen::Matrix3d::Identity(), Eigen::Vector3d(3.0, 4.0, 0.0)} * clean.truth;
+    std::vector<Eigen::Vector3d> points;
+    std::vector<Eigen::Vector2d> partnersPx;
+    for (const VesselBranch& branch : clean.tree.branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            points.push_back(shifted * point);
+            partnersPx.push_back(*project(clean.camera, clean.truth * point));
+        }
+    }
+    KernelSchedule turnOnly;
+    turnOnly.freedom = Freedom::Rotation;
+    return KernelPnp({points, clean.camera, nullptr, partnersPx}, {}, turnOnly).solve({}).pose * shifted;
+}
+
+TEST(SeedMethods, WithoutPriorFindTheExactPoseFromNearbyStarts)
+{
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+        const CleanCase clean(seed);
+        CounterRandom random(seed);
+        for (int trial = 0; trial < 3; ++trial) {
+            const RegistrationInput input = clean.from(clean.nearbyStart(random));
+            for (const MethodFunction method : {solveDynaWeight, solveIterativePnp}) {
+                const Outcome exact = run(method, input, exactSamples(PriorPreset::NoPrior));
+                EXPECT_LT(meanPx(clean, exact), 1e-6) << "tree " << seed << " trial " << trial;
+                EXPECT_EQ(exact.solution.stopReason, StopReason::Converged);
+            }
+        }
+    }
+}
+
+TEST(SeedMethods, ThePriorPerPointNeverLetsTheSourceMove)
+{
+    const CleanCase clean(1);
+    const Outcome held = run(solveIterativePnp, clean.from(valleyStart(clean)), exactSamples(PriorPreset::SeedMean));
+    EXPECT_NEAR(seedDistanceMm(clean, held), 5.0, 0.01);
+}
+
+// F2 of ALGORITHMS §0: the auxiliary problem has no prior, so it frees the shift that the prior holds.
+TEST(SeedMethods, AlternationFreesTheShiftThatThePriorHolds)
+{
+    const CleanCase clean(1);
+    const RegistrationInput input = clean.from(valleyStart(clean));
+    RegistrationOptions options = exactSamples(PriorPreset::SeedMean);
+    const Outcome alternating = run(solveDynaWeight, input, options);
+    options.alternation = 0.0;
+    const Outcome plain = run(solveDynaWeight, input, options);
+    EXPECT_NEAR(seedDistanceMm(clean, plain), 5.0, 0.01);
+    EXPECT_LT(seedDistanceMm(clean, alternating), 2.5);
+}
+
+TEST(SeedMethods, MetricPriorPullsLessThanMillimetresBesideRadians)
+{
+    const CleanCase clean(2);
+    const RegistrationInput input = clean.from(valleyStart(clean));
+    EXPECT_LT(meanPx(clean, run(solveIterativePnp, input, exactSamples(PriorPreset::SeedMetric))),
+              0.5 * meanPx(clean, run(solveIterativePnp, input, exactSamples(PriorPreset::SeedMean))));
+}
+
+TEST(DynaWeight, RunsItsStagesInOrder)
+{
+    const CleanCase clean(3);
+    CounterRandom random(3);
+    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    RegistrationOptions options = exactSamples(PriorPreset::NoPrior);
+    const Outcome all = run(solveDynaWeight, input, options);
+    EXPECT_EQ(all.reports.front().stage, "rotation");
+    EXPECT_EQ(countStages(all.reports, "rotation"), 1);
+    EXPECT_GE(countStages(all.reports, "auxiliary"), 1);
+    EXPECT_EQ(countStages(all.reports, "auxiliary"), countStages(all.reports, "refine"));
+
+    options.rotationFirst = 0.0;
+    options.alternation = 0.0;
+    const Outcome plain = run(solveDynaWeight, input, options);
+    EXPECT_EQ(countStages(plain.reports, "rotation") + countStages(plain.reports, "auxiliary"), 0);
+    EXPECT_EQ(countStages(plain.reports, "refine"), 1);
+}
+
+TEST(DynaWeight, EndsAfterFiveRoundsAtMostEvenWhereNothingFits)
+{
+    CleanCase clean(4);
+    CounterRandom random(17);
+    clean.target.curves = {{0, {}, {}}};
+    for (int i = 0; i < 300; ++i) {
+        clean.target.curves[0].pointsPx.emplace_back(random.uniform(0.0, 1024.0), random.uniform(0.0, 1024.0));
+    }
+    for (int trial = 0; trial < 6; ++trial) {
+        const RigidTransform start = perturbedAboutSource(clean.truth, 3.0, 10.0, random);
+        const Outcome lost = run(solveDynaWeight, clean.from(start), exactSamples(PriorPreset::NoPrior));
+        EXPECT_LE(countStages(lost.reports, "auxiliary"), 5);
+        EXPECT_NE(lost.solution.stopReason, StopReason::Converged);
+        EXPECT_TRUE(isRigid(lost.solution.cameraFromPatient, 1e-9));
+    }
+}
+
+TEST(DynaWeight, SkipsAnAuxiliaryProblemThatCannotFixAPose)
+{
+    const CleanCase clean(3);
+    CounterRandom random(8);
+    RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const auto shortest =
+        std::min_element(clean.tree.branches.begin(), clean.tree.branches.end(),
+                         [](const VesselBranch& a, const VesselBranch& b) { return a.lengthMm() < b.lengthMm(); });
+    input.auxiliaryBranchIds = {shortest->id};
+    const Outcome skipped = run(solveDynaWeight, input, exactSamples(PriorPreset::NoPrior));
+    EXPECT_EQ(countStages(skipped.reports, "auxiliary"), 0);
+    EXPECT_LT(meanPx(clean, skipped), 1e-6);
+}
+
+TEST(DynaWeight, SolvesTheChosenBranchesFirst)
+{
+    const CleanCase clean(2);
+    CounterRandom random(4);
+    RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const Outcome withNodes = run(solveDynaWeight, input, exactSamples(PriorPreset::SeedMean));
+    for (std::size_t i = 0; i < clean.tree.branches.size(); i += 2) {
+        input.auxiliaryBranchIds.push_back(clean.tree.branches[i].id);
+    }
+    const Outcome withBranches = run(solveDynaWeight, input, exactSamples(PriorPreset::SeedMean));
+    EXPECT_GE(countStages(withBranches.reports, "auxiliary"), 1);
+    EXPECT_NE(withBranches.solution.cameraFromPatient.matrix(), withNodes.solution.cameraFromPatient.matrix());
+}
+
+TEST(SeedMethods, AStopAtAnyTimeReturnsTheReportedPose)
+{
+    const CleanCase clean(2);
+    CounterRandom random(21);
+    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    for (const MethodFunction method : {solveDynaWeight, solveIterativePnp}) {
+        for (const int stopAt : {1, 4, 33, 40}) {
+            const RegistrationOptions options = exactSamples(PriorPreset::SeedMean);
+            const Outcome stopped = run(method, input, options, [stopAt](const IterationReport& report) {
+                return report.iteration == stopAt ? Verdict::Stop : Verdict::Continue;
+            });
+            if (static_cast<int>(stopped.reports.size()) < stopAt) {
+                continue;   // it was done before
+            }
+            EXPECT_EQ(stopped.solution.stopReason, StopReason::StoppedByUser);
+            EXPECT_EQ(static_cast<int>(stopped.reports.size()), stopAt);
+            EXPECT_LT((stopped.solution.cameraFromPatient.matrix() - stopped.reports.back().cameraFromPatient.matrix())
+                          .cwiseAbs()
+                          .maxCoeff(),
+                      1e-9);
+        }
+    }
+}
+
+TEST(SeedMethods, ProgressRisesToTheEnd)
+{
+    const CleanCase clean(5);
+    CounterRandom random(2);
+    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    for (const MethodFunction method : {solveDynaWeight, solveIterativePnp}) {
+        const Outcome done = run(method, input, exactSamples(PriorPreset::SeedMean));
+        for (std::size_t i = 1; i < done.reports.size(); ++i) {
+            EXPECT_GE(done.reports[i].progress, done.reports[i - 1].progress);
+        }
+        EXPECT_LE(done.reports.back().progress, 1.0);
+        EXPECT_EQ(static_cast<int>(done.reports.size()), done.solution.iterations);
+    }
+}
+
+TEST(SeedMethods, RepeatBitForBit)
+{
+    const CleanCase clean(6);
+    CounterRandom random(5);
+    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    for (const MethodFunction method : {solveDynaWeight, solveIterativePnp}) {
+        const Outcome first = run(method, input, exactSamples(PriorPreset::SeedSum));
+        const Outcome again = run(method, input, exactSamples(PriorPreset::SeedSum));
+        EXPECT_EQ(first.solution.cameraFromPatient.matrix(), again.solution.cameraFromPatient.matrix());
+        EXPECT_EQ(first.solution.iterations, again.solution.iterations);
+    }
+}
+
+TEST(SeedMethods, TheDepthGuardHoldsWithoutAPrior)
+{
+    CleanCase clean(1);
+    // A target shrunk to a third pulls the tree far away.
+    for (Curve2d& curve : clean.target.curves) {
+        for (Eigen::Vector2d& point : curve.pointsPx) {
+            point = Eigen::Vector2d(511.5, 511.5) + (point - Eigen::Vector2d(511.5, 511.5)) / 3.0;
+        }
+    }
+    const Eigen::Vector3d centroid = centroidInPatient(clean.tree);
+    for (const MethodFunction method : {solveDynaWeight, solveIterativePnp}) {
+        const Outcome guarded = run(method, clean.from(clean.truth), exactSamples(PriorPreset::NoPrior));
+        EXPECT_LT(std::abs((guarded.solution.cameraFromPatient * centroid - clean.truth * centroid).z()), 102.0);
+    }
+}
+
+}   // namespace

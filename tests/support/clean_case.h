@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/registration/registration_problem.h"
+#include "core/simulation/simulated_case.h"
+
+#include <cmath>
+
+namespace test {
+
+/// A simulated tree 800 mm from the source and its exact projections, partners known only to the test.
+struct CleanCase {
+    explicit CleanCase(std::uint64_t seed) : tree(core::simulateTree(seed))
+    {
+        const Eigen::Vector3d centroid = core::centroidInPatient(tree);
+        truth.rotation = core::expSo3(Eigen::Vector3d(0.4, 0.3 * static_cast<double>(seed % 7), -0.2));
+        truth.translation = Eigen::Vector3d(4.0, -6.0, 800.0) - truth.rotation * centroid;
+        target = core::projectTree(tree, camera, truth);
+    }
+
+    /// 2° and 5 mm on average about the centroid.
+    core::RigidTransform nearbyStart(core::CounterRandom& random) const
+    {
+        return core::perturbedAboutCentroid(truth, core::centroidInPatient(tree), 2.0 / std::sqrt(3.0),
+                                            5.0 / std::sqrt(3.0), random);
+    }
+
+    core::RegistrationInput from(const core::RigidTransform& start) const
+    {
+        return {tree, target, camera, start, {}, {}};
+    }
+
+    core::ProjectionCamera camera{-1877.0, 1877.0, 511.5, 511.5, 1024, 1024};
+    core::VesselTree tree;
+    core::RigidTransform truth;
+    core::Centerline2d target;
+};
+
+}   // namespace test
