@@ -13,6 +13,8 @@
 namespace core {
 namespace {
 
+// Vessels grow at one size and are scaled to the asked extent in the end.
+constexpr double growthHalfExtentMm = 90.0;
 constexpr double takeoffMarginMm = 9.0;   ///< free of takeoffs around ends and other takeoffs
 constexpr double minReachMm = 22.0;   ///< straight length of the shortest branch while growing
 constexpr int candidateCount = 60;
@@ -25,11 +27,12 @@ struct Anatomy {
     double upward;   ///< +1: blood flows towards the head
 };
 
-Anatomy drawAnatomy(const TreeOptions& options, CounterRandom& random)
+Anatomy drawAnatomy(CounterRandom& random)
 {
     Anatomy anatomy;
-    const double half = 0.5 * options.extentMm;
-    anatomy.halfAxesMm = {half * random.uniform(0.75, 1.0), half * random.uniform(0.6, 0.95), half};
+    const double width = random.uniform(0.75, 1.0);
+    const double thickness = random.uniform(0.6, 0.95);
+    anatomy.halfAxesMm = growthHalfExtentMm * Eigen::Vector3d(width, thickness, 1.0);
     anatomy.hollowness = random.uniform();
     anatomy.tortuosity = random.uniform(0.8, 1.8);
     anatomy.upward = random.uniform() < 0.5 ? 1.0 : -1.0;
@@ -224,7 +227,7 @@ void resampleTo(GrownTree& grown, double spacingMm)
 GrownTree growTree(std::uint64_t seed, const TreeOptions& options)
 {
     CounterRandom random(seed);
-    const Anatomy anatomy = drawAnatomy(options, random);
+    const Anatomy anatomy = drawAnatomy(random);
     GrownTree grown;
     grown.tree.branches.push_back({1, "", growTrunk(anatomy, random), {}});
     grown.takeoffs.emplace_back();

@@ -178,6 +178,19 @@ TEST(SimulateCase, TheFullestFrameShowsMoreVesselThanTheFirstAndTheLast)
     EXPECT_GT(darkness(angiogram.suggestedFrame), 3.0 * darkness(7));
 }
 
+TEST(SimulateCase, OneBranchOneFrameStillMakesACase)
+{
+    DsaOptions options;
+    options.width = 120;
+    options.height = 90;
+    options.frameCount = 1;
+    const SimulatedCase simulated = simulateCase(1, {.branchCount = 1}, options);
+    EXPECT_EQ(simulated.angiogram.frameCount(), 1);
+    EXPECT_EQ(simulated.angiogram.frameTimeMs, 0.0);
+    EXPECT_TRUE(simulated.missingBranchIds.empty());
+    EXPECT_GE(simulated.trueTarget.curves.size(), 1u);
+}
+
 TEST(SimulateCase, NoiseFollowsThePhotonCount)
 {
     const auto noiseOf = [](double photons) {

@@ -104,4 +104,11 @@ TEST(SimulateTree, SpacingBranchesAndExtentFollowTheOptions)
     EXPECT_EQ(connectedBranchCount(tree), 6u);
 }
 
+TEST(SimulateTree, AnySizeGrowsAllItsBranches)
+{
+    EXPECT_EQ(simulateTree(1, {.branchCount = 1}).branches.size(), 1u);
+    EXPECT_EQ(simulateTree(1, {.branchCount = 60}).branches.size(), 60u);
+    EXPECT_EQ(simulateTree(1, {.extentMm = 40.0, .rootRadiusMm = 1.5}).branches.size(), 24u);
+}
+
 }   // namespace
