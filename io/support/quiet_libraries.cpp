@@ -2,6 +2,7 @@
 
 #include <gdcmTrace.h>
 #include <itkObject.h>
+#include <tiffio.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
 #include <vtkObjectFactory.h>
@@ -31,6 +32,8 @@ void quietLibraries()
         gdcm::Trace::DebugOff();
         gdcm::Trace::WarningOff();
         gdcm::Trace::ErrorOff();
+        TIFFSetWarningHandler(nullptr);
+        TIFFSetErrorHandler(nullptr);
     });
 }
 

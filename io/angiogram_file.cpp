@@ -1,0 +1,77 @@
+#include "io/angiogram_file.h"
+
+#include "core/tracing/suggest_frame.h"
+#include "io/dicom/dicom_file.h"
+#include "io/dicom/read_dicom.h"
+#include "io/raster/read_raster.h"
+#include "io/support/file_error.h"
+#include "io/support/inflate.h"
+#include "io/support/input_bytes.h"
+
+namespace io {
+namespace {
+
+constexpr std::size_t maxUnpackedBytes = std::size_t{512} << 20;
+
+core::Result<core::Angiogram> rasterAngiogram(std::string_view content, const std::string& path)
+{
+    auto raster = readRaster(content, path);
+    if (!raster) {
+        return raster.error();
+    }
+    core::Angiogram angiogram;
+    if (raster.value().wasColour) {
+        angiogram.warnings.emplace_back("Colour image converted to grey.");
+    }
+    if (raster.value().hadAlpha) {
+        angiogram.warnings.emplace_back("The transparency of the image is ignored.");
+    }
+    angiogram.warnings.emplace_back("A plain image has no C-arm geometry: enter it in the geometry of the case.");
+    angiogram.frames = std::move(raster).value().frames;
+    return angiogram;
+}
+
+core::Result<core::Angiogram> angiogramFrom(std::string_view content, const std::string& path)
+{
+    if (looksLikeDicom(content)) {   // first: a DICOM preamble may look like a TIFF
+        return readDicomAngiogram(content, path);
+    }
+    if (looksLikeRaster(content)) {
+        return rasterAngiogram(content, path);
+    }
+    const std::string_view found = describeContent(content);
+    return fileError(path, "this is " +
+                               (found.empty() ? std::string("no image this program reads") : std::string(found)) +
+                               ", not an angiogram. Choose a DICOM XA run, a PNG, TIFF or JPEG image.");
+}
+
+}   // namespace
+
+core::Result<core::Angiogram> readAngiogram(const std::string& path)
+{
+    const auto input = openInput(path);
+    if (!input) {
+        return input.error();
+    }
+    std::string_view content = input.value().view();
+    std::string unpacked;
+    if (content.starts_with("\x1f\x8b")) {   // gzip, as archives of DICOM files often are
+        auto inflatedContent = inflated(content, Packing::Gzip, maxUnpackedBytes);
+        if (!inflatedContent || !looksLikeDicom(*inflatedContent)) {
+            return fileError(path,
+                             "this is a gzip archive without a readable DICOM file in it. Unpack it and choose the "
+                             "angiogram itself.");
+        }
+        unpacked = std::move(*inflatedContent);
+        content = unpacked;
+    }
+    auto angiogram = angiogramFrom(content, path);
+    if (!angiogram) {
+        return angiogram;
+    }
+    core::Angiogram result = std::move(angiogram).value();
+    result.suggestedFrame = result.frames.size() > 1 ? core::suggestFrame(result.frames, result.polarity) : 0;
+    return result;
+}
+
+}   // namespace io

@@ -1,0 +1,233 @@
+#include "io/dicom/c_arm_tags.h"
+
+#include "io/support/numbers.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace io {
+namespace {
+
+using core::CArm;
+using core::Origin;
+using core::Sourced;
+
+constexpr DicomTag sharedGroups = 0x52009229;
+constexpr DicomTag frameGroups = 0x52009230;
+
+constexpr DicomTag sidTag = 0x00181110;
+constexpr DicomTag sodTag = 0x00181111;
+constexpr DicomTag magnificationTag = 0x00181114;
+constexpr DicomTag enhancedSodTag = 0x00189402;
+constexpr DicomTag primaryAngleTag = 0x00181510;
+constexpr DicomTag secondaryAngleTag = 0x00181511;
+constexpr DicomTag imagerSpacingTag = 0x00181164;
+constexpr DicomTag pixelSpacingTag = 0x00280030;
+constexpr DicomTag fieldOfViewTag = 0x00181149;
+constexpr DicomTag rowsTag = 0x00280010;
+constexpr DicomTag columnsTag = 0x00280011;
+
+std::string shortText(double value)
+{
+    return toText(std::round(value * 1e4) / 1e4);
+}
+
+/// Copies tags that the top level lacks out of the sequences of functional groups, two levels down.
+void addFromGroups(DicomDataset& data, DicomTag groupsTag)
+{
+    const std::vector<DicomDataset> groups = data.items(groupsTag);
+    if (groups.empty()) {
+        return;
+    }
+    for (const auto& [macroTag, macro] : groups.front().elements) {
+        for (const DicomDataset& content : groups.front().items(macroTag)) {
+            for (const auto& [tag, element] : content.elements) {
+                data.elements.emplace(tag, element);
+            }
+        }
+    }
+}
+
+Sourced<double> fromHeader(const DicomDataset& data, DicomTag tag, const std::string& basis)
+{
+    const auto value = data.number(tag);
+    return value ? Sourced<double>{value, Origin::Header, basis} : Sourced<double>{};
+}
+
+bool isPositive(std::optional<double> value)
+{
+    return value && *value > 0.0;
+}
+
+void readDistances(const DicomDataset& data, CArm& cArm)
+{
+    if (isPositive(data.number(sidTag))) {
+        cArm.sourceToDetectorMm = fromHeader(data, sidTag, "(0018,1110) Distance Source to Detector");
+    }
+    const auto magnification = data.number(magnificationTag);
+    if (isPositive(data.number(sodTag))) {
+        cArm.sourceToPatientMm = fromHeader(data, sodTag, "(0018,1111) Distance Source to Patient");
+    } else if (isPositive(data.number(enhancedSodTag))) {
+        cArm.sourceToPatientMm = fromHeader(data, enhancedSodTag, "(0018,9402) Distance Source to Isocenter");
+    } else if (magnification && *magnification > 1.0 && cArm.sourceToDetectorMm.value) {
+        cArm.sourceToPatientMm = {*cArm.sourceToDetectorMm.value / *magnification, Origin::Derived,
+                                  "SID / (0018,1114) magnification " + shortText(*magnification)};
+    }
+}
+
+void setSpacing(CArm& cArm, const Eigen::Vector2d& rowColumnMm, Origin origin, const std::string& basis)
+{
+    cArm.rowSpacingMm = {rowColumnMm.x(), origin, basis};
+    cArm.columnSpacingMm = {rowColumnMm.y(), origin, basis};
+}
+
+std::optional<Eigen::Vector2d> positivePair(const DicomDataset& data, DicomTag tag)
+{
+    const auto first = data.number(tag, 0), second = data.number(tag, 1);
+    return isPositive(first) && isPositive(second) ? std::optional(Eigen::Vector2d(*first, *second)) : std::nullopt;
+}
+
+/// (row, column) extent of the field of view in mm, when it covers the whole image without distortion.
+std::optional<Eigen::Vector2d> fieldSpacing(const DicomDataset& data)
+{
+    const auto rows = data.number(rowsTag), columns = data.number(columnsTag);
+    const auto rowDimension = data.number(fieldOfViewTag, 0);
+    const auto columnDimension = data.number(fieldOfViewTag, 1);
+    if (!isPositive(rows) || !isPositive(columns) || !isPositive(rowDimension) || !isPositive(columnDimension) ||
+        data.text(0x00181147) != "RECTANGLE") {
+        return std::nullopt;
+    }
+    // PS3.3: "row dimension followed by column": the first goes along a row, so over the columns.
+    const Eigen::Vector2d spacing(*columnDimension / *rows, *rowDimension / *columns);
+    const bool isPlausible = spacing.minCoeff() > 0.05 && spacing.maxCoeff() < 2.0;
+    return isPlausible && std::abs(spacing.x() / spacing.y() - 1.0) < 0.01 ? std::optional(spacing) : std::nullopt;
+}
+
+/// ALGORITHMS §5.2 in its order: imager spacing, calibrated pixel spacing, field of view; else it stays missing.
+void readSpacing(const DicomDataset& data, CArm& cArm, std::vector<std::string>& warnings)
+{
+    if (const auto imager = positivePair(data, imagerSpacingTag)) {
+        setSpacing(cArm, *imager, Origin::Header, "(0018,1164) Imager Pixel Spacing");
+        const auto field = fieldSpacing(data);
+        if (field && std::abs(field->y() / imager->y() - 1.0) > 0.05) {
+            warnings.push_back("The imager pixel spacing (" + shortText(imager->y()) +
+                               " mm) does not fit the field of view (" + shortText(field->y()) +
+                               " mm per pixel): the image may be zoomed or resampled. Check the pixel spacing.");
+        }
+        return;
+    }
+    const auto pixel = positivePair(data, pixelSpacingTag);
+    const std::string_view calibration = data.text(0x00280a02);
+    if (pixel && !calibration.empty() && cArm.sourceToDetectorMm.value && cArm.sourceToPatientMm.value) {
+        const double magnification = *cArm.sourceToDetectorMm.value / *cArm.sourceToPatientMm.value;
+        setSpacing(cArm, *pixel * magnification, Origin::Derived,
+                   "(0028,0030) Pixel Spacing (" + std::string(calibration.substr(0, 16)) + ") times SID/SOD");
+        warnings.push_back("The header gives no imager pixel spacing: " + shortText(*cArm.columnSpacingMm.value) +
+                           " mm is derived from the calibrated pixel spacing. Check it in the geometry.");
+    } else if (const auto field = fieldSpacing(data)) {
+        setSpacing(cArm, *field, Origin::Derived,
+                   "(0018,1149) field of view " + std::string(data.text(fieldOfViewTag, 0)) + " mm / " +
+                       std::to_string(data.integer(columnsTag).value_or(0)) + " px");
+        warnings.push_back("The header gives no imager pixel spacing (0018,1164): " + shortText(field->y()) +
+                           " mm is derived from the field of view. Check it in the geometry.");
+    } else {
+        std::string hint;
+        if (const auto intensifier = data.number(0x00181162); isPositive(intensifier)) {
+            hint = " The intensifier of " + shortText(*intensifier) + " mm suggests at most " +
+                   shortText(*intensifier / data.number(columnsTag).value_or(512.0)) + " mm.";
+        }
+        warnings.push_back("The header gives no imager pixel spacing (0018,1164): enter it in the geometry." + hint);
+    }
+}
+
+void readAngles(const DicomDataset& data, CArm& cArm, std::vector<std::string>& warnings)
+{
+    cArm.primaryAngleDeg = fromHeader(data, primaryAngleTag, "(0018,1510) Positioner Primary Angle");
+    cArm.secondaryAngleDeg = fromHeader(data, secondaryAngleTag, "(0018,1511) Positioner Secondary Angle");
+    if (!cArm.primaryAngleDeg.value && data.find(0x00189463)) {
+        warnings.emplace_back(
+            "The header gives only isocentre angles (0018,9463), whose signs are not certain: enter "
+            "LAO/RAO and CRA/CAU in the geometry.");
+    }
+    if (data.text(0x00181500) == "DYNAMIC") {
+        warnings.emplace_back("The C-arm moved during this run: the angles are those of the first frame.");
+    }
+    const double detectorTilt =
+        std::max(std::abs(data.number(0x00181530).value_or(0.0)), std::abs(data.number(0x00181531).value_or(0.0)));
+    if (detectorTilt > 0.5) {
+        warnings.push_back("The detector is tilted by " + shortText(detectorTilt) +
+                           "° (0018,1530): the principal point is uncertain.");
+    }
+}
+
+/// Foot of the beam axis in the stored image, from where the field of view lies on the detector; rotation first, then
+/// flip (ALGORITHMS §5.2).
+void readPrincipalPoint(const DicomDataset& data, CArm& cArm)
+{
+    const auto element = positivePair(data, 0x00187022);   // detector element spacing, mm
+    const auto active = positivePair(data, 0x00187026);   // active dimensions, mm
+    const auto originRow = data.number(0x00187030, 0), originColumn = data.number(0x00187030, 1);
+    const auto rows = data.number(rowsTag), columns = data.number(columnsTag);
+    if (!element || !active || !originRow || !originColumn || !rows || !columns || !cArm.rowSpacingMm.value) {
+        return;
+    }
+    // Active dimensions and origins count from the active area's top left corner.
+    double cy = (0.5 * active->x() - *originRow * element->x()) / *cArm.rowSpacingMm.value - 0.5;
+    double cx = (0.5 * active->y() - *originColumn * element->y()) / *cArm.columnSpacingMm.value - 0.5;
+    double width = *columns, height = *rows;
+    const int turns = static_cast<int>(std::lround(data.number(0x00187032).value_or(0.0) / 90.0)) & 3;
+    if (turns % 2 == 1) {
+        std::swap(width, height);   // size before the rotation
+    }
+    for (int i = 0; i < turns; ++i) {   // clockwise: (u, v) goes to (height − 1 − v, u)
+        const double u = height - 1.0 - cy;
+        cy = cx;
+        cx = u;
+        std::swap(width, height);
+    }
+    if (data.text(0x00187034) == "YES") {
+        cx = width - 1.0 - cx;
+    }
+    if (std::abs(cx) < 10.0 * width && std::abs(cy) < 10.0 * height) {
+        cArm.principalPointPx = {Eigen::Vector2d(cx, cy), Origin::Derived, "(0018,7030) Field of View Origin"};
+    }
+}
+
+/// Whether the image is shown as seen from the source. Patient orientation says it outright; the flip tag hints at it.
+void readMirror(const DicomDataset& data, CArm& cArm, std::vector<std::string>& warnings)
+{
+    const std::string_view row = data.text(0x00200020, 0);
+    const double alpha = cArm.primaryAngleDeg.value.value_or(0.0) * std::numbers::pi / 180.0;
+    if (std::abs(std::cos(alpha)) > 0.5 && (row.starts_with('L') || row.starts_with('R'))) {
+        // Image right is (cos α, sin α, 0) in LPS when seen from the detector (ALGORITHMS §5.3).
+        const bool pointsLeft = row.starts_with('L');
+        cArm.mirrored = {pointsLeft != (std::cos(alpha) > 0.0), Origin::Header, "(0020,0020) Patient Orientation"};
+    } else if (data.text(0x00187034) == "YES") {
+        cArm.mirrored = {true, Origin::Derived, "(0018,7034) Field of View Horizontal Flip"};
+    }
+    if (cArm.mirrored.value.value_or(false)) {
+        warnings.push_back("The image is taken as mirrored, after " + cArm.mirrored.basis +
+                           ". Check that left and right are where they belong.");
+    }
+}
+
+}   // namespace
+
+core::CArm cArmOf(const DicomDataset& data, std::vector<std::string>& warnings)
+{
+    DicomDataset flat = data;
+    addFromGroups(flat, frameGroups);
+    addFromGroups(flat, sharedGroups);
+    CArm cArm;
+    readDistances(flat, cArm);
+    readSpacing(flat, cArm, warnings);
+    readAngles(flat, cArm, warnings);
+    readPrincipalPoint(flat, cArm);
+    readMirror(flat, cArm, warnings);
+    for (std::string& contradiction : core::findContradictions(cArm)) {
+        warnings.push_back(std::move(contradiction));
+    }
+    return cArm;
+}
+
+}   // namespace io

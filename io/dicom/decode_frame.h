@@ -1,0 +1,24 @@
+#pragma once
+
+#include "io/dicom/pixel_layout.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace io {
+
+/// Raw bytes of one compressed frame (JPEG, JPEG-LS, JPEG 2000, RLE) in the layout's native form, little endian.
+/// `layout` is adjusted where the compressed stream knows better. Nothing when it cannot be decoded whole.
+std::optional<std::vector<char>> decodeFrame(std::string_view compressed, const std::string& transferSyntax,
+                                             PixelLayout& layout);
+
+/// Size a JPEG, JPEG-LS or JPEG 2000 stream declares; nothing when it has no readable header.
+struct StreamSize {
+    int columns = 0;
+    int rows = 0;
+};
+std::optional<StreamSize> streamSizeOf(std::string_view stream);
+
+}   // namespace io

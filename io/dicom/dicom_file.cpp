@@ -1,0 +1,107 @@
+#include "io/dicom/dicom_file.h"
+
+#include "io/dicom/dicom_elements.h"
+#include "io/support/file_error.h"
+#include "io/support/inflate.h"
+
+#include <array>
+
+namespace io {
+namespace {
+
+constexpr std::size_t preambleSize = 128;
+constexpr std::string_view magic = "DICM";
+constexpr std::string_view deflatedSyntax = "1.2.840.10008.1.2.1.99";
+constexpr std::string_view bigEndianSyntax = "1.2.840.10008.1.2.2";
+constexpr std::size_t maxUnpackedBytes = std::size_t{512} << 20;
+constexpr DicomTag transferSyntaxTag = 0x00020010;
+
+bool hasPreamble(std::string_view content)
+{
+    return content.size() > preambleSize + magic.size() && content.substr(preambleSize).starts_with(magic);
+}
+
+/// Group number of the first element when a data set starts here, in the byte order that makes it small.
+bool startsLikeDataset(std::string_view bytes)
+{
+    if (bytes.size() < 8) {
+        return false;
+    }
+    constexpr DicomEncoding little{true, false};
+    constexpr DicomEncoding big{true, true};
+    const auto isPlausible = [&](DicomEncoding encoding) {
+        const auto group = readUint16(bytes, encoding);
+        const auto head = readHead(bytes, encoding);
+        return (group == 0x0002 || group == 0x0008) && readUint16(bytes.substr(2), encoding) < 0x0100 && head &&
+               head->length <= bytes.size();
+    };
+    return isPlausible(little) || isPlausible(big);
+}
+
+/// Whether VRs are there, their letters tell better than a wrong or missing transfer syntax.
+DicomEncoding encodingOf(std::string_view bytes, std::string_view transferSyntax)
+{
+    DicomEncoding encoding;
+    if (bytes.size() >= 6) {
+        const auto isUpper = [](char c) { return c >= 'A' && c <= 'Z'; };
+        encoding.isExplicit = isUpper(bytes[4]) && isUpper(bytes[5]);
+        const auto littleGroup = readUint16(bytes, DicomEncoding{true, false});
+        const auto bigGroup = readUint16(bytes, DicomEncoding{true, true});
+        encoding.isBigEndian = transferSyntax.empty() ? bigGroup < littleGroup : transferSyntax == bigEndianSyntax;
+    }
+    return encoding;
+}
+
+/// Reads the file meta information (always explicit, little endian) and leaves `rest` at the data set.
+std::string readMeta(std::string_view& rest)
+{
+    constexpr DicomEncoding encoding{true, false};
+    std::string syntax;
+    while (const auto head = readHead(rest, encoding)) {
+        if (head->tag >> 16 != 0x0002 || head->length > rest.size() - head->size) {
+            break;
+        }
+        if (head->tag == transferSyntaxTag) {
+            syntax = rest.substr(head->size, head->length);
+            syntax.erase(syntax.find_last_not_of(std::string_view(" \0", 2)) + 1);
+        }
+        rest.remove_prefix(head->size + head->length);
+    }
+    return syntax;
+}
+
+}   // namespace
+
+bool looksLikeDicom(std::string_view content)
+{
+    return hasPreamble(content) || content.starts_with(magic) || startsLikeDataset(content);
+}
+
+core::Result<DicomFile> parseDicom(std::string_view content, const std::string& path)
+{
+    std::string_view rest = content;
+    if (hasPreamble(content)) {
+        rest.remove_prefix(preambleSize + magic.size());
+    } else if (content.starts_with(magic)) {
+        rest.remove_prefix(magic.size());
+    }
+    DicomFile file;
+    file.transferSyntax = readMeta(rest);
+    if (file.transferSyntax == deflatedSyntax) {
+        auto unpacked = inflated(rest, Packing::RawDeflate, maxUnpackedBytes);
+        if (!unpacked) {
+            return fileError(path, "its deflated content is damaged or cut short. Copy or export it again.");
+        }
+        file.unpacked = InputBytes(std::move(*unpacked));
+        rest = file.unpacked.view();
+    }
+    DicomParse parse = parseElements(rest, encodingOf(rest, file.transferSyntax));
+    file.dataset = std::move(parse.dataset);
+    file.damage = std::move(parse.problem);
+    if (file.dataset.elements.empty()) {
+        return fileError(path, "no DICOM element in it can be read. The file is damaged; copy or export it again.");
+    }
+    return file;
+}
+
+}   // namespace io

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/support/result.h"
+#include "io/dicom/dicom_dataset.h"
+#include "io/support/input_bytes.h"
+
+#include <string>
+
+namespace io {
+
+/// A parsed DICOM file. Values point into the bytes it was parsed from, or into `unpacked` for deflated files.
+struct DicomFile {
+    std::string transferSyntax;   ///< UID; "" when the file does not say
+    DicomDataset dataset;
+    std::string damage;   ///< what is wrong after the last good element; empty for a whole file
+    InputBytes unpacked;
+};
+
+/// True for a part-10 file, and for a bare data set that starts like one.
+bool looksLikeDicom(std::string_view content);
+
+/// Own parser: it never trusts a declared length beyond the file's size, which the libraries do.
+core::Result<DicomFile> parseDicom(std::string_view content, const std::string& path);
+
+}   // namespace io

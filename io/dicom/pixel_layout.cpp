@@ -1,0 +1,88 @@
+#include "io/dicom/pixel_layout.h"
+
+#include "io/dicom/dicom_elements.h"
+#include "io/support/file_error.h"
+
+namespace io {
+namespace {
+
+constexpr DicomTag floatPixelDataTag = 0x7fe00008;
+
+std::string missingImage(const DicomFile& file)
+{
+    const std::string modality(file.dataset.text(0x00080060));
+    const std::string what = modality.empty() ? "this DICOM file" : "this DICOM file (" + modality.substr(0, 16) + ")";
+    if (!file.damage.empty()) {
+        return what + " is damaged before its pixels: " + file.damage + ". Copy or export it again.";
+    }
+    return what + " holds no image. Choose the X-ray angiography run.";
+}
+
+std::string findUnsupported(const PixelLayout& layout)
+{
+    const bool isGrey = layout.samples == 1 && layout.photometric.starts_with("MONOCHROME");
+    const bool isColour = layout.samples == 3 && (layout.photometric == "RGB" || layout.photometric.starts_with("YBR"));
+    if (layout.photometric == "PALETTE COLOR") {
+        return "it is stored in palette colours. Export the angiogram in grey.";
+    }
+    if (!isGrey && !isColour) {
+        return "its pixels (" + layout.photometric.substr(0, 16) + ", " + std::to_string(layout.samples) +
+               " samples) are not grey or colour. Export the angiogram in grey.";
+    }
+    const int bits = layout.bitsAllocated;
+    if ((bits != 1 && bits != 8 && bits != 16 && bits != 32) || (bits == 1 && layout.samples != 1)) {
+        return "its pixels have " + std::to_string(bits) + " bits. Export the angiogram with 8 or 16 bits.";
+    }
+    if (layout.bitsStored < 1 || layout.bitsStored > bits || layout.highBit >= bits ||
+        layout.highBit + 1 < layout.bitsStored) {
+        return "its bits per pixel contradict each other. The header is damaged; export the run again.";
+    }
+    return {};
+}
+
+}   // namespace
+
+core::Result<PixelLayout> pixelLayoutOf(const DicomFile& file, const std::string& path)
+{
+    const DicomDataset& data = file.dataset;
+    PixelLayout layout;
+    layout.isFloat = data.find(floatPixelDataTag) != nullptr;
+    if (!data.find(pixelDataTag) && !layout.isFloat) {
+        return fileError(path, missingImage(file));
+    }
+    layout.rows = data.integer(0x00280010).value_or(0);
+    layout.columns = data.integer(0x00280011).value_or(0);
+    layout.frames = data.integer(0x00280008).value_or(1);
+    layout.samples = data.integer(0x00280002).value_or(1);
+    layout.bitsAllocated = data.integer(0x00280100).value_or(layout.isFloat ? 32 : 16);
+    layout.bitsStored = data.integer(0x00280101).value_or(layout.bitsAllocated);
+    layout.highBit = data.integer(0x00280102).value_or(layout.bitsStored - 1);
+    layout.isSigned = data.integer(0x00280103).value_or(0) == 1;
+    layout.isPlanar = data.integer(0x00280006).value_or(0) == 1;
+    if (layout.isFloat) {
+        layout.samples = 1;
+        layout.bitsAllocated = 32;
+    }
+    layout.photometric = data.text(0x00280004);
+    if (layout.photometric.empty()) {
+        layout.photometric = layout.samples == 3 ? "RGB" : "MONOCHROME2";
+    }
+    if (layout.rows <= 0 || layout.columns <= 0 || layout.frames <= 0) {
+        return fileError(path, "its header gives no image size. The file is damaged; export the run again.");
+    }
+    if (layout.pixelsPerFrame() > maxRunPixels / static_cast<std::size_t>(layout.frames)) {
+        return fileError(path, "it declares " + std::to_string(layout.frames) + " frames of " +
+                                   std::to_string(layout.columns) + " x " + std::to_string(layout.rows) +
+                                   " pixels, more than this program holds. Export fewer frames.");
+    }
+    if (layout.rows < 8 || layout.columns < 8) {
+        return fileError(path, "it is only " + std::to_string(layout.columns) + " x " + std::to_string(layout.rows) +
+                                   " pixels. Choose the angiogram at its full size.");
+    }
+    if (const std::string unsupported = layout.isFloat ? "" : findUnsupported(layout); !unsupported.empty()) {
+        return fileError(path, unsupported);
+    }
+    return layout;
+}
+
+}   // namespace io

@@ -1,0 +1,126 @@
+#include "io/dicom/read_dicom.h"
+
+#include "io/dicom/c_arm_tags.h"
+#include "io/dicom/dicom_file.h"
+#include "io/dicom/dicom_text.h"
+#include "io/dicom/frame_source.h"
+
+#include <algorithm>
+
+namespace io {
+namespace {
+
+using core::Angiogram;
+using core::ImageF;
+
+void transformValues(std::vector<ImageF>& frames, float slope, float intercept)
+{
+    for (ImageF& frame : frames) {
+        for (float& value : frame.pixels) {
+            value = slope * value + intercept;
+        }
+    }
+}
+
+void applyRescale(const DicomDataset& data, std::vector<ImageF>& frames)
+{
+    const double slope = data.number(0x00281053).value_or(1.0);
+    const double intercept = data.number(0x00281052).value_or(0.0);
+    if (slope != 0.0 && (slope != 1.0 || intercept != 0.0)) {
+        transformValues(frames, static_cast<float>(slope), static_cast<float>(intercept));
+    }
+}
+
+/// Inverts images meant to be shown inverted, so that high values are bright for everyone downstream.
+bool showBright(const DicomDataset& data, const PixelLayout& layout, std::vector<ImageF>& frames)
+{
+    const bool isInverted = layout.photometric == "MONOCHROME1" || data.text(0x20500020) == "INVERSE";
+    if (!isInverted) {
+        return false;
+    }
+    float low = frames.front().pixels.front();
+    float high = low;
+    for (const ImageF& frame : frames) {
+        const auto [least, most] = std::minmax_element(frame.pixels.begin(), frame.pixels.end());
+        low = std::min(low, *least);
+        high = std::max(high, *most);
+    }
+    transformValues(frames, -1.0F, low + high);
+    return true;
+}
+
+/// Contrast absorbs, so vessels are low where values rise with the X-ray intensity, (0028,1041) = +1.
+core::Polarity polarityOf(const DicomDataset& data, bool wasInverted)
+{
+    const int sign = data.integer(0x00281041).value_or(wasInverted ? -1 : 1);
+    const bool storedDark = sign >= 0;
+    return storedDark != wasInverted ? core::Polarity::VesselsDark : core::Polarity::VesselsBright;
+}
+
+double frameTimeMs(const DicomDataset& data)
+{
+    const auto positive = [&](DicomTag tag) {
+        const auto value = data.number(tag);
+        return value && *value > 0.0 ? value : std::nullopt;
+    };
+    if (const auto time = positive(0x00181063)) {
+        return *time;
+    }
+    if (const auto second = data.number(0x00181065, 1); second && *second > 0.0) {   // the first entry is 0
+        return *second;
+    }
+    const auto rate = positive(0x00180040) ? positive(0x00180040) : positive(0x00082144);
+    return rate ? 1000.0 / *rate : 0.0;
+}
+
+bool isXray(std::string_view modality)
+{
+    return modality == "XA" || modality == "RF" || modality == "DX" || modality == "CR";
+}
+
+void describe(const DicomFile& file, const PixelLayout& layout, Angiogram& angiogram)
+{
+    angiogram.identity = identityOf(file.dataset);
+    if (layout.samples == 3) {
+        angiogram.warnings.emplace_back("Colour image converted to grey.");
+    }
+    if (!file.damage.empty()) {
+        angiogram.warnings.push_back("The end of the file is damaged (" + file.damage + "); the image is complete.");
+    }
+    const std::string& modality = angiogram.identity.modality;
+    if (isXray(modality)) {
+        angiogram.cArm = cArmOf(file.dataset, angiogram.warnings);
+    } else {
+        angiogram.warnings.push_back("This is " +
+                                     (modality.empty() ? "an image without modality" : "modality " + modality) +
+                                     ", not X-ray angiography: it has no C-arm geometry.");
+    }
+}
+
+}   // namespace
+
+core::Result<core::Angiogram> readDicomAngiogram(std::string_view content, const std::string& path)
+{
+    const auto parsed = parseDicom(content, path);
+    if (!parsed) {
+        return parsed.error();
+    }
+    const DicomFile& file = parsed.value();
+    const auto layout = pixelLayoutOf(file, path);
+    if (!layout) {
+        return layout.error();
+    }
+    auto frames = readFrames(file, layout.value(), path);
+    if (!frames) {
+        return frames.error();
+    }
+    Angiogram angiogram;
+    angiogram.frames = std::move(frames).value();
+    applyRescale(file.dataset, angiogram.frames);
+    angiogram.polarity = polarityOf(file.dataset, showBright(file.dataset, layout.value(), angiogram.frames));
+    angiogram.frameTimeMs = angiogram.frames.size() > 1 ? frameTimeMs(file.dataset) : 0.0;
+    describe(file, layout.value(), angiogram);
+    return angiogram;
+}
+
+}   // namespace io

@@ -1,0 +1,55 @@
+#include "io/dicom/decode_frame.h"
+
+#include "io/dicom/dicom_dataset.h"
+
+namespace io {
+namespace {
+
+constexpr DicomEncoding bigEndian{true, true};
+constexpr std::string_view codestreamStart("\xff\x4f\xff\x51", 4);   // SOC, SIZ (ISO 15444-1)
+
+std::optional<StreamSize> jpeg2000Size(std::string_view stream)
+{
+    const std::size_t start = stream.substr(0, 4096).find(codestreamStart);   // after boxes, if it is a JP2 file
+    if (start == std::string_view::npos || stream.size() < start + 24) {
+        return std::nullopt;
+    }
+    const auto at = [&](std::size_t offset) { return readUint32(stream.substr(start + offset), bigEndian); };
+    const std::uint32_t columns = at(8) - at(16);
+    const std::uint32_t rows = at(12) - at(20);
+    return StreamSize{static_cast<int>(columns), static_cast<int>(rows)};
+}
+
+/// True for the markers that start a frame: SOF0…SOF15 without DHT, JPG, DAC, and JPEG-LS's SOF55.
+bool isFrameStart(unsigned char marker)
+{
+    const bool isSof = marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+    return isSof || marker == 0xf7;
+}
+
+}   // namespace
+
+std::optional<StreamSize> streamSizeOf(std::string_view stream)
+{
+    if (!stream.starts_with("\xff\xd8")) {
+        return jpeg2000Size(stream);
+    }
+    for (std::size_t at = 2; at + 9 <= stream.size();) {
+        if (static_cast<unsigned char>(stream[at]) != 0xff) {
+            return std::nullopt;
+        }
+        const auto marker = static_cast<unsigned char>(stream[at + 1]);
+        if (marker == 0xff) {   // fill byte
+            ++at;
+            continue;
+        }
+        if (isFrameStart(marker)) {
+            return StreamSize{readUint16(stream.substr(at + 7), bigEndian),
+                              readUint16(stream.substr(at + 5), bigEndian)};
+        }
+        at += 2 + std::size_t{readUint16(stream.substr(at + 2), bigEndian)};
+    }
+    return std::nullopt;
+}
+
+}   // namespace io

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace io {
+
+/// What shows that a PNG or JPEG is damaged or cut short, in words; empty when it is whole. The libraries would fill
+/// what is missing with grey.
+std::string findRasterDamage(std::string_view content);
+
+}   // namespace io

@@ -1,0 +1,152 @@
+#include "io/raster/read_raster.h"
+
+#include "io/raster/raster_integrity.h"
+#include "io/support/file_error.h"
+#include "io/support/quiet_libraries.h"
+
+#include <itkJPEGImageIO.h>
+#include <itkPNGImageIO.h>
+#include <itkTIFFImageIO.h>
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <optional>
+
+namespace io {
+namespace {
+
+constexpr std::size_t maxPixels = 220'000'000;
+constexpr unsigned int maxSide = 32'768;
+constexpr int minSide = 8;
+
+struct RasterShape {
+    int width = 0, height = 0, frames = 1, channels = 1;
+};
+
+itk::ImageIOBase::Pointer readerFor(std::string_view content)
+{
+    if (content.starts_with("\x89PNG")) {
+        return itk::PNGImageIO::New().GetPointer();
+    }
+    if (content.starts_with("\xff\xd8\xff")) {
+        return itk::JPEGImageIO::New().GetPointer();
+    }
+    return itk::TIFFImageIO::New().GetPointer();
+}
+
+std::optional<RasterShape> shapeOf(const itk::ImageIOBase& reader)
+{
+    const auto width = reader.GetDimensions(0), height = reader.GetDimensions(1);
+    const auto frames = reader.GetNumberOfDimensions() > 2 ? reader.GetDimensions(2) : 1;
+    if (width == 0 || height == 0 || frames == 0 || width > maxSide || height > maxSide ||
+        width * height > maxPixels / frames || reader.GetNumberOfComponents() > 4) {
+        return std::nullopt;
+    }
+    return RasterShape{static_cast<int>(width), static_cast<int>(height), static_cast<int>(frames),
+                       static_cast<int>(reader.GetNumberOfComponents())};
+}
+
+template <class Sample>
+Raster greyFrom(const std::vector<char>& bytes, const RasterShape& shape)
+{
+    const auto* samples = reinterpret_cast<const Sample*>(bytes.data());
+    const auto channels = static_cast<std::size_t>(shape.channels);
+    Raster raster;
+    raster.hadAlpha = shape.channels == 2 || shape.channels == 4;
+    for (int k = 0; k < shape.frames; ++k) {
+        core::ImageF frame(shape.width, shape.height);
+        for (float& value : frame.pixels) {
+            if (shape.channels < 3) {
+                value = static_cast<float>(samples[0]);
+            } else {   // luminance, Rec. 601; exact where the channels agree
+                const bool isGrey = samples[0] == samples[1] && samples[1] == samples[2];
+                value = isGrey ? static_cast<float>(samples[0])
+                               : static_cast<float>(0.299 * static_cast<double>(samples[0]) +
+                                                    0.587 * static_cast<double>(samples[1]) +
+                                                    0.114 * static_cast<double>(samples[2]));
+                raster.wasColour |= !isGrey;
+            }
+            samples += channels;
+        }
+        raster.frames.push_back(std::move(frame));
+    }
+    return raster;
+}
+
+std::optional<Raster> convert(itk::IOComponentEnum type, const std::vector<char>& bytes, const RasterShape& shape)
+{
+    switch (type) {
+        case itk::IOComponentEnum::UCHAR:
+            return greyFrom<unsigned char>(bytes, shape);
+        case itk::IOComponentEnum::CHAR:
+            return greyFrom<signed char>(bytes, shape);
+        case itk::IOComponentEnum::USHORT:
+            return greyFrom<unsigned short>(bytes, shape);
+        case itk::IOComponentEnum::SHORT:
+            return greyFrom<short>(bytes, shape);
+        case itk::IOComponentEnum::UINT:
+            return greyFrom<unsigned int>(bytes, shape);
+        case itk::IOComponentEnum::INT:
+            return greyFrom<int>(bytes, shape);
+        case itk::IOComponentEnum::FLOAT:
+            return greyFrom<float>(bytes, shape);
+        default:
+            return std::nullopt;
+    }
+}
+
+bool isFinite(const Raster& raster)
+{
+    return std::all_of(raster.frames.begin(), raster.frames.end(), [](const core::ImageF& frame) {
+        return std::all_of(frame.pixels.begin(), frame.pixels.end(), [](float value) { return std::isfinite(value); });
+    });
+}
+
+}   // namespace
+
+bool looksLikeRaster(std::string_view content)
+{
+    return content.starts_with("\x89PNG") || content.starts_with("\xff\xd8\xff") ||
+           content.starts_with(std::string_view("II*\0", 4)) || content.starts_with(std::string_view("MM\0*", 4));
+}
+
+core::Result<Raster> readRaster(std::string_view content, const std::string& path)
+{
+    quietLibraries();
+    if (const std::string damage = findRasterDamage(content); !damage.empty()) {
+        return fileError(path, damage);
+    }
+    try {
+        const itk::ImageIOBase::Pointer reader = readerFor(content);
+        reader->SetFileName(path);
+        reader->ReadImageInformation();
+        const auto shape = shapeOf(*reader);
+        if (!shape) {
+            return fileError(path,
+                             "the image is larger than this program holds, or its size makes no sense. "
+                             "Export it smaller.");
+        }
+        if (shape->width < minSide || shape->height < minSide) {
+            return fileError(path, "it is only " + std::to_string(shape->width) + " x " +
+                                       std::to_string(shape->height) +
+                                       " pixels. Choose the angiogram at its full size.");
+        }
+        std::vector<char> bytes(static_cast<std::size_t>(reader->GetImageSizeInBytes()));
+        itk::ImageIORegion region(reader->GetNumberOfDimensions());
+        for (unsigned int axis = 0; axis < reader->GetNumberOfDimensions(); ++axis) {
+            region.SetSize(axis, reader->GetDimensions(axis));
+        }
+        reader->SetIORegion(region);
+        reader->Read(bytes.data());
+        auto raster = convert(reader->GetComponentType(), bytes, *shape);
+        if (!raster || !isFinite(*raster)) {
+            return fileError(path, "its pixels are not finite numbers of a known kind. Export it with 8 or 16 bits.");
+        }
+        return std::move(*raster);
+    } catch (const std::exception&) {   // itk::ExceptionObject, std::bad_alloc
+        return fileError(path,
+                         "the image cannot be decoded: damaged, cut short or of an unusual kind. Export it again.");
+    }
+}
+
+}   // namespace io

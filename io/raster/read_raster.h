@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/imaging/image2d.h"
+#include "core/support/result.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace io {
+
+/// Frames of a PNG, JPEG or (multi-page) TIFF as grey values.
+struct Raster {
+    std::vector<core::ImageF> frames;
+    bool wasColour = false;   ///< channels differed; their luminance was taken
+    bool hadAlpha = false;   ///< transparency was ignored
+};
+
+/// True when the content begins like one of the formats.
+bool looksLikeRaster(std::string_view content);
+
+/// `content` is what `path` holds; the libraries read the path itself.
+core::Result<Raster> readRaster(std::string_view content, const std::string& path);
+
+}   // namespace io

@@ -1,0 +1,33 @@
+#include "io/support/inflate.h"
+
+#include <zlib.h>
+#include <array>
+
+namespace io {
+
+std::optional<std::string> inflated(std::string_view packed, Packing packing, std::size_t maxBytes)
+{
+    z_stream stream{};
+    // zlib: 15 window bits, +16 expects a gzip header, negative expects none.
+    if (packed.size() > maxBytes || inflateInit2(&stream, packing == Packing::Gzip ? 15 + 16 : -15) != Z_OK) {
+        return std::nullopt;
+    }
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
+    stream.avail_in = static_cast<uInt>(packed.size());
+    std::string content;
+    std::array<char, 1 << 16> block;
+    int status = Z_OK;
+    while (status == Z_OK && content.size() <= maxBytes) {
+        stream.next_out = reinterpret_cast<Bytef*>(block.data());
+        stream.avail_out = static_cast<uInt>(block.size());
+        status = inflate(&stream, Z_NO_FLUSH);
+        content.append(block.data(), block.size() - stream.avail_out);
+    }
+    inflateEnd(&stream);
+    if (status != Z_STREAM_END || content.size() > maxBytes) {
+        return std::nullopt;
+    }
+    return content;
+}
+
+}   // namespace io
