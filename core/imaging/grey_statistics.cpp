@@ -42,6 +42,17 @@ float otsuThreshold(const std::vector<float>& values)
     return static_cast<float>(best) / (binCount - 1) * top;
 }
 
+std::vector<float> evenSample(const std::vector<float>& values, std::size_t most)
+{
+    const std::size_t step = std::max<std::size_t>(1, (values.size() + most - 1) / most);
+    std::vector<float> sample;
+    sample.reserve(values.size() / step + 1);
+    for (std::size_t i = 0; i < values.size(); i += step) {
+        sample.push_back(values[i]);
+    }
+    return sample;
+}
+
 float ranked(std::vector<float> values, double share)
 {
     assert(!values.empty());

@@ -1,5 +1,7 @@
 #include "core/imaging/image_filters.h"
 
+#include "core/support/wide_vectors.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -24,6 +26,15 @@ std::vector<float> gaussianHalfKernel(double sigmaPx)
     return kernel;
 }
 
+/// target += weight (a + b), element by element.
+ANGIOPOSE_WIDE_VECTORS
+void addWeighted(float* target, const float* a, const float* b, float weight, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        target[i] += weight * (a[i] + b[i]);
+    }
+}
+
 void blurRow(const float* source, float* target, int width, const std::vector<float>& kernel,
              std::vector<float>& padded)
 {
@@ -36,12 +47,7 @@ void blurRow(const float* source, float* target, int width, const std::vector<fl
         target[x] = kernel[0] * centre[x];
     }
     for (int i = 1; i <= reach; ++i) {
-        const float weight = kernel[static_cast<std::size_t>(i)];
-        const float* left = centre - i;
-        const float* right = centre + i;
-        for (int x = 0; x < width; ++x) {
-            target[x] += weight * (left[x] + right[x]);
-        }
+        addWeighted(target, centre - i, centre + i, kernel[static_cast<std::size_t>(i)], width);
     }
 }
 
@@ -55,9 +61,7 @@ void blurColumns(const ImageF& source, int y, float* target, const std::vector<f
         const float weight = kernel[static_cast<std::size_t>(i)];
         const float* above = &source.pixels[source.index(0, std::max(0, y - i))];
         const float* below = &source.pixels[source.index(0, std::min(source.height - 1, y + i))];
-        for (int x = 0; x < source.width; ++x) {
-            target[x] += weight * (above[x] + below[x]);
-        }
+        addWeighted(target, above, below, weight, source.width);
     }
 }
 

@@ -42,6 +42,32 @@ bool onImageEdge(const Mask2d& mask, std::size_t index)
     return x == 0 || y == 0 || x == mask.width - 1 || y == mask.height - 1;
 }
 
+struct Region {
+    std::vector<std::size_t> pixels;
+    bool isHole = true;
+};
+
+/// The background around `seed`, given up as no hole once it grows beyond the area, to the image edge or into `open`.
+Region smallRegion(const Mask2d& mask, const Mask2d& open, std::size_t seed, std::size_t maxArea)
+{
+    const auto width = static_cast<std::size_t>(mask.width);
+    Region region{{seed}, true};
+    for (std::size_t next = 0; next < region.pixels.size() && region.isHole; ++next) {
+        const std::size_t p = region.pixels[next];
+        if (onImageEdge(mask, p) || open.pixels[p] != 0 || region.pixels.size() > maxArea) {
+            region.isHole = false;
+            break;
+        }
+        for (const std::size_t q : {p - 1, p + 1, p - width, p + width}) {
+            const bool known = std::find(region.pixels.begin(), region.pixels.end(), q) != region.pixels.end();
+            if (mask.pixels[q] == 0 && !known) {
+                region.pixels.push_back(q);
+            }
+        }
+    }
+    return region;
+}
+
 enum class Target { Clear, Set };
 
 /// Where pixels of the kind `sought` occur within ±radius along one line of `count` pixels, `stride` apart.
@@ -100,18 +126,15 @@ Mask2d connectedToEdge(const Mask2d& mask)
 
 Mask2d withHolesFilled(Mask2d mask, int maxAreaPx)
 {
-    Mask2d seen(mask.width, mask.height);
-    for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
-        if (mask.pixels[i] != 0 || seen.pixels[i] != 0) {
+    Mask2d open(mask.width, mask.height);   // background known to be too large for a hole
+    for (std::size_t p = 1; p < mask.pixels.size(); ++p) {
+        const bool besideMask = mask.pixels[p] == 0 && mask.pixels[p - 1] != 0;   // every hole has such a pixel
+        if (!besideMask || open.pixels[p] != 0) {
             continue;
         }
-        const std::vector<std::size_t> hole = flood(mask, i, 4, seen);
-        const bool open = std::any_of(hole.begin(), hole.end(), [&](std::size_t p) { return onImageEdge(mask, p); });
-        if (!open && hole.size() <= static_cast<std::size_t>(maxAreaPx)) {
-            for (const std::size_t p : hole) {
-                mask.pixels[p] = 255;
-                seen.pixels[p] = 255;
-            }
+        const Region region = smallRegion(mask, open, p, static_cast<std::size_t>(maxAreaPx));
+        for (const std::size_t q : region.pixels) {
+            (region.isHole ? mask : open).pixels[q] = 255;
         }
     }
     return mask;

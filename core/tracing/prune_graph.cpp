@@ -1,5 +1,4 @@
-#include "core/tracing/skeleton_graph.h"
-#include "core/vessel/polyline.h"
+#include "core/tracing/prune_graph.h"
 
 #include <algorithm>
 #include <numeric>
@@ -17,54 +16,59 @@ std::vector<int> degreesOf(const SkeletonGraph& graph)
     return degrees;
 }
 
-/// Index of the shortest edge with one free end at a junction, if below the limit; -1 if none.
-int shortestSpur(const SkeletonGraph& graph, double minLengthPx)
+/// Index of the spur of least worth below `least`; -1 if none.
+int leastSpur(const SkeletonGraph& graph, const std::vector<double>& worths, double least)
 {
     const std::vector<int> degrees = degreesOf(graph);
-    int shortest = -1;
-    double shortestLength = minLengthPx;
+    int found = -1;
     for (std::size_t i = 0; i < graph.edges.size(); ++i) {
         const int startDegree = degrees[static_cast<std::size_t>(graph.edges[i].startNode)];
         const int endDegree = degrees[static_cast<std::size_t>(graph.edges[i].endNode)];
         const bool isSpur = std::min(startDegree, endDegree) == 1 && std::max(startDegree, endDegree) > 2;
-        const double length = polylineLength(graph.edges[i].pointsPx);
-        if (isSpur && length < shortestLength) {
-            shortest = static_cast<int>(i);
-            shortestLength = length;
+        if (isSpur && worths[i] < least) {
+            found = static_cast<int>(i);
+            least = worths[i];
         }
     }
-    return shortest;
+    return found;
 }
 
-/// Joins the two edges that meet at `node`, if exactly two distinct ones do.
-void joinThrough(SkeletonGraph& graph, int node)
+void reverse(SkeletonEdge& edge)
+{
+    std::reverse(edge.pointsPx.begin(), edge.pointsPx.end());
+    std::swap(edge.startNode, edge.endNode);
+}
+
+/// Joins the two edges that meet at `node`, if exactly two distinct ones do, and measures the whole.
+void joinThrough(SkeletonGraph& graph, int node, std::vector<double>& worths, const EdgeMeasure& worth)
 {
     std::vector<std::size_t> meeting;
     for (std::size_t i = 0; i < graph.edges.size(); ++i) {
-        if (graph.edges[i].startNode == node || graph.edges[i].endNode == node) {
+        const SkeletonEdge& edge = graph.edges[i];
+        if (edge.startNode == node || edge.endNode == node) {
             meeting.push_back(i);
+        }
+        if (edge.startNode == node && edge.endNode == node) {   // a ring ends here
+            return;
         }
     }
     if (meeting.size() != 2) {
         return;
     }
-    SkeletonEdge first = graph.edges[meeting[0]];
-    SkeletonEdge second = graph.edges[meeting[1]];
-    if (first.startNode == first.endNode || second.startNode == second.endNode) {
-        return;
-    }
+    SkeletonEdge first = std::move(graph.edges[meeting[0]]);
+    SkeletonEdge second = std::move(graph.edges[meeting[1]]);
     if (first.startNode == node) {
-        std::reverse(first.pointsPx.begin(), first.pointsPx.end());
-        std::swap(first.startNode, first.endNode);
+        reverse(first);
     }
     if (second.endNode == node) {
-        std::reverse(second.pointsPx.begin(), second.pointsPx.end());
-        std::swap(second.startNode, second.endNode);
+        reverse(second);
     }
     first.pointsPx.insert(first.pointsPx.end(), second.pointsPx.begin() + 1, second.pointsPx.end());
     first.endNode = second.endNode;
+    worths[meeting[0]] = worth(first);
     graph.edges[meeting[0]] = std::move(first);
     graph.edges.erase(graph.edges.begin() + static_cast<std::ptrdiff_t>(meeting[1]));
+    worths.erase(worths.begin() + static_cast<std::ptrdiff_t>(meeting[1]));
 }
 
 /// For each node the representative of its connected piece.
@@ -89,26 +93,38 @@ std::vector<int> piecesOf(const SkeletonGraph& graph)
 
 }   // namespace
 
-SkeletonGraph pruned(const SkeletonGraph& graph, double minLengthPx, double minPieceLengthPx)
+SkeletonGraph withoutSpurs(SkeletonGraph graph, const EdgeMeasure& worth, double least)
 {
-    SkeletonGraph kept = graph;
-    for (int spur = shortestSpur(kept, minLengthPx); spur >= 0; spur = shortestSpur(kept, minLengthPx)) {
-        const SkeletonEdge edge = kept.edges[static_cast<std::size_t>(spur)];
-        kept.edges.erase(kept.edges.begin() + spur);
-        joinThrough(kept, edge.startNode);
-        joinThrough(kept, edge.endNode);
+    std::vector<double> worths;
+    for (const SkeletonEdge& edge : graph.edges) {
+        worths.push_back(worth(edge));
     }
-    const std::vector<int> piece = piecesOf(kept);
-    std::vector<double> pieceLength(kept.nodesPx.size(), 0.0);
-    for (const SkeletonEdge& edge : kept.edges) {
-        pieceLength[static_cast<std::size_t>(piece[static_cast<std::size_t>(edge.startNode)])] +=
-            polylineLength(edge.pointsPx);
+    for (int spur = leastSpur(graph, worths, least); spur >= 0; spur = leastSpur(graph, worths, least)) {
+        const int startNode = graph.edges[static_cast<std::size_t>(spur)].startNode;
+        const int endNode = graph.edges[static_cast<std::size_t>(spur)].endNode;
+        graph.edges.erase(graph.edges.begin() + spur);
+        worths.erase(worths.begin() + spur);
+        joinThrough(graph, startNode, worths, worth);
+        joinThrough(graph, endNode, worths, worth);
     }
-    std::erase_if(kept.edges, [&](const SkeletonEdge& edge) {
-        return pieceLength[static_cast<std::size_t>(piece[static_cast<std::size_t>(edge.startNode)])] <
-               minPieceLengthPx;
-    });
-    return kept;
+    return graph;
+}
+
+SkeletonGraph withoutSmallPieces(SkeletonGraph graph, const EdgeMeasure& size, double least, double share)
+{
+    const std::vector<int> piece = piecesOf(graph);
+    const auto pieceOf = [&](const SkeletonEdge& edge) {
+        return static_cast<std::size_t>(piece[static_cast<std::size_t>(edge.startNode)]);
+    };
+    std::vector<double> sizes(graph.nodesPx.size(), 0.0);
+    double largest = 0.0;
+    for (const SkeletonEdge& edge : graph.edges) {
+        sizes[pieceOf(edge)] += size(edge);
+        largest = std::max(largest, sizes[pieceOf(edge)]);
+    }
+    const double limit = std::max(least, share * largest);
+    std::erase_if(graph.edges, [&](const SkeletonEdge& edge) { return sizes[pieceOf(edge)] < limit; });
+    return graph;
 }
 
 }   // namespace core

@@ -23,10 +23,6 @@ struct SkeletonGraph {
 /// Graph of a one pixel wide skeleton; touching junction pixels are one node at their centroid.
 SkeletonGraph skeletonGraph(const Mask2d& skeleton);
 
-/// Without spurs: the shortest branch with a free end goes first, until all are at least `minLengthPx` long. Pieces
-/// (connected parts) shorter in all than `minPieceLengthPx` go too.
-SkeletonGraph pruned(const SkeletonGraph& graph, double minLengthPx, double minPieceLengthPx);
-
 /// Ordered curves through the graph: at each node, edges that continue each other straight on are joined, so that two
 /// crossing vessels give two curves. A crossing that thinning split in two junctions up to `crossingPx` apart is one.
 std::vector<std::vector<Eigen::Vector2d>> orderedCurves(const SkeletonGraph& graph, double crossingPx);

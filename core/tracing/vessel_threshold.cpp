@@ -8,9 +8,9 @@
 namespace core {
 namespace {
 
-// Parts of Otsu's threshold between which a ridge counts only if it goes on to a stronger one.
-constexpr double lowShare = 0.9;
-constexpr double highShare = 1.5;
+constexpr float lowEvidence = 0.9F;
+constexpr float highEvidence = 1.5F;
+constexpr std::size_t sampleSize = 200000;
 constexpr double noiseMultiple = 4.0;
 
 }   // namespace
@@ -20,7 +20,7 @@ double ridgeNoiseLimit(const std::vector<float>& ridges)
     return ridges.empty() ? 0.0 : noiseMultiple * ranked(ridges, 0.5);
 }
 
-Mask2d thresholdVessels(const ImageF& ridges, const Mask2d& field, double sensitivity)
+ImageF vesselEvidence(const ImageF& ridges, const Mask2d& field, double sensitivity)
 {
     std::vector<float> exposed;
     for (std::size_t i = 0; i < ridges.pixels.size(); ++i) {
@@ -28,21 +28,29 @@ Mask2d thresholdVessels(const ImageF& ridges, const Mask2d& field, double sensit
             exposed.push_back(ridges.pixels[i]);
         }
     }
-    Mask2d vessels(ridges.width, ridges.height);
-    if (exposed.empty()) {
-        return vessels;
-    }
+    exposed = evenSample(exposed, sampleSize);
+    ImageF evidence(ridges.width, ridges.height);
     const double threshold = std::max<double>(otsuThreshold(exposed), ridgeNoiseLimit(exposed)) / sensitivity;
-    const auto low = static_cast<float>(lowShare * threshold);
-    const auto high = static_cast<float>(highShare * threshold);
+    if (!(threshold > 0.0)) {
+        return evidence;
+    }
     for (std::size_t i = 0; i < ridges.pixels.size(); ++i) {
-        vessels.pixels[i] = field.pixels[i] != 0 && ridges.pixels[i] > low ? 255 : 0;
+        evidence.pixels[i] = field.pixels[i] != 0 ? ridges.pixels[i] / static_cast<float>(threshold) : 0.0F;
+    }
+    return evidence;
+}
+
+Mask2d vesselPixels(const ImageF& evidence)
+{
+    Mask2d vessels(evidence.width, evidence.height);
+    for (std::size_t i = 0; i < evidence.pixels.size(); ++i) {
+        vessels.pixels[i] = evidence.pixels[i] > lowEvidence ? 255 : 0;
     }
     for (const std::vector<std::size_t>& component : componentsOf(vessels)) {
-        if (std::none_of(component.begin(), component.end(), [&](std::size_t p) { return ridges.pixels[p] > high; })) {
-            for (const std::size_t p : component) {
-                vessels.pixels[p] = 0;
-            }
+        const bool isSure = std::any_of(component.begin(), component.end(),
+                                        [&](std::size_t p) { return evidence.pixels[p] > highEvidence; });
+        for (const std::size_t p : component) {
+            vessels.pixels[p] = isSure ? 255 : 0;
         }
     }
     return vessels;
