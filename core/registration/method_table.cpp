@@ -1,4 +1,5 @@
 #include "core/registration/method.h"
+#include "core/registration/methods/angiopose.h"
 #include "core/registration/methods/dynaweight.h"
 #include "core/registration/methods/iterative_pnp.h"
 
@@ -12,6 +13,9 @@ namespace {
 const std::vector<Method>& table()
 {
     static const std::vector<Method> rows{
+        {{"angiopose", "AngioPose",
+          "Coarse search, then robust point-to-line refinement about the tree's centroid, with uncertainty."},
+         solveAngioPose},
         {{"dynaweight", "DynaWeightPnP",
           "Alternates between a few auxiliary points and all points by kernel-weighted PnP (Song, Ghaffari)."},
          solveDynaWeight},

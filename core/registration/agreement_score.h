@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/registration/alignment.h"
+
+#include <cstdint>
+
+namespace core {
+
+/// How well a pose explains the image, both ways: the share of the tree that lies along traced vessels, and the share
+/// of the traced vessels that the tree explains. Neither shrinking the tree nor covering one vessel raises both.
+class AgreementScore {
+public:
+    AgreementScore(const TreeSamples& tree, const ProjectionCamera& camera, const TargetLines& target);
+
+    /// Harmonic mean of both shares, 0…1.
+    double of(const CentroidPose& pose);
+
+private:
+    double coveredTargetShare(const CentroidPose& pose);
+
+    std::vector<AlignmentPoint> points_;
+    ProjectionCamera camera_;
+    const TargetLines* target_;
+    Alignment alignment_;
+    std::vector<std::uint8_t> covered_;   ///< cells near a projected point
+    int columns_ = 0;
+    int rows_ = 0;
+};
+
+}   // namespace core

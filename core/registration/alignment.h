@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/registration/centroid_pose.h"
+#include "core/registration/target_lines.h"
+
+namespace core {
+
+/// A tree point as the inner loop reads it: relative to the tree's centroid.
+struct AlignmentPoint {
+    Eigen::Vector3d fromCentroid;   ///< mm, patient axes
+    Eigen::Vector3d tangent;   ///< unit, patient axes
+    int branchIndex = 0;
+};
+
+/// What a look at one pose gives.
+struct Agreement {
+    NormalEquations equations;   ///< of Σ w r² for steps about the pose, weights frozen
+    double loss = 0.0;   ///< Σ 2ℓ² v (1 − w); a point that leaves or turns across costs the maximum
+};
+
+/// Point-to-line agreement of the projected tree with the target (ALGORITHMS §6.2, 6.3, 6.5): Welsch weight of the
+/// distance, cos⁴ gate of the directions, squared visibility of the branch.
+class Alignment {
+public:
+    Alignment(std::vector<AlignmentPoint> points, const ProjectionCamera& camera, const TargetLines& target);
+
+    Agreement look(const CentroidPose& pose, double scalePx) const;
+
+    /// Mean weight of each branch becomes its visibility (§6.7).
+    void updateVisibility(const CentroidPose& pose, double scalePx);
+    void resetVisibility();
+    const std::vector<double>& visibility() const { return visibility_; }
+
+    /// Residual across the line (px) of every point; NaN where no line is within `limitPx` in a like direction.
+    void collectResiduals(const CentroidPose& pose, double limitPx, std::vector<double>& residuals) const;
+
+    /// Median distance to the nearest line point, px; infinite when most points do not project.
+    double medianDistancePx(const CentroidPose& pose, std::vector<double>& scratch) const;
+
+    std::size_t size() const { return points_.size(); }
+
+private:
+    struct Match;
+    bool match(const AlignmentPoint& point, const CentroidPose& pose, double limitPx, Match& match) const;
+
+    std::vector<AlignmentPoint> points_;
+    ProjectionCamera camera_;
+    const TargetLines* target_;
+    std::vector<double> visibility_;   ///< per branch, 0…1
+    std::vector<double> weightSum_;   ///< per branch, scratch
+    std::vector<double> pointCount_;   ///< per branch
+};
+
+/// Every `stride`-th tree point.
+std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, std::size_t stride = 1);
+
+/// The tree points with these numbers.
+std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, const std::vector<int>& numbers);
+
+}   // namespace core

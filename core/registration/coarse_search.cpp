@@ -1,0 +1,166 @@
+#include "core/registration/coarse_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace core {
+namespace {
+
+constexpr int blockPx = 16;   // step of the shifts
+constexpr int phasePx = 4;   // resolution of the closeness image
+constexpr int phases = blockPx / phasePx;
+constexpr double closenessPx = 11.0;   // ALGORITHMS §6.8
+constexpr double stepDeg = 4.0;
+constexpr std::size_t keptPerOrientation = 3;
+constexpr std::size_t keptCandidates = 12;
+constexpr double basinPx = 24.0;
+constexpr double basinDeg = 3.0;
+constexpr double radiansPerDegree = std::numbers::pi / 180.0;
+
+/// −reach … reach in equal steps of about stepDeg, 0 among them.
+std::vector<double> anglesWithin(double reachDeg)
+{
+    const int half = static_cast<int>(std::ceil(reachDeg / stepDeg - 1e-9));
+    std::vector<double> angles;
+    for (int k = -half; k <= half; ++k) {
+        angles.push_back(half == 0 ? 0.0 : reachDeg * k / half * radiansPerDegree);
+    }
+    return angles;
+}
+
+bool isSameBasin(const CoarseCandidate& a, const CoarseCandidate& b, double pxPerMm)
+{
+    const double shiftPx = (a.pose.centroidInCamera - b.pose.centroidInCamera).norm() * pxPerMm;
+    return shiftPx < basinPx && angleBetween(a.pose.rotation, b.pose.rotation) < basinDeg * radiansPerDegree;
+}
+
+}   // namespace
+
+/// Scores of all shifts of one orientation: shift (c − half, r − half) blocks.
+struct CoarseSearch::Shifts {
+    int half;
+    int side;
+    std::vector<std::uint16_t> sums;
+
+    explicit Shifts(int reach) : half(reach), side(2 * reach + 1), sums(static_cast<std::size_t>(side * side)) {}
+};
+
+CoarseSearch::CoarseSearch(const ProjectionCamera& camera, const TargetLines& target) : camera_(camera)
+{
+    margin_ = 2;
+    blockColumns_ = camera.width / blockPx + 1 + 2 * margin_;
+    blockRows_ = camera.height / blockPx + 1 + 2 * margin_;
+    const auto blocks = static_cast<std::size_t>(blockColumns_ * blockRows_);
+    closeness_.resize(blocks * phases * phases);
+    std::uint8_t* value = closeness_.data();
+    for (int phase = 0; phase < phases * phases; ++phase) {
+        for (int row = 0; row < blockRows_; ++row) {
+            for (int column = 0; column < blockColumns_; ++column) {
+                const double u = (column - margin_) * blockPx + phase % phases * phasePx;
+                const double v = (row - margin_) * blockPx + phase / phases * phasePx;
+                const double squared = TargetLines::squaredDistance(target.nearest(u, v), u, v);
+                *value++ = static_cast<std::uint8_t>(
+                    std::lround(255.0 * std::exp(-0.5 * squared / (closenessPx * closenessPx))));
+            }
+        }
+    }
+}
+
+void CoarseSearch::addPoint(double u, double v, Shifts& shifts) const
+{
+    const int column = static_cast<int>(std::lround(u / phasePx)) + (margin_ - shifts.half) * phases;
+    const int row = static_cast<int>(std::lround(v / phasePx)) + (margin_ - shifts.half) * phases;
+    // Floor division: points may lie far to the left of the image.
+    const int phaseColumn = ((column % phases) + phases) % phases;
+    const int phaseRow = ((row % phases) + phases) % phases;
+    const int firstColumn = (column - phaseColumn) / phases;
+    const int firstRow = (row - phaseRow) / phases;
+    const std::uint8_t* phase =
+        &closeness_[static_cast<std::size_t>((phaseRow * phases + phaseColumn) * blockColumns_ * blockRows_)];
+
+    const int from = std::clamp(-firstColumn, 0, shifts.side);
+    const int to = std::clamp(blockColumns_ - firstColumn, from, shifts.side);
+    for (int r = std::max(0, -firstRow); r < std::min(shifts.side, blockRows_ - firstRow); ++r) {
+        const std::uint8_t* source = phase + (firstRow + r) * blockColumns_ + firstColumn;
+        std::uint16_t* sum = &shifts.sums[static_cast<std::size_t>(r * shifts.side)];
+        for (int c = from; c < to; ++c) {
+            sum[c] = static_cast<std::uint16_t>(sum[c] + source[c]);
+        }
+    }
+}
+
+void CoarseSearch::scoreOrientation(std::span<const AlignmentPoint> points, const CentroidPose& pose,
+                                    Shifts& shifts) const
+{
+    std::fill(shifts.sums.begin(), shifts.sums.end(), std::uint16_t{0});
+    for (const AlignmentPoint& point : points) {
+        const auto pixel = project(camera_, pose.rotation * point.fromCentroid + pose.centroidInCamera);
+        if (pixel && pixel->cwiseAbs().maxCoeff() < 1e6) {
+            addPoint(pixel->x(), pixel->y(), shifts);
+        }
+    }
+}
+
+std::vector<CoarseCandidate> CoarseSearch::find(std::span<const AlignmentPoint> points, const CentroidPose& start,
+                                                const SearchReach& reach,
+                                                const std::function<Verdict(double)>& proceed) const
+{
+    const double depthMm = std::max(minProjectableDepthMm, start.centroidInCamera.z());
+    const double pxPerMm = 1.0 / millimetresPerPixel(camera_, depthMm);
+    Shifts shifts(static_cast<int>(std::ceil(reach.radiusMm * pxPerMm / blockPx)));
+    std::vector<CoarseCandidate> candidates;
+    const std::vector<double> tilts = anglesWithin(reach.tiltDeg);
+    const std::vector<double> rolls = anglesWithin(reach.rollDeg);
+    const double orientations = static_cast<double>(tilts.size() * tilts.size() * rolls.size());
+    double done = 0.0;
+    std::vector<std::size_t> order(shifts.sums.size());
+    for (const double tiltX : tilts) {
+        for (const double tiltY : tilts) {
+            for (const double roll : rolls) {
+                Vector6d turn = Vector6d::Zero();
+                turn.head<3>() = logSo3(expSo3({0.0, 0.0, roll}) * expSo3({tiltX, tiltY, 0.0}));
+                const CentroidPose pose = moved(start, turn);
+                scoreOrientation(points, pose, shifts);
+                for (std::size_t k = 0; k < order.size(); ++k) {
+                    order[k] = k;
+                }
+                const std::size_t kept = std::min(keptPerOrientation, order.size());
+                std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(kept), order.end(),
+                                  [&](std::size_t a, std::size_t b) {
+                                      return shifts.sums[a] != shifts.sums[b] ? shifts.sums[a] > shifts.sums[b] : a < b;
+                                  });
+                for (std::size_t k = 0; k < kept; ++k) {
+                    const int column = static_cast<int>(order[k]) % shifts.side - shifts.half;
+                    const int row = static_cast<int>(order[k]) / shifts.side - shifts.half;
+                    CoarseCandidate candidate{pose,
+                                              shifts.sums[order[k]] / (255.0 * static_cast<double>(points.size()))};
+                    candidate.pose.centroidInCamera.x() += column * blockPx * depthMm / camera_.fx;
+                    candidate.pose.centroidInCamera.y() += row * blockPx * depthMm / camera_.fy;
+                    candidates.push_back(candidate);
+                }
+                done += 1.0;
+                if (proceed(done / orientations) == Verdict::Stop) {
+                    return candidates;
+                }
+            }
+        }
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const CoarseCandidate& a, const CoarseCandidate& b) { return a.score > b.score; });
+    std::vector<CoarseCandidate> distinct;
+    for (const CoarseCandidate& candidate : candidates) {
+        const bool isNew = std::none_of(distinct.begin(), distinct.end(), [&](const CoarseCandidate& other) {
+            return isSameBasin(candidate, other, pxPerMm);
+        });
+        if (isNew) {
+            distinct.push_back(candidate);
+        }
+        if (distinct.size() == keptCandidates) {
+            break;
+        }
+    }
+    return distinct;
+}
+
+}   // namespace core

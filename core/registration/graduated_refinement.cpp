@@ -1,0 +1,125 @@
+#include "core/registration/graduated_refinement.h"
+
+#include "core/support/quantile.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+namespace {
+
+constexpr double settledMm = 1e-5;   // ALGORITHMS §1
+constexpr double noiseFactor = 1.5;   // §6.5: the last scale is this many residual standard deviations
+constexpr double madToStd = 1.4826;
+
+/// One refinement under way.
+class Refinement {
+public:
+    Refinement(Alignment& alignment, const StartPrior& prior, const CentroidPose& start, double scalePx)
+        : alignment_(alignment), prior_(prior), pose_(start)
+    {
+        setScale(scalePx);
+    }
+
+    void setScale(double scalePx)
+    {
+        scalePx_ = scalePx;
+        alignment_.updateVisibility(pose_, scalePx_);
+        current_ = lookAt(pose_);
+        damping_.reset();
+    }
+
+    /// Tries one step; the distance that the tree moved, mm.
+    double step(double spreadMm)
+    {
+        const Vector6d step = dampedStep(current_.equations, damping_.factor());
+        const double promised = predictedDecrease(current_.equations, step);
+        const CentroidPose trial = moved(pose_, step);
+        const Agreement agreement = lookAt(trial);
+        const double gained = current_.loss - agreement.loss;
+        const double lengthMm = spreadMm * step.head<3>().norm() + step.tail<3>().norm();
+        if (gained < 0.0 || !(promised > 0.0)) {
+            damping_.reject();
+            return gained < 0.0 ? lengthMm : 0.0;
+        }
+        damping_.accept(gained / promised);
+        pose_ = trial;
+        current_ = agreement;
+        return lengthMm;
+    }
+
+    const CentroidPose& pose() const { return pose_; }
+    double scalePx() const { return scalePx_; }
+
+    double noisePx()
+    {
+        alignment_.collectResiduals(pose_, 2.0 * scalePx_, residuals_);
+        std::erase_if(residuals_, [](double residual) { return std::isnan(residual); });
+        for (double& residual : residuals_) {
+            residual = std::abs(residual);
+        }
+        return residuals_.empty() ? scalePx_ : madToStd * quantile(residuals_, 0.5);
+    }
+
+private:
+    Agreement lookAt(const CentroidPose& pose) const
+    {
+        Agreement agreement = alignment_.look(pose, scalePx_);
+        const double variance = scalePx_ * scalePx_;
+        prior_.add(pose, variance, agreement.equations);
+        agreement.loss += variance * prior_.cost(pose);
+        return agreement;
+    }
+
+    Alignment& alignment_;
+    const StartPrior& prior_;
+    CentroidPose pose_;
+    double scalePx_ = 1.0;
+    Agreement current_;
+    Damping damping_;
+    std::vector<double> residuals_;
+};
+
+}   // namespace
+
+RefinementResult refine(Alignment& alignment, const StartPrior& prior, const CentroidPose& start,
+                        const RefinementSchedule& schedule, const RefinementObserver& observe)
+{
+    constexpr double spreadMm = 50.0;
+    Refinement refinement(alignment, prior, start, schedule.startScalePx);
+    RefinementResult result;
+    const double levels = std::log(schedule.endScalePx / schedule.startScalePx) / std::log(schedule.shrink);
+    const double expectedSteps = levels * schedule.stepsPerScale + schedule.lastSteps + 1.0;
+    const auto finish = [&](StopReason reason) {
+        result.pose = refinement.pose();
+        result.scalePx = refinement.scalePx();
+        result.stopReason = reason;
+        return result;
+    };
+    double endScalePx = schedule.endScalePx;
+    while (true) {
+        const bool isLast = refinement.scalePx() <= endScalePx;
+        const int steps = isLast ? schedule.lastSteps : schedule.stepsPerScale;
+        for (int k = 0; k < steps; ++k) {
+            if (result.steps >= schedule.maxSteps) {
+                return finish(StopReason::IterationLimit);
+            }
+            const double movedMm = refinement.step(spreadMm);
+            ++result.steps;
+            if (observe && observe({refinement.pose(), refinement.scalePx(),
+                                    std::min(1.0, result.steps / expectedSteps)}) == Verdict::Stop) {
+                return finish(StopReason::StoppedByUser);
+            }
+            if (movedMm < settledMm) {
+                break;
+            }
+        }
+        if (isLast) {
+            return finish(StopReason::Converged);
+        }
+        endScalePx = std::max(schedule.endScalePx, std::min(refinement.scalePx(), noiseFactor * refinement.noisePx()));
+        refinement.setScale(std::max(endScalePx, schedule.shrink * refinement.scalePx()));
+    }
+}
+
+}   // namespace core

@@ -1,0 +1,35 @@
+#include "core/registration/judge_pose.h"
+
+#include "core/registration/distance_metrics.h"
+#include "core/registration/grid_index.h"
+#include "core/registration/pose_uncertainty.h"
+#include "core/registration/trust.h"
+
+namespace core {
+
+RegistrationResult judgePose(const RegistrationProblem& problem, const RegistrationOptions& options,
+                             const MethodSolution& solution)
+{
+    const RigidTransform& pose = solution.cameraFromPatient;
+    const GridIndex target(problem.target.points);
+    const ProjectedTree projected = projectTree(problem, pose, target);
+    const StartPrior prior = startPrior(aboutCentroid(problem.start, problem.tree.centroid), options);
+
+    RegistrationResult result;
+    result.cameraFromPatient = pose;
+    result.stopReason = solution.stopReason;
+    result.iterations = solution.iterations;
+    result.metrics = distanceMetrics(problem, pose, projected);
+    result.branches = branchResiduals(problem.tree, projected);
+    result.uncertainty = poseUncertainty(problem, TargetLines(problem.target, problem.camera), pose, prior);
+    result.alternatives = solution.alternatives;
+    result.time = solution.time;
+
+    Trust trust = judgeTrust({problem, projected, result});
+    result.trustworthy = trust.isTrustworthy;
+    result.warnings = solution.warnings;
+    result.warnings.insert(result.warnings.end(), trust.warnings.begin(), trust.warnings.end());
+    return result;
+}
+
+}   // namespace core

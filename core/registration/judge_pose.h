@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/registration/method.h"
+
+namespace core {
+
+/// Everything a result says about a pose: distances, branches, uncertainty, trust. Touches neither method nor history.
+RegistrationResult judgePose(const RegistrationProblem& problem, const RegistrationOptions& options,
+                             const MethodSolution& solution);
+
+}   // namespace core

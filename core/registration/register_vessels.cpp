@@ -1,0 +1,42 @@
+#include "core/registration/judge_pose.h"
+#include "core/support/stopwatch.h"
+
+namespace core {
+
+Result<RegistrationResult> registerVessels(const RegistrationInput& input, const RegistrationOptions& options,
+                                           const IterationObserver& observe)
+{
+    Stopwatch stopwatch;
+    if (std::string unusable = findProblem(options); !unusable.empty()) {
+        return Error{std::move(unusable)};
+    }
+    const Result<RegistrationProblem> problem = makeProblem(input, options);
+    if (!problem) {
+        return problem.error();
+    }
+    ProgressLog progress(observe);
+    const MethodSolution solution = findMethod(options.method)->solve(problem.value(), options, progress);
+
+    RegistrationResult result = judgePose(problem.value(), options, solution);
+    result.method = options.method;
+    result.history = progress.history();
+    result.time.totalMs = stopwatch.lapMs();
+    return result;
+}
+
+std::string_view toText(StopReason reason)
+{
+    switch (reason) {
+        case StopReason::Converged:
+            return "converged";
+        case StopReason::IterationLimit:
+            return "iteration limit";
+        case StopReason::NoImprovement:
+            return "no improvement";
+        case StopReason::StoppedByUser:
+            return "stopped by the user";
+    }
+    return "";
+}
+
+}   // namespace core

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/registration/distance_metrics.h"
+
+namespace core {
+
+/// What trust is judged by; metrics, branches, uncertainty and alternatives of `result` are filled in.
+struct Evidence {
+    const RegistrationProblem& problem;
+    const ProjectedTree& projected;
+    const RegistrationResult& result;
+};
+
+struct Trust {
+    bool isTrustworthy = true;
+    std::vector<std::string> warnings;   ///< reasons against trust first, then what one view cannot tell
+};
+
+/// Says in a clinician's words why a pose may be wrong; silent when nothing speaks against it.
+Trust judgeTrust(const Evidence& evidence);
+
+}   // namespace core
