@@ -1,7 +1,8 @@
 #include "io/centerline2d_file.h"
 
 #include "core/tracing/trace_angiogram.h"
-#include "io/angiogram_file.h"
+#include "core/vessel/polyline.h"
+#include "io/raster/read_raster.h"
 #include "io/support/atomic_file.h"
 #include "io/support/csv_table.h"
 #include "io/support/file_error.h"
@@ -10,94 +11,138 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace io {
 namespace {
 
-using Columns = std::optional<std::size_t>;
+using core::Centerline2d;
+using core::Curve2d;
 
-/// Rows with equal `branch` make one curve, in the order of the file; without the column all rows are one curve.
-core::Result<core::Centerline2d> curvesOf(const CsvTable& table, const std::string& path)
+constexpr double maxCoordinatePx = 1e5;
+constexpr std::size_t maxPoints = 1'000'000;
+
+core::Result<Centerline2d> centerlineFromTable(std::string_view content, const std::string& path)
 {
-    const Columns x = table.column("x");
-    const Columns y = table.column("y");
-    if (!x || !y) {
-        return fileError(path, "a 2-D centreline needs the columns x and y. Write the header x,y,branch,radius.");
+    const auto parsed = parseCsv(content, path);
+    if (!parsed) {
+        return parsed.error();
     }
-    const Columns branch = table.column("branch");
-    const Columns radius = table.column("radius");
-    std::map<int, std::size_t> curveOfBranch;
-    core::Centerline2d centerline;
+    const CsvTable& table = parsed.value();
+    const auto x = table.column("x"), y = table.column("y");
+    const auto radius = table.column("radius"), branch = table.column("branch");
+    if (!x || !y) {
+        return fileError(path,
+                         "the header row has no columns x and y. The first line must name the columns: x,y and, "
+                         "where known, branch,radius (px).");
+    }
+    if (table.column("z")) {
+        return fileError(path,
+                         "it has a column z: this is a 3-D centreline. Choose the centreline traced in the image.");
+    }
+    if (table.rows.size() > maxPoints) {
+        return fileError(path, "it has more than a million points. Resample the centreline.");
+    }
+    Centerline2d centerline;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
-        const auto column = numberAt(table, row, *x, path);
-        const auto line = numberAt(table, row, *y, path);
-        const auto id = branch ? numberAt(table, row, *branch, path) : core::Result<double>(1.0);
-        const auto width = radius ? numberAt(table, row, *radius, path) : core::Result<double>(0.0);
-        for (const auto* cell : {&column, &line, &id, &width}) {
-            if (!*cell) {
-                return cell->error();
-            }
+        const auto u = numberAt(table, row, *x, path);
+        const auto v = numberAt(table, row, *y, path);
+        if (!u || !v) {
+            return u ? v.error() : u.error();
         }
-        const int branchId = static_cast<int>(std::lround(id.value()));
-        const auto [found, isNew] = curveOfBranch.try_emplace(branchId, centerline.curves.size());
-        if (isNew) {
-            centerline.curves.push_back({branchId, {}, {}});
+        if (std::max(std::abs(u.value()), std::abs(v.value())) > maxCoordinatePx) {
+            return fileError(path, "line " + std::to_string(table.lineOfRow[row]) +
+                                       " lies far outside any image. Coordinates are in pixels.");
         }
-        core::Curve2d& curve = centerline.curves[found->second];
-        curve.pointsPx.emplace_back(column.value(), line.value());
-        if (radius) {
-            curve.radiusPx.push_back(width.value());
+        const auto id = branch ? parseInteger(table.rows[row][*branch]) : std::optional(1);
+        if (!id) {
+            return fileError(path, "line " + std::to_string(table.lineOfRow[row]) +
+                                       ": the branch must be a whole number. Correct the line.");
+        }
+        if (centerline.curves.empty() || centerline.curves.back().id != *id) {
+            centerline.curves.push_back({*id, {}, {}});
+        }
+        centerline.curves.back().pointsPx.emplace_back(u.value(), v.value());
+        const auto width = radius ? parseNumber(table.rows[row][*radius]) : std::nullopt;
+        if (width && std::isfinite(*width) && *width >= 0.0) {
+            centerline.curves.back().radiusPx.push_back(*width);
+        }
+    }
+    for (Curve2d& curve : centerline.curves) {
+        if (curve.radiusPx.size() != curve.pointsPx.size()) {
+            curve.radiusPx.clear();
         }
     }
     return centerline;
 }
 
-core::Result<core::Centerline2d> readTable(const std::string& path)
+/// A drawn mask has two levels, apart from blurred edges.
+bool isMask(const core::ImageF& image, float low, float high)
 {
-    const auto bytes = openInput(path);
-    if (!bytes) {
-        return bytes.error();
-    }
-    const auto table = parseCsv(bytes.value().view(), path);
-    return table ? curvesOf(table.value(), path) : table.error();
+    const float margin = 0.1F * (high - low);
+    const auto extreme = std::count_if(image.pixels.begin(), image.pixels.end(),
+                                       [&](float value) { return value <= low + margin || value >= high - margin; });
+    return static_cast<double>(extreme) > 0.9 * static_cast<double>(image.pixels.size());
 }
 
-core::Result<core::Centerline2d> readMask(const std::string& path)
+core::Result<Centerline2d> centerlineFromMask(std::string_view content, const std::string& path)
 {
-    const auto image = readAngiogram(path);
-    if (!image) {
-        return image.error();
+    const auto raster = readRaster(content, path);
+    if (!raster) {
+        return raster.error();
     }
-    const core::ImageF& frame = image.value().frames.front();
-    core::Mask2d mask(frame.width, frame.height);
-    std::transform(frame.pixels.begin(), frame.pixels.end(), mask.pixels.begin(),
-                   [](float value) { return static_cast<std::uint8_t>(value > 0.0F ? 255 : 0); });
-    auto traced = core::traceMask(mask);
-    return traced ? std::move(traced) : core::Result<core::Centerline2d>(fileError(path, traced.error().message));
+    const core::ImageF& image = raster.value().frames.front();
+    const auto [low, high] = std::minmax_element(image.pixels.begin(), image.pixels.end());
+    if (*low == *high || !isMask(image, *low, *high)) {
+        return fileError(path, "this is not a mask of two levels. Draw the vessels white on black.");
+    }
+    core::Mask2d mask(image.width, image.height);
+    for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
+        mask.pixels[i] = image.pixels[i] > 0.5F * (*low + *high) ? 255 : 0;
+    }
+    const auto traced = core::traceMask(mask);
+    return traced ? traced : fileError(path, traced.error().message);
 }
 
 }   // namespace
 
-core::Result<core::Centerline2d> readCenterline2d(const std::string& path)
+core::Result<Centerline2d> readCenterline2d(const std::string& path)
 {
-    auto centerline = extensionOf(path) == ".csv" ? readTable(path) : readMask(path);
-    if (centerline) {
-        if (const std::string problem = core::findProblem(centerline.value()); !problem.empty()) {
-            return fileError(path, problem);
-        }
+    const auto input = openInput(path);
+    if (!input) {
+        return input.error();
+    }
+    const std::string_view content = input.value().view();
+    if (looksLikeRaster(content)) {
+        return centerlineFromMask(content, path);
+    }
+    const std::string_view found = describeContent(content);
+    if (!found.empty()) {
+        return fileError(path,
+                         "this is " + std::string(found) + ", not a 2-D centreline. Choose a CSV table or a PNG mask.");
+    }
+    auto centerline = centerlineFromTable(content, path);
+    if (!centerline) {
+        return centerline;
+    }
+    if (const std::string problem = core::findProblem(centerline.value()); !problem.empty()) {
+        return fileError(path, problem);
     }
     return centerline;
 }
 
-core::Status writeCenterline2d(const core::Centerline2d& centerline, const std::string& path)
+core::Status writeCenterline2d(const Centerline2d& centerline, const std::string& path)
 {
-    std::string text = "x,y,branch,radius\n";
-    for (const core::Curve2d& curve : centerline.curves) {
-        const bool hasRadius = curve.radiusPx.size() == curve.pointsPx.size();
+    const bool hasRadius = std::any_of(centerline.curves.begin(), centerline.curves.end(),
+                                       [](const Curve2d& curve) { return !curve.radiusPx.empty(); });
+    std::string text = hasRadius ? "x,y,branch,radius\n" : "x,y,branch\n";
+    for (const Curve2d& curve : centerline.curves) {
         for (std::size_t i = 0; i < curve.pointsPx.size(); ++i) {
-            text += toText(curve.pointsPx[i].x()) + "," + toText(curve.pointsPx[i].y()) + "," +
-                    std::to_string(curve.id) + "," + toText(hasRadius ? curve.radiusPx[i] : 0.0) + "\n";
+            text +=
+                toText(curve.pointsPx[i].x()) + "," + toText(curve.pointsPx[i].y()) + "," + std::to_string(curve.id);
+            if (hasRadius) {
+                text += "," + (curve.radiusPx.empty() ? std::string("nan") : toText(curve.radiusPx[i]));
+            }
+            text += "\n";
         }
     }
     return writeAtomically(path, text);

@@ -1,11 +1,13 @@
 #include "io/pose_file.h"
 
+#include "io/pose/itk_transform.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
-#include "io/support/itk_transform_text.h"
-#include "io/support/rigid_rows.h"
+#include "io/support/json_text.h"
+#include "io/support/pose_matrix.h"
 
+#include <exception>
 #include <nlohmann/json.hpp>
 
 namespace io {
@@ -13,59 +15,68 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* key = "cameraFromPatient";
-
-/// The matrix wherever one of our files has it: at the top, in `pose`, or in a case's current or initial pose.
-const Json* findMatrix(const Json& json)
+core::Result<core::RigidTransform> poseFromJson(std::string_view text, const std::string& path)
 {
-    for (const char* pointer : {"", "/pose", "/pose/current", "/pose/initial"}) {
-        const Json::json_pointer place(pointer);
-        if (json.contains(place) && json.at(place).is_object() && json.at(place).contains(key)) {
-            return &json.at(place).at(key);
-        }
-    }
-    return nullptr;
-}
-
-core::Result<core::RigidTransform> poseOfJson(std::string_view text, const std::string& path)
-{
-    const Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded()) {
-        return fileError(path, "this is not valid JSON. Give a pose, a result or a case file.");
-    }
-    const Json* matrix = findMatrix(json);
-    if (matrix == nullptr) {
-        return fileError(path, "it has no cameraFromPatient. Give a pose, a result or a case file.");
+    if (const auto valid = checkJson(text, path); !valid) {
+        return valid.error();
     }
     try {
-        return rigidFromRows(matrix->get<MatrixRows>(), path + ", cameraFromPatient");
+        const Json root = Json::parse(text);
+        const Json& holder = root.contains("pose") ? root.at("pose") : root;
+        const auto pose = poseFromRows(holder.at("cameraFromPatient").get<MatrixRows>());
+        return pose ? pose : fileError(path, pose.error().message);
     } catch (const Json::exception&) {
-        return fileError(path, "cameraFromPatient is not a 4×4 matrix of numbers.");
+        return fileError(path,
+                         "it has no matrix `cameraFromPatient` of four rows of four numbers, at the top or in "
+                         "`pose`. Give one.");
     }
 }
 
-std::string jsonOf(const core::RigidTransform& pose)
+std::string jsonText(const core::RigidTransform& cameraFromPatient)
 {
-    const Json json{{"format", "angiopose-pose"}, {"version", 1}, {key, rowsOf(pose)}};
-    return json.dump(2) + "\n";
+    Json root;
+    root["format"] = "angiopose-pose";
+    root["version"] = 1;
+    root["cameraFromPatient"] = rowsOf(cameraFromPatient);
+    return prettyJson(root.dump());
 }
 
 }   // namespace
 
 core::Result<core::RigidTransform> readPose(const std::string& path)
 {
-    const auto bytes = openInput(path);
-    if (!bytes) {
-        return bytes.error();
+    const auto input = openInput(path);
+    if (!input) {
+        return input.error();
     }
-    const bool isItk = extensionOf(path) == ".tfm" || extensionOf(path) == ".txt";
-    return isItk ? poseOfItkText(bytes.value().view(), path) : poseOfJson(bytes.value().view(), path);
+    const std::string_view content = input.value().view();
+    if (content.size() > (16U << 20)) {
+        return fileError(path, "it is too large for a pose. Choose a .json or .tfm file.");
+    }
+    const std::string extension = extensionOf(path);
+    if (content.starts_with("#Insight Transform File") || extension == ".tfm" || extension == ".txt") {
+        const auto pose = poseFromItkText(content);
+        return pose ? pose : fileError(path, pose.error().message);
+    }
+    if (describeContent(content) == "a JSON file" || extension == ".json") {
+        return poseFromJson(content, path);
+    }
+    return fileError(path, "this is no pose. Choose a .json or an ITK .tfm file.");
 }
 
 core::Status writePose(const core::RigidTransform& cameraFromPatient, const std::string& path)
 {
-    return writeAtomically(path,
-                           extensionOf(path) == ".tfm" ? itkTextOf(cameraFromPatient) : jsonOf(cameraFromPatient));
+    if (!core::isRigid(cameraFromPatient)) {
+        return fileError(path, "the pose is not a rigid motion of finite numbers. Reset it before saving.");
+    }
+    const std::string extension = extensionOf(path);
+    if (extension == ".tfm") {
+        return writeAtomically(path, itkText(cameraFromPatient));
+    }
+    if (extension == ".json") {
+        return writeAtomically(path, jsonText(cameraFromPatient));
+    }
+    return fileError(path, "poses are written as .json or .tfm. Change the extension.");
 }
 
 }   // namespace io

@@ -1,9 +1,13 @@
 #include "io/result_file.h"
 
+#include "io/case/option_values.h"
 #include "io/support/atomic_file.h"
-#include "io/support/rigid_rows.h"
+#include "io/support/file_error.h"
+#include "io/support/json_text.h"
+#include "io/support/pose_matrix.h"
 
-#include <cmath>
+#include <exception>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 namespace io {
@@ -14,12 +18,12 @@ using Json = nlohmann::ordered_json;
 Json metricsJson(const core::DistanceMetrics& metrics)
 {
     return {{"meanProjectionDistancePx", metrics.meanPx},
-            {"meanProjectionDistanceMm", metrics.meanMm},
             {"medianProjectionDistancePx", metrics.medianPx},
-            {"medianProjectionDistanceMm", metrics.medianMm},
             {"p75ProjectionDistancePx", metrics.p75Px},
-            {"p75ProjectionDistanceMm", metrics.p75Mm},
             {"p95ProjectionDistancePx", metrics.p95Px},
+            {"meanProjectionDistanceMm", metrics.meanMm},
+            {"medianProjectionDistanceMm", metrics.medianMm},
+            {"p75ProjectionDistanceMm", metrics.p75Mm},
             {"p95ProjectionDistanceMm", metrics.p95Mm},
             {"coverage", metrics.coverage},
             {"reverseDistancePx", metrics.reverseMeanPx},
@@ -28,34 +32,41 @@ Json metricsJson(const core::DistanceMetrics& metrics)
 
 Json uncertaintyJson(const core::PoseUncertainty& uncertainty)
 {
-    Json covariance = Json::array();
-    for (int row = 0; row < 6; ++row) {
-        Json values = Json::array();
-        for (int column = 0; column < 6; ++column) {
-            values.push_back(uncertainty.covariance(row, column));
+    MatrixRows covariance(6, std::vector<double>(6));
+    Json weakest = Json::array();
+    for (int i = 0; i < 6; ++i) {
+        for (int k = 0; k < 6; ++k) {
+            covariance[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] = uncertainty.covariance(i, k);
         }
-        covariance.push_back(values);
+        weakest.push_back(uncertainty.weakestDirection(i));
     }
     const Eigen::Vector3d& rotation = uncertainty.rotationDeg;
-    return {{"about", "centroid of the tree, camera axes"},
-            {"order", {"rotationX", "rotationY", "rotationZ", "translationX", "translationY", "depth"}},
-            {"units", "rad, mm"},
+    return {{"order", {"rotationX", "rotationY", "rotationZ", "x", "y", "z"}},
+            {"units", {"rad", "rad", "rad", "mm", "mm", "mm"}},
+            {"frame", "camera axes about the centroid of the vessel tree"},
             {"covariance", covariance},
-            {"inPlaneStdMm", uncertainty.inPlaneMm},
-            {"depthStdMm", uncertainty.depthMm},
-            {"rotationStdDeg", {rotation.x(), rotation.y(), rotation.z()}},
-            {"observed", uncertainty.observed}};
+            {"rotationSigmaDeg", {rotation.x(), rotation.y(), rotation.z()}},
+            {"inPlaneSigmaMm", uncertainty.inPlaneMm},
+            {"depthSigmaMm", uncertainty.depthMm},
+            {"observed", uncertainty.observed},
+            {"weakestDirection", weakest}};
 }
 
-Json branchesJson(const core::RegistrationResult& result)
+Json branchesJson(const core::RegistrationCase& registrationCase, const core::RegistrationResult& result)
 {
     Json branches = Json::array();
     for (const core::BranchResidual& branch : result.branches) {
-        branches.push_back({{"branch", branch.branchId},
-                            {"points", branch.pointCount},
-                            {"medianPx", branch.medianPx},
-                            {"p95Px", branch.p95Px},
-                            {"agreement", branch.agreement}});
+        Json json = {{"branch", branch.branchId},
+                     {"points", branch.pointCount},
+                     {"medianPx", branch.medianPx},
+                     {"p95Px", branch.p95Px},
+                     {"agreement", branch.agreement}};
+        const core::VesselBranch* known =
+            registrationCase.tree ? registrationCase.tree->find(branch.branchId) : nullptr;
+        if (known && !known->name.empty()) {
+            json["name"] = known->name;
+        }
+        branches.push_back(std::move(json));
     }
     return branches;
 }
@@ -70,71 +81,55 @@ Json alternativesJson(const core::RegistrationResult& result)
     return alternatives;
 }
 
+/// File names only: results are passed around, and folders may name patients.
 Json inputsJson(const core::RegistrationCase& registrationCase)
 {
-    Json inputs{{"centerline",
-                 {{"path", registrationCase.centerlineFile.path}, {"sha256", registrationCase.centerlineFile.sha256}}},
-                {"image", {{"path", registrationCase.imageFile.path}, {"sha256", registrationCase.imageFile.sha256}}},
-                {"frame", registrationCase.frame}};
-    if (registrationCase.angiogram && !registrationCase.angiogram->identity.sopInstanceUid.empty()) {
-        inputs["image"]["sopInstanceUid"] = registrationCase.angiogram->identity.sopInstanceUid;
-    }
-    if (!registrationCase.targetFile.path.empty()) {
-        inputs["targetCenterline"] = {{"path", registrationCase.targetFile.path},
-                                      {"sha256", registrationCase.targetFile.sha256}};
-    }
+    Json inputs = Json::object();
+    const auto add = [&](const char* key, const core::InputFile& file) {
+        if (!file.path.empty()) {
+            inputs[key] = {{"file", std::filesystem::path(file.path).filename().string()}, {"sha256", file.sha256}};
+        }
+    };
+    add("vessel", registrationCase.centerlineFile);
+    add("angiogram", registrationCase.imageFile);
+    add("centerline", registrationCase.targetFile);
+    inputs["frame"] = registrationCase.frame;
     return inputs;
-}
-
-Json optionsJson(const core::RegistrationCase& registrationCase)
-{
-    Json options = Json::object();
-    for (const core::OptionField& field : core::optionFields()) {
-        const double value = field.read(registrationCase.options);
-        const auto choice = static_cast<std::size_t>(std::max(0.0, value));
-        options[std::string(field.key)] =
-            choice < field.choices.size() ? Json(std::string(field.choices[choice])) : Json(value);
-    }
-    options["auxiliaryBranches"] = registrationCase.auxiliaryBranchIds;
-    options["excludedBranches"] = registrationCase.excludedBranchIds;
-    return options;
 }
 
 }   // namespace
 
 std::string resultJson(const core::RegistrationCase& registrationCase, const core::RegistrationResult& result)
 {
-    const Json json{
-        {"format", "angiopose-result"},
-        {"version", 1},
-        {"notice", "Not for clinical use"},
-        {"programVersion", ANGIOPOSE_VERSION},
-        {"title", registrationCase.title},
-        {"method", result.method},
-        {"pose", {{"cameraFromPatient", rowsOf(result.cameraFromPatient)}}},
-        {"metrics", metricsJson(result.metrics)},
-        {"uncertainty", uncertaintyJson(result.uncertainty)},
-        {"perBranch", branchesJson(result)},
-        {"alternatives", alternativesJson(result)},
-        {"trustworthy", result.trustworthy},
-        {"warnings", result.warnings},
-        {"stopReason", std::string(core::toText(result.stopReason))},
-        {"iterations", result.iterations},
-        {"timeMs",
-         {{"target", result.time.targetMs},
-          {"search", result.time.searchMs},
-          {"solve", result.time.solveMs},
-          {"total", result.time.totalMs}}},
-        {"inputs", inputsJson(registrationCase)},
-        {"options", optionsJson(registrationCase)},
-    };
-    return json.dump(2, ' ', false, Json::error_handler_t::replace);
+    Json root;
+    root["format"] = "angiopose-result";
+    root["version"] = 1;
+    root["title"] = registrationCase.title;
+    root["method"] = result.method;
+    root["pose"]["cameraFromPatient"] = rowsOf(result.cameraFromPatient);
+    root["metrics"] = metricsJson(result.metrics);
+    root["uncertainty"] = uncertaintyJson(result.uncertainty);
+    root["perBranch"] = branchesJson(registrationCase, result);
+    root["alternatives"] = alternativesJson(result);
+    root["trustworthy"] = result.trustworthy;
+    root["warnings"] = result.warnings;
+    root["stopReason"] = core::toText(result.stopReason);
+    root["iterations"] = result.iterations;
+    root["timeMs"] = {{"target", result.time.targetMs},
+                      {"search", result.time.searchMs},
+                      {"solve", result.time.solveMs},
+                      {"total", result.time.totalMs}};
+    root["inputs"] = inputsJson(registrationCase);
+    root["options"] = Json::parse(optionsJson(registrationCase.options));
+    root["programVersion"] = ANGIOPOSE_VERSION;
+    // File names and titles need not be UTF-8; the result must be written all the same.
+    return prettyJson(root.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 core::Status writeResult(const core::RegistrationCase& registrationCase, const core::RegistrationResult& result,
                          const std::string& path)
 {
-    return writeAtomically(path, resultJson(registrationCase, result) + "\n");
+    return writeAtomically(path, resultJson(registrationCase, result));
 }
 
 }   // namespace io

@@ -55,15 +55,16 @@ KernelPnpResult KernelPnp::solve(const RigidTransform& start, const KernelObserv
     return result;
 }
 
-/// ℓ starts at the largest distance, at most half the image diagonal.
 void KernelPnp::begin(const RigidTransform& start)
 {
     pose_ = start;
     damping_.reset();
     measure(problem_, pose_, current_);
+    const double largestPx = largestDistancePx(current_);
     const double halfDiagonalPx = 0.5 * std::hypot(problem_.camera.width, problem_.camera.height);
-    annealing_ =
-        ScaleAnnealing(schedule_.decay, std::min(largestDistancePx(current_), halfDiagonalPx), schedule_.finalScalePx);
+    const double startPx =
+        schedule_.startScale == StartScale::Largest ? std::min(largestPx, halfDiagonalPx) : largestPx * largestPx;
+    annealing_ = ScaleAnnealing(schedule_.decay, startPx, schedule_.finalScalePx);
 }
 
 /// One damped step, accepted only if E_data at the present ℓ does not fall (fresh matches). A step too small to see

@@ -10,10 +10,15 @@
 
 namespace core {
 
+/// Where ℓ starts: at the largest distance d (at most half the image diagonal), or, as the paper prints it, at d²
+/// (ALGORITHMS §2, decision 14).
+enum class StartScale { Largest, LargestSquared };
+
 /// How one kernel PnP run goes (ALGORITHMS §3.1).
 struct KernelSchedule {
     int maxIterations = 60;   ///< accepted steps
     double finalScalePx = 1.0;   ///< ℓ ends here
+    StartScale startScale = StartScale::Largest;
     Decay decay = Decay::Halving;
     Freedom freedom = Freedom::Full;
     double nearestMm = 0.0;   ///< the points' centroid may not come nearer to the source than this, …

@@ -99,6 +99,10 @@ std::vector<OptionField> makeFields()
                 choice(number<&Options::alternation>("alternation", "Alternation", "",
                                                      "Lets the auxiliary and the full problem take turns."),
                        offOn)),
+        onlyFor(seeds, choice(number<&Options::startScale>("startScale", "Start scale", "",
+                                                           "Kernel width at first: the largest distance, or its square "
+                                                           "as the paper prints it."),
+                              {"largest", "largest_squared"})),
         onlyFor(seeds, choice(number<&Options::decay>("decay", "Kernel decay", "",
                                                       "Narrows the kernel after five steps, or once no further point "
                                                       "comes within its reach."),

@@ -69,6 +69,7 @@ SeedProblem makeSeedProblem(const RegistrationProblem& problem, const Registrati
     seed.prior = priorOf(options, depthMm, static_cast<double>(seed.points.size()));
     seed.schedule.maxIterations = options.maxIterations;
     seed.schedule.finalScalePx = options.finalScalePx;
+    seed.schedule.startScale = static_cast<StartScale>(std::lround(options.startScale));
     seed.schedule.decay = static_cast<Decay>(std::lround(options.decay));
     if (seed.prior.strength == 0.0) {
         seed.schedule.nearestMm = seed.nearestMm;

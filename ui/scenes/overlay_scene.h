@@ -19,6 +19,8 @@ namespace ui {
 /// Visible part of the image in pixel coordinates (pixel centres at integers, v down).
 struct ViewRect {
     double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0;
+
+    bool operator==(const ViewRect&) const = default;
 };
 
 /// How branches are shown, the same in every view.
@@ -33,6 +35,9 @@ struct BranchMarks {
 
 enum class OverlayMode { Centerline, Outline, Hidden };
 
+/// Smooth blends between pixels; Nearest shows every pixel as it is.
+enum class Interpolation { Smooth, Nearest };
+
 /// The angiogram with the projected tree on it. VTK without Qt: the same scene draws the window, the exported PNG and
 /// the tests. Setters only store and mark; nothing renders until the window does.
 class OverlayScene {
@@ -45,6 +50,7 @@ public:
     void setFrame(const core::ImageF& frame);
     void setWindowLevel(double window, double level);
     void setInverted(bool inverted);
+    void setInterpolation(Interpolation interpolation);
     void setTree(const core::VesselTree& tree);
     void setCamera(const core::ProjectionCamera& camera);
     void setPose(const core::RigidTransform& cameraFromPatient);
@@ -60,10 +66,18 @@ public:
     void clearResiduals();
 
     void setViewRect(const ViewRect& rect);
-    void attachTo(vtkRenderWindow* window);   ///< adds its layers to the window
+    const core::ImageF& frame() const;
+    ViewRect viewRect() const;
+    double lineWidthPx() const;
+
+    void attachTo(vtkRenderWindow* window);   ///< adds its layer to the window; several windows may show one scene
+    void detachFrom(vtkRenderWindow* window);
 
     /// Branch whose projection passes within `tolerancePx` (image px) of an image point; the nearest one.
     std::optional<int> branchAt(const Eigen::Vector2d& imagePoint, double tolerancePx) const;
+
+    /// True when the projected tree, as shown, passes through this part of the image.
+    bool treePasses(const ViewRect& part) const;
 
 private:
     struct Parts;

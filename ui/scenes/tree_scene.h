@@ -5,13 +5,22 @@
 #include "core/imaging/image2d.h"
 #include "core/vessel/vessel_tree.h"
 #include "ui/scenes/overlay_scene.h"
+#include "ui/theme/theme.h"
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace ui {
 
-/// Tree, source, detector plane with the image, and beam, in patient space. VTK without Qt.
+/// A letter of the orientation sign (L, R, A, P, H, F) and where its centre goes, device px from the bottom left.
+struct OrientationLetter {
+    char letter = ' ';
+    Eigen::Vector2d at;
+    bool pointsToViewer = false;
+};
+
+/// Tree, source, detector plane with the image, and beam, in patient space. VTK without Qt; shows in one window.
 class TreeScene {
 public:
     TreeScene();
@@ -20,13 +29,22 @@ public:
     TreeScene& operator=(const TreeScene&) = delete;
 
     void setTree(const core::VesselTree& tree);
-    void setCamera(const core::ProjectionCamera& camera, double sourceToDetectorMm);
+    void setCamera(const core::ProjectionCamera& camera, double sourceToDetectorMm);   ///< 0: the detector stays hidden
     void setPose(const core::RigidTransform& cameraFromPatient);
     void setFrame(const core::ImageF& frame);
     void setMarks(const BranchMarks& marks);
+    void setTones(const Palette& tones);
+    void setPixelScale(double devicePxPerPx);   ///< line widths and the orientation sign grow with it
     void attachTo(vtkRenderWindow* window);
+
+    /// Looks along the beam from the side, source above, all in view.
     void resetView();
+    void turnBy(double rightDeg, double downDeg);   ///< turns what is seen under the mouse
+    void zoomBy(double factor);
+    void panBy(double rightDevicePx, double upDevicePx);
+
     std::optional<int> branchAt(int xDevicePx, int yDevicePxFromBottom) const;
+    std::vector<OrientationLetter> orientationLetters() const;
 
 private:
     struct Parts;

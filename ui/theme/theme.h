@@ -10,6 +10,7 @@ namespace ui {
 struct Color {
     std::uint8_t red = 0, green = 0, blue = 0;
 
+    bool operator==(const Color&) const = default;
     std::string hex() const;
     std::array<double, 3> unit() const { return {red / 255.0, green / 255.0, blue / 255.0}; }   ///< as VTK wants it
 };
@@ -29,8 +30,14 @@ enum class ThemeMode { Dark, Light };
 
 const Palette& palette(ThemeMode mode);
 
+/// `a` where `shareOfB` is 0, `b` where it is 1, mixed in sRGB.
+Color mixed(const Color& a, const Color& b, double shareOfB);
+
 /// Residual ramp from accent blue over green-grey to amber, safe for colour-vision deficiency; `fraction` 0…1.
 Color residualColor(double fraction);
+
+/// For residuals that lie above the end of the scale.
+Color residualColorAboveScale();
 
 /// Style sheet of the whole application for a palette.
 std::string styleSheet(const Palette& palette);

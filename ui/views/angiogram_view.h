@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/pose_offset.h"
+#include "core/imaging/display_range.h"
 #include "ui/scenes/overlay_scene.h"
 #include "ui/scenes/render_offscreen.h"
 #include "ui/views/vtk_view.h"
@@ -23,12 +24,16 @@ public:
     void setPose(const core::RigidTransform& cameraFromPatient);
     void setCamera(const core::ProjectionCamera& camera);
     void setFrame(const core::ImageF& frame);   ///< keeps zoom and window/level when the size stays
-    void setCornerTexts(const CornerTexts& texts);   ///< top corners; the bottom left is the view's own
+    void setFramePosition(int index, int count);   ///< shown bottom left, counted from 0; a count below 2 hides it
+    void setCornerTexts(const CornerTexts& texts);   ///< the view adds its own lines at the bottom left
     void setNudgeMode(bool on);
     bool isNudgeMode() const { return nudgeMode_; }
     void setResidualScale(double maximumPx, double maximumMm);   ///< 0 hides the scale
+    void setLineWidth(double px);   ///< device-independent px
     void fitToWindow();
     void autoWindowLevel();
+    void setWindowLevel(double window, double level);
+    core::DisplayRange shownRange() const;
     double zoom() const;   ///< device-independent px per image px
     Eigen::Vector2d imageFromWidget(const QPointF& position) const;
     QPointF widgetFromImage(const Eigen::Vector2d& imagePoint) const;
@@ -45,8 +50,32 @@ signals:
     void windowLevelChanged(double window, double level);
     void zoomChanged(double zoom);
 
+protected:
+    void prepareFrame() override;
+    void paintAnnotations(QPainter& painter) override;
+    bool event(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
 private:
     struct Interaction;
+    void dragBy(const QPointF& position, Qt::KeyboardModifiers modifiers);
+    void nudgeBy(const QPointF& position, double pace);
+    void adjustWindowLevel(const QPointF& step);
+    void zoomAt(const QPointF& position, double factor);
+    void cancelDrag();
+    void click(const QPointF& position, Qt::KeyboardModifiers modifiers);
+    void hoverAt(const QPointF& position);
+    void hover(std::optional<int> branchId);
+    void showCursor();
+
     OverlayScene scene_;
     std::unique_ptr<Interaction> interaction_;
     bool nudgeMode_ = false;

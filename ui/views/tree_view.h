@@ -1,30 +1,51 @@
 #pragma once
 
-#include "core/geometry/projection_camera.h"
-#include "core/geometry/rigid_transform.h"
-#include "core/imaging/image2d.h"
-#include "core/vessel/vessel_tree.h"
-#include "ui/scenes/overlay_scene.h"
 #include "ui/scenes/tree_scene.h"
 #include "ui/views/vtk_view.h"
 
+#include <QPointF>
+#include <optional>
+
 namespace ui {
 
-/// The 3-D situation: tree, X-ray source, detector with the image, beam edges, orientation letters. Left drag turns.
+/// The 3-D situation: tree, X-ray source, detector with the image, beam edges, orientation letters. Left drag turns,
+/// middle drag moves, right drag and wheel zoom, double click shows everything again.
 class TreeView : public VtkView {
     Q_OBJECT
 public:
     explicit TreeView(QWidget* parent = nullptr);
+    ~TreeView() override;
 
     TreeScene& scene() { return scene_; }   ///< call update() after changing it
+    void setTheme(ThemeMode mode);
     void resetView();
 
 signals:
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
+    void backgroundClicked();
+
+protected:
+    void prepareFrame() override;
+    void paintAnnotations(QPainter& painter) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
 
 private:
+    std::optional<int> branchAt(const QPointF& position) const;
+    void hover(std::optional<int> branchId);
+
     TreeScene scene_;
+    ThemeMode theme_ = ThemeMode::Dark;
+    QPointF pressedAt_;
+    QPointF lastAt_;
+    Qt::MouseButton pressed_ = Qt::NoButton;
+    bool isDragging_ = false;
+    std::optional<int> hovered_;
 };
 
 }   // namespace ui

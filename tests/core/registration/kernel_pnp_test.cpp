@@ -159,6 +159,35 @@ TEST(KernelPnp, NeverAcceptsAFallOfTheKernelSum)
     }
 }
 
+TEST(KernelPnp, TheKernelStartsAtTheLargestDistanceOrLiterallyAtItsSquare)
+{
+    const CleanCase clean(2);
+    const RigidTransform start = shiftedBy(Eigen::Vector3d(2.0, -3.0, 4.0));
+    KernelDistances distances;
+    measure(clean.matched(), start, distances);
+    const double largestPx = largestDistancePx(distances);
+    for (const StartScale startScale : {StartScale::Largest, StartScale::LargestSquared}) {
+        KernelSchedule schedule;
+        schedule.startScale = startScale;
+        schedule.maxIterations = 1;
+        const double expectedPx = startScale == StartScale::Largest ? largestPx : largestPx * largestPx;
+        EXPECT_DOUBLE_EQ(KernelPnp(clean.matched(), {}, schedule).solve(start).scalePx, expectedPx);
+    }
+}
+
+TEST(KernelPnp, WaitingForStagnationFindsTheSamePose)
+{
+    const CleanCase clean(2);
+    CounterRandom random(6);
+    KernelSchedule schedule;
+    schedule.decay = Decay::Stagnation;
+    schedule.maxIterations = 300;
+    const RigidTransform start = perturbedAboutCentroid({}, clean.centroid, 1.0, 3.0, random);
+    const KernelPnpResult result = KernelPnp(clean.matched(), {}, schedule).solve(start);
+    EXPECT_EQ(result.stopReason, StopReason::Converged);
+    EXPECT_LT(clean.meanPx(result.pose), 1e-6);
+}
+
 TEST(KernelPnp, RotationOnlyTurnsAboutTheSource)
 {
     const CleanCase clean(2);

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/registration_case.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace io {
+
+/// A case file's content before its inputs are loaded.
+struct CaseDocument {
+    core::RegistrationCase values;   ///< paths as written; cArm holds only what the file gives
+    bool hasFrame = false;
+    bool hasCurrentPose = false;
+    std::string sopInstanceUid;   ///< of the image, when noted
+    std::vector<std::string> problems;   ///< what makes no sense, each with key and remedy
+};
+
+/// Content of a JSON text that follows the schema; unknown keys go to `values.extraKeys`.
+CaseDocument parseCaseDocument(std::string_view json);
+
+/// The case as JSON, paths relative to `folder`, unknown keys included.
+std::string caseDocumentText(const core::RegistrationCase& registrationCase, const std::filesystem::path& folder);
+
+}   // namespace io

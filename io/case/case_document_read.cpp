@@ -1,0 +1,216 @@
+#include "io/case/case_document.h"
+#include "io/case/known_keys.h"
+#include "io/case/option_values.h"
+#include "io/support/json_text.h"
+#include "io/support/pose_matrix.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace io {
+namespace {
+
+using core::Origin;
+using core::Sourced;
+using Json = nlohmann::json;
+
+const Json& member(const Json& json, const char* key)
+{
+    static const Json none;
+    const auto found = json.is_object() ? json.find(key) : json.end();
+    return found == json.end() ? none : *found;
+}
+
+core::InputFile inputFile(const Json& json)
+{
+    return json.is_object() ? core::InputFile{json.value("path", ""), json.value("sha256", "")} : core::InputFile{};
+}
+
+Origin originFrom(const std::string& text)
+{
+    return text == "header"    ? Origin::Header
+           : text == "derived" ? Origin::Derived
+           : text == "assumed" ? Origin::Assumed
+                               : Origin::User;
+}
+
+/// A bare value was typed by a user; an object says where its value comes from.
+struct SourcedJson {
+    Json value;
+    Origin origin = Origin::Missing;
+    std::string basis;
+};
+
+SourcedJson sourcedJson(const Json& json)
+{
+    if (json.is_null()) {
+        return {};
+    }
+    if (!json.is_object()) {
+        return {json, Origin::User, ""};
+    }
+    return {json.at("value"), originFrom(json.value("origin", "user")), json.value("basis", "")};
+}
+
+Sourced<double> sourcedNumber(const SourcedJson& json)
+{
+    return json.value.is_number() ? Sourced<double>{json.value.get<double>(), json.origin, json.basis}
+                                  : Sourced<double>{};
+}
+
+void readVessel(const Json& vessel, CaseDocument& document)
+{
+    document.values.centerlineFile = inputFile(member(vessel, "centerline"));
+    document.values.auxiliaryBranchIds = vessel.value("auxiliaryBranches", std::vector<int>());
+    document.values.excludedBranchIds = vessel.value("excludedBranches", std::vector<int>());
+    if (!document.values.centerlineFile.path.empty()) {
+        return;
+    }
+    for (const char* key : {"segmentation", "surface", "volume"}) {
+        if (vessel.contains(key)) {
+            document.problems.push_back(std::string("vessel.") + key +
+                                        ": this version cannot trace a vessel tree in 3-D yet. Extract the centrelines "
+                                        "elsewhere and give them as vessel.centerline.");
+            return;
+        }
+    }
+    document.problems.emplace_back("vessel.centerline: it is missing. Name the file with the vessel centrelines.");
+}
+
+void readAngiogram(const Json& angiogram, CaseDocument& document)
+{
+    core::RegistrationCase& values = document.values;
+    values.imageFile = inputFile(member(angiogram, "image"));
+    document.sopInstanceUid = member(member(angiogram, "image"), "dicom").is_object()
+                                  ? angiogram["image"]["dicom"].value("sopInstanceUid", "")
+                                  : "";
+    document.hasFrame = angiogram.contains("frame");
+    values.frame = angiogram.value("frame", 0);
+    values.targetFile = inputFile(member(angiogram, "centerline"));
+    if (const Json& trace = member(angiogram, "trace"); trace.is_object()) {
+        core::TraceOptions& options = values.traceOptions;
+        options.minVesselRadiusPx = trace.value("minVesselRadiusPx", options.minVesselRadiusPx);
+        options.maxVesselRadiusPx = trace.value("maxVesselRadiusPx", options.maxVesselRadiusPx);
+        options.minBranchLengthPx = trace.value("minBranchLengthPx", options.minBranchLengthPx);
+        options.minComponentLengthPx = trace.value("minComponentLengthPx", options.minComponentLengthPx);
+        options.sensitivity = trace.value("sensitivity", options.sensitivity);
+        if (options.maxVesselRadiusPx < options.minVesselRadiusPx) {
+            document.problems.emplace_back(
+                "angiogram.trace: maxVesselRadiusPx is below minVesselRadiusPx. Exchange them.");
+        }
+    }
+}
+
+void readCArm(const Json& geometry, core::CArm& cArm)
+{
+    cArm.sourceToDetectorMm = sourcedNumber(sourcedJson(member(geometry, "sourceToDetectorMm")));
+    cArm.sourceToPatientMm = sourcedNumber(sourcedJson(member(geometry, "sourceToPatientMm")));
+    cArm.primaryAngleDeg = sourcedNumber(sourcedJson(member(geometry, "primaryAngleDeg")));
+    cArm.secondaryAngleDeg = sourcedNumber(sourcedJson(member(geometry, "secondaryAngleDeg")));
+    cArm.rollDeg = sourcedNumber(sourcedJson(member(geometry, "rollDeg")));
+    if (const SourcedJson spacing = sourcedJson(member(geometry, "imagerPixelSpacingMm")); spacing.value.is_array()) {
+        cArm.rowSpacingMm = {spacing.value[0].get<double>(), spacing.origin, spacing.basis};
+        cArm.columnSpacingMm = {spacing.value[1].get<double>(), spacing.origin, spacing.basis};
+    }
+    if (const SourcedJson point = sourcedJson(member(geometry, "principalPointPx")); point.value.is_array()) {
+        cArm.principalPointPx = {Eigen::Vector2d(point.value[0].get<double>(), point.value[1].get<double>()),
+                                 point.origin, point.basis};
+    }
+    if (const SourcedJson mirrored = sourcedJson(member(geometry, "mirrored")); mirrored.value.is_boolean()) {
+        cArm.mirrored = {mirrored.value.get<bool>(), mirrored.origin, mirrored.basis};
+    }
+}
+
+void readCamera(const Json& camera, CaseDocument& document)
+{
+    if (!camera.is_object()) {
+        return;
+    }
+    const core::ProjectionCamera given{camera["fx"].get<double>(), camera["fy"].get<double>(),
+                                       camera["cx"].get<double>(), camera["cy"].get<double>(),
+                                       camera["width"].get<int>(), camera["height"].get<int>()};
+    if (const std::string problem = core::findProblem(given); !problem.empty()) {
+        document.problems.push_back("geometry.camera: " + problem);
+    }
+    document.values.cameraOverride = given;
+}
+
+/// The pose under `pose.<key>`, when it is there and makes sense.
+std::optional<core::RigidTransform> readPose(const Json& poses, const char* key, CaseDocument& document)
+{
+    const Json& pose = member(poses, key);
+    if (!pose.is_object()) {
+        return std::nullopt;
+    }
+    const auto result = poseFromRows(pose["cameraFromPatient"].get<MatrixRows>());
+    if (!result) {
+        document.problems.push_back(std::string("pose.") + key + ": " + result.error().message);
+        return std::nullopt;
+    }
+    return result.value();
+}
+
+void readPoses(const Json& poses, CaseDocument& document)
+{
+    if (const auto initial = readPose(poses, "initial", document)) {
+        document.values.initialCameraFromPatient = *initial;
+        document.values.hasInitialPose = true;
+    }
+    if (const auto current = readPose(poses, "current", document)) {
+        document.values.cameraFromPatient = *current;
+        document.hasCurrentPose = true;
+    }
+}
+
+void readOptions(const Json& root, CaseDocument& document)
+{
+    core::RegistrationOptions& options = document.values.options;
+    options.method = root.value("method", options.method);
+    const bool isDefault = options.method == core::RegistrationOptions().method;
+    const auto methods = core::methodInfos();
+    if (!isDefault &&
+        std::none_of(methods.begin(), methods.end(), [&](const auto& info) { return info.id == options.method; })) {
+        std::string known;
+        for (const core::MethodInfo& info : methods) {
+            known += (known.empty() ? "" : ", ") + std::string(info.id);
+        }
+        document.problems.push_back("method: \"" + options.method.substr(0, 40) + "\" is unknown. Use one of " + known +
+                                    ".");
+    }
+    const Json& given = member(root, "options");
+    for (const core::OptionField& field : core::optionFields()) {
+        const Json& value = member(given, std::string(field.key).c_str());
+        if (value.is_null()) {
+            continue;
+        }
+        const auto number = value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+        const std::string text = value.is_string() ? value.get<std::string>() : std::string();
+        if (std::string problem = setOption(options, field, number, text); !problem.empty()) {
+            document.problems.push_back(std::move(problem));
+        }
+    }
+}
+
+}   // namespace
+
+CaseDocument parseCaseDocument(std::string_view json)
+{
+    const Json root = Json::parse(json);
+    CaseDocument document;
+    if (root["version"].get<double>() > 1.0) {
+        document.problems.emplace_back("version: the case was saved by a newer AngioPose. Update the program.");
+        return document;
+    }
+    document.values.title = root.value("title", "");
+    readVessel(root["vessel"], document);
+    readAngiogram(root["angiogram"], document);
+    const Json& geometry = member(root, "geometry");
+    readCArm(geometry, document.values.cArm);
+    readCamera(member(geometry, "camera"), document);
+    readPoses(member(root, "pose"), document);
+    readOptions(root, document);
+    document.values.extraKeys = unknownKeys(json, knownCaseKeys());
+    return document;
+}
+
+}   // namespace io

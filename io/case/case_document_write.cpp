@@ -1,0 +1,139 @@
+#include "io/case/case_document.h"
+#include "io/case/option_values.h"
+#include "io/support/json_text.h"
+#include "io/support/pose_matrix.h"
+
+#include <nlohmann/json.hpp>
+
+namespace io {
+namespace {
+
+using core::Origin;
+using core::Sourced;
+using Json = nlohmann::ordered_json;
+
+std::string originText(Origin origin)
+{
+    switch (origin) {
+        case Origin::Header:
+            return "header";
+        case Origin::Derived:
+            return "derived";
+        case Origin::Assumed:
+            return "assumed";
+        default:
+            return "user";
+    }
+}
+
+Json fileJson(const core::InputFile& file, const std::filesystem::path& folder)
+{
+    std::error_code failed;
+    const std::filesystem::path target = std::filesystem::weakly_canonical(file.path, failed);
+    const std::filesystem::path relative = target.lexically_relative(folder);
+    Json json;
+    json["path"] = (failed || relative.empty() ? std::filesystem::path(file.path) : relative).generic_string();
+    if (!file.sha256.empty()) {
+        json["sha256"] = file.sha256;
+    }
+    return json;
+}
+
+template <class Value>
+void addSourced(Json& geometry, const char* key, const Value& value, Origin origin, const std::string& basis)
+{
+    geometry[key]["value"] = value;
+    geometry[key]["origin"] = originText(origin);
+    if (!basis.empty()) {
+        geometry[key]["basis"] = basis;
+    }
+}
+
+void addNumber(Json& geometry, const char* key, const Sourced<double>& number)
+{
+    if (number.value) {
+        addSourced(geometry, key, *number.value, number.origin, number.basis);
+    }
+}
+
+Json vesselJson(const core::RegistrationCase& registrationCase, const std::filesystem::path& folder)
+{
+    Json vessel;
+    vessel["centerline"] = fileJson(registrationCase.centerlineFile, folder);
+    vessel["auxiliaryBranches"] = registrationCase.auxiliaryBranchIds;
+    vessel["excludedBranches"] = registrationCase.excludedBranchIds;
+    return vessel;
+}
+
+Json angiogramJson(const core::RegistrationCase& registrationCase, const std::filesystem::path& folder)
+{
+    Json angiogram;
+    angiogram["image"] = fileJson(registrationCase.imageFile, folder);
+    if (registrationCase.angiogram && !registrationCase.angiogram->identity.sopInstanceUid.empty()) {
+        const core::StudyIdentity& identity = registrationCase.angiogram->identity;
+        angiogram["image"]["dicom"] = {{"studyInstanceUid", identity.studyUid},
+                                       {"seriesInstanceUid", identity.seriesUid},
+                                       {"sopInstanceUid", identity.sopInstanceUid}};
+    }
+    angiogram["frame"] = registrationCase.frame;
+    if (!registrationCase.targetFile.path.empty()) {
+        angiogram["centerline"] = fileJson(registrationCase.targetFile, folder);
+    }
+    const core::TraceOptions& trace = registrationCase.traceOptions;
+    angiogram["trace"] = {{"minVesselRadiusPx", trace.minVesselRadiusPx},
+                          {"maxVesselRadiusPx", trace.maxVesselRadiusPx},
+                          {"minBranchLengthPx", trace.minBranchLengthPx},
+                          {"minComponentLengthPx", trace.minComponentLengthPx},
+                          {"sensitivity", trace.sensitivity}};
+    return angiogram;
+}
+
+Json geometryJson(const core::RegistrationCase& registrationCase)
+{
+    Json geometry = Json::object();
+    if (const auto& camera = registrationCase.cameraOverride) {
+        geometry["camera"] = {{"fx", camera->fx}, {"fy", camera->fy},       {"cx", camera->cx},
+                              {"cy", camera->cy}, {"width", camera->width}, {"height", camera->height}};
+    }
+    const core::CArm& cArm = registrationCase.cArm;
+    addNumber(geometry, "sourceToDetectorMm", cArm.sourceToDetectorMm);
+    addNumber(geometry, "sourceToPatientMm", cArm.sourceToPatientMm);
+    if (cArm.rowSpacingMm.value && cArm.columnSpacingMm.value) {
+        addSourced(geometry, "imagerPixelSpacingMm",
+                   std::vector<double>{*cArm.rowSpacingMm.value, *cArm.columnSpacingMm.value},
+                   cArm.columnSpacingMm.origin, cArm.columnSpacingMm.basis);
+    }
+    addNumber(geometry, "primaryAngleDeg", cArm.primaryAngleDeg);
+    addNumber(geometry, "secondaryAngleDeg", cArm.secondaryAngleDeg);
+    addNumber(geometry, "rollDeg", cArm.rollDeg);
+    if (const auto& point = cArm.principalPointPx; point.value) {
+        addSourced(geometry, "principalPointPx", std::vector<double>{point.value->x(), point.value->y()}, point.origin,
+                   point.basis);
+    }
+    if (const auto& mirrored = cArm.mirrored; mirrored.value) {
+        addSourced(geometry, "mirrored", *mirrored.value, mirrored.origin, mirrored.basis);
+    }
+    return geometry;
+}
+
+}   // namespace
+
+std::string caseDocumentText(const core::RegistrationCase& registrationCase, const std::filesystem::path& folder)
+{
+    Json root;
+    root["format"] = "angiopose-case";
+    root["version"] = 1;
+    root["title"] = registrationCase.title;
+    root["vessel"] = vesselJson(registrationCase, folder);
+    root["angiogram"] = angiogramJson(registrationCase, folder);
+    root["geometry"] = geometryJson(registrationCase);
+    if (registrationCase.hasInitialPose) {
+        root["pose"]["initial"]["cameraFromPatient"] = rowsOf(registrationCase.initialCameraFromPatient);
+    }
+    root["pose"]["current"]["cameraFromPatient"] = rowsOf(registrationCase.cameraFromPatient);
+    root["method"] = registrationCase.options.method;
+    root["options"] = Json::parse(optionsJson(registrationCase.options));
+    return prettyJson(withExtraKeys(root.dump(), registrationCase.extraKeys));
+}
+
+}   // namespace io

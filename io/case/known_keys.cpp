@@ -1,0 +1,52 @@
+#include "io/case/known_keys.h"
+
+#include "core/registration/registration_options.h"
+
+#include <nlohmann/json.hpp>
+
+namespace io {
+namespace {
+
+using Json = nlohmann::json;
+
+Json object(std::initializer_list<const char*> keys)
+{
+    Json members = Json::object();
+    for (const char* key : keys) {
+        members[key] = "";
+    }
+    return members;
+}
+
+}   // namespace
+
+std::string knownCaseKeys()
+{
+    const Json file = object({"path", "sha256"});
+    const Json sourced = object({"value", "origin", "basis"});
+    Json image = file;
+    image["dicom"] = object({"studyInstanceUid", "seriesInstanceUid", "sopInstanceUid"});
+
+    Json keys = object({"format", "version", "title", "method"});
+    keys["vessel"] = object({"auxiliaryBranches", "excludedBranches"});
+    keys["vessel"]["centerline"] = file;
+    keys["angiogram"] = object({"frame"});
+    keys["angiogram"]["image"] = image;
+    keys["angiogram"]["centerline"] = file;
+    keys["angiogram"]["trace"] =
+        object({"minVesselRadiusPx", "maxVesselRadiusPx", "minBranchLengthPx", "minComponentLengthPx", "sensitivity"});
+    keys["geometry"]["camera"] = object({"fx", "fy", "cx", "cy", "width", "height"});
+    for (const char* key : {"sourceToDetectorMm", "sourceToPatientMm", "imagerPixelSpacingMm", "primaryAngleDeg",
+                            "secondaryAngleDeg", "rollDeg", "principalPointPx", "mirrored"}) {
+        keys["geometry"][key] = sourced;
+    }
+    keys["pose"]["initial"] = object({"cameraFromPatient"});
+    keys["pose"]["current"] = object({"cameraFromPatient"});
+    keys["options"] = Json::object();
+    for (const core::OptionField& field : core::optionFields()) {
+        keys["options"][std::string(field.key)] = "";
+    }
+    return keys.dump();
+}
+
+}   // namespace io

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace io {
+
+/// Every key this version reads and writes, as a JSON object; an empty string marks a value, an object its members.
+std::string knownCaseKeys();
+
+}   // namespace io

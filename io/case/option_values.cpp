@@ -1,0 +1,48 @@
+#include "io/case/option_values.h"
+
+#include "io/support/numbers.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace io {
+
+std::string optionsJson(const core::RegistrationOptions& options)
+{
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    for (const core::OptionField& field : core::optionFields()) {
+        const double value = field.read(options);
+        const auto choice = static_cast<std::size_t>(value);
+        if (!field.choices.empty() && value >= 0.0 && choice < field.choices.size()) {
+            json[std::string(field.key)] = field.choices[choice];
+        } else if (value == std::floor(value) && std::abs(value) < 1e9) {
+            json[std::string(field.key)] = static_cast<int>(value);
+        } else {
+            json[std::string(field.key)] = value;
+        }
+    }
+    return json.dump();
+}
+
+std::string setOption(core::RegistrationOptions& options, const core::OptionField& field, std::optional<double> number,
+                      std::string_view text)
+{
+    const auto choice = std::find(field.choices.begin(), field.choices.end(), text);
+    if (!number && choice != field.choices.end()) {
+        number = static_cast<double>(choice - field.choices.begin());
+    }
+    if (number && *number >= field.min && *number <= field.max) {
+        field.write(options, *number);
+        return {};
+    }
+    std::string remedy = "a number from " + toText(field.min) + " to " + toText(field.max);
+    if (!field.choices.empty()) {
+        remedy = "one of";
+        for (const std::string_view known : field.choices) {
+            remedy += (known == field.choices.front() ? " \"" : ", \"") + std::string(known) + "\"";
+        }
+    }
+    return "options." + std::string(field.key) + ": give " + remedy + ".";
+}
+
+}   // namespace io

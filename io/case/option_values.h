@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/registration/registration_options.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace io {
+
+/// `{"key": value, …}` over the option table; choices by their text.
+std::string optionsJson(const core::RegistrationOptions& options);
+
+/// Sets one option from a number, or from the text of a choice. Returns what is wrong, empty when set.
+std::string setOption(core::RegistrationOptions& options, const core::OptionField& field, std::optional<double> number,
+                      std::string_view text);
+
+}   // namespace io

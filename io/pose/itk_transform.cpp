@@ -1,0 +1,144 @@
+#include "io/pose/itk_transform.h"
+
+#include "io/support/numbers.h"
+#include "io/support/pose_matrix.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+namespace io {
+namespace {
+
+/// What an ITK text file says about its transform.
+struct ItkTransform {
+    int count = 0;
+    std::string type;
+    std::vector<double> parameters;
+    std::vector<double> centre;
+};
+
+std::optional<std::vector<double>> numbersIn(std::string_view text)
+{
+    std::vector<double> values;
+    for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+        const std::string_view word = text.substr(0, text.find_first_of(" \t"));
+        const auto value = parseNumber(word);
+        if (!value || values.size() > 100) {
+            return std::nullopt;
+        }
+        values.push_back(*value);
+        text.remove_prefix(word.size());
+    }
+    return values;
+}
+
+std::optional<ItkTransform> parse(std::string_view text)
+{
+    ItkTransform transform;
+    for (std::size_t start = 0; start < text.size();) {
+        const std::size_t end = std::min(text.find('\n', start), text.size());
+        const std::string_view line = trimmed(text.substr(start, end - start));
+        start = end + 1;
+        const std::size_t colon = line.find(':');
+        if (line.empty() || line.front() == '#' || colon == std::string_view::npos) {
+            continue;
+        }
+        const std::string_view key = line.substr(0, colon);
+        const std::string_view value = trimmed(line.substr(colon + 1));
+        const auto numbers = key == "Transform" ? std::vector<double>() : numbersIn(value);
+        if (!numbers) {
+            return std::nullopt;
+        }
+        if (key == "Transform") {
+            ++transform.count;
+            transform.type = value;
+        } else if (key == "Parameters") {
+            transform.parameters = *numbers;
+        } else if (key == "FixedParameters") {
+            transform.centre = *numbers;
+        }
+    }
+    return transform;
+}
+
+Eigen::Vector3d vectorAt(const std::vector<double>& values, std::size_t first)
+{
+    return {values[first], values[first + 1], values[first + 2]};
+}
+
+/// Matrix and translation as ITK parametrises them; nothing for kinds that are not rigid, or a wrong count.
+std::optional<core::RigidTransform> motionOf(const ItkTransform& transform)
+{
+    const std::vector<double>& p = transform.parameters;
+    const bool isMatrix =
+        transform.type.starts_with("AffineTransform") || transform.type.starts_with("MatrixOffsetTransformBase");
+    if (isMatrix && p.size() == 12) {
+        Eigen::Matrix3d rotation;
+        rotation << p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8];
+        return core::RigidTransform{rotation, vectorAt(p, 9)};
+    }
+    if (transform.type.starts_with("VersorRigid3DTransform") && p.size() == 6) {
+        const Eigen::Vector3d axis = vectorAt(p, 0);   // sine of half the angle
+        const double w = std::sqrt(std::max(0.0, 1.0 - axis.squaredNorm()));
+        return core::RigidTransform{Eigen::Quaterniond(w, axis.x(), axis.y(), axis.z()).normalized().toRotationMatrix(),
+                                    vectorAt(p, 3)};
+    }
+    if (transform.type.starts_with("Euler3DTransform") && p.size() == 6) {   // R = Rz Rx Ry, ITK's default order
+        const Eigen::Matrix3d rotation =
+            (Eigen::AngleAxisd(p[2], Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(p[0], Eigen::Vector3d::UnitX()) *
+             Eigen::AngleAxisd(p[1], Eigen::Vector3d::UnitY()))
+                .toRotationMatrix();
+        return core::RigidTransform{rotation, vectorAt(p, 3)};
+    }
+    return std::nullopt;
+}
+
+}   // namespace
+
+core::Result<core::RigidTransform> poseFromItkText(std::string_view text)
+{
+    const auto transform = parse(text);
+    if (!transform || transform->count != 1) {
+        return core::Error{"it does not hold one ITK transform as text. Export a single rigid transform."};
+    }
+    const auto motion = motionOf(*transform);
+    if (!motion) {
+        return core::Error{"its transform \"" + transform->type.substr(0, 60) +
+                           "\" is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or "
+                           "VersorRigid3D)."};
+    }
+    auto pose = poseFromRows(rowsOf(*motion));
+    if (!pose || transform->centre.size() < 3) {
+        return pose;
+    }
+    core::RigidTransform shifted = std::move(pose).value();
+    const Eigen::Vector3d centre = vectorAt(transform->centre, 0);
+    if (!centre.isZero(0.0)) {
+        shifted.translation += centre - shifted.rotation * centre;
+    }
+    return shifted.translation.allFinite() ? core::Result<core::RigidTransform>(shifted)
+                                           : core::Error{"its centre is not finite. Export the transform again."};
+}
+
+std::string itkText(const core::RigidTransform& cameraFromPatient)
+{
+    std::string text =
+        "#Insight Transform File V1.0\n"
+        "#Transform 0\n"
+        "# cameraFromPatient: maps patient points (LPS, mm) to camera points (mm)\n"
+        "Transform: AffineTransform_double_3_3\n"
+        "Parameters:";
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            text += " " + toText(cameraFromPatient.rotation(i, k));
+        }
+    }
+    for (int i = 0; i < 3; ++i) {
+        text += " " + toText(cameraFromPatient.translation(i));
+    }
+    return text + "\nFixedParameters: 0 0 0\n";
+}
+
+}   // namespace io

@@ -1,0 +1,64 @@
+#include "io/support/pose_matrix.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+namespace io {
+namespace {
+
+constexpr double exactTolerance = 1e-12;
+constexpr double roundedTolerance = 1e-3;
+
+}   // namespace
+
+core::Result<core::RigidTransform> poseFromRows(const MatrixRows& rows)
+{
+    const bool isFourByFour =
+        rows.size() == 4 && std::all_of(rows.begin(), rows.end(), [](const auto& row) { return row.size() == 4; });
+    if (!isFourByFour) {
+        return core::Error{"cameraFromPatient must have four rows of four numbers."};
+    }
+    Eigen::Matrix4d matrix;
+    for (int i = 0; i < 4; ++i) {
+        for (int k = 0; k < 4; ++k) {
+            matrix(i, k) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+        }
+    }
+    if (!matrix.allFinite()) {
+        return core::Error{"cameraFromPatient has an entry that is not a finite number."};
+    }
+    if ((matrix.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).cwiseAbs().maxCoeff() > 1e-9) {
+        return core::Error{"the last row of cameraFromPatient must be 0 0 0 1. Is the matrix transposed?"};
+    }
+    core::RigidTransform pose{matrix.topLeftCorner<3, 3>(), matrix.topRightCorner<3, 1>()};
+    if (pose.rotation.determinant() < 0.0) {
+        return core::Error{
+            "cameraFromPatient is a reflection (determinant below 0). A mirrored image belongs into the "
+            "sign of fx, never into the rotation."};
+    }
+    const Eigen::Matrix3d nearest = core::nearestRotation(pose.rotation);
+    const double deviation = (pose.rotation - nearest).cwiseAbs().maxCoeff();
+    if (!(deviation <= roundedTolerance)) {
+        return core::Error{
+            "the upper left 3 x 3 of cameraFromPatient is not a rotation (scale or shear). Give a rigid "
+            "pose in mm."};
+    }
+    if (deviation > exactTolerance) {
+        pose.rotation = nearest;
+    }
+    return pose;
+}
+
+MatrixRows rowsOf(const core::RigidTransform& pose)
+{
+    const Eigen::Matrix4d matrix = pose.matrix();
+    MatrixRows rows(4, std::vector<double>(4));
+    for (int i = 0; i < 4; ++i) {
+        for (int k = 0; k < 4; ++k) {
+            rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] = matrix(i, k);
+        }
+    }
+    return rows;
+}
+
+}   // namespace io

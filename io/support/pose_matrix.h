@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/geometry/rigid_transform.h"
+#include "core/support/result.h"
+
+#include <string>
+#include <vector>
+
+namespace io {
+
+using MatrixRows = std::vector<std::vector<double>>;
+
+/// A pose from the rows of a 4×4 matrix. Rotations rounded in the file (off by up to 1e-3) become the nearest rotation,
+/// exact ones stay to the last bit. Fails on other shapes, NaN, reflections and anything that is not rigid.
+core::Result<core::RigidTransform> poseFromRows(const MatrixRows& rows);
+
+MatrixRows rowsOf(const core::RigidTransform& pose);
+
+}   // namespace io

@@ -1,0 +1,51 @@
+#include "ui/scenes/beam.h"
+
+namespace ui {
+
+Eigen::Matrix4d Beam::patientFromImagePlane() const
+{
+    // On the plane Z = SID: X = (u − cx) SID / fx, Y = (v − cy) SID / fy.
+    Eigen::Matrix4d cameraFromImage = Eigen::Matrix4d::Identity();
+    cameraFromImage(0, 0) = sourceToDetectorMm / camera.fx;
+    cameraFromImage(1, 1) = sourceToDetectorMm / camera.fy;
+    cameraFromImage(0, 3) = -camera.cx * sourceToDetectorMm / camera.fx;
+    cameraFromImage(1, 3) = -camera.cy * sourceToDetectorMm / camera.fy;
+    cameraFromImage(2, 3) = sourceToDetectorMm;
+    return patientFromCamera.matrix() * cameraFromImage;
+}
+
+std::array<Eigen::Vector3d, 4> Beam::detectorCorners() const
+{
+    const Eigen::Matrix4d place = patientFromImagePlane();
+    const double right = camera.width - 0.5;
+    const double bottom = camera.height - 0.5;
+    const auto corner = [&place](double u, double v) {
+        return Eigen::Vector3d((place * Eigen::Vector4d(u, v, 0.0, 1.0)).head<3>());
+    };
+    return {corner(-0.5, -0.5), corner(right, -0.5), corner(right, bottom), corner(-0.5, bottom)};
+}
+
+void addBeamStrokes(StrokeMesh& mesh, const Beam& beam, const ScreenFromPatient& toScreen, const BeamLook& look)
+{
+    if (!beam.hasDetector()) {
+        return;
+    }
+    const double scale = look.pixelScale;
+    const Eigen::Vector2d source = toScreen * beam.source();
+    const Color faint = mixed(look.tones.field, look.tones.label, 0.45);
+    const Color edge = mixed(look.tones.field, look.tones.label, 0.7);
+    StrokeLine border;
+    for (const Eigen::Vector3d& corner : beam.detectorCorners()) {
+        const Eigen::Vector2d at = toScreen * corner;
+        border.push_back({at, edge});
+        for (const StrokeLine& dash : dashed({{source, faint}, {at, faint}}, {3.0 * scale, 4.0 * scale})) {
+            addLine(mesh, dash, {1.0 * scale});
+        }
+    }
+    border.push_back(border.front());
+    addLine(mesh, border, {1.2 * scale});
+    addLine(mesh, {{source, look.tones.attention}}, {9.0 * scale, 0.35, 9.0 * scale});
+    addDot(mesh, {source, look.tones.attention}, 3.5 * scale, 1.0);
+}
+
+}   // namespace ui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/geometry/projection_camera.h"
+#include "core/geometry/rigid_transform.h"
+#include "ui/scenes/orbit.h"
+#include "ui/scenes/stroke_mesh.h"
+
+#include <array>
+
+namespace ui {
+
+/// The X-ray source and its detector in patient space.
+struct Beam {
+    core::ProjectionCamera camera;
+    double sourceToDetectorMm = 0.0;
+    core::RigidTransform patientFromCamera;
+
+    bool hasDetector() const { return sourceToDetectorMm > 0.0 && core::findProblem(camera).empty(); }
+    Eigen::Vector3d source() const { return patientFromCamera.translation; }
+
+    /// From (u, v, 0) in image px to the place on the detector, patient mm.
+    Eigen::Matrix4d patientFromImagePlane() const;
+
+    /// Corners of the image on the detector, in the order of the image border.
+    std::array<Eigen::Vector3d, 4> detectorCorners() const;
+};
+
+struct BeamLook {
+    Palette tones;
+    double pixelScale = 1.0;
+};
+
+/// Source dot, dashed beam edges, border of the detector.
+void addBeamStrokes(StrokeMesh& mesh, const Beam& beam, const ScreenFromPatient& toScreen, const BeamLook& look);
+
+}   // namespace ui

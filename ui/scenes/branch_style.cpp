@@ -1,0 +1,31 @@
+#include "ui/scenes/branch_style.h"
+
+namespace ui {
+
+BranchStyle branchStyle(int branchId, const BranchMarks& marks)
+{
+    const Palette& tones = palette(ThemeMode::Dark);   // images lie on black in every theme
+    BranchStyle style{.color = tones.text};
+    if (marks.excluded.contains(branchId)) {
+        style = {.color = tones.label, .widthFactor = 0.8, .opacity = 0.75, .pattern = LinePattern::Dashed, .rank = -1};
+    } else if (marks.auxiliary.contains(branchId)) {
+        style = {.color = tones.accent, .widthFactor = 1.15, .hasEndDots = true, .rank = 1};
+    }
+    if (marks.selected.contains(branchId)) {
+        style.color = tones.accent;
+        style.widthFactor = 1.6;
+        style.opacity = 1.0;
+        style.glow = Glow::Strong;
+        style.rank = 2;
+    }
+    if (marks.hovered == branchId) {
+        style.color = mixed(style.color, tones.textStrong, 0.5);
+        style.widthFactor = 1.6;
+        style.opacity = 1.0;
+        style.glow = style.glow == Glow::None ? Glow::Faint : style.glow;
+        style.rank = 3;
+    }
+    return style;
+}
+
+}   // namespace ui

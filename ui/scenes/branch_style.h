@@ -1,0 +1,25 @@
+#pragma once
+
+#include "ui/scenes/overlay_scene.h"
+#include "ui/theme/theme.h"
+
+namespace ui {
+
+enum class LinePattern { Solid, Dashed };
+enum class Glow { None, Faint, Strong };
+
+/// Look of one branch. No meaning hangs on colour alone: excluded is dashed, auxiliary has dots at its ends, hovered
+/// and selected are thicker and glow.
+struct BranchStyle {
+    Color color;
+    double widthFactor = 1.0;
+    double opacity = 1.0;
+    LinePattern pattern = LinePattern::Solid;
+    Glow glow = Glow::None;
+    bool hasEndDots = false;
+    int rank = 0;   ///< higher ones are drawn later, on top
+};
+
+BranchStyle branchStyle(int branchId, const BranchMarks& marks);
+
+}   // namespace ui

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vtkGenericOpenGLRenderWindow.h>
+
+namespace ui {
+
+/// Render window on a context that somebody else owns, GLX or EGL alike.
+class GlWindow : public vtkGenericOpenGLRenderWindow {
+public:
+    static GlWindow* New();
+    vtkTypeMacro(GlWindow, vtkGenericOpenGLRenderWindow)
+
+        void OpenGLInitContext() override;
+
+protected:
+    GlWindow();
+};
+
+}   // namespace ui

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/vessel/vessel_tree.h"
+
+#include <Eigen/Core>
+#include <array>
+
+class vtkCamera;
+
+namespace ui {
+
+struct Beam;
+
+/// From patient mm to device px (from the bottom left) of a picture taken by a parallel camera.
+struct ScreenFromPatient {
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();   ///< rows: right, up, towards the viewer
+    Eigen::Vector3d focalPoint = Eigen::Vector3d::Zero();
+    Eigen::Vector2d centrePx = Eigen::Vector2d::Zero();
+    double pxPerMm = 1.0;
+
+    Eigen::Vector2d operator*(const Eigen::Vector3d& point) const
+    {
+        return centrePx + pxPerMm * (rotation * (point - focalPoint)).head<2>();
+    }
+    Eigen::Vector3d turned(const Eigen::Vector3d& direction) const { return rotation * direction; }
+};
+
+ScreenFromPatient screenFromPatient(vtkCamera& camera, int width, int height);
+
+/// Points a parallel camera at beam and tree: from the source's side, source at the top, everything inside.
+void frameBeam(vtkCamera& camera, const Beam& beam, const Eigen::Vector3d& pivotInPatient,
+               const core::VesselTree& tree);
+
+/// Moves the camera in its own plane so that what is seen follows the mouse.
+void pan(vtkCamera& camera, int heightPx, double rightPx, double upPx);
+
+/// Bounds as VTK wants them: x min, x max, y min, …
+std::array<double, 6> sceneBounds(const Beam& beam, const core::VesselTree& tree);
+
+}   // namespace ui

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/geometry/projection_camera.h"
+#include "core/geometry/rigid_transform.h"
+#include "core/vessel/vessel_tree.h"
+#include "ui/scenes/overlay_scene.h"
+
+#include <optional>
+#include <vector>
+
+namespace ui {
+
+struct ProjectedPoint {
+    Eigen::Vector2d px;
+    double radiusPx = 0.0;   ///< 0 when unknown
+    std::size_t index = 0;   ///< of the tree point
+};
+
+/// One branch on the image. Where it passes behind the source it falls into several runs.
+struct ProjectedBranch {
+    int id = 0;
+    std::vector<std::vector<ProjectedPoint>> runs;
+};
+using ProjectedTree = std::vector<ProjectedBranch>;
+
+ProjectedTree projectedTree(const core::VesselTree& tree, const core::ProjectionCamera& camera,
+                            const core::RigidTransform& cameraFromPatient);
+
+/// The branch nearest to an image point, if it is within `tolerancePx`.
+std::optional<int> nearestBranch(const ProjectedTree& tree, const Eigen::Vector2d& imagePoint, double tolerancePx);
+
+bool passesThrough(const ProjectedTree& tree, const ViewRect& part);
+
+}   // namespace ui

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "ui/scenes/stroke_mesh.h"
+
+#include <vtkActor2D.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+namespace ui {
+
+/// Draws a stroke mesh over everything else of its renderer, pixel by pixel.
+class StrokeActor {
+public:
+    StrokeActor();
+    void show(const StrokeMesh& mesh);
+    vtkActor2D* actor() { return actor_; }
+
+private:
+    vtkNew<vtkPolyData> data_;
+    vtkNew<vtkActor2D> actor_;
+};
+
+}   // namespace ui

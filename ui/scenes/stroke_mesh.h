@@ -1,0 +1,53 @@
+#pragma once
+
+#include "ui/theme/theme.h"
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+namespace ui {
+
+/// Triangles of smooth-edged lines and dots, in device px, y up. Edges fade over one pixel: no multisampling needed.
+struct StrokeMesh {
+    std::vector<float> points;   ///< x, y, 0 per vertex
+    std::vector<std::uint8_t> colors;   ///< RGBA per vertex
+    std::vector<std::int32_t> triangles;   ///< 3 vertices each
+
+    void clear();
+    std::size_t vertexCount() const { return points.size() / 3; }
+};
+
+struct StrokePoint {
+    Eigen::Vector2d at;
+    Color color;
+};
+using StrokeLine = std::vector<StrokePoint>;
+
+struct Pen {
+    double widthPx = 2.0;
+    double opacity = 1.0;
+    double fadePx = 1.0;   ///< width of the soft edge; more makes a glow
+};
+
+struct DashPattern {
+    double drawnPx = 0.0;
+    double gapPx = 0.0;
+};
+
+/// Adds a line with round joints and ends; a line without extent becomes a dot.
+void addLine(StrokeMesh& mesh, const StrokeLine& line, const Pen& pen);
+
+/// Adds a filled dot.
+void addDot(StrokeMesh& mesh, const StrokePoint& centre, double radiusPx, double opacity);
+
+/// The parts of the line inside `lower`…`upper`, cut at its border.
+std::vector<StrokeLine> clipped(const StrokeLine& line, const Eigen::Vector2d& lower, const Eigen::Vector2d& upper);
+
+/// The drawn parts of a dashed line.
+std::vector<StrokeLine> dashed(const StrokeLine& line, const DashPattern& pattern);
+
+/// The same line without points nearer than `minimumStepPx` to their predecessor; both ends stay.
+StrokeLine thinned(const StrokeLine& line, double minimumStepPx);
+
+}   // namespace ui

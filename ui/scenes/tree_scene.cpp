@@ -1,0 +1,239 @@
+#include "ui/scenes/tree_scene.h"
+
+#include "core/imaging/display_range.h"
+#include "ui/scenes/beam.h"
+#include "ui/scenes/frame_layer.h"
+#include "ui/scenes/orbit.h"
+#include "ui/scenes/stroke_actor.h"
+#include "ui/scenes/tree_tubes.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace ui {
+namespace {
+
+constexpr double signArmPx = 19.0;   // orientation sign, at pixel scale 1
+constexpr double signMarginPx = 40.0;
+constexpr double pickTolerancePx = 7.0;
+
+struct PatientAxis {
+    char letter;
+    Eigen::Vector3d direction;
+};
+
+// Patient LPS: x to the left, y to the back, z to the head.
+const std::array<PatientAxis, 6> patientAxes{
+    {{'L', {1, 0, 0}}, {'R', {-1, 0, 0}}, {'P', {0, 1, 0}}, {'A', {0, -1, 0}}, {'H', {0, 0, 1}}, {'F', {0, 0, -1}}}};
+
+}   // namespace
+
+struct TreeScene::Parts {
+    vtkNew<vtkRenderer> ground;   // detector, beam, source: behind the tree however it is turned
+    vtkNew<vtkRenderer> front;   // the tree
+    FrameQuad detector;
+    StrokeActor strokes;
+    TreeTubes tubes;
+    GreyFrame frame;
+    core::VesselTree tree;
+    Beam beam;
+    BranchMarks marks;
+    Palette tones = palette(ThemeMode::Dark);
+    double pixelScale = 1.0;
+    bool isTreeStale = false;
+    bool isViewStale = true;   // nothing was framed yet
+    unsigned long watch = 0;
+
+    vtkCamera& camera() { return *ground->GetActiveCamera(); }
+    ScreenFromPatient screen() const;
+    void update();
+    StrokeMesh groundStrokes(const ScreenFromPatient& toScreen) const;
+    Eigen::Vector2d signCentre() const;
+};
+
+ScreenFromPatient TreeScene::Parts::screen() const
+{
+    const int* size = ground->GetSize();
+    return screenFromPatient(*ground->GetActiveCamera(), size[0], size[1]);
+}
+
+Eigen::Vector2d TreeScene::Parts::signCentre() const
+{
+    return {ground->GetSize()[0] - signMarginPx * pixelScale, signMarginPx * pixelScale};
+}
+
+StrokeMesh TreeScene::Parts::groundStrokes(const ScreenFromPatient& toScreen) const
+{
+    StrokeMesh mesh;
+    addBeamStrokes(mesh, beam, toScreen, {tones, pixelScale});
+    for (const PatientAxis& axis : patientAxes) {
+        const Eigen::Vector3d onScreen = toScreen.turned(axis.direction);
+        const bool isPositive = axis.letter == 'L' || axis.letter == 'P' || axis.letter == 'H';
+        const Eigen::Vector2d tip = signCentre() + signArmPx * pixelScale * onScreen.head<2>();
+        const Color tone = mixed(tones.field, tones.label, onScreen.z() > -0.05 ? 0.9 : 0.45);
+        if (isPositive) {
+            addLine(mesh, {{signCentre(), tone}, {tip, tone}}, {1.4 * pixelScale});
+        }
+    }
+    return mesh;
+}
+
+void TreeScene::Parts::update()
+{
+    if (std::exchange(isTreeStale, false)) {
+        tubes.show(tree, marks);
+    }
+    const auto back = tones.field.unit();
+    ground->SetBackground(back[0], back[1], back[2]);
+    detector.show(frame, Interpolation::Smooth);
+    detector.actor()->SetVisibility(beam.hasDetector() && frame.width() > 0);
+    if (beam.hasDetector()) {
+        vtkNew<vtkMatrix4x4> patientFromImage;
+        const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> matrix = beam.patientFromImagePlane();
+        patientFromImage->DeepCopy(matrix.data());
+        detector.actor()->SetUserMatrix(patientFromImage);
+    }
+    if (isViewStale && !tree.branches.empty()) {
+        frameBeam(camera(), beam, core::centroidInPatient(tree), tree);
+        isViewStale = false;
+    }
+    ground->ResetCameraClippingRange(sceneBounds(beam, tree).data());
+    strokes.show(groundStrokes(screen()));
+}
+
+TreeScene::TreeScene() : parts_(std::make_unique<Parts>())
+{
+    Parts& p = *parts_;
+    p.ground->InteractiveOff();
+    p.ground->AddActor(p.detector.actor());
+    p.ground->AddActor2D(p.strokes.actor());
+    p.detector.actor()->GetProperty()->SetColor(0.55, 0.55, 0.55);   // faint: the tree in front is what matters
+    p.front->SetLayer(1);
+    p.front->AddActor(p.tubes.actor());
+    p.front->SetActiveCamera(p.ground->GetActiveCamera());
+    vtkNew<vtkCallbackCommand> refresh;
+    refresh->SetClientData(parts_.get());
+    refresh->SetCallback([](vtkObject*, unsigned long, void* client, void*) { static_cast<Parts*>(client)->update(); });
+    p.watch = p.ground->AddObserver(vtkCommand::StartEvent, refresh);
+}
+
+TreeScene::~TreeScene()
+{
+    parts_->ground->RemoveObserver(parts_->watch);
+}
+
+void TreeScene::setTree(const core::VesselTree& tree)
+{
+    parts_->tree = tree;
+    parts_->isTreeStale = true;
+    parts_->isViewStale = true;
+}
+
+void TreeScene::setCamera(const core::ProjectionCamera& camera, double sourceToDetectorMm)
+{
+    const bool isFirst = !parts_->beam.hasDetector();
+    parts_->beam.camera = camera;
+    parts_->beam.sourceToDetectorMm = sourceToDetectorMm;
+    parts_->isViewStale = parts_->isViewStale || isFirst;
+}
+
+void TreeScene::setPose(const core::RigidTransform& cameraFromPatient)
+{
+    parts_->beam.patientFromCamera = cameraFromPatient.inverse();
+}
+
+void TreeScene::setFrame(const core::ImageF& frame)
+{
+    parts_->frame.setPixels(frame);
+    parts_->frame.setRange(core::displayRange(frame));
+}
+
+void TreeScene::setMarks(const BranchMarks& marks)
+{
+    parts_->isTreeStale = parts_->isTreeStale || !(marks == parts_->marks);
+    parts_->marks = marks;
+}
+
+void TreeScene::setTones(const Palette& tones)
+{
+    parts_->tones = tones;
+}
+
+void TreeScene::setPixelScale(double devicePxPerPx)
+{
+    parts_->pixelScale = devicePxPerPx;
+}
+
+void TreeScene::attachTo(vtkRenderWindow* window)
+{
+    window->SetNumberOfLayers(2);
+    window->AddRenderer(parts_->ground);
+    window->AddRenderer(parts_->front);
+}
+
+void TreeScene::resetView()
+{
+    parts_->isViewStale = true;
+}
+
+void TreeScene::turnBy(double rightDeg, double downDeg)
+{
+    vtkCamera& camera = parts_->camera();
+    camera.Azimuth(-rightDeg);
+    camera.Elevation(downDeg);
+    camera.OrthogonalizeViewUp();
+}
+
+void TreeScene::zoomBy(double factor)
+{
+    vtkCamera& camera = parts_->camera();
+    camera.SetParallelScale(camera.GetParallelScale() / factor);
+}
+
+void TreeScene::panBy(double rightDevicePx, double upDevicePx)
+{
+    pan(parts_->camera(), parts_->ground->GetSize()[1], rightDevicePx, upDevicePx);
+}
+
+std::optional<int> TreeScene::branchAt(int xDevicePx, int yDevicePxFromBottom) const
+{
+    const ScreenFromPatient toScreen = parts_->screen();
+    const Eigen::Vector2d mouse(xDevicePx + 0.5, yDevicePxFromBottom + 0.5);
+    std::optional<int> nearest;
+    double distance = pickTolerancePx * parts_->pixelScale;
+    for (const core::VesselBranch& branch : parts_->tree.branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            const double here = (toScreen * point - mouse).norm();
+            if (here < distance) {
+                distance = here;
+                nearest = branch.id;
+            }
+        }
+    }
+    return nearest;
+}
+
+std::vector<OrientationLetter> TreeScene::orientationLetters() const
+{
+    std::vector<OrientationLetter> letters;
+    const ScreenFromPatient toScreen = parts_->screen();
+    for (const PatientAxis& axis : patientAxes) {
+        const Eigen::Vector3d onScreen = toScreen.turned(axis.direction);
+        const bool isPositive = axis.letter == 'L' || axis.letter == 'P' || axis.letter == 'H';
+        if (isPositive && onScreen.head<2>().norm() > 0.3) {
+            const Eigen::Vector2d outward = onScreen.head<2>() * signArmPx + onScreen.head<2>().normalized() * 9.0;
+            letters.push_back({axis.letter, parts_->signCentre() + parts_->pixelScale * outward, onScreen.z() > -0.05});
+        }
+    }
+    return letters;
+}
+
+}   // namespace ui

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/vessel/vessel_tree.h"
+#include "ui/scenes/overlay_scene.h"
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkTubeFilter.h>
+
+namespace ui {
+
+/// The tree as shaded tubes in patient space. Excluded branches are thin and dashed, selected ones thick.
+class TreeTubes {
+public:
+    TreeTubes();
+    void show(const core::VesselTree& tree, const BranchMarks& marks);
+    vtkActor* actor() { return actor_; }
+
+private:
+    vtkNew<vtkPolyData> lines_;
+    vtkNew<vtkTubeFilter> tubes_;
+    vtkNew<vtkActor> actor_;
+};
+
+}   // namespace ui

@@ -1,0 +1,79 @@
+#include "ui/theme/theme.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace ui {
+namespace {
+
+constexpr Palette dark{.title = {0x0f, 0x11, 0x14},
+                       .window = {0x15, 0x18, 0x1c},
+                       .panel = {0x1a, 0x1e, 0x23},
+                       .field = {0x11, 0x14, 0x17},
+                       .line = {0x26, 0x2c, 0x33},
+                       .textStrong = {0xe8, 0xed, 0xf2},
+                       .text = {0xc9, 0xd1, 0xda},
+                       .label = {0x8a, 0x95, 0xa3},
+                       .hint = {0x6d, 0x78, 0x84},
+                       .accent = {0x4c, 0xc2, 0xff},
+                       .attention = {0xe0, 0xa8, 0x4a},
+                       .fine = {0x7b, 0xd8, 0x8f},
+                       .error = {0xf0, 0x6a, 0x5f},
+                       .canvas = {0x00, 0x00, 0x00}};
+
+// Designed, not inverted: the panels are paper-grey, the image stays on black, the signal colours are deep enough
+// to read as text.
+constexpr Palette light{.title = {0xdb, 0xdf, 0xe4},
+                        .window = {0xe6, 0xe9, 0xed},
+                        .panel = {0xf0, 0xf2, 0xf4},
+                        .field = {0xfa, 0xfb, 0xfb},
+                        .line = {0xc8, 0xce, 0xd5},
+                        .textStrong = {0x12, 0x17, 0x1c},
+                        .text = {0x2a, 0x32, 0x3a},
+                        .label = {0x52, 0x5d, 0x69},
+                        .hint = {0x66, 0x71, 0x7d},
+                        .accent = {0x0b, 0x6f, 0xb0},
+                        .attention = {0x8f, 0x5a, 0x00},
+                        .fine = {0x1c, 0x74, 0x38},
+                        .error = {0xb4, 0x2a, 0x20},
+                        .canvas = {0x00, 0x00, 0x00}};
+
+constexpr Color rampMiddle{0x9d, 0xc2, 0xa6};
+constexpr Color aboveRamp{0xe0, 0x78, 0x3c};
+
+}   // namespace
+
+std::string Color::hex() const
+{
+    char text[8];
+    std::snprintf(text, sizeof text, "#%02x%02x%02x", red, green, blue);
+    return text;
+}
+
+const Palette& palette(ThemeMode mode)
+{
+    return mode == ThemeMode::Dark ? dark : light;
+}
+
+Color mixed(const Color& a, const Color& b, double shareOfB)
+{
+    const double share = std::clamp(shareOfB, 0.0, 1.0);
+    const auto mix = [share](std::uint8_t x, std::uint8_t y) {
+        return static_cast<std::uint8_t>(std::lround((1.0 - share) * x + share * y));
+    };
+    return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
+}
+
+Color residualColor(double fraction)
+{
+    const double f = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 1.0;
+    return f < 0.5 ? mixed(dark.accent, rampMiddle, 2.0 * f) : mixed(rampMiddle, dark.attention, 2.0 * f - 1.0);
+}
+
+Color residualColorAboveScale()
+{
+    return aboveRamp;
+}
+
+}   // namespace ui

@@ -1,0 +1,264 @@
+#include "ui/views/angiogram_annotations.h"
+
+#include "ui/theme/theme.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QLinearGradient>
+#include <QPainter>
+#include <QPolygonF>
+#include <QStringList>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ui {
+namespace {
+
+constexpr double margin = 12.0;
+constexpr double lineSpacing = 1.32;
+constexpr int fullSizePx = 12;
+constexpr int smallSizePx = 10;
+
+QString translated(const char* text)
+{
+    return QCoreApplication::translate("ui::AngiogramView", text);
+}
+
+QColor colorOf(const Color& color, double opacity = 1.0)
+{
+    QColor result(color.red, color.green, color.blue);
+    result.setAlphaF(static_cast<float>(opacity));
+    return result;
+}
+
+const Palette& tones()
+{
+    return palette(ThemeMode::Dark);   // the angiogram lies on black in every theme
+}
+
+enum class Corner { TopLeft, TopRight, BottomLeft, BottomRight };
+
+bool isRight(Corner corner)
+{
+    return corner == Corner::TopRight || corner == Corner::BottomRight;
+}
+
+bool isBottom(Corner corner)
+{
+    return corner == Corner::BottomLeft || corner == Corner::BottomRight;
+}
+
+QFont sized(QFont font, int px)
+{
+    font.setPixelSize(px);
+    return font;
+}
+
+double lineHeight(const QFont& font)
+{
+    return std::round(lineSpacing * font.pixelSize());
+}
+
+QRectF blockRect(const QSizeF& size, Corner corner, const QStringList& lines, const QFont& font)
+{
+    const QFontMetricsF metrics(font);
+    double width = 0.0;
+    for (const QString& line : lines) {
+        width = std::max(width, metrics.horizontalAdvance(line));
+    }
+    const double height = lineHeight(font) * static_cast<double>(lines.size());
+    const double x = isRight(corner) ? size.width() - margin - width : margin;
+    const double y = isBottom(corner) ? size.height() - margin - height : margin;
+    return {x, y, width, height};
+}
+
+/// Knows what of the angiogram lies under a part of the widget.
+class Ground {
+public:
+    Ground(const ImageViewport& viewport, const OverlayScene& scene) : viewport_(viewport), scene_(scene) {}
+
+    bool hasVessels(const QRectF& part) const
+    {
+        const QRectF wide = part.adjusted(-4.0, -4.0, 4.0, 4.0);
+        return scene_.treePasses(viewport_.imageRectOf({wide.left(), wide.top()}, {wide.right(), wide.bottom()}));
+    }
+
+private:
+    const ImageViewport& viewport_;
+    const OverlayScene& scene_;
+};
+
+void drawShadowedText(QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& color)
+{
+    painter.setPen(colorOf(tones().canvas, 0.75));
+    for (const QPointF& offset : {QPointF(1.0, 1.0), QPointF(-1.0, 0.0), QPointF(0.0, -1.0)}) {
+        painter.drawText(box.translated(offset), flags, text);
+    }
+    painter.setPen(color);
+    painter.drawText(box, flags, text);
+}
+
+QStringList toLines(const std::vector<std::string>& texts)
+{
+    QStringList lines;
+    for (const std::string& text : texts) {
+        lines << QString::fromStdString(text);
+    }
+    return lines;
+}
+
+/// Draws a corner block and gives back the room it took.
+QRectF paintCorner(QPainter& painter, const QSizeF& size, Corner corner, const QStringList& lines, const Ground& ground)
+{
+    if (lines.isEmpty()) {
+        return {};
+    }
+    const QFont full = sized(painter.font(), fullSizePx);
+    const QFont small = sized(painter.font(), smallSizePx);
+    const QStringList folded{isBottom(corner) ? lines.back() : lines.front()};
+    const std::array<std::pair<QStringList, QFont>, 3> choices{{{lines, full}, {lines, small}, {folded, small}}};
+    for (const auto& [shown, font] : choices) {
+        const QRectF block = blockRect(size, corner, shown, font);
+        if (ground.hasVessels(block)) {
+            continue;
+        }
+        painter.setFont(font);
+        const int flags = (isRight(corner) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter | Qt::TextSingleLine;
+        for (int i = 0; i < shown.size(); ++i) {
+            const QRectF box(block.left() - 2.0, block.top() + i * lineHeight(font), block.width() + 4.0,
+                             lineHeight(font));
+            drawShadowedText(painter, box, flags, shown[i], colorOf(tones().text));
+        }
+        return block;
+    }
+    return {};
+}
+
+QString number(double value)
+{
+    return QString::number(value, 'f', std::abs(value) < 10.0 ? 2 : 0);
+}
+
+QStringList ownLines(const AngiogramAnnotations& annotations, double zoom)
+{
+    QStringList parts;
+    if (!annotations.frameText.isEmpty()) {
+        parts << annotations.frameText;
+    }
+    parts << QStringLiteral("W %1 L %2").arg(number(annotations.range.window()), number(annotations.range.level()));
+    parts << QStringLiteral("%1 %").arg(qRound(100.0 * zoom));
+    QStringList lines = toLines(annotations.texts.bottomLeft);
+    lines << parts.join(QStringLiteral(" · "));
+    return lines;
+}
+
+double niceLength(double longestMm)
+{
+    double best = 0.0;
+    for (const double length : {0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0}) {
+        if (length <= longestMm) {
+            best = length;
+        }
+    }
+    return best;
+}
+
+/// A bar of a round number of millimetres at the vessel, above the bottom left block.
+void paintRuler(QPainter& painter, const QSizeF& size, const QRectF& blockBelow, double pxPerMm)
+{
+    const double lengthMm = niceLength(140.0 / pxPerMm);
+    if (!(lengthMm > 0.0)) {
+        return;
+    }
+    const double length = std::round(lengthMm * pxPerMm);
+    const double bottom = blockBelow.isEmpty() ? size.height() - margin : blockBelow.top() - 10.0;
+    const QRectF bar(margin, std::round(bottom) - 2.0, length, 2.0);
+    const QColor shade = colorOf(tones().canvas, 0.6);
+    const QColor tone = colorOf(tones().text);
+    const auto fill = [&](const QRectF& rect) {
+        painter.fillRect(rect.adjusted(-1.0, -1.0, 1.0, 1.0), shade);
+        painter.fillRect(rect, tone);
+    };
+    fill(bar);
+    for (int tick = 0; tick <= 5; ++tick) {
+        const double x = std::min(bar.left() + std::round(length * tick / 5.0), bar.right() - 1.0);
+        const double height = tick % 5 == 0 ? 7.0 : 4.0;
+        fill(QRectF(x, bar.bottom() - height, 1.0, height));
+    }
+    painter.setFont(sized(painter.font(), 11));
+    drawShadowedText(painter, QRectF(bar.left(), bar.top() - 22.0, 220.0, 16.0),
+                     Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
+                     translated("%1 mm at vessel").arg(QString::number(lengthMm)), tone);
+}
+
+/// Where the residual scale goes: at the right edge, in the middle.
+QRectF scaleBar(const QSizeF& size)
+{
+    const double height = std::round(std::clamp(0.2 * size.height(), 80.0, 180.0));
+    return {size.width() - margin - 10.0, std::round(0.5 * (size.height() - height)), 10.0, height};
+}
+
+void paintScale(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations)
+{
+    const bool inMm = annotations.scaleMaximumMm > 0.0;
+    const double maximum = inMm ? annotations.scaleMaximumMm : annotations.scaleMaximumPx;
+    const QRectF bar = scaleBar(size);
+    painter.fillRect(bar.adjusted(-58.0, -34.0, 6.0, 12.0), colorOf(tones().canvas, 0.45));
+
+    QLinearGradient ramp(bar.bottomLeft(), bar.topLeft());
+    for (int k = 0; k <= 8; ++k) {
+        ramp.setColorAt(k / 8.0, colorOf(residualColor(k / 8.0)));
+    }
+    painter.fillRect(bar, ramp);
+    painter.fillRect(QRectF(bar.left(), bar.top() - 9.0, bar.width(), 7.0), colorOf(residualColorAboveScale()));
+
+    painter.setFont(sized(painter.font(), 11));
+    const int flags = Qt::AlignRight | Qt::AlignVCenter | Qt::TextSingleLine;
+    const auto label = [&](double y, const QString& text, const Color& tone) {
+        drawShadowedText(painter, QRectF(bar.left() - 64.0, y - 8.0, 58.0, 16.0), flags, text, colorOf(tone));
+    };
+    const int decimals = maximum < 10.0 ? 1 : 0;
+    label(bar.top() - 24.0, inMm ? QStringLiteral("mm") : QStringLiteral("px"), tones().label);
+    label(bar.top() - 6.0, QStringLiteral("> %1").arg(maximum, 0, 'f', decimals), tones().text);
+    label(bar.top() + 9.0, QString::number(maximum, 'f', decimals), tones().text);
+    label(bar.center().y(), QString::number(0.5 * maximum, 'f', decimals + 1), tones().text);
+    label(bar.bottom() - 1.0, QStringLiteral("0"), tones().text);
+}
+
+void paintNudgeBorder(QPainter& painter, const QSizeF& size)
+{
+    const QColor tone = colorOf(tones().attention);
+    painter.fillRect(QRectF(0.0, 0.0, size.width(), 2.0), tone);
+    painter.fillRect(QRectF(0.0, size.height() - 2.0, size.width(), 2.0), tone);
+    painter.fillRect(QRectF(0.0, 0.0, 2.0, size.height()), tone);
+    painter.fillRect(QRectF(size.width() - 2.0, 0.0, 2.0, size.height()), tone);
+    painter.setFont(sized(painter.font(), 11));
+    drawShadowedText(painter, QRectF(0.0, 8.0, size.width(), 16.0), Qt::AlignHCenter | Qt::AlignVCenter,
+                     translated("Nudge: drag shifts, ring rolls, Ctrl is fine, Esc takes back"), tone);
+}
+
+}   // namespace
+
+void paintAnnotations(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations,
+                      const ImageViewport& viewport, const OverlayScene& scene)
+{
+    const Ground ground(viewport, scene);
+    const CornerTexts& texts = annotations.texts;
+    paintCorner(painter, size, Corner::TopLeft, toLines(texts.topLeft), ground);
+    paintCorner(painter, size, Corner::TopRight, toLines(texts.topRight), ground);
+    paintCorner(painter, size, Corner::BottomRight, toLines(texts.bottomRight), ground);
+    const QRectF below = paintCorner(painter, size, Corner::BottomLeft, ownLines(annotations, viewport.zoom()), ground);
+    if (annotations.mmPerImagePx > 0.0) {
+        paintRuler(painter, size, below, viewport.zoom() / annotations.mmPerImagePx);
+    }
+    if (annotations.scaleMaximumPx > 0.0) {
+        paintScale(painter, size, annotations);
+    }
+    if (annotations.isNudging) {
+        paintNudgeBorder(painter, size);
+    }
+}
+
+}   // namespace ui

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/imaging/display_range.h"
+#include "ui/scenes/overlay_scene.h"
+#include "ui/scenes/render_offscreen.h"
+#include "ui/views/image_viewport.h"
+
+#include <QSizeF>
+#include <QString>
+
+class QPainter;
+
+namespace ui {
+
+/// Text, scale and ruler that lie over the angiogram.
+struct AngiogramAnnotations {
+    CornerTexts texts;
+    QString frameText;
+    core::DisplayRange range;
+    double scaleMaximumPx = 0.0;   ///< 0: no residual scale
+    double scaleMaximumMm = 0.0;
+    double mmPerImagePx = 0.0;   ///< at the vessel; 0: no ruler
+    bool isNudging = false;
+};
+
+/// Paints them in a widget of this size. Texts beside the picture stay whole; over the picture they shrink and then
+/// fold to their first line before they cover vessels.
+void paintAnnotations(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations,
+                      const ImageViewport& viewport, const OverlayScene& scene);
+
+}   // namespace ui

@@ -1,0 +1,192 @@
+#include "ui/views/angiogram_view.h"
+
+#include "ui/views/angiogram_interaction.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+
+NudgeGrip AngiogramView::Interaction::grip(const QSizeF& widgetSize) const
+{
+    const Eigen::Vector3d pivotInCamera = cameraFromPatient * pivotInPatient;
+    const auto pixel = core::findProblem(camera).empty() ? core::project(camera, pivotInCamera) : std::nullopt;
+    if (!pixel) {
+        return {};
+    }
+    const double scale = pivotInCamera.z() / viewport.zoom();
+    const double radius = std::clamp(0.12 * std::min(widgetSize.width(), widgetSize.height()), 44.0, 110.0);
+    return {viewport.widgetFromImage(*pixel), radius, {scale / std::abs(camera.fx), scale / std::abs(camera.fy)}};
+}
+
+double AngiogramView::Interaction::mmPerImagePx() const
+{
+    const double depth = (cameraFromPatient * pivotInPatient).z();
+    const bool isKnown = core::findProblem(camera).empty() && depth >= core::minProjectableDepthMm;
+    return isKnown ? core::millimetresPerPixel(camera, depth) : 0.0;
+}
+
+AngiogramView::AngiogramView(QWidget* parent) : VtkView(parent), interaction_(std::make_unique<Interaction>())
+{
+    scene_.attachTo(renderWindow());
+    interaction_->handles.attachTo(renderWindow());
+    setAccessibleName(tr("Angiogram with the projected vessel tree"));
+}
+
+AngiogramView::~AngiogramView() = default;
+
+void AngiogramView::setPivot(const Eigen::Vector3d& pivotInPatient)
+{
+    interaction_->pivotInPatient = pivotInPatient;
+    update();
+}
+
+void AngiogramView::setPose(const core::RigidTransform& cameraFromPatient)
+{
+    interaction_->cameraFromPatient = cameraFromPatient;
+    scene_.setPose(cameraFromPatient);
+    update();
+}
+
+void AngiogramView::setCamera(const core::ProjectionCamera& camera)
+{
+    interaction_->camera = camera;
+    scene_.setCamera(camera);
+    update();
+}
+
+void AngiogramView::setFrame(const core::ImageF& frame)
+{
+    Interaction& i = *interaction_;
+    const std::pair size{frame.width, frame.height};
+    const bool isNew = !i.hasFrame || size != i.frameSize;
+    i.frameSize = size;
+    i.hasFrame = !frame.isEmpty();
+    scene_.setFrame(frame);
+    if (isNew && i.hasFrame) {
+        i.viewport.setImageSize(frame.width, frame.height);
+        fitToWindow();
+        autoWindowLevel();
+    }
+    update();
+}
+
+void AngiogramView::setFramePosition(int index, int count)
+{
+    interaction_->annotations.frameText = count > 1 ? tr("frame %1 of 0–%2").arg(index).arg(count - 1) : QString();
+    update();
+}
+
+void AngiogramView::setCornerTexts(const CornerTexts& texts)
+{
+    interaction_->annotations.texts = texts;
+    update();
+}
+
+void AngiogramView::setNudgeMode(bool on)
+{
+    if (on == nudgeMode_) {
+        return;
+    }
+    cancelDrag();
+    nudgeMode_ = on;
+    interaction_->annotations.isNudging = on;
+    interaction_->hotHandle = PoseHandle::None;
+    showCursor();
+    update();
+}
+
+void AngiogramView::setResidualScale(double maximumPx, double maximumMm)
+{
+    interaction_->annotations.scaleMaximumPx = maximumPx;
+    interaction_->annotations.scaleMaximumMm = maximumMm;
+    update();
+}
+
+void AngiogramView::setLineWidth(double px)
+{
+    interaction_->lineWidth = px;
+    update();
+}
+
+void AngiogramView::fitToWindow()
+{
+    interaction_->viewport.fit();
+    emit zoomChanged(zoom());
+    update();
+}
+
+void AngiogramView::autoWindowLevel()
+{
+    const core::DisplayRange range = core::displayRange(scene_.frame());
+    setWindowLevel(range.window(), range.level());
+}
+
+void AngiogramView::setWindowLevel(double window, double level)
+{
+    interaction_->annotations.range = {level - 0.5 * window, level + 0.5 * window};
+    scene_.setWindowLevel(window, level);
+    emit windowLevelChanged(window, level);
+    update();
+}
+
+core::DisplayRange AngiogramView::shownRange() const
+{
+    return interaction_->annotations.range;
+}
+
+double AngiogramView::zoom() const
+{
+    return interaction_->viewport.zoom();
+}
+
+Eigen::Vector2d AngiogramView::imageFromWidget(const QPointF& position) const
+{
+    return interaction_->viewport.imageFromWidget({position.x(), position.y()});
+}
+
+QPointF AngiogramView::widgetFromImage(const Eigen::Vector2d& imagePoint) const
+{
+    const Eigen::Vector2d position = interaction_->viewport.widgetFromImage(imagePoint);
+    return {position.x(), position.y()};
+}
+
+void AngiogramView::prepareFrame()
+{
+    const Interaction& i = *interaction_;
+    const double ratio = devicePixelRatio();
+    scene_.setLineWidthPx(i.lineWidth * ratio);
+    // At fractional scale factors the framebuffer is a whole number of pixels, not exactly size × ratio.
+    const QSize device = deviceSize();
+    scene_.setViewRect(i.viewport.imageRectOf({0.0, 0.0}, {device.width() / ratio, device.height() / ratio}));
+
+    PoseHandleLook look;
+    const NudgeGrip grip = i.grip(size());
+    if (nudgeMode_ && grip.ringRadius > 0.0) {
+        look.centre = {grip.centre.x() * ratio, device.height() - grip.centre.y() * ratio};
+        look.radius = grip.ringRadius * ratio;
+        look.pixelScale = ratio;
+        look.hot = i.hotHandle;
+        look.rollStartRad = -i.hotAngleRad;
+        if (i.nudge) {
+            look.active = i.nudge->handle();
+            look.rollStartRad = -i.nudge->startAngleRad();
+            look.rollSweepRad = -i.nudge->sweepRad();
+        }
+    }
+    interaction_->handles.show(look);
+}
+
+void AngiogramView::paintAnnotations(QPainter& painter)
+{
+    if (!interaction_->hasFrame) {
+        return;
+    }
+    interaction_->annotations.mmPerImagePx = interaction_->mmPerImagePx();
+    painter.setFont(font());
+    ui::paintAnnotations(painter, size(), interaction_->annotations, interaction_->viewport, scene_);
+}
+
+}   // namespace ui

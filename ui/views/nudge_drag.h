@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/geometry/pose_offset.h"
+#include "ui/scenes/pose_handles.h"
+
+#include <Eigen/Core>
+
+namespace ui {
+
+/// Where the tree is grasped, in widget px (v down).
+struct NudgeGrip {
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+    double ringRadius = 0.0;   ///< 0: there is nothing to grasp
+    Eigen::Vector2d mmPerPx = Eigen::Vector2d::Zero();   ///< widget px at the pivot's depth, along u and v
+};
+
+/// The handle at a widget position: the ring with a generous margin rolls, everything else shifts.
+PoseHandle handleAt(const NudgeGrip& grip, const Eigen::Vector2d& position);
+
+/// One drag of the tree, added up step by step so that the pace may change on the way.
+class NudgeDrag {
+public:
+    NudgeDrag(PoseHandle handle, const NudgeGrip& grip, const Eigen::Vector2d& start);
+
+    /// The drag so far; `pace` scales this step (0.1 is fine).
+    core::PoseOffset moveTo(const Eigen::Vector2d& position, double pace);
+
+    PoseHandle handle() const { return handle_; }
+    const Eigen::Vector2d& centre() const { return centre_; }
+    double startAngleRad() const { return startRad_; }   ///< clockwise on screen from the right
+    double sweepRad() const { return sweepRad_; }
+
+private:
+    PoseHandle handle_;
+    Eigen::Vector2d centre_;
+    Eigen::Vector2d mmPerPx_;
+    Eigen::Vector2d last_;
+    Eigen::Vector2d shiftPx_ = Eigen::Vector2d::Zero();
+    double startRad_ = 0.0;
+    double sweepRad_ = 0.0;
+};
+
+/// Clockwise angle on screen (v down) of a position seen from a centre.
+double screenAngleRad(const Eigen::Vector2d& centre, const Eigen::Vector2d& position);
+
+}   // namespace ui

@@ -1,0 +1,147 @@
+#include "ui/views/tree_view.h"
+
+#include <vtkRenderWindow.h>
+#include <QApplication>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+
+#include <cmath>
+
+namespace ui {
+namespace {
+
+constexpr double turnDegPerPx = 0.5;
+constexpr int sampleCount = 4;
+
+QColor colorOf(const Color& color)
+{
+    return {color.red, color.green, color.blue};
+}
+
+}   // namespace
+
+TreeView::TreeView(QWidget* parent) : VtkView(parent)
+{
+    renderWindow()->SetMultiSamples(sampleCount);
+    scene_.attachTo(renderWindow());
+    setAccessibleName(tr("3-D view of vessel tree, X-ray source and detector"));
+}
+
+TreeView::~TreeView() = default;
+
+void TreeView::setTheme(ThemeMode mode)
+{
+    theme_ = mode;
+    scene_.setTones(ui::palette(mode));
+    update();
+}
+
+void TreeView::resetView()
+{
+    scene_.resetView();
+    update();
+}
+
+void TreeView::prepareFrame()
+{
+    scene_.setPixelScale(devicePixelRatio());
+}
+
+void TreeView::paintAnnotations(QPainter& painter)
+{
+    const Palette& tones = ui::palette(theme_);
+    const double ratio = devicePixelRatio();
+    QFont small = font();
+    small.setPixelSize(11);
+    painter.setFont(small);
+    for (const OrientationLetter& letter : scene_.orientationLetters()) {
+        const QPointF at(letter.at.x() / ratio, height() - letter.at.y() / ratio);
+        painter.setPen(colorOf(letter.pointsToViewer ? tones.text : tones.hint));
+        painter.drawText(QRectF(at - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter, QString(QChar(letter.letter)));
+    }
+}
+
+void TreeView::mousePressEvent(QMouseEvent* event)
+{
+    if (pressed_ == Qt::NoButton) {
+        pressed_ = event->button();
+        pressedAt_ = lastAt_ = event->position();
+        isDragging_ = false;
+    }
+}
+
+void TreeView::mouseMoveEvent(QMouseEvent* event)
+{
+    const QPointF step = event->position() - lastAt_;
+    if (pressed_ == Qt::NoButton) {
+        hover(branchAt(event->position()));
+        return;
+    }
+    const QPointF way = event->position() - pressedAt_;
+    isDragging_ = isDragging_ || way.manhattanLength() >= QApplication::startDragDistance() / 2;
+    if (!isDragging_) {
+        return;
+    }
+    lastAt_ = event->position();
+    if (pressed_ == Qt::LeftButton) {
+        scene_.turnBy(turnDegPerPx * step.x(), turnDegPerPx * step.y());
+    } else if (pressed_ == Qt::MiddleButton) {
+        scene_.panBy(step.x() * devicePixelRatio(), -step.y() * devicePixelRatio());
+    } else {
+        scene_.zoomBy(std::exp(-0.008 * step.y()));
+    }
+    update();
+}
+
+void TreeView::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() != pressed_) {
+        return;
+    }
+    pressed_ = Qt::NoButton;
+    if (isDragging_ || event->button() != Qt::LeftButton) {
+        return;
+    }
+    if (const auto branch = branchAt(event->position())) {
+        emit branchClicked(*branch, event->modifiers());
+    } else {
+        emit backgroundClicked();
+    }
+}
+
+void TreeView::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton) {
+        resetView();
+    }
+}
+
+void TreeView::wheelEvent(QWheelEvent* event)
+{
+    scene_.zoomBy(std::pow(1.15, event->angleDelta().y() / 120.0));
+    event->accept();
+    update();
+}
+
+void TreeView::leaveEvent(QEvent*)
+{
+    hover(std::nullopt);
+}
+
+std::optional<int> TreeView::branchAt(const QPointF& position) const
+{
+    const double ratio = devicePixelRatio();
+    return scene_.branchAt(static_cast<int>(position.x() * ratio), static_cast<int>((height() - position.y()) * ratio));
+}
+
+void TreeView::hover(std::optional<int> branchId)
+{
+    if (branchId != hovered_) {
+        hovered_ = branchId;
+        setCursor(branchId ? Qt::PointingHandCursor : Qt::ArrowCursor);
+        emit branchHovered(branchId);
+    }
+}
+
+}   // namespace ui
