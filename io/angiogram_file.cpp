@@ -3,7 +3,9 @@
 #include "core/tracing/suggest_frame.h"
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/read_dicom.h"
+#include "io/dicom/write_dicom.h"
 #include "io/raster/read_raster.h"
+#include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/inflate.h"
 #include "io/support/input_bytes.h"
@@ -72,6 +74,12 @@ core::Result<core::Angiogram> readAngiogram(const std::string& path)
     core::Angiogram result = std::move(angiogram).value();
     result.suggestedFrame = result.frames.size() > 1 ? core::suggestFrame(result.frames, result.polarity) : 0;
     return result;
+}
+
+core::Status writeAngiogram(const core::Angiogram& angiogram, const std::string& path)
+{
+    const auto content = dicomText(angiogram);
+    return content ? writeAtomically(path, content.value()) : fileError(path, content.error().message);
 }
 
 }   // namespace io

@@ -1,8 +1,10 @@
 #include "io/angiogram_file.h"
 
+#include "tests/io/scratch_folder.h"
 #include "tests/support/test_data.h"
 
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace {
 
@@ -55,4 +57,97 @@ TEST(ReadAngiogram, NeverPassesADerivedSpacingForTheHeaders)
     EXPECT_NE(angiogram.cArm.columnSpacingMm.basis.find("field of view"), std::string::npos);
     ASSERT_EQ(angiogram.warnings.size(), 1u);
     EXPECT_NE(angiogram.warnings.front().find("(0018,1164)"), std::string::npos);
+}
+
+namespace {
+
+core::Angiogram smallRun()
+{
+    core::Angiogram angiogram;
+    for (int k = 0; k < 3; ++k) {
+        core::ImageF frame(20, 16);
+        for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
+            frame.pixels[i] = static_cast<float>((i * 37 + static_cast<std::size_t>(k) * 1000) % 4096);
+        }
+        angiogram.frames.push_back(std::move(frame));
+    }
+    angiogram.frameTimeMs = 66.6;
+    angiogram.cArm.sourceToDetectorMm = {1063.25, core::Origin::Header, ""};
+    angiogram.cArm.sourceToPatientMm = {765.5, core::Origin::Header, ""};
+    angiogram.cArm.rowSpacingMm = {0.308, core::Origin::Header, ""};
+    angiogram.cArm.columnSpacingMm = {0.309, core::Origin::Header, ""};
+    angiogram.cArm.primaryAngleDeg = {-31.4, core::Origin::Header, ""};
+    angiogram.cArm.secondaryAngleDeg = {12.7, core::Origin::Header, ""};
+    angiogram.identity.patientName = "Müller^Ünal";
+    angiogram.identity.studyDate = "2024-02-29";
+    return angiogram;
+}
+
+}   // namespace
+
+TEST(WriteAngiogram, RoundTripsPixelsAndGeometry)
+{
+    const test::ScratchFolder folder;
+    core::Angiogram original = smallRun();
+    original.cArm.principalPointPx = {Eigen::Vector2d(9.25, 8.5), core::Origin::Derived, ""};
+    original.cArm.mirrored = {true, core::Origin::User, ""};
+    original.polarity = core::Polarity::VesselsBright;
+    const auto written = io::writeAngiogram(original, folder.path("run.dcm"));
+    ASSERT_TRUE(written) << written.error().message;
+    const auto read = io::readAngiogram(folder.path("run.dcm"));
+    ASSERT_TRUE(read) << read.error().message;
+    const core::Angiogram& copy = read.value();
+    ASSERT_EQ(copy.frameCount(), 3);
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_EQ(copy.frames[k].pixels, original.frames[k].pixels);
+    }
+    EXPECT_EQ(copy.frameTimeMs, 66.6);
+    EXPECT_EQ(copy.polarity, core::Polarity::VesselsBright);
+    EXPECT_EQ(copy.cArm.sourceToDetectorMm.value, 1063.25);
+    EXPECT_EQ(copy.cArm.sourceToPatientMm.value, 765.5);
+    EXPECT_EQ(copy.cArm.rowSpacingMm.value, 0.308);
+    EXPECT_EQ(copy.cArm.columnSpacingMm.value, 0.309);
+    EXPECT_EQ(copy.cArm.primaryAngleDeg.value, -31.4);
+    EXPECT_EQ(copy.cArm.secondaryAngleDeg.value, 12.7);
+    ASSERT_TRUE(copy.cArm.principalPointPx.value);
+    EXPECT_NEAR(copy.cArm.principalPointPx.value->x(), 9.25, 1e-9);
+    EXPECT_NEAR(copy.cArm.principalPointPx.value->y(), 8.5, 1e-9);
+    EXPECT_EQ(copy.cArm.mirrored.value, true);
+    EXPECT_EQ(copy.identity.patientName, "Müller^Ünal");
+    EXPECT_EQ(copy.identity.studyDate, "2024-02-29");
+}
+
+TEST(WriteAngiogram, SpreadsFractionsOverSixteenBits)
+{
+    const test::ScratchFolder folder;
+    core::Angiogram original = smallRun();
+    for (core::ImageF& frame : original.frames) {
+        for (float& value : frame.pixels) {
+            value = value / 4096.0F - 0.3F;
+        }
+    }
+    ASSERT_TRUE(io::writeAngiogram(original, folder.path("run.dcm")));
+    const auto read = io::readAngiogram(folder.path("run.dcm"));
+    ASSERT_TRUE(read) << read.error().message;
+    for (std::size_t i = 0; i < original.frames[1].pixels.size(); ++i) {
+        EXPECT_NEAR(read.value().frames[1].pixels[i], original.frames[1].pixels[i], 1e-5);
+    }
+}
+
+TEST(WriteAngiogram, GivesTheSameBytesForTheSameRun)
+{
+    const test::ScratchFolder folder;
+    ASSERT_TRUE(io::writeAngiogram(smallRun(), folder.path("a.dcm")));
+    ASSERT_TRUE(io::writeAngiogram(smallRun(), folder.path("b.dcm")));
+    EXPECT_EQ(test::contentOf(folder.path("a.dcm")), test::contentOf(folder.path("b.dcm")));
+}
+
+TEST(WriteAngiogram, RefusesWhatIsNoRun)
+{
+    const test::ScratchFolder folder;
+    EXPECT_FALSE(io::writeAngiogram({}, folder.path("none.dcm")));
+    core::Angiogram broken = smallRun();
+    broken.frames[1].pixels[5] = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_FALSE(io::writeAngiogram(broken, folder.path("nan.dcm")));
+    EXPECT_FALSE(std::filesystem::exists(folder.path("nan.dcm")));
 }
