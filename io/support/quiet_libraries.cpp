@@ -3,6 +3,7 @@
 #include <gdcmTrace.h>
 #include <itkObject.h>
 #include <tiffio.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
 #include <vtkObjectFactory.h>
@@ -28,6 +29,7 @@ void quietLibraries()
     std::call_once(once, [] {
         const vtkNew<SilentWindow> window;
         vtkOutputWindow::SetInstance(window);
+        vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);   // errors go there before the window
         itk::Object::SetGlobalWarningDisplay(false);
         gdcm::Trace::DebugOff();
         gdcm::Trace::WarningOff();
