@@ -2,23 +2,19 @@
 
 #include "core/imaging/image_filters.h"
 #include "core/support/quantile.h"
+#include "core/tracing/smoothing_spline.h"
+#include "core/tracing/vessel_walls.h"
 #include "core/vessel/polyline.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace core {
 namespace {
 
-constexpr double profileStepPx = 0.5;
 constexpr double profileMarginPx = 3.0;
-constexpr int profilesAveraged = 3;   // on either side
-constexpr double skeletonLambda = 10.0;
-constexpr double finalLambda = 20.0;
-constexpr double maxShiftPx = 2.0;
-constexpr double leapPx = 1.0;
-constexpr double widestLeap = 1.4;
+constexpr double skeletonLambda = 4.0;
+constexpr double finalLambda = 10.0;
 constexpr double unsureWeight = 0.05;
 constexpr int tangentReach = 4;
 // A round tube absorbs along its chord 2√(r² − x²), which halves at x = r √3/2.
@@ -36,105 +32,6 @@ std::vector<Eigen::Vector2d> normalsOf(const std::vector<Eigen::Vector2d>& point
         normal = Eigen::Vector2d(-normal.y(), normal.x());
     }
     return normals;
-}
-
-using Profile = std::vector<double>;
-
-/// Opacity across each point, from −half to +half in profile steps.
-std::vector<Profile> profilesAcross(const std::vector<Eigen::Vector2d>& points,
-                                    const std::vector<Eigen::Vector2d>& normals, const ImageF& opacity, int half)
-{
-    std::vector<Profile> profiles;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        Profile profile;
-        for (int k = -half; k <= half; ++k) {
-            const Eigen::Vector2d at = points[i] + k * profileStepPx * normals[i];
-            profile.push_back(sampled(opacity, at.x(), at.y()));
-        }
-        profiles.push_back(std::move(profile));
-    }
-    return profiles;
-}
-
-Profile meanProfile(const std::vector<Profile>& profiles, std::size_t centre)
-{
-    const std::size_t first = centre >= profilesAveraged ? centre - profilesAveraged : 0;
-    const std::size_t last = std::min(profiles.size() - 1, centre + profilesAveraged);
-    Profile mean(profiles[centre].size(), 0.0);
-    for (std::size_t i = first; i <= last; ++i) {
-        for (std::size_t k = 0; k < mean.size(); ++k) {
-            mean[k] += profiles[i][k] / static_cast<double>(last - first + 1);
-        }
-    }
-    return mean;
-}
-
-/// Steps from `peak` in direction ±1 to where the profile falls to `level`, with fraction; nothing if it does not.
-std::optional<double> fallBelow(const Profile& profile, int peak, int direction, double level)
-{
-    for (int k = peak; k + direction >= 0 && k + direction < static_cast<int>(profile.size()); k += direction) {
-        const double here = profile[static_cast<std::size_t>(k)];
-        const double next = profile[static_cast<std::size_t>(k + direction)];
-        if (here >= level && next < level) {
-            return std::abs(k - peak) + (here - level) / (here - next);
-        }
-    }
-    return std::nullopt;
-}
-
-struct Walls {
-    double middlePx;   ///< along the normal, from the point
-    double halfWidthPx;
-};
-
-std::optional<Walls> wallsOf(const Profile& profile)
-{
-    const int centre = static_cast<int>(profile.size()) / 2;
-    const int search = static_cast<int>(maxShiftPx / profileStepPx);
-    const auto peak = static_cast<int>(
-        std::max_element(profile.begin() + std::max(0, centre - search), profile.begin() + centre + search + 1) -
-        profile.begin());
-    const double top = profile[static_cast<std::size_t>(peak)];
-    const double left = *std::min_element(profile.begin(), profile.begin() + peak + 1);
-    const double right = *std::min_element(profile.begin() + peak, profile.end());
-    const double level = 0.5 * (top + std::max(left, right));
-    const auto before = fallBelow(profile, peak, -1, level);
-    const auto after = fallBelow(profile, peak, 1, level);
-    if (!before || !after) {
-        return std::nullopt;
-    }
-    return Walls{(peak - centre + 0.5 * (*after - *before)) * profileStepPx, 0.5 * (*before + *after) * profileStepPx};
-}
-
-std::vector<std::optional<Walls>> wallsAlong(const std::vector<Profile>& profiles)
-{
-    std::vector<std::optional<Walls>> walls;
-    for (std::size_t i = 0; i < profiles.size(); ++i) {
-        walls.push_back(wallsOf(meanProfile(profiles, i)));
-    }
-    return walls;
-}
-
-/// Without walls that leap from those around them: there another vessel crosses or joins.
-std::vector<std::optional<Walls>> plausible(const std::vector<std::optional<Walls>>& walls)
-{
-    constexpr std::size_t reach = 15;
-    std::vector<std::optional<Walls>> kept(walls.size());
-    for (std::size_t i = 0; i < walls.size(); ++i) {
-        std::vector<double> middles;
-        std::vector<double> widths;
-        for (std::size_t k = i >= reach ? i - reach : 0; k < std::min(walls.size(), i + reach + 1); ++k) {
-            if (walls[k]) {
-                middles.push_back(walls[k]->middlePx);
-                widths.push_back(walls[k]->halfWidthPx);
-            }
-        }
-        if (walls[i] && std::abs(walls[i]->middlePx - quantile(middles, 0.5)) <= leapPx &&
-            std::abs(walls[i]->middlePx) <= maxShiftPx && walls[i]->halfWidthPx <= widestLeap * quantile(widths, 0.5)) {
-            kept[i] = walls[i];
-        }
-    }
-    return kept;
 }
 
 /// Missing radii (negative) by the nearest known ones; 1 px if none is known. Then a running median against leaps.
@@ -162,57 +59,47 @@ std::vector<double> filledRadii(const std::vector<double>& radii)
     return result;
 }
 
-}   // namespace
-
-std::vector<Eigen::Vector2d> smoothed(const std::vector<Eigen::Vector2d>& points, const std::vector<double>& weights,
-                                      double lambda)
+/// Mean opacity of a few points around the i-th.
+double depthAround(const Curve2d& curve, const ImageF& opacity, std::size_t i)
 {
-    const std::size_t n = points.size();
-    if (n < 3) {
-        return points;
+    constexpr std::size_t reach = 2;
+    const std::size_t first = i >= reach ? i - reach : 0;
+    const std::size_t last = std::min(curve.pointsPx.size() - 1, i + reach);
+    double sum = 0.0;
+    for (std::size_t k = first; k <= last; ++k) {
+        sum += sampled(opacity, curve.pointsPx[k].x(), curve.pointsPx[k].y());
     }
-    // Symmetric band matrix W + λ DᵀD with two side diagonals, factored in place as L D Lᵀ.
-    std::vector<double> diagonal = weights;
-    std::vector<double> upper1(n, 0.0);
-    std::vector<double> upper2(n, 0.0);
-    for (std::size_t k = 0; k + 2 < n; ++k) {
-        diagonal[k] += lambda;
-        diagonal[k + 1] += 4.0 * lambda;
-        diagonal[k + 2] += lambda;
-        upper1[k] -= 2.0 * lambda;
-        upper1[k + 1] -= 2.0 * lambda;
-        upper2[k] += lambda;
-    }
-    std::vector<Eigen::Vector2d> x(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        x[i] = weights[i] * points[i];
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-        const double factor1 = upper1[i] / diagonal[i];
-        const double factor2 = upper2[i] / diagonal[i];
-        if (i + 1 < n) {
-            diagonal[i + 1] -= factor1 * upper1[i];
-            upper1[i + 1] -= factor1 * upper2[i];
-            x[i + 1] -= factor1 * x[i];
-        }
-        if (i + 2 < n) {
-            diagonal[i + 2] -= factor2 * upper2[i];
-            x[i + 2] -= factor2 * x[i];
-        }
-        x[i] /= diagonal[i];
-        upper1[i] = factor1;
-        upper2[i] = factor2;
-    }
-    for (std::size_t i = n; i-- > 0;) {
-        if (i + 1 < n) {
-            x[i] -= upper1[i] * x[i + 1];
-        }
-        if (i + 2 < n) {
-            x[i] -= upper2[i] * x[i + 2];
-        }
-    }
-    return x;
+    return sum / static_cast<double>(last - first + 1);
 }
+
+/// How many points at one end lie beyond the vessel, where ridges run on: less than half as deep as further inside.
+std::size_t pointsBeyondEnd(const Curve2d& curve, const ImageF& opacity, std::size_t most)
+{
+    std::vector<double> depths;
+    for (std::size_t i = 0; i < std::min(curve.pointsPx.size(), 3 * most); ++i) {
+        depths.push_back(depthAround(curve, opacity, i));
+    }
+    const double limit = 0.5 * quantile(depths, 0.5);
+    std::size_t beyond = 0;
+    while (beyond < std::min(most, depths.size() / 3) && depths[beyond] < limit) {
+        ++beyond;
+    }
+    return beyond;
+}
+
+void trimEnds(Curve2d& curve, const ImageF& opacity, double maxRadiusPx)
+{
+    const auto most = static_cast<std::size_t>(std::ceil(maxRadiusPx));
+    for (int end = 0; end < 2; ++end) {
+        const auto beyond = static_cast<std::ptrdiff_t>(pointsBeyondEnd(curve, opacity, most));
+        curve.pointsPx.erase(curve.pointsPx.begin(), curve.pointsPx.begin() + beyond);
+        curve.radiusPx.erase(curve.radiusPx.begin(), curve.radiusPx.begin() + beyond);
+        std::reverse(curve.pointsPx.begin(), curve.pointsPx.end());
+        std::reverse(curve.radiusPx.begin(), curve.radiusPx.end());
+    }
+}
+
+}   // namespace
 
 Curve2d smoothCurve(const std::vector<Eigen::Vector2d>& pathPx, int id)
 {
@@ -223,11 +110,9 @@ Curve2d smoothCurve(const std::vector<Eigen::Vector2d>& pathPx, int id)
 Curve2d centredCurve(const std::vector<Eigen::Vector2d>& pathPx, int id, const ImageF& opacity, double maxRadiusPx)
 {
     Curve2d curve = smoothCurve(pathPx, id);
-    const int half = static_cast<int>(std::ceil((maxRadiusPx + profileMarginPx) / profileStepPx));
     for (int round = 0; round < 2; ++round) {
         const std::vector<Eigen::Vector2d> normals = normalsOf(curve.pointsPx);
-        const std::vector<std::optional<Walls>> walls =
-            plausible(wallsAlong(profilesAcross(curve.pointsPx, normals, opacity, half)));
+        const auto walls = findWalls(curve.pointsPx, normals, opacity, maxRadiusPx + profileMarginPx);
         std::vector<double> weights(curve.pointsPx.size(), unsureWeight);
         std::vector<double> radii(curve.pointsPx.size(), -1.0);
         for (std::size_t i = 0; i < curve.pointsPx.size(); ++i) {
@@ -240,6 +125,7 @@ Curve2d centredCurve(const std::vector<Eigen::Vector2d>& pathPx, int id, const I
         curve.pointsPx = smoothed(curve.pointsPx, weights, finalLambda);
         curve.radiusPx = filledRadii(radii);
     }
+    trimEnds(curve, opacity, maxRadiusPx);
     return curve;
 }
 

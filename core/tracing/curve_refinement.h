@@ -8,17 +8,12 @@
 
 namespace core {
 
-/// Penalised least squares, min Σ wᵢ|xᵢ − yᵢ|² + λ Σ |second difference of x|²: the smoothing spline on even points
-/// (Whittaker 1923; Eilers 2003). `weights` one per point; keeps straight lines as they are.
-std::vector<Eigen::Vector2d> smoothed(const std::vector<Eigen::Vector2d>& points, const std::vector<double>& weights,
-                                      double lambda);
-
 /// A skeleton path as a smooth curve with points about 1 px apart.
 Curve2d smoothCurve(const std::vector<Eigen::Vector2d>& pathPx, int id);
 
 /// The path moved sub-pixel to the middle between both vessel walls (half of the depth of the profile across it in
-/// `opacity`, averaged along the curve), smoothed, with the radius from the same walls. `maxRadiusPx` bounds the
-/// profile.
+/// `opacity`, averaged along the curve), smoothed, with the radius from the same walls, and without what runs on beyond
+/// the ends of the vessel. `maxRadiusPx` bounds the profile.
 Curve2d centredCurve(const std::vector<Eigen::Vector2d>& pathPx, int id, const ImageF& opacity, double maxRadiusPx);
 
 }   // namespace core

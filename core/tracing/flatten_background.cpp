@@ -11,7 +11,7 @@ namespace {
 
 // The same contrast agent darkens by a share of the background (Beer-Lambert), of which display curves leave a part: 0
 // would be a fixed difference, 1 a fixed share.
-constexpr double contrastPower = 0.6;
+constexpr double contrastPower = 0.65;
 constexpr float vesselWeight = 0.05F;
 constexpr float darkestShare = 0.3F;   // of the middle background; below, noise would be raised
 

@@ -15,7 +15,7 @@ namespace {
 
 // A side branch must be long or strong: √length times what its weak parts have above half of the evidence.
 constexpr double leastEvidence = 0.5;
-constexpr double leastWorth = 4.0;
+constexpr double leastWorth = 4.5;
 constexpr double weakPart = 0.2;
 constexpr double leastShareOfPieces = 0.15;
 // Filters see half of the picture there: what mostly keeps this close to the rim of the field is an artefact of it.

@@ -60,7 +60,7 @@ TEST_P(TubeOfRadius, IsCentredMeasuredAndFoundInFullLength)
     const Centerline2d& found = trace.value().centerline;
     ASSERT_EQ(found.curves.size(), 1U);
     EXPECT_LT(meanDistance(found, longer(path)), 0.2);
-    EXPECT_NEAR(totalLength(found), 189.2, 2.0 * GetParam() + 8.0);
+    EXPECT_NEAR(totalLength(found), 189.2, GetParam() + 3.0);
     const Curve2d& curve = found.curves.front();
     ASSERT_EQ(curve.radiusPx.size(), curve.pointsPx.size());
     EXPECT_NEAR(curve.radiusPx[curve.radiusPx.size() / 2], GetParam(), 0.15 * GetParam() + 0.4);
@@ -95,7 +95,7 @@ TEST(TraceAngiogram, CrossingVesselsStayTwoStraightCurves)
         EXPECT_GT(curve.lengthPx(), 175.0);
         const bool rises = (curve.pointsPx.front() - curve.pointsPx.back()).prod() < 0.0;
         for (const Eigen::Vector2d& point : curve.pointsPx) {
-            EXPECT_LT(test::distanceTo(longer(rises ? rising : falling), point), 2.0);
+            EXPECT_LT(test::distanceTo(longer(rises ? rising : falling), point), 1.0);
         }
     }
 }

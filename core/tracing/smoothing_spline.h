@@ -1,0 +1,13 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace core {
+
+/// Penalised least squares, min Σ wᵢ|xᵢ − yᵢ|² + λ Σ |second difference of x|²: the smoothing spline on even points
+/// (Whittaker 1923; Eilers 2003). `weights` one per point; keeps straight lines as they are.
+std::vector<Eigen::Vector2d> smoothed(const std::vector<Eigen::Vector2d>& points, const std::vector<double>& weights,
+                                      double lambda);
+
+}   // namespace core

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/imaging/image2d.h"
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+namespace core {
+
+/// The two walls of a vessel across one point of its curve, along the normal there.
+struct VesselWalls {
+    double middlePx = 0.0;   ///< signed, from the point
+    double halfWidthPx = 0.0;
+};
+
+/// For each point the walls where the profile across it, averaged over neighbouring points, falls to half of its depth.
+/// Nothing where it does not fall within `reachPx`, or where walls leap from those around: another vessel joins there.
+std::vector<std::optional<VesselWalls>> findWalls(const std::vector<Eigen::Vector2d>& points,
+                                                  const std::vector<Eigen::Vector2d>& normals, const ImageF& opacity,
+                                                  double reachPx);
+
+}   // namespace core

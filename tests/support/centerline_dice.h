@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/imaging/image2d.h"
+#include "core/vessel/centerline2d.h"
+
+namespace test {
+
+/// Centreline Dice (Shit et al. 2021): how curves and a drawn mask of the vessels agree, each 0…1.
+struct CenterlineDice {
+    double precision = 0.0;   ///< share of traced pixels inside the mask
+    double sensitivity = 0.0;   ///< share of the mask's skeleton inside the traced vessels, painted by their radius
+
+    double dice() const;
+};
+
+CenterlineDice centerlineDice(const core::Centerline2d& traced, const core::Mask2d& truth);
+
+/// Pixels of a grey picture above half of white.
+core::Mask2d whitePixels(const core::ImageF& picture);
+
+}   // namespace test
