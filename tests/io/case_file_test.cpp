@@ -1,9 +1,15 @@
 #include "io/case_file.h"
 
+#include "io/image_file.h"
 #include "tests/io/scratch_folder.h"
 #include "tests/support/test_data.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
+#include <clocale>
+#include <cstdlib>
+#include <limits>
+#include <nlohmann/json.hpp>
 
 namespace {
 
@@ -66,4 +72,287 @@ TEST(SaveCase, RestoresEveryBit)
     EXPECT_EQ(copy.value().cameraOverride, original.cameraOverride);
     EXPECT_EQ(copy.value().centerlineFile, original.centerlineFile);
     EXPECT_TRUE(io::validateCase(folder.path("copy.angiopose")).value().empty());
+}
+
+namespace {
+
+/// A folder with a small tree, a small image and the text of a minimal case.
+class SmallCase {
+public:
+    SmallCase()
+    {
+        folder_.write("in/tree.csv", "x,y,z,branch\n0,0,0,1\n10,0,0,1\n20,1,0,1\n10,0,0,2\n10,8,0,2\n");
+        core::ColorImage picture{16, 12, std::vector<std::uint8_t>(16 * 12 * 3, 90)};
+        picture.rgb[100] = 10;
+        EXPECT_TRUE(io::writePng(picture, folder_.path("in/image.png")));
+    }
+
+    nlohmann::json json() const
+    {
+        return nlohmann::json::parse(R"({
+            "format": "angiopose-case", "version": 1,
+            "vessel": { "centerline": { "path": "in/tree.csv" } },
+            "angiogram": { "image": { "path": "in/image.png" }, "frame": 0 },
+            "geometry": { "camera": { "fx": -2000, "fy": 2000, "cx": 7.5, "cy": 5.5, "width": 16, "height": 12 } },
+            "pose": { "initial": { "cameraFromPatient": [[1,0,0,0],[0,1,0,0],[0,0,1,740],[0,0,0,1]] } } })");
+    }
+
+    std::string write(const nlohmann::json& json) const { return folder_.write("case.angiopose", json.dump()); }
+    std::string path(const std::string& name) const { return folder_.path(name); }
+    const test::ScratchFolder& folder() const { return folder_; }
+
+    core::Result<core::RegistrationCase> load(const nlohmann::json& json)
+    {
+        warnings.clear();
+        return io::loadCase(write(json), warnings);
+    }
+
+    std::string errorOf(const nlohmann::json& json)
+    {
+        const auto loaded = load(json);
+        return loaded ? "loaded" : loaded.error().message;
+    }
+
+    std::vector<std::string> warnings;
+
+private:
+    test::ScratchFolder folder_;
+};
+
+bool contains(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+bool anyContains(const std::vector<std::string>& texts, const std::string& part)
+{
+    return std::any_of(texts.begin(), texts.end(), [&](const std::string& text) { return contains(text, part); });
+}
+
+/// A locale with a decimal comma: the installed one, or one made for this test.
+bool setGermanLocale(const std::string& folder)
+{
+    if (std::setlocale(LC_ALL, "de_DE.UTF-8")) {
+        return true;
+    }
+    std::filesystem::create_directory(folder);
+    const std::string command = "localedef -i de_DE -f UTF-8 " + folder + "/de_DE.UTF-8 > /dev/null 2>&1";
+    return std::system(command.c_str()) == 0 && ::setenv("LOCPATH", folder.c_str(), 1) == 0 &&
+           std::setlocale(LC_ALL, "de_DE.UTF-8");
+}
+
+}   // namespace
+
+TEST(LoadCase, OpensTheMinimalCase)
+{
+    SmallCase small;
+    const auto loaded = small.load(small.json());
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_EQ(loaded.value().tree->branches.size(), 2u);
+    EXPECT_EQ(loaded.value().cameraFromPatient.translation.z(), 740.0);
+    EXPECT_EQ(loaded.value().options, core::RegistrationOptions());
+    EXPECT_EQ(loaded.value().extraKeys, "");
+    EXPECT_TRUE(std::filesystem::path(loaded.value().imageFile.path).is_absolute());
+}
+
+TEST(LoadCase, FollowsTheAnglesWithoutAStartPose)
+{
+    SmallCase small;
+    nlohmann::json json = small.json();
+    json.erase("pose");
+    EXPECT_TRUE(contains(small.errorOf(json), "pose.initial"));
+    json["geometry"]["sourceToPatientMm"] = 700;
+    json["geometry"]["primaryAngleDeg"] = {{"value", 30}, {"origin", "assumed"}};
+    json["geometry"]["secondaryAngleDeg"] = 0;
+    const auto loaded = small.load(json);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_FALSE(loaded.value().hasInitialPose);
+    const Eigen::Vector3d centroid = core::centroidInPatient(*loaded.value().tree);
+    EXPECT_NEAR((loaded.value().cameraFromPatient * centroid - Eigen::Vector3d(0, 0, 700)).norm(), 0.0, 1e-9);
+    EXPECT_EQ(loaded.value().cArm.primaryAngleDeg.origin, core::Origin::Assumed);
+    EXPECT_EQ(loaded.value().cArm.sourceToPatientMm.origin, core::Origin::User);
+}
+
+TEST(LoadCase, MakesRoundedPosesRigidAndRefusesOthers)
+{
+    SmallCase small;
+    nlohmann::json json = small.json();
+    auto& matrix = json["pose"]["initial"]["cameraFromPatient"];
+    matrix[0] = {0.866025, -0.5, 0, 1};
+    matrix[1] = {0.5, 0.866025, 0, 2};
+    const auto loaded = small.load(json);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_TRUE(core::isRigid(loaded.value().cameraFromPatient, 1e-14));
+    EXPECT_NEAR(loaded.value().cameraFromPatient.rotation(0, 0), 0.8660254, 1e-6);
+
+    matrix[0] = {1.01, 0, 0, 0};
+    matrix[1] = {0, 1, 0, 0};
+    EXPECT_TRUE(contains(small.errorOf(json), "not a rotation"));
+    matrix[0] = {-1, 0, 0, 0};
+    EXPECT_TRUE(contains(small.errorOf(json), "reflection"));
+    matrix[0] = {1, 0, 0, 0};
+    matrix[3] = {0, 0, 740, 1};
+    EXPECT_TRUE(contains(small.errorOf(json), "last row"));
+    matrix[3] = {0, 0, 1};
+    EXPECT_TRUE(contains(small.errorOf(json), "pose.initial.cameraFromPatient"));
+    matrix = nullptr;
+    EXPECT_TRUE(contains(small.errorOf(json), "cameraFromPatient"));
+}
+
+TEST(LoadCase, NamesWhatIsWrong)
+{
+    SmallCase small;
+    const auto with = [&](const char* pointer, const nlohmann::json& value) {
+        nlohmann::json json = small.json();
+        json[nlohmann::json::json_pointer(pointer)] = value;
+        return small.errorOf(json);
+    };
+    EXPECT_TRUE(contains(with("/angiogram/frame", 3), "frames 0 to 0"));
+    EXPECT_TRUE(contains(with("/angiogram/frame", -1), "angiogram.frame"));
+    EXPECT_TRUE(contains(with("/vessel/centerline/path", "none.vtp"), "no such file"));
+    EXPECT_TRUE(contains(with("/angiogram/image/path", "in"), "folder"));
+    EXPECT_TRUE(contains(with("/version", 2), "newer"));
+    EXPECT_TRUE(contains(with("/format", "something"), "format"));
+    EXPECT_TRUE(contains(with("/method", "magic"), "dynaweight"));
+    EXPECT_TRUE(contains(with("/options/finalScalePx", -5), "options"));
+    EXPECT_TRUE(contains(with("/geometry/camera/fx", 0), "geometry.camera"));
+    EXPECT_TRUE(contains(with("/geometry/camera/width", 512), "16 x 12"));
+    EXPECT_TRUE(contains(with("/geometry/sourceToDetectorMm", "far"), "geometry.sourceToDetectorMm"));
+    nlohmann::json volume = small.json();
+    volume["vessel"] = {{"volume", {{"path", "ct.nii.gz"}}}};
+    EXPECT_TRUE(contains(small.errorOf(volume), "vessel.volume"));
+    EXPECT_TRUE(contains(small.errorOf(volume), "3-D"));
+}
+
+TEST(LoadCase, NamesTheLineOfBrokenJson)
+{
+    const test::ScratchFolder folder;
+    std::vector<std::string> warnings;
+    const auto broken = io::loadCase(folder.write("a.angiopose", "{\n\"format\": 1,\n]"), warnings);
+    ASSERT_FALSE(broken);
+    EXPECT_TRUE(contains(broken.error().message, "line 3"));
+    const auto nan = io::loadCase(folder.write("b.angiopose", "{\"version\": NaN}"), warnings);
+    EXPECT_TRUE(contains(nan.error().message, "not valid JSON"));
+    const auto deep = io::loadCase(folder.write("c.angiopose", std::string(200000, '[')), warnings);
+    EXPECT_TRUE(contains(deep.error().message, "nested"));
+}
+
+TEST(LoadCase, LeavesOutUnknownBranchesWithAWarning)
+{
+    SmallCase small;
+    nlohmann::json json = small.json();
+    json["vessel"]["auxiliaryBranches"] = {2, 77};
+    const auto loaded = small.load(json);
+    ASSERT_TRUE(loaded);
+    EXPECT_EQ(loaded.value().auxiliaryBranchIds, std::vector<int>{2});
+    EXPECT_TRUE(anyContains(small.warnings, "no branch 77"));
+}
+
+TEST(LoadCase, WarnsOfChangedInputs)
+{
+    SmallCase small;
+    const auto loaded = small.load(small.json());
+    ASSERT_TRUE(loaded);
+    ASSERT_TRUE(io::saveCase(loaded.value(), small.path("saved.angiopose")));
+    std::vector<std::string> warnings;
+    ASSERT_TRUE(io::loadCase(small.path("saved.angiopose"), warnings));
+    EXPECT_FALSE(anyContains(warnings, "has changed"));
+    small.folder().write("in/tree.csv", "x,y,z,branch\n0,0,0,1\n10,0,1,1\n");
+    ASSERT_TRUE(io::loadCase(small.path("saved.angiopose"), warnings));
+    EXPECT_TRUE(anyContains(warnings, "tree.csv: the file has changed"));
+}
+
+TEST(SaveCase, KeepsKeysItDoesNotKnow)
+{
+    SmallCase small;
+    nlohmann::json json = small.json();
+    json["site"] = {{"name", "Kragujevac"}, {"empty", nlohmann::json::object()}};
+    json["vessel"]["centerline"]["tracedBy"] = "A. B.";
+    json["pose"]["history"] = {1, 2.5, nullptr};
+    json["options"]["futureKnob"] = 0.1;
+    json["geometry"]["tableHeightMm"] = -12.25;
+    const auto loaded = small.load(json);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    ASSERT_TRUE(io::saveCase(loaded.value(), small.path("saved.angiopose")));
+    const nlohmann::json saved = nlohmann::json::parse(test::contentOf(small.path("saved.angiopose")));
+    EXPECT_EQ(saved["site"], json["site"]);
+    EXPECT_EQ(saved["vessel"]["centerline"]["tracedBy"], "A. B.");
+    EXPECT_EQ(saved["vessel"]["centerline"]["path"], "in/tree.csv");
+    EXPECT_EQ(saved["pose"]["history"], json["pose"]["history"]);
+    EXPECT_EQ(saved["options"]["futureKnob"], 0.1);
+    EXPECT_EQ(saved["geometry"]["tableHeightMm"], -12.25);
+    const auto again = io::loadCase(small.path("saved.angiopose"), small.warnings);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(nlohmann::json::parse(again.value().extraKeys), nlohmann::json::parse(loaded.value().extraKeys));
+}
+
+TEST(SaveCase, NeverOverwritesAnInput)
+{
+    SmallCase small;
+    const auto loaded = small.load(small.json());
+    ASSERT_TRUE(loaded);
+    const std::string before = test::contentOf(small.path("in/tree.csv"));
+    std::filesystem::create_symlink(small.path("in/tree.csv"), small.path("link.angiopose"));
+    EXPECT_FALSE(io::saveCase(loaded.value(), small.path("in/tree.csv")));
+    EXPECT_FALSE(io::saveCase(loaded.value(), small.path("link.angiopose")));
+    EXPECT_EQ(test::contentOf(small.path("in/tree.csv")), before);
+}
+
+TEST(SaveCase, LeavesTheOldFileWhenItCannotWrite)
+{
+    SmallCase small;
+    auto loaded = small.load(small.json());
+    ASSERT_TRUE(loaded);
+    ASSERT_TRUE(io::saveCase(loaded.value(), small.path("saved.angiopose")));
+    const std::string before = test::contentOf(small.path("saved.angiopose"));
+    core::RegistrationCase broken = loaded.value();
+    broken.cameraFromPatient.translation.x() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(io::saveCase(broken, small.path("saved.angiopose")));
+    EXPECT_EQ(test::contentOf(small.path("saved.angiopose")), before);
+    EXPECT_FALSE(io::saveCase(loaded.value(), small.path("absent/folder/saved.angiopose")));
+    for (const auto& entry : std::filesystem::directory_iterator(small.path(""))) {
+        EXPECT_FALSE(entry.path().filename().string().starts_with(".")) << "temporary file left behind";
+    }
+}
+
+TEST(SaveCase, WritesDecimalPointsInAnyLocale)
+{
+    SmallCase small;
+    auto loaded = small.load(small.json());
+    ASSERT_TRUE(loaded);
+    core::RegistrationCase values = loaded.value();
+    values.cArm.rollDeg = {1.0 / 3.0, core::Origin::User, ""};
+    if (!setGermanLocale(small.path("locale"))) {
+        GTEST_SKIP() << "locale de_DE.UTF-8 is neither installed nor can it be made (package locales)";
+    }
+    ASSERT_EQ(*std::localeconv()->decimal_point, ',');
+    const bool saved = static_cast<bool>(io::saveCase(values, small.path("saved.angiopose")));
+    const auto again = io::loadCase(small.path("saved.angiopose"), small.warnings);
+    std::setlocale(LC_ALL, "C");
+    ASSERT_TRUE(saved);
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(again.value().cArm.rollDeg.value, 1.0 / 3.0);
+    EXPECT_TRUE(contains(test::contentOf(small.path("saved.angiopose")), "0.3333333333333333"));
+}
+
+TEST(ValidateCase, ListsEveryProblem)
+{
+    SmallCase small;
+    nlohmann::json json = small.json();
+    EXPECT_TRUE(io::validateCase(small.write(json)).value().empty());
+    json["vessel"]["centerline"]["path"] = "gone.vtp";
+    json["angiogram"]["image"]["path"] = "gone.dcm";
+    json["geometry"]["camera"]["fx"] = 0;
+    const auto problems = io::validateCase(small.write(json));
+    ASSERT_TRUE(problems);
+    EXPECT_EQ(problems.value().size(), 3u);
+    EXPECT_TRUE(anyContains(problems.value(), "gone.dcm"));
+    EXPECT_TRUE(anyContains(problems.value(), "geometry.camera"));
+}
+
+TEST(CaseSchema, IsThePublishedFile)
+{
+    const nlohmann::json schema = nlohmann::json::parse(io::caseSchema());
+    EXPECT_EQ(schema["title"], "AngioPose case");
+    EXPECT_TRUE(schema["definitions"].contains("pose"));
 }

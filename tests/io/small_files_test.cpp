@@ -1,0 +1,149 @@
+#include "io/centerline2d_file.h"
+#include "io/file_hash.h"
+#include "io/image_file.h"
+#include "io/pose_file.h"
+#include "io/result_file.h"
+#include "tests/io/scratch_folder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+core::RigidTransform oddPose()
+{
+    return {core::expSo3({0.3, -1.1, 2.0 / 3.0}), Eigen::Vector3d(1.0 / 3.0, -1e-9, 742.123456789012345)};
+}
+
+std::string errorOf(const core::Result<core::RigidTransform>& pose)
+{
+    return pose ? "loaded" : pose.error().message;
+}
+
+}   // namespace
+
+TEST(Sha256OfFile, MatchesTheStandardsExample)
+{
+    const test::ScratchFolder folder;
+    EXPECT_EQ(io::sha256OfFile(folder.write("abc", "abc")).value(),
+              "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");   // FIPS 180-2, B.1
+    EXPECT_FALSE(io::sha256OfFile(folder.path("absent")));
+}
+
+TEST(WritePose, RestoresEveryBit)
+{
+    const test::ScratchFolder folder;
+    for (const char* name : {"pose.json", "pose.tfm"}) {
+        ASSERT_TRUE(io::writePose(oddPose(), folder.path(name)));
+        const auto pose = io::readPose(folder.path(name));
+        ASSERT_TRUE(pose) << pose.error().message;
+        EXPECT_EQ(pose.value().matrix(), oddPose().matrix());
+    }
+    EXPECT_FALSE(io::writePose(oddPose(), folder.path("pose.xml")));
+}
+
+TEST(ReadPose, KnowsItksRigidTransforms)
+{
+    const test::ScratchFolder folder;
+    // 90 degrees about z through the centre (1, 0, 0).
+    const std::string text =
+        "#Insight Transform File V1.0\n#Transform 0\nTransform: Euler3DTransform_double_3_3\n"
+        "Parameters: 0 0 1.5707963267948966 0 0 5\nFixedParameters: 1 0 0\n";
+    const auto pose = io::readPose(folder.write("euler.tfm", text));
+    ASSERT_TRUE(pose) << pose.error().message;
+    EXPECT_NEAR((pose.value() * Eigen::Vector3d(2, 0, 0) - Eigen::Vector3d(1, 1, 5)).norm(), 0.0, 1e-12);
+    const std::string scaled =
+        "#Insight Transform File V1.0\nTransform: AffineTransform_double_3_3\n"
+        "Parameters: 2 0 0 0 2 0 0 0 2 0 0 0\nFixedParameters: 0 0 0\n";
+    EXPECT_NE(errorOf(io::readPose(folder.write("scaled.tfm", scaled))).find("not a rotation"), std::string::npos);
+    EXPECT_NE(errorOf(io::readPose(folder.write("spline.tfm", "#Insight Transform File V1.0\nTransform: BSpline\n")))
+                  .find("not rigid"),
+              std::string::npos);
+}
+
+TEST(ReadPose, FindsThePoseInAResult)
+{
+    const test::ScratchFolder folder;
+    core::RegistrationCase registrationCase;
+    core::RegistrationResult result;
+    result.cameraFromPatient = oddPose();
+    ASSERT_TRUE(io::writeResult(registrationCase, result, folder.path("result.json")));
+    const auto pose = io::readPose(folder.path("result.json"));
+    ASSERT_TRUE(pose) << pose.error().message;
+    EXPECT_EQ(pose.value().matrix(), oddPose().matrix());
+}
+
+TEST(ResultJson, HasEveryPromisedKey)
+{
+    core::RegistrationCase registrationCase;
+    registrationCase.centerlineFile = {"/data/tree.vtp", std::string(64, 'a')};
+    core::RegistrationResult result;
+    result.method = "dynaweight";
+    result.metrics.medianPx = 0.75;
+    result.uncertainty.covariance(2, 5) = 0.125;
+    result.branches.push_back({4, 20, 0.5, 1.5, 0.9});
+    result.stopReason = core::StopReason::StoppedByUser;
+    result.warnings = {"one view cannot tell the depth"};
+    const nlohmann::json json = nlohmann::json::parse(io::resultJson(registrationCase, result));
+    EXPECT_EQ(json["format"], "angiopose-result");
+    EXPECT_EQ(json["version"], 1);
+    EXPECT_EQ(json["method"], "dynaweight");
+    EXPECT_EQ(json["pose"]["cameraFromPatient"][3][3], 1.0);
+    EXPECT_EQ(json["metrics"]["medianProjectionDistancePx"], 0.75);
+    EXPECT_TRUE(json["metrics"].contains("reverseDistanceMm"));
+    EXPECT_EQ(json["uncertainty"]["covariance"][2][5], 0.125);
+    EXPECT_EQ(json["perBranch"][0]["branch"], 4);
+    EXPECT_EQ(json["trustworthy"], false);
+    EXPECT_EQ(json["warnings"][0], "one view cannot tell the depth");
+    EXPECT_EQ(json["stopReason"], core::toText(core::StopReason::StoppedByUser));
+    EXPECT_TRUE(json["timeMs"].contains("total"));
+    EXPECT_EQ(json["inputs"]["vessel"]["sha256"], std::string(64, 'a'));
+    EXPECT_EQ(json["inputs"]["vessel"]["file"], "tree.vtp");
+    EXPECT_TRUE(json["options"].is_object());
+    EXPECT_FALSE(json["programVersion"].get<std::string>().empty());
+}
+
+TEST(WriteCenterline2d, RestoresEveryBit)
+{
+    const test::ScratchFolder folder;
+    const core::Centerline2d original{
+        {{5, {{1.0 / 3.0, 2.0}, {3.5, -0.25}}, {0.1, 0.7}}, {9, {{7, 8}, {9, 10}}, {1, 2}}}};
+    ASSERT_TRUE(io::writeCenterline2d(original, folder.path("curve.csv")));
+    const auto read = io::readCenterline2d(folder.path("curve.csv"));
+    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_EQ(read.value().curves.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(read.value().curves[i].id, original.curves[i].id);
+        EXPECT_EQ(read.value().curves[i].pointsPx, original.curves[i].pointsPx);
+        EXPECT_EQ(read.value().curves[i].radiusPx, original.curves[i].radiusPx);
+    }
+}
+
+TEST(ReadCenterline2d, TakesColumnsInAnyOrder)
+{
+    const test::ScratchFolder folder;
+    const auto read = io::readCenterline2d(folder.write("c.csv", "note, Y ,X\r\na,1,2\r\nb,3,4\r\n"));
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read.value().curves[0].pointsPx[1], Eigen::Vector2d(4, 3));
+    EXPECT_FALSE(io::readCenterline2d(folder.write("d.csv", "x,y,z\n1,2,3\n4,5,6\n")));
+    EXPECT_FALSE(io::readCenterline2d(folder.write("e.csv", "x,y\n1,inf\n4,5\n")));
+}
+
+TEST(ReadCenterline2d, TracesADrawnMask)
+{
+    const test::ScratchFolder folder;
+    core::Mask2d mask(120, 60);
+    for (int x = 10; x < 110; ++x) {
+        for (int y = 28; y <= 32; ++y) {
+            mask.at(x, y) = 1;
+        }
+    }
+    ASSERT_TRUE(io::writePng(mask, folder.path("mask.png")));
+    const auto read = io::readCenterline2d(folder.path("mask.png"));
+    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_EQ(read.value().curves.size(), 1u);
+    for (const Eigen::Vector2d& point : read.value().curves[0].pointsPx) {
+        EXPECT_NEAR(point.y(), 30.0, 1.0);
+    }
+    EXPECT_GT(read.value().curves[0].lengthPx(), 85.0);
+}

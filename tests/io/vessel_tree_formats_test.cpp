@@ -1,0 +1,201 @@
+#include "io/vessel_tree_file.h"
+#include "tests/io/scratch_folder.h"
+#include "tests/support/test_data.h"
+
+#include <gtest/gtest.h>
+#include <bit>
+#include <cstdint>
+
+namespace {
+
+core::VesselTree oddTree()
+{
+    core::VesselTree tree;
+    for (int id : {7, 3}) {
+        core::VesselBranch branch{id, id == 7 ? "LAD" : "", {}, {}};
+        for (int i = 0; i < 5; ++i) {
+            branch.pointsInPatient.emplace_back(i / 3.0, id * 0.1, -1e-7 * i + 1000.0 / 7.0);
+            branch.radiusMm.push_back(1.0 / (i + 3));
+        }
+        tree.branches.push_back(branch);
+    }
+    return tree;
+}
+
+core::VesselTree readOrFail(const std::string& path)
+{
+    auto tree = io::readVesselTree(path);
+    EXPECT_TRUE(tree) << tree.error().message;
+    return tree ? std::move(tree).value() : core::VesselTree{};
+}
+
+void expectSame(const core::VesselTree& actual, const core::VesselTree& expected)
+{
+    ASSERT_EQ(actual.branches.size(), expected.branches.size());
+    for (std::size_t i = 0; i < actual.branches.size(); ++i) {
+        EXPECT_EQ(actual.branches[i].id, expected.branches[i].id);
+        EXPECT_EQ(actual.branches[i].name, expected.branches[i].name);
+        EXPECT_EQ(actual.branches[i].pointsInPatient, expected.branches[i].pointsInPatient);
+        EXPECT_EQ(actual.branches[i].radiusMm, expected.branches[i].radiusMm);
+    }
+}
+
+template <class Number>
+std::string bigEndian(Number value)
+{
+    std::string bytes(sizeof value, '\0');
+    for (std::size_t i = 0; i < sizeof value; ++i) {
+        const auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(value);
+        bytes[i] = raw[sizeof value - 1 - i];
+    }
+    return bytes;
+}
+
+std::string errorOf(const std::string& path)
+{
+    const auto tree = io::readVesselTree(path);
+    return tree ? "loaded" : tree.error().message;
+}
+
+constexpr const char* header = "# vtk DataFile Version 3.0\n";
+
+}   // namespace
+
+TEST(WriteVesselTree, RestoresEveryBit)
+{
+    const test::ScratchFolder folder;
+    for (const char* name : {"tree.vtp", "tree.csv"}) {
+        ASSERT_TRUE(io::writeVesselTree(oddTree(), folder.path(name)));
+        expectSame(readOrFail(folder.path(name)), oddTree());
+    }
+    EXPECT_FALSE(io::writeVesselTree(oddTree(), folder.path("tree.obj")));
+}
+
+TEST(ReadVesselTree, TurnsRasIntoLps)
+{
+    const test::ScratchFolder folder;
+    const std::string body = "\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n1 2 3 4 5 7\nLINES 1 3\n2 0 1\n";
+    const auto ras = readOrFail(folder.write("ras.vtk", header + std::string("3D Slicer output. SPACE=RAS") + body));
+    EXPECT_EQ(ras.branches.at(0).pointsInPatient[0], Eigen::Vector3d(-1, -2, 3));
+    const auto lps = readOrFail(folder.write("lps.vtk", header + std::string("3D Slicer output. SPACE=LPS") + body));
+    EXPECT_EQ(lps.branches.at(0).pointsInPatient[0], Eigen::Vector3d(1, 2, 3));
+}
+
+TEST(ReadVesselTree, ReadsBinaryLegacyFiles)
+{
+    const test::ScratchFolder folder;
+    std::string text = "# vtk DataFile Version 5.1\nvtk output\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n";
+    for (const double value : {0.5, 0.0, 1.0, 1.5, 0.0, 1.0, 2.5, 0.25, 1.0}) {
+        text += bigEndian(value);
+    }
+    text += "\nCELLS 2 3\nOFFSETS vtktypeint64\n" + bigEndian<std::int64_t>(0) + bigEndian<std::int64_t>(3);
+    text += "\nCONNECTIVITY vtktypeint64\n";
+    for (const std::int64_t index : {0, 1, 2}) {
+        text += bigEndian(index);
+    }
+    text += "\nCELL_TYPES 1\n" + bigEndian<std::int32_t>(4);
+    text += "\nPOINT_DATA 3\nFIELD FieldData 1\nMaximumInscribedSphereRadius 1 3 float\n";
+    for (const float value : {1.0F, 0.5F, 0.25F}) {
+        text += bigEndian(value);
+    }
+    const auto tree = readOrFail(folder.write("grid.vtk", text + "\n"));
+    ASSERT_EQ(tree.branches.size(), 1u);
+    EXPECT_EQ(tree.branches[0].pointsInPatient[2], Eigen::Vector3d(2.5, 0.25, 1.0));
+    EXPECT_EQ(tree.branches[0].radiusMm, (std::vector<double>{1.0, 0.5, 0.25}));
+}
+
+TEST(ReadVesselTree, ChainsSegmentsAtBifurcations)
+{
+    const test::ScratchFolder folder;
+    const auto tree = readOrFail(
+        folder.write("segments.vtk", header + std::string("y\nASCII\nDATASET POLYDATA\n"
+                                                          "POINTS 6 float\n0 0 0 1 0 0 2 0 0 3 1 0 4 2 0 3 -1 0\n"
+                                                          "LINES 5 15\n2 0 1\n2 1 2\n2 2 3\n2 3 4\n2 2 5\n")));
+    ASSERT_EQ(tree.branches.size(), 3u);
+    EXPECT_EQ(tree.pointCount(), 3u + 3u + 2u);
+}
+
+TEST(ReadVesselTree, ReadsSwcInItsUnit)
+{
+    const test::ScratchFolder folder;
+    const std::string path = folder.write(
+        "tree.swc", "# comment\n1 2 0 0 0 500 -1\n2 2 1000 0 0 400 1\n3 2 2000 0 0 300 2\n4 2 2000 1000 0 200 2\n");
+    const auto tree = io::readVesselTree(path, {.swcUnitMm = 0.001});
+    ASSERT_TRUE(tree) << tree.error().message;
+    ASSERT_EQ(tree.value().branches.size(), 3u);
+    EXPECT_NEAR(tree.value().branches[0].lengthMm(), 1.0, 1e-12);
+    EXPECT_NEAR(tree.value().branches[0].radiusMm[0], 0.5, 1e-12);
+    EXPECT_NE(errorOf(folder.write("orphan.swc", "1 2 0 0 0 1 9\n")).find("parent"), std::string::npos);
+}
+
+TEST(ReadVesselTree, CountsSharedTrunksOnce)
+{
+    // Two lines from one inlet that part after 20 mm, as VMTK writes them.
+    const test::ScratchFolder folder;
+    std::string text = "x,y,z,branch\n";
+    for (int line = 1; line <= 2; ++line) {
+        for (int i = 0; i <= 40; ++i) {
+            const double side = i > 20 ? (i - 20) * (line == 1 ? 1.0 : -1.0) : 0.0;
+            text += std::to_string(i) + "," + std::to_string(side) + ",0," + std::to_string(line) + "\n";
+        }
+    }
+    const auto tree = readOrFail(folder.write("vmtk.csv", text));
+    ASSERT_EQ(tree.branches.size(), 3u);
+    double length = 0.0;
+    for (const auto& branch : tree.branches) {
+        length += branch.lengthMm();
+    }
+    EXPECT_NEAR(length, 20.0 + 2.0 * 20.0 * std::sqrt(2.0), 1e-6);
+}
+
+TEST(ReadVesselTree, SplitsTheRealCoronaryTrees)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-ccta-centerlines/lca_cl.vtp");
+    const auto left = readOrFail(test::dataFile("coronary-ccta-centerlines/lca_cl.vtp").string());
+    EXPECT_EQ(left.branches.size(), 9u);   // 5 outlets: 5 + 4 pieces between bifurcations
+    double length = 0.0;
+    for (const auto& branch : left.branches) {
+        length += branch.lengthMm();
+        EXPECT_EQ(branch.radiusMm.size(), branch.pointsInPatient.size());
+    }
+    EXPECT_NEAR(length, 428.3, 1.0);   // the five lines together have 792 mm
+    const auto right = readOrFail(test::dataFile("coronary-ccta-centerlines/rca_cl.vtp").string());
+    EXPECT_EQ(right.branches.size(), 7u);
+    const auto rows = readOrFail(test::dataFile("coronary-ccta-centerlines/centerline_lca.csv").string());
+    for (const auto& branch : rows.branches) {
+        for (std::size_t i = 1; i < branch.pointsInPatient.size(); ++i) {
+            EXPECT_LT((branch.pointsInPatient[i] - branch.pointsInPatient[i - 1]).norm(), 5.0);   // no leaps
+        }
+    }
+}
+
+TEST(ReadVesselTree, KeepsIdsOfTheFile)
+{
+    const test::ScratchFolder folder;
+    const std::string body =
+        "ids\nASCII\nDATASET POLYDATA\nPOINTS 6 float\n0 0 0 1 0 0 2 0 0 0 5 0 1 5 0 2 6 0\nLINES 2 8\n3 0 1 2\n3 3 4 "
+        "5\n";
+    const auto tree = readOrFail(
+        folder.write("ids.vtk", header + body + "CELL_DATA 2\nSCALARS GroupIds int 1\nLOOKUP_TABLE default\n12 4\n"));
+    EXPECT_EQ(tree.branches[0].id, 12);
+    EXPECT_EQ(tree.branches[1].id, 4);
+    const auto repeated = readOrFail(
+        folder.write("same.vtk", header + body + "CELL_DATA 2\nSCALARS GroupIds int 1\nLOOKUP_TABLE default\n5 5\n"));
+    EXPECT_EQ(repeated.branches[0].id, 1);
+    EXPECT_EQ(repeated.branches[1].id, 2);
+}
+
+TEST(ReadVesselTree, SaysWhatIsWrong)
+{
+    const test::ScratchFolder folder;
+    EXPECT_NE(errorOf(folder.write("a.csv", "x,y,z\n0,0,0\n1,nan,0\n")).find("line 3"), std::string::npos);
+    EXPECT_NE(errorOf(folder.write("b.csv", "x,y,z\n0,0,0\n1,0\n")).find("line 3"), std::string::npos);
+    EXPECT_NE(errorOf(folder.write("c.csv", "x;y;z\n0,5;0;0\n")).find("columns"), std::string::npos);
+    EXPECT_NE(errorOf(folder.write("d.csv", "x,y,z\n1,1,1\n1,1,1\n")).find("two different points"), std::string::npos);
+    EXPECT_NE(errorOf(folder.write("e.csv", "x,y,z\n")).find("no lines"), std::string::npos);
+    const std::string start = header + std::string("t\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n0 0 0 1 0 nan\n");
+    EXPECT_NE(errorOf(folder.write("f.vtk", start + "LINES 1 3\n2 0 1\n")).find("not a number"), std::string::npos);
+    EXPECT_NE(errorOf(folder.write("g.vtk", start + "LINES 1 3\n2 0 7\n")).find("does not exist"), std::string::npos);
+    EXPECT_NE(errorOf(folder.write("h.vtk", start + "POLYGONS 1 4\n3 0 1 1\n")).find("surface"), std::string::npos);
+    EXPECT_NE(errorOf(folder.write("i.vtk", start + "LINES 1 90\n89 0 1\n")).find("LINES"), std::string::npos);
+}
