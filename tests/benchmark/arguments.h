@@ -1,0 +1,29 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace benchmarks {
+
+/// Command line of a table: `--name value` pairs, `--name` alone for switches, anything else is positional.
+class Arguments {
+public:
+    /// `usage` is printed, and the program ended, for --help (0) or an option that it does not mention (2).
+    Arguments(int argc, char** argv, const std::string& usage);
+
+    double number(const std::string& name, double fallback) const;
+    std::string text(const std::string& name, const std::string& fallback) const;
+    std::vector<std::string> list(const std::string& name, const std::string& fallback) const;   ///< comma-separated
+    bool isSet(const std::string& name) const;
+    const std::vector<std::string>& positional() const { return positional_; }
+
+private:
+    [[noreturn]] void fail(const std::string& problem) const;
+
+    std::string usage_;
+    std::map<std::string, std::string> values_;
+    std::vector<std::string> positional_;
+};
+
+}   // namespace benchmarks

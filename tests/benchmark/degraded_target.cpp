@@ -1,0 +1,85 @@
+#include "tests/benchmark/degraded_target.h"
+
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <utility>
+
+namespace benchmarks {
+namespace {
+
+using core::Centerline2d;
+using core::CounterRandom;
+using core::Curve2d;
+
+constexpr double missingShare = 0.2;
+constexpr double jitterPx = 0.7;
+constexpr double jitterPoints = 5.0;   ///< correlation length
+constexpr double clutterLengthPx = 500.0;
+
+/// AR(1) noise on both coordinates.
+void jitter(Curve2d& curve, CounterRandom& random)
+{
+    const double kept = std::exp(-1.0 / jitterPoints);
+    const double fresh = jitterPx * std::sqrt(1.0 - kept * kept);
+    Eigen::Vector2d noise = Eigen::Vector2d::Zero();
+    bool isFirst = true;
+    for (Eigen::Vector2d& point : curve.pointsPx) {
+        const double x = random.normal();
+        const double y = random.normal();
+        const Eigen::Vector2d white(x, y);
+        noise = isFirst ? (jitterPx * white).eval() : (kept * noise + fresh * white).eval();
+        isFirst = false;
+        point += noise;
+    }
+}
+
+/// Whole pixels, each once in the whole target.
+Curve2d rasterized(const Curve2d& curve, std::set<std::pair<int, int>>& taken)
+{
+    Curve2d result{curve.id, {}, {}};
+    for (const Eigen::Vector2d& point : curve.pointsPx) {
+        const int x = static_cast<int>(std::lround(point.x()));
+        const int y = static_cast<int>(std::lround(point.y()));
+        if (taken.emplace(x, y).second) {
+            result.pointsPx.emplace_back(x, y);
+        }
+    }
+    return result;
+}
+
+/// A smooth wandering line such as a wire or the edge of a bone.
+Curve2d drawClutter(const core::ProjectionCamera& camera, CounterRandom& random)
+{
+    Curve2d curve{-1, {}, {}};
+    Eigen::Vector2d point(random.uniform(0.2, 0.8) * camera.width, random.uniform(0.2, 0.8) * camera.height);
+    double direction = random.uniform(0.0, 2.0 * std::numbers::pi);
+    double bend = 0.0;
+    for (double along = 0.0; along < clutterLengthPx; along += 1.0) {
+        curve.pointsPx.push_back(point);
+        bend = 0.97 * bend + 0.002 * random.normal();
+        direction += bend;
+        point += Eigen::Vector2d(std::cos(direction), std::sin(direction));
+    }
+    return curve;
+}
+
+}   // namespace
+
+Centerline2d degraded(const Centerline2d& exact, const core::ProjectionCamera& camera, CounterRandom random)
+{
+    Centerline2d result;
+    std::set<std::pair<int, int>> taken;
+    for (Curve2d curve : core::resampled(exact, 1.0).curves) {
+        const bool isMissing = random.uniform() < missingShare;
+        jitter(curve, random);
+        Curve2d pixels = rasterized(curve, taken);
+        if (!isMissing && !pixels.pointsPx.empty()) {
+            result.curves.push_back(std::move(pixels));
+        }
+    }
+    result.curves.push_back(rasterized(drawClutter(camera, random), taken));
+    return result;
+}
+
+}   // namespace benchmarks
