@@ -1,5 +1,6 @@
 #include "core/simulation/contrast_path.h"
 
+#include "core/simulation/smooth_step.h"
 #include "core/simulation/splat_disc.h"
 
 #include <algorithm>
@@ -13,12 +14,6 @@ namespace {
 constexpr double splatSpacingMm = 0.25;
 constexpr double heartRateHz = 1.15;
 constexpr double pulsation = 0.12;   ///< of the concentration
-
-double smoothStep(double t)
-{
-    const double x = std::clamp(t, 0.0, 1.0);
-    return x * x * (3.0 - 2.0 * x);
-}
 
 ContrastPoint between(const ContrastPoint& a, const ContrastPoint& b, double fraction)
 {

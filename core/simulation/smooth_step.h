@@ -1,0 +1,14 @@
+#pragma once
+
+#include <algorithm>
+
+namespace core {
+
+/// 0 below 0, 1 above 1, a cubic with level ends between.
+inline double smoothStep(double t)
+{
+    const double x = std::clamp(t, 0.0, 1.0);
+    return x * x * (3.0 - 2.0 * x);
+}
+
+}   // namespace core
