@@ -70,35 +70,49 @@ Region smallRegion(const Mask2d& mask, const Mask2d& open, std::size_t seed, std
 
 enum class Target { Clear, Set };
 
-/// Where pixels of the kind `sought` occur within ±radius along one line of `count` pixels, `stride` apart.
-void spreadLine(const std::uint8_t* source, std::uint8_t* target, int count, std::size_t stride, int radius,
-                Target sought)
+/// Where pixels of the kind `sought` occur within ±radius along a row of `mask`, into the same row of `result`.
+void spreadRow(const Mask2d& mask, int y, int radius, Target sought, Mask2d& result)
 {
-    const auto at = [&](int i) { return static_cast<std::size_t>(i) * stride; };
     const bool wanted = sought == Target::Set;
     int until = -1;
-    for (int i = -radius; i < count; ++i) {
-        const int ahead = i + radius;
-        if (ahead < count && (source[at(ahead)] != 0) == wanted) {
+    for (int x = -radius; x < mask.width; ++x) {
+        const int ahead = x + radius;
+        if (ahead < mask.width && (mask.at(ahead, y) != 0) == wanted) {
             until = ahead + radius;
         }
-        if (i >= 0) {
-            target[at(i)] = (until >= i) == wanted ? 255 : 0;
+        if (x >= 0) {
+            result.at(x, y) = (until >= x) == wanted ? 255 : 0;
         }
     }
+}
+
+/// The same along all columns at once, row after row.
+Mask2d spreadColumns(const Mask2d& mask, int radius, Target sought)
+{
+    const bool wanted = sought == Target::Set;
+    std::vector<int> until(static_cast<std::size_t>(mask.width), -1);
+    Mask2d result(mask.width, mask.height);
+    for (int y = -radius; y < mask.height; ++y) {
+        const int ahead = y + radius;
+        for (int x = 0; x < mask.width && ahead < mask.height; ++x) {
+            if ((mask.at(x, ahead) != 0) == wanted) {
+                until[static_cast<std::size_t>(x)] = ahead + radius;
+            }
+        }
+        for (int x = 0; x < mask.width && y >= 0; ++x) {
+            result.at(x, y) = (until[static_cast<std::size_t>(x)] >= y) == wanted ? 255 : 0;
+        }
+    }
+    return result;
 }
 
 Mask2d spread(const Mask2d& mask, int radius, Target sought)
 {
     Mask2d rows(mask.width, mask.height);
     for (int y = 0; y < mask.height; ++y) {
-        spreadLine(&mask.at(0, y), &rows.at(0, y), mask.width, 1, radius, sought);
+        spreadRow(mask, y, radius, sought, rows);
     }
-    Mask2d result(mask.width, mask.height);
-    for (int x = 0; x < mask.width; ++x) {
-        spreadLine(&rows.at(x, 0), &result.at(x, 0), mask.height, static_cast<std::size_t>(mask.width), radius, sought);
-    }
-    return result;
+    return spreadColumns(rows, radius, sought);
 }
 
 }   // namespace

@@ -24,42 +24,56 @@ constexpr std::size_t tapCount = 5;   // 1.25 σ apart, which the smoothness at 
 constexpr float slopeWeight = 0.85F;
 // Where the ridge goes on to one side only, as at blobs, it counts less by this share of the difference.
 constexpr float oneSidedPenalty = 0.5F;
-constexpr int rowsPerTile = 48;
+constexpr int rowsPerStrip = 32;
 
-/// Scale-normalised first and second Gaussian derivatives of one image.
+/// Scale-normalised first and second Gaussian derivatives of some rows of an image.
 struct Derivatives {
     ImageF x, y, xx, xy, yy;
 };
 
-Derivatives derivativesOf(const ImageF& image, double sigmaPx)
+/// Rows above, at and below the one to differentiate, starting at its second pixel.
+struct ThreeRows {
+    const float* above;
+    const float* here;
+    const float* below;
+};
+
+/// Central differences of a row without its first and last pixel. Only here are the targets known not to overlap.
+ANGIOPOSE_WIDE_VECTORS
+void differentiateRow(const ThreeRows& rows, Derivatives& d, std::size_t start, float sigma)
 {
-    const ImageF smooth = blurred(image, sigmaPx);
-    const int width = image.width;
-    const int height = image.height;
-    Derivatives d{ImageF(width, height), ImageF(width, height), ImageF(width, height), ImageF(width, height),
-                  ImageF(width, height)};
-    const auto first = static_cast<float>(0.5 * sigmaPx);
-    const auto second = static_cast<float>(sigmaPx * sigmaPx);
-    for (int y = 0; y < height; ++y) {
-        const float* above = &smooth.at(0, std::max(0, y - 1));
-        const float* here = &smooth.at(0, y);
-        const float* below = &smooth.at(0, std::min(height - 1, y + 1));
-        const std::size_t row = d.x.index(0, y);
-        const auto difference = [&](int x, int left, int right) {
-            const std::size_t i = row + static_cast<std::size_t>(x);
-            d.x.pixels[i] = first * (here[right] - here[left]);
-            d.y.pixels[i] = first * (below[x] - above[x]);
-            d.xx.pixels[i] = second * (here[right] - 2.0F * here[x] + here[left]);
-            d.yy.pixels[i] = second * (below[x] - 2.0F * here[x] + above[x]);
-            d.xy.pixels[i] = 0.25F * second * (below[right] - below[left] - above[right] + above[left]);
-        };
-        difference(0, 0, std::min(1, width - 1));
-        for (int x = 1; x + 1 < width; ++x) {
-            difference(x, x - 1, x + 1);
-        }
-        difference(width - 1, std::max(0, width - 2), width - 1);
+    const float* __restrict above = rows.above;
+    const float* __restrict here = rows.here;
+    const float* __restrict below = rows.below;
+    float* __restrict dx = &d.x.pixels[start];
+    float* __restrict dy = &d.y.pixels[start];
+    float* __restrict dxx = &d.xx.pixels[start];
+    float* __restrict dxy = &d.xy.pixels[start];
+    float* __restrict dyy = &d.yy.pixels[start];
+    const float first = 0.5F * sigma;
+    const float second = sigma * sigma;
+    for (int x = 0; x < d.x.width - 2; ++x) {
+        dx[x] = first * (here[x + 1] - here[x - 1]);
+        dy[x] = first * (below[x] - above[x]);
+        dxx[x] = second * (here[x + 1] - 2.0F * here[x] + here[x - 1]);
+        dyy[x] = second * (below[x] - 2.0F * here[x] + above[x]);
+        dxy[x] = 0.25F * second * (below[x + 1] - below[x - 1] - above[x + 1] + above[x - 1]);
     }
-    return d;
+}
+
+/// Derivatives of the rows from `firstRow` on, as many as `d` has; beyond the image they repeat its edge rows.
+void differentiate(const ImageF& smooth, int firstRow, double sigmaPx, Derivatives& d)
+{
+    for (int row = 0; row < d.x.height; ++row) {
+        const int y = std::clamp(firstRow + row, 0, smooth.height - 1);
+        const ThreeRows rows{&smooth.at(1, std::max(0, y - 1)), &smooth.at(1, y),
+                             &smooth.at(1, std::min(smooth.height - 1, y + 1))};
+        differentiateRow(rows, d, d.x.index(1, row), static_cast<float>(sigmaPx));
+        for (ImageF* derivative : {&d.x, &d.y, &d.xx, &d.xy, &d.yy}) {
+            derivative->at(0, row) = derivative->at(1, row);
+            derivative->at(d.x.width - 1, row) = derivative->at(d.x.width - 2, row);
+        }
+    }
 }
 
 /// Whole-pixel steps along one direction, from back to front, with Gaussian weights that sum to one.
@@ -87,15 +101,6 @@ LineTaps lineTaps(double angle, double sigmaPx)
     return taps;
 }
 
-/// Ridge across direction `angle` in rows [firstRow, lastRow), padded left and right by `margin` edge values.
-struct RidgeTile {
-    int margin = 0;
-    int stride = 0;
-    int firstRow = 0;
-    std::vector<float> values;
-    float* row(int y) { return values.data() + static_cast<std::size_t>((y - firstRow) * stride + margin); }
-};
-
 /// Curvature minus slope across direction `n`, for the pixels of one row.
 ANGIOPOSE_WIDE_VECTORS
 void ridgeRow(const Derivatives& d, std::size_t start, const Eigen::Vector2f& n, float* ridge)
@@ -116,15 +121,15 @@ void ridgeRow(const Derivatives& d, std::size_t start, const Eigen::Vector2f& n,
     }
 }
 
-void fillTile(RidgeTile& tile, const Derivatives& d, double angle, int lastRow)
+/// Ridges across the direction `angle`, with `margin` edge values repeated left and right.
+void fillRidges(const Derivatives& d, double angle, int margin, ImageF& ridges)
 {
-    const int width = d.x.width;
     const Eigen::Vector2f normal(static_cast<float>(-std::sin(angle)), static_cast<float>(std::cos(angle)));
-    for (int y = tile.firstRow; y < lastRow; ++y) {
-        float* ridge = tile.row(y);
-        ridgeRow(d, d.x.index(0, std::clamp(y, 0, d.x.height - 1)), normal, ridge);
-        std::fill(ridge - tile.margin, ridge, ridge[0]);
-        std::fill(ridge + width, ridge + width + tile.margin, ridge[width - 1]);
+    for (int row = 0; row < ridges.height; ++row) {
+        float* ridge = &ridges.at(margin, row);
+        ridgeRow(d, d.x.index(0, row), normal, ridge);
+        std::fill(ridge - margin, ridge, ridge[0]);
+        std::fill(ridge + d.x.width, ridge + d.x.width + margin, ridge[d.x.width - 1]);
     }
 }
 
@@ -143,32 +148,30 @@ void raiseToLineMean(float* strongest, int width, const std::array<const float*,
     }
 }
 
-/// Largest line mean over all directions, at least 0.
-ImageF orientedRidges(const Derivatives& d, double sigmaPx)
+/// Raises `best` to the largest line mean over all directions at one scale. Works in strips of rows that fit the cache.
+void raiseToRidges(const ImageF& image, double sigmaPx, ImageF& best)
 {
-    const int width = d.x.width;
-    const int height = d.x.height;
-    ImageF best(width, height);
+    const ImageF smooth = blurred(image, sigmaPx);
     const int margin = static_cast<int>(std::ceil(lineReachInSigmas * sigmaPx)) + 1;
-    RidgeTile tile{margin, width + 2 * margin, 0, {}};
-    tile.values.resize(static_cast<std::size_t>(tile.stride) * static_cast<std::size_t>(rowsPerTile + 2 * margin));
-    for (int top = 0; top < height; top += rowsPerTile) {
-        const int bottom = std::min(height, top + rowsPerTile);
-        tile.firstRow = top - margin;
+    const ImageF strip(image.width, rowsPerStrip + 2 * margin);
+    Derivatives d{strip, strip, strip, strip, strip};
+    ImageF ridges(image.width + 2 * margin, strip.height);
+    for (int top = 0; top < image.height; top += rowsPerStrip) {
+        const int rowCount = std::min(rowsPerStrip, image.height - top);
+        differentiate(smooth, top - margin, sigmaPx, d);
         for (int k = 0; k < directionCount; ++k) {
             const double angle = std::numbers::pi * k / directionCount;
-            fillTile(tile, d, angle, bottom + margin);
+            fillRidges(d, angle, margin, ridges);
             const LineTaps taps = lineTaps(angle, sigmaPx);
-            for (int y = top; y < bottom; ++y) {
+            for (int row = 0; row < rowCount; ++row) {
                 std::array<const float*, tapCount> rows{};
                 for (std::size_t i = 0; i < tapCount; ++i) {
-                    rows[i] = tile.row(y + taps.dy[i]) + taps.dx[i];
+                    rows[i] = &ridges.at(margin + taps.dx[i], margin + row + taps.dy[i]);
                 }
-                raiseToLineMean(&best.at(0, y), width, rows, taps.weights);
+                raiseToLineMean(&best.at(0, top + row), image.width, rows, taps.weights);
             }
         }
     }
-    return best;
 }
 
 std::vector<double> scalesFor(double minRadiusPx, double maxRadiusPx)
@@ -187,21 +190,29 @@ std::vector<double> scalesFor(double minRadiusPx, double maxRadiusPx)
 
 ImageF ridgeStrength(const ImageF& opacity, double minRadiusPx, double maxRadiusPx)
 {
-    ImageF strongest(opacity.width, opacity.height);
-    ImageF grid = opacity;
-    int factor = 1;
-    for (const double sigma : scalesFor(minRadiusPx, maxRadiusPx)) {
-        while (sigma / factor > coarsestSigmaOnGrid && std::min(grid.width, grid.height) > 8) {
-            grid = halved(grid);
-            factor *= 2;
-        }
-        const ImageF ridges = orientedRidges(derivativesOf(grid, sigma / factor), sigma / factor);
-        const ImageF fine = factor > 1 ? enlarged(ridges, factor, opacity.width, opacity.height) : ridges;
-        for (std::size_t i = 0; i < strongest.pixels.size(); ++i) {
-            strongest.pixels[i] = std::max(strongest.pixels[i], fine.pixels[i]);
-        }
+    constexpr int smallestSide = 8;
+    if (std::min(opacity.width, opacity.height) < smallestSide) {
+        return ImageF(opacity.width, opacity.height);
     }
-    return strongest;
+    ImageF grid = opacity;
+    double gridSpacingPx = 1.0;
+    std::vector<ImageF> levels{ImageF(grid.width, grid.height)};   // strongest ridges per grid, each half the last
+    for (const double sigma : scalesFor(minRadiusPx, maxRadiusPx)) {
+        while (sigma / gridSpacingPx > coarsestSigmaOnGrid && std::min(grid.width, grid.height) >= 2 * smallestSide) {
+            grid = halved(grid);
+            gridSpacingPx *= 2.0;
+            levels.emplace_back(grid.width, grid.height);
+        }
+        raiseToRidges(grid, sigma / gridSpacingPx, levels.back());
+    }
+    while (levels.size() > 1) {
+        ImageF& finer = levels[levels.size() - 2];
+        const ImageF coarser = enlarged(levels.back(), 2, finer.width, finer.height);
+        std::transform(finer.pixels.begin(), finer.pixels.end(), coarser.pixels.begin(), finer.pixels.begin(),
+                       [](float a, float b) { return std::max(a, b); });
+        levels.pop_back();
+    }
+    return std::move(levels.front());
 }
 
 }   // namespace core
