@@ -37,11 +37,35 @@ const valijson::Schema& parsedSchema()
     return *schema;
 }
 
+/// The validator's sentence in the user's terms; empty when it only repeats what an inner level said.
+std::string problemText(const std::string& key, const std::string& description)
+{
+    if (description.starts_with("Missing required property")) {
+        const std::size_t quote = description.find('\'');
+        const std::string quoted = description.substr(quote, description.rfind('\'') + 1 - quote);
+        return key + ": the key " + quoted + " is missing. Add it.";
+    }
+    if (description.starts_with("Failed to validate")) {
+        return {};
+    }
+    if (description.find("'type' constraint") != std::string::npos) {
+        return key + ": the value is of the wrong kind. See the published schema.";
+    }
+    if (description.find("enum") != std::string::npos) {
+        return key + ": the value is not one of those allowed. See the published schema.";
+    }
+    return key + ": " + description + " Correct it.";
+}
+
 }   // namespace
 
 std::vector<std::string> findSchemaProblems(std::string_view json)
 {
     const nlohmann::json document = nlohmann::json::parse(json);
+    if (!document.is_object() || document.value("format", nlohmann::json()) != "angiopose-case") {
+        return {
+            "this JSON is not an AngioPose case (its format is not \"angiopose-case\"). Choose an .angiopose file."};
+    }
     const valijson::adapters::NlohmannJsonAdapter adapter(document);
     valijson::ValidationResults results;
     valijson::Validator validator;
@@ -54,7 +78,13 @@ std::vector<std::string> findSchemaProblems(std::string_view json)
         for (const std::string& part : error.context) {
             key += part;
         }
-        problems.push_back(keyPath(key) + ": " + error.description);
+        std::string problem = problemText(keyPath(key), error.description);
+        if (!problem.empty() && (problems.empty() || problems.back() != problem)) {
+            problems.push_back(std::move(problem));
+        }
+    }
+    if (problems.empty()) {
+        problems.emplace_back("it does not follow the published schema. Compare it with a case that loads.");
     }
     return problems;
 }

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/support/result.h"
+#include "io/case/case_document.h"
+
+#include <string>
+#include <vector>
+
+namespace io {
+
+/// Paths of a case file are relative to its folder.
+void makePathsAbsolute(core::RegistrationCase& values, const std::string& casePath);
+
+/// The case with its inputs read and checked against what it says: frame, camera size, branches, hashes, start pose.
+core::Result<core::RegistrationCase> loadInputs(CaseDocument document, const std::string& casePath,
+                                                std::vector<std::string>& warnings);
+
+}   // namespace io
