@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace io {
 namespace {
@@ -21,6 +22,56 @@ using core::Curve2d;
 constexpr double maxCoordinatePx = 1e5;
 constexpr std::size_t maxPoints = 1'000'000;
 
+struct CurveColumns {
+    std::size_t x = 0, y = 0;
+    std::optional<std::size_t> branch, radius;
+};
+
+core::Result<CurveColumns> columnsOf(const CsvTable& table)
+{
+    const auto x = table.column("x"), y = table.column("y");
+    if (!x || !y) {
+        return fileError(table.path,
+                         "the header row has no columns x and y. The first line must name the columns: x,y and, where "
+                         "known, branch,radius (px).");
+    }
+    if (table.column("z")) {
+        return fileError(table.path,
+                         "it has a column z: this is a 3-D centreline. Choose the centreline traced in the image.");
+    }
+    if (table.rows.size() > maxPoints) {
+        return fileError(table.path, "it has more than a million points. Resample the centreline.");
+    }
+    return CurveColumns{*x, *y, table.column("branch"), table.column("radius")};
+}
+
+/// Adds one row to the curve of its branch; consecutive rows of one branch belong together.
+core::Status appendRow(const CsvTable& table, std::size_t row, const CurveColumns& columns, Centerline2d& centerline)
+{
+    const auto u = numberAt(table, row, columns.x);
+    const auto v = numberAt(table, row, columns.y);
+    if (!u || !v) {
+        return u ? v.error() : u.error();
+    }
+    if (std::max(std::abs(u.value()), std::abs(v.value())) > maxCoordinatePx) {
+        return fileError(table.path, "line " + std::to_string(table.lineOfRow[row]) +
+                                         " lies far outside any image. Coordinates are in pixels.");
+    }
+    const auto id = columns.branch ? branchAt(table, row, *columns.branch) : core::Result<int>(1);
+    if (!id) {
+        return id.error();
+    }
+    if (centerline.curves.empty() || centerline.curves.back().id != id.value()) {
+        centerline.curves.push_back({id.value(), {}, {}});
+    }
+    centerline.curves.back().pointsPx.emplace_back(u.value(), v.value());
+    const auto radius = columns.radius ? parseNumber(table.rows[row][*columns.radius]) : std::nullopt;
+    if (radius && std::isfinite(*radius) && *radius >= 0.0) {
+        centerline.curves.back().radiusPx.push_back(*radius);
+    }
+    return core::Done{};
+}
+
 core::Result<Centerline2d> centerlineFromTable(std::string_view content, const std::string& path)
 {
     const auto parsed = parseCsv(content, path);
@@ -28,43 +79,14 @@ core::Result<Centerline2d> centerlineFromTable(std::string_view content, const s
         return parsed.error();
     }
     const CsvTable& table = parsed.value();
-    const auto x = table.column("x"), y = table.column("y");
-    const auto radius = table.column("radius"), branch = table.column("branch");
-    if (!x || !y) {
-        return fileError(path,
-                         "the header row has no columns x and y. The first line must name the columns: x,y and, "
-                         "where known, branch,radius (px).");
-    }
-    if (table.column("z")) {
-        return fileError(path,
-                         "it has a column z: this is a 3-D centreline. Choose the centreline traced in the image.");
-    }
-    if (table.rows.size() > maxPoints) {
-        return fileError(path, "it has more than a million points. Resample the centreline.");
+    const auto columns = columnsOf(table);
+    if (!columns) {
+        return columns.error();
     }
     Centerline2d centerline;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
-        const auto u = numberAt(table, row, *x, path);
-        const auto v = numberAt(table, row, *y, path);
-        if (!u || !v) {
-            return u ? v.error() : u.error();
-        }
-        if (std::max(std::abs(u.value()), std::abs(v.value())) > maxCoordinatePx) {
-            return fileError(path, "line " + std::to_string(table.lineOfRow[row]) +
-                                       " lies far outside any image. Coordinates are in pixels.");
-        }
-        const auto id = branch ? parseInteger(table.rows[row][*branch]) : std::optional(1);
-        if (!id) {
-            return fileError(path, "line " + std::to_string(table.lineOfRow[row]) +
-                                       ": the branch must be a whole number. Correct the line.");
-        }
-        if (centerline.curves.empty() || centerline.curves.back().id != *id) {
-            centerline.curves.push_back({*id, {}, {}});
-        }
-        centerline.curves.back().pointsPx.emplace_back(u.value(), v.value());
-        const auto width = radius ? parseNumber(table.rows[row][*radius]) : std::nullopt;
-        if (width && std::isfinite(*width) && *width >= 0.0) {
-            centerline.curves.back().radiusPx.push_back(*width);
+        if (const auto appended = appendRow(table, row, columns.value(), centerline); !appended) {
+            return appended.error();
         }
     }
     for (Curve2d& curve : centerline.curves) {

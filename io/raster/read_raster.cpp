@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t maxPixels = 220'000'000;
 constexpr unsigned int maxSide = 32'768;
-constexpr int minSide = 8;
+constexpr unsigned int minSide = 8;
 
 struct RasterShape {
     int width = 0, height = 0, frames = 1, channels = 1;
@@ -38,7 +38,7 @@ std::optional<RasterShape> shapeOf(const itk::ImageIOBase& reader)
 {
     const auto width = reader.GetDimensions(0), height = reader.GetDimensions(1);
     const auto frames = reader.GetNumberOfDimensions() > 2 ? reader.GetDimensions(2) : 1;
-    if (width == 0 || height == 0 || frames == 0 || width > maxSide || height > maxSide ||
+    if (width < minSide || height < minSide || frames == 0 || width > maxSide || height > maxSide ||
         width * height > maxPixels / frames || reader.GetNumberOfComponents() > 4) {
         return std::nullopt;
     }
@@ -102,6 +102,18 @@ bool isFinite(const Raster& raster)
     });
 }
 
+std::vector<char> readBytes(itk::ImageIOBase& reader)
+{
+    std::vector<char> bytes(static_cast<std::size_t>(reader.GetImageSizeInBytes()));
+    itk::ImageIORegion region(reader.GetNumberOfDimensions());
+    for (unsigned int axis = 0; axis < reader.GetNumberOfDimensions(); ++axis) {
+        region.SetSize(axis, reader.GetDimensions(axis));
+    }
+    reader.SetIORegion(region);
+    reader.Read(bytes.data());
+    return bytes;
+}
+
 }   // namespace
 
 bool looksLikeRaster(std::string_view content)
@@ -123,21 +135,10 @@ core::Result<Raster> readRaster(std::string_view content, const std::string& pat
         const auto shape = shapeOf(*reader);
         if (!shape) {
             return fileError(path,
-                             "the image is larger than this program holds, or its size makes no sense. "
-                             "Export it smaller.");
+                             "the image has fewer than 8 pixels on a side, or more than this program holds. Export the "
+                             "angiogram at its own size.");
         }
-        if (shape->width < minSide || shape->height < minSide) {
-            return fileError(path, "it is only " + std::to_string(shape->width) + " x " +
-                                       std::to_string(shape->height) +
-                                       " pixels. Choose the angiogram at its full size.");
-        }
-        std::vector<char> bytes(static_cast<std::size_t>(reader->GetImageSizeInBytes()));
-        itk::ImageIORegion region(reader->GetNumberOfDimensions());
-        for (unsigned int axis = 0; axis < reader->GetNumberOfDimensions(); ++axis) {
-            region.SetSize(axis, reader->GetDimensions(axis));
-        }
-        reader->SetIORegion(region);
-        reader->Read(bytes.data());
+        const std::vector<char> bytes = readBytes(*reader);
         auto raster = convert(reader->GetComponentType(), bytes, *shape);
         if (!raster || !isFinite(*raster)) {
             return fileError(path, "its pixels are not finite numbers of a known kind. Export it with 8 or 16 bits.");

@@ -61,6 +61,7 @@ core::Result<CsvTable> parseCsv(std::string_view text, const std::string& path)
         text.remove_prefix(byteOrderMark.size());
     }
     CsvTable table;
+    table.path = path;
     std::size_t width = 0;
     int lineNumber = 0;
     for (std::size_t start = 0; start < text.size();) {
@@ -91,7 +92,7 @@ core::Result<CsvTable> parseCsv(std::string_view text, const std::string& path)
     return table;
 }
 
-core::Result<double> numberAt(const CsvTable& table, std::size_t row, std::size_t column, const std::string& path)
+core::Result<double> numberAt(const CsvTable& table, std::size_t row, std::size_t column)
 {
     const std::string_view cell = table.rows[row][column];
     const std::optional<double> value = parseNumber(cell);
@@ -99,9 +100,18 @@ core::Result<double> numberAt(const CsvTable& table, std::size_t row, std::size_
         return *value;
     }
     const std::string name = column < table.columns.size() ? table.columns[column] : std::to_string(column + 1);
-    return fileError(path, "line " + std::to_string(table.lineOfRow[row]) + ", column " + name + ": \"" +
-                               std::string(cell.substr(0, 40)) +
-                               "\" is not a finite number. Correct or remove the line.");
+    return fileError(table.path, "line " + std::to_string(table.lineOfRow[row]) + ", column " + name + ": \"" +
+                                     std::string(cell.substr(0, 40)) +
+                                     "\" is not a finite number. Correct or remove the line.");
+}
+
+core::Result<int> branchAt(const CsvTable& table, std::size_t row, std::size_t column)
+{
+    if (const auto id = parseInteger(table.rows[row][column])) {
+        return *id;
+    }
+    return fileError(table.path, "line " + std::to_string(table.lineOfRow[row]) +
+                                     ": the branch must be a whole number. Correct the line.");
 }
 
 }   // namespace io

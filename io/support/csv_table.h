@@ -11,6 +11,7 @@ namespace io {
 
 /// A comma-separated table with a header row (lower-cased names). Every row has as many cells as the header.
 struct CsvTable {
+    std::string path;   ///< where it was read, for messages
     std::vector<std::string> columns;
     std::vector<std::vector<std::string_view>> rows;   ///< cells point into the parsed text
     std::vector<int> lineOfRow;   ///< line in the file, from 1, for messages
@@ -23,6 +24,9 @@ struct CsvTable {
 core::Result<CsvTable> parseCsv(std::string_view text, const std::string& path);
 
 /// The finite number in a cell; fails naming line and column.
-core::Result<double> numberAt(const CsvTable& table, std::size_t row, std::size_t column, const std::string& path);
+core::Result<double> numberAt(const CsvTable& table, std::size_t row, std::size_t column);
+
+/// The branch number in a cell; fails naming the line.
+core::Result<int> branchAt(const CsvTable& table, std::size_t row, std::size_t column);
 
 }   // namespace io

@@ -22,6 +22,20 @@ std::string upper(std::string_view text)
 
 using Cells = std::vector<std::vector<std::size_t>>;
 
+/// Appends the cell whose point ids are `values[first]` to `values[end - 1]`; false on a negative id.
+bool appendCell(const std::vector<double>& values, std::size_t first, std::size_t end, Cells& cells)
+{
+    std::vector<std::size_t> cell;
+    for (std::size_t k = first; k < end; ++k) {
+        if (!(values[k] >= 0.0) || values[k] > 1e12) {
+            return false;
+        }
+        cell.push_back(static_cast<std::size_t>(values[k]));
+    }
+    cells.push_back(std::move(cell));
+    return true;
+}
+
 /// Reads the body of one file; each method returns false when the section it reads is damaged.
 class LegacyVtkParser {
 public:
@@ -40,6 +54,7 @@ private:
     bool readAttribute(const std::string& keyword);
     bool readScalars();
     bool readField();
+    bool readFieldArray();
     void keepArray(const std::string& name, std::vector<double> values);
 
     enum class Place { DataSet, PointData, CellData };
@@ -130,15 +145,11 @@ bool LegacyVtkParser::readCells(Cells& cells)
         if (!(length >= 0.0) || length > static_cast<double>(values->size() - at - 1)) {
             return false;
         }
-        std::vector<std::size_t> cell;
-        for (std::size_t k = 1; k <= static_cast<std::size_t>(length); ++k) {
-            if (!((*values)[at + k] >= 0.0)) {
-                return false;
-            }
-            cell.push_back(static_cast<std::size_t>((*values)[at + k]));
+        const std::size_t end = at + 1 + static_cast<std::size_t>(length);
+        if (!appendCell(*values, at + 1, end, cells)) {
+            return false;
         }
-        at += cell.size() + 1;
-        cells.push_back(std::move(cell));
+        at = end;
     }
     return cells.size() == *count;
 }
@@ -160,17 +171,10 @@ bool LegacyVtkParser::readOffsetCells(std::size_t offsetCount, std::size_t size,
     for (std::size_t i = 0; i + 1 < offsets->size(); ++i) {
         const double from = (*offsets)[i];
         const double to = (*offsets)[i + 1];
-        if (!(from >= 0.0) || !(to >= from) || to > static_cast<double>(size)) {
+        if (!(from >= 0.0) || !(to >= from) || to > static_cast<double>(size) ||
+            !appendCell(*values, static_cast<std::size_t>(from), static_cast<std::size_t>(to), cells)) {
             return false;
         }
-        std::vector<std::size_t> cell;
-        for (auto k = static_cast<std::size_t>(from); k < static_cast<std::size_t>(to); ++k) {
-            if (!((*values)[k] >= 0.0)) {
-                return false;
-            }
-            cell.push_back(static_cast<std::size_t>((*values)[k]));
-        }
-        cells.push_back(std::move(cell));
     }
     return true;
 }
@@ -234,39 +238,36 @@ bool LegacyVtkParser::readField()
     cursor_.token();   // the field's own name
     const auto arrays = cursor_.count();
     for (std::size_t i = 0; arrays && i < *arrays; ++i) {
-        if (cursor_.isAtEnd()) {
-            return false;
-        }
-        const std::string name(cursor_.token());
-        if (upper(name) == "METADATA") {
+        while (upper(cursor_.peekToken()) == "METADATA") {
             cursor_.skipParagraph();
-            --i;
-            continue;
         }
-        const auto components = cursor_.count();
-        const auto tuples = cursor_.count();
-        const std::string type(cursor_.token());
-        if (!components || !tuples || *components > 1000) {
+        if (cursor_.isAtEnd() || !readFieldArray()) {
             return false;
-        }
-        if (type == "string") {
-            auto values = cursor_.strings(*components * *tuples);
-            if (!values) {
-                return false;
-            }
-            const bool isSpace = place_ == Place::DataSet && upper(name).starts_with("SPACE");
-            result_.set.isRas |= isSpace && !values->empty() && upper(values->front()).find("RAS") != std::string::npos;
-            continue;
-        }
-        auto values = cursor_.numbers(*components * *tuples, type);
-        if (!values) {
-            return false;
-        }
-        if (*components == 1) {
-            keepArray(name, std::move(*values));
         }
     }
     return arrays.has_value();
+}
+
+bool LegacyVtkParser::readFieldArray()
+{
+    const std::string name(cursor_.token());
+    const auto components = cursor_.count();
+    const auto tuples = cursor_.count();
+    const std::string type(cursor_.token());
+    if (!components || !tuples || *components > 1000) {
+        return false;
+    }
+    if (type == "string") {
+        const auto texts = cursor_.strings(*components * *tuples);
+        const bool isSpace = texts && !texts->empty() && place_ == Place::DataSet && upper(name).starts_with("SPACE");
+        result_.set.isRas |= isSpace && upper(texts->front()).find("RAS") != std::string::npos;
+        return texts.has_value();
+    }
+    auto values = cursor_.numbers(*components * *tuples, type);
+    if (values && *components == 1) {
+        keepArray(name, std::move(*values));
+    }
+    return values.has_value();
 }
 
 void LegacyVtkParser::keepArray(const std::string& name, std::vector<double> values)

@@ -5,6 +5,7 @@
 #include "io/support/numbers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -16,24 +17,59 @@ struct TreeColumns {
     std::optional<std::size_t> radius, branch, label;
 };
 
-core::Result<TreeColumns> columnsOf(const CsvTable& table, const std::string& path)
+core::Result<TreeColumns> columnsOf(const CsvTable& table)
 {
     if (!table.hasHeader) {
         if (!table.rows.empty() && table.rows.front().size() == 3) {
             return TreeColumns{};
         }
-        return fileError(path, "the first line must name the columns: x,y,z and, where known, radius,branch.");
+        return fileError(table.path, "the first line must name the columns: x,y,z and, where known, radius,branch.");
     }
     const auto x = table.column("x"), y = table.column("y"), z = table.column("z");
     if (!x || !y || !z) {
-        return fileError(path, "the header row has no columns x, y and z. Name them (mm, patient LPS).");
+        return fileError(table.path, "the header row has no columns x, y and z. Name them (mm, patient LPS).");
     }
     if (table.column("id") && !table.column("branch")) {
-        return fileError(path,
+        return fileError(table.path,
                          "it looks like a list of graph nodes (column id), which has no order along the vessels. "
                          "Give a branch column, or export the centrelines themselves.");
     }
     return TreeColumns{*x, *y, *z, table.column("radius"), table.column("branch"), table.column("label")};
+}
+
+struct TreeRow {
+    Eigen::Vector3d point;
+    double radiusMm = std::numeric_limits<double>::quiet_NaN();
+    int branch = 1;
+    std::string label;
+};
+
+core::Result<TreeRow> parseRow(const CsvTable& table, std::size_t row, const TreeColumns& columns)
+{
+    TreeRow content;
+    const std::array<std::size_t, 3> axes = {columns.x, columns.y, columns.z};
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+        const auto value = numberAt(table, row, axes[axis]);
+        if (!value) {
+            return value.error();
+        }
+        content.point[static_cast<Eigen::Index>(axis)] = value.value();
+    }
+    const auto& cells = table.rows[row];
+    if (columns.radius) {
+        content.radiusMm = parseNumber(cells[*columns.radius]).value_or(content.radiusMm);
+    }
+    if (columns.label) {
+        content.label = cells[*columns.label];
+    }
+    if (columns.branch) {
+        const auto id = branchAt(table, row, *columns.branch);
+        if (!id) {
+            return id.error();
+        }
+        content.branch = id.value();
+    }
+    return content;
 }
 
 /// Points far from their predecessor, judged by the branch's own spacing.
@@ -90,39 +126,27 @@ core::Result<LineSet> parseTreeTable(std::string_view text, const std::string& p
         return parsed.error();
     }
     const CsvTable& table = parsed.value();
-    const auto chosen = columnsOf(table, path);
-    if (!chosen) {
-        return chosen.error();
+    const auto columns = columnsOf(table);
+    if (!columns) {
+        return columns.error();
     }
-    const TreeColumns& columns = chosen.value();
     LineSet set;
     std::vector<int> ids;
     std::vector<std::string> labels;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
-        Eigen::Vector3d point;
-        for (int axis = 0; axis < 3; ++axis) {
-            const std::size_t column = axis == 0 ? columns.x : axis == 1 ? columns.y : columns.z;
-            const auto value = numberAt(table, row, column, path);
-            if (!value) {
-                return value.error();
-            }
-            point[axis] = value.value();
+        auto parsedRow = parseRow(table, row, columns.value());
+        if (!parsedRow) {
+            return parsedRow.error();
         }
-        set.points.push_back(point);
-        const auto& cells = table.rows[row];
-        if (columns.radius) {
-            set.radius.push_back(
-                parseNumber(cells[*columns.radius]).value_or(std::numeric_limits<double>::quiet_NaN()));
+        TreeRow content = std::move(parsedRow).value();
+        set.points.push_back(content.point);
+        if (columns.value().radius) {
+            set.radius.push_back(content.radiusMm);
         }
-        const auto id = columns.branch ? parseInteger(cells[*columns.branch]) : std::optional(1);
-        if (!id) {
-            return fileError(path, "line " + std::to_string(table.lineOfRow[row]) +
-                                       ": the branch must be a whole number. Correct the line.");
-        }
-        ids.push_back(*id);
-        labels.push_back(columns.label ? std::string(cells[*columns.label]) : std::string());
+        ids.push_back(content.branch);
+        labels.push_back(std::move(content.label));
     }
-    joinRows(set, ids, labels, columns.branch.has_value());
+    joinRows(set, ids, labels, columns.value().branch.has_value());
     return set;
 }
 
