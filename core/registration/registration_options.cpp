@@ -99,6 +99,10 @@ std::vector<OptionField> makeFields()
                 choice(number<&Options::alternation>("alternation", "Alternation", "",
                                                      "Lets the auxiliary and the full problem take turns."),
                        offOn)),
+        onlyFor(seeds, choice(number<&Options::index>("index", "Nearest points", "",
+                                                      "How they are found: the tree and the grid are exact, the map "
+                                                      "is right to within three pixels."),
+                              {"kd-tree", "grid", "map"})),
         onlyFor(seeds, choice(number<&Options::startScale>("startScale", "Start scale", "",
                                                            "Kernel width at first: the largest distance, or its square "
                                                            "as the paper prints it."),

@@ -25,6 +25,7 @@ struct RegistrationOptions {
     double priorWeight = 100.0;   ///< λ of the pull towards the start pose
     double rotationFirst = 1;   ///< 1: a rotation-only solve comes first
     double alternation = 1;   ///< 1: auxiliary and full problem take turns
+    double index = 0;   ///< index into IndexKind: how nearest points are found
     double startScale = 0;   ///< index into StartScale
     double decay = 0;   ///< index into Decay: when the kernel narrows
 

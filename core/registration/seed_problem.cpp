@@ -1,5 +1,7 @@
 #include "core/registration/seed_problem.h"
 
+#include "core/registration/feature_map.h"
+#include "core/registration/grid_index.h"
 #include "core/registration/kd_tree_index.h"
 
 #include <algorithm>
@@ -52,6 +54,19 @@ PosePrior priorOf(const RegistrationOptions& options, double depthMm, double poi
     return prior;
 }
 
+std::unique_ptr<PointIndex> makeIndex(IndexKind kind, const RegistrationProblem& problem)
+{
+    switch (kind) {
+        case IndexKind::Grid:
+            return std::make_unique<GridIndex>(problem.target.points);
+        case IndexKind::Map:
+            return std::make_unique<FeatureMap>(problem.target.points, problem.camera.width, problem.camera.height);
+        case IndexKind::KdTree:
+            break;
+    }
+    return makeKdTreeIndex(problem.target.points);
+}
+
 }   // namespace
 
 SeedProblem makeSeedProblem(const RegistrationProblem& problem, const RegistrationOptions& options)
@@ -75,7 +90,7 @@ SeedProblem makeSeedProblem(const RegistrationProblem& problem, const Registrati
         seed.schedule.nearestMm = seed.nearestMm;
         seed.schedule.farthestMm = seed.farthestMm;
     }
-    seed.target = makeKdTreeIndex(problem.target.points);
+    seed.target = makeIndex(static_cast<IndexKind>(std::lround(options.index)), problem);
     return seed;
 }
 

@@ -10,6 +10,10 @@
 
 namespace core {
 
+/// How the methods of the seed find nearest points: exactly by tree (the reproduction mode) or by buckets, or from a
+/// table that is right to within its cells.
+enum class IndexKind { KdTree, Grid, Map };
+
 /// What both methods of the seed start from. Points live in the start camera's frame and the pose is the motion
 /// cameraFromStart, identity at first: only there do the rad² + mm² of the prior mean what they mean in the seed
 /// (ALGORITHMS §1, "perturbation models").
@@ -20,7 +24,7 @@ struct SeedProblem {
     KernelSchedule schedule;   ///< of the full problem
     double nearestMm = 0.0;   ///< the depth guard, for all that runs without a prior
     double farthestMm = 0.0;
-    std::unique_ptr<PointIndex> target;   ///< KD-tree or distance map, by option
+    std::unique_ptr<PointIndex> target;   ///< by option `index`
 };
 
 SeedProblem makeSeedProblem(const RegistrationProblem& problem, const RegistrationOptions& options);

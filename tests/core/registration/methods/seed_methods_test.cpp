@@ -2,6 +2,7 @@
 #include "core/registration/kernel_pnp.h"
 #include "core/registration/methods/dynaweight.h"
 #include "core/registration/methods/iterative_pnp.h"
+#include "core/registration/seed_problem.h"
 #include "tests/support/clean_case.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ struct Outcome {
 };
 
 Outcome run(MethodFunction method, const RegistrationInput& input, const RegistrationOptions& options,
-        const IterationObserver& observe = {})
+            const IterationObserver& observe = {})
 {
     const Result<RegistrationProblem> problem = makeProblem(input, options);
     EXPECT_TRUE(problem) << (problem ? "" : problem.error().message);
@@ -219,6 +220,20 @@ TEST(SeedMethods, ProgressRisesToTheEnd)
         }
         EXPECT_LE(done.reports.back().progress, 1.0);
         EXPECT_EQ(static_cast<int>(done.reports.size()), done.solution.iterations);
+    }
+}
+
+TEST(SeedMethods, EveryIndexLeadsToThePose)
+{
+    const CleanCase clean(2);
+    CounterRandom random(31);
+    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    RegistrationOptions options = exactSamples(PriorPreset::NoPrior);
+    for (const MethodFunction method : {solveDynaWeight, solveIterativePnp}) {
+        for (const IndexKind kind : {IndexKind::KdTree, IndexKind::Grid, IndexKind::Map}) {
+            options.index = static_cast<double>(kind);
+            EXPECT_LT(meanPx(clean, run(method, input, options)), kind == IndexKind::Map ? 1.0 : 1e-6);
+        }
     }
 }
 
