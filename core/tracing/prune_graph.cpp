@@ -110,20 +110,17 @@ SkeletonGraph withoutSpurs(SkeletonGraph graph, const EdgeMeasure& worth, double
     return graph;
 }
 
-SkeletonGraph withoutSmallPieces(SkeletonGraph graph, const EdgeMeasure& size, double least, double share)
+SkeletonGraph withoutSmallPieces(SkeletonGraph graph, const EdgeMeasure& size, double least)
 {
     const std::vector<int> piece = piecesOf(graph);
     const auto pieceOf = [&](const SkeletonEdge& edge) {
         return static_cast<std::size_t>(piece[static_cast<std::size_t>(edge.startNode)]);
     };
     std::vector<double> sizes(graph.nodesPx.size(), 0.0);
-    double largest = 0.0;
     for (const SkeletonEdge& edge : graph.edges) {
         sizes[pieceOf(edge)] += size(edge);
-        largest = std::max(largest, sizes[pieceOf(edge)]);
     }
-    const double limit = std::max(least, share * largest);
-    std::erase_if(graph.edges, [&](const SkeletonEdge& edge) { return sizes[pieceOf(edge)] < limit; });
+    std::erase_if(graph.edges, [&](const SkeletonEdge& edge) { return sizes[pieceOf(edge)] < least; });
     return graph;
 }
 

@@ -13,7 +13,7 @@ using EdgeMeasure = std::function<double(const SkeletonEdge&)>;
 /// goes. Edges that then continue each other become one.
 SkeletonGraph withoutSpurs(SkeletonGraph graph, const EdgeMeasure& worth, double least);
 
-/// Without the pieces (connected parts) whose edges sum up to less than `least`, or than `share` of the largest piece.
-SkeletonGraph withoutSmallPieces(SkeletonGraph graph, const EdgeMeasure& size, double least, double share = 0.0);
+/// Without the pieces (connected parts) whose edges sum up to less than `least`.
+SkeletonGraph withoutSmallPieces(SkeletonGraph graph, const EdgeMeasure& size, double least);
 
 }   // namespace core

@@ -17,7 +17,7 @@ namespace {
 constexpr double leastEvidence = 0.5;
 constexpr double leastWorth = 4.5;
 constexpr double weakPart = 0.2;
-constexpr double leastShareOfPieces = 0.15;
+constexpr double leastWorthOfPiece = 8.0;   // which stands alone and so needs more
 // Filters see half of the picture there: what mostly keeps this close to the rim of the field is an artefact of it.
 constexpr int rimPx = 6;
 constexpr double mostAlongRim = 0.6;
@@ -67,21 +67,13 @@ SkeletonGraph vesselBranches(const Mask2d& vessels, const ImageF& evidence, cons
         const double weak = ranked(evidenceAlong(edge, evidence), weakPart);
         return length < options.minBranchLengthPx ? 0.0 : std::sqrt(length) * (weak - leastEvidence);
     };
-    const auto totalEvidence = [&](const SkeletonEdge& edge) {
-        const std::vector<float> along = evidenceAlong(edge, evidence);
-        double sum = 0.0;
-        for (const float value : along) {
-            sum += value;
-        }
-        return lengthOf(edge) * sum / static_cast<double>(along.size());
-    };
     const Mask2d inside = insideOfRim(field);
     SkeletonGraph graph = skeletonGraph(thinned(vessels));
     std::erase_if(graph.edges, [&](const SkeletonEdge& edge) { return runsAlongRim(edge, inside); });
     graph = withoutSpurs(std::move(graph), lengthOf, options.minBranchLengthPx);
     graph = withoutSpurs(std::move(graph), worth, leastWorth);
     graph = withoutSmallPieces(std::move(graph), lengthOf, options.minComponentLengthPx);
-    return withoutSmallPieces(std::move(graph), totalEvidence, 0.0, leastShareOfPieces);
+    return withoutSmallPieces(std::move(graph), worth, leastWorthOfPiece);
 }
 
 SkeletonGraph drawnBranches(const Mask2d& vessels, const TraceOptions& options)

@@ -7,7 +7,7 @@
 namespace core {
 
 /// The graph of a vessel mask with only what looks like vessels: no stretches along the rim of the field, no short or
-/// weak side branches, no pieces that are short or hold little of the evidence.
+/// weak side branches, no short or weak pieces.
 SkeletonGraph vesselBranches(const Mask2d& vessels, const ImageF& evidence, const Mask2d& field,
                              const TraceOptions& options);
 

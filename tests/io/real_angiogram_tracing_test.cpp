@@ -63,6 +63,27 @@ TEST_P(PhantomView, ShowsLongVesselsAndNoBorder)
     EXPECT_LE(trace.value().centerline.curves.size(), 12U);
 }
 
+TEST(RealAngiogramTracing, KeepsAWideTubeThatStandsAlone)
+{
+    const std::string file = "coronary-phantom-xa/views-A/IM4.dcm";
+    ANGIOPOSE_NEEDS_DATA(file);
+    const core::Angiogram run = read(file);
+    const auto trace = core::traceAngiogram(run.frames[5], run.polarity);
+    ASSERT_TRUE(trace) << trace.error().message;
+    const Eigen::Vector2d insideTubePx(336.2, 432.5);
+    double nearest = 1e9;
+    double radius = 0.0;
+    for (const Curve2d& curve : trace.value().centerline.curves) {
+        for (std::size_t i = 0; i < curve.pointsPx.size(); ++i) {
+            const double distance = (curve.pointsPx[i] - insideTubePx).norm();
+            radius = distance < nearest ? curve.radiusPx[i] : radius;
+            nearest = std::min(nearest, distance);
+        }
+    }
+    EXPECT_LT(nearest, 2.0);
+    EXPECT_GT(radius, 3.5);
+}
+
 INSTANTIATE_TEST_SUITE_P(AllViews, PhantomView, testing::Values("IM1.dcm", "IM2.dcm", "IM3.dcm", "IM4.dcm"),
                          [](const auto& view) { return std::string(view.param, 3); });
 
