@@ -5,7 +5,7 @@ namespace ui {
 BranchStyle branchStyle(int branchId, const BranchMarks& marks)
 {
     const Palette& tones = palette(ThemeMode::Dark);   // images lie on black in every theme
-    BranchStyle style{.color = tones.text};
+    BranchStyle style{.color = mixed(tones.text, tones.accent, 0.45)};
     if (marks.excluded.contains(branchId)) {
         style = {.color = tones.label, .widthFactor = 0.8, .opacity = 0.75, .pattern = LinePattern::Dashed, .rank = -1};
     } else if (marks.auxiliary.contains(branchId)) {

@@ -78,11 +78,10 @@ FrameQuad::FrameQuad()
     actor_->VisibilityOff();
     texture_->RepeatOff();
     texture_->EdgeClampOn();   // else the opposite border shines through at the edge
-    texture_->MipmapOn();   // a frame larger than the view would flicker
     texture_->SetColorModeToDirectScalars();
 }
 
-void FrameQuad::show(const GreyFrame& frame, Interpolation interpolation)
+void FrameQuad::show(const GreyFrame& frame, Interpolation interpolation, double devicePxPerImagePx)
 {
     if (frame.width() == 0 || frame.height() == 0) {
         actor_->VisibilityOff();
@@ -90,6 +89,7 @@ void FrameQuad::show(const GreyFrame& frame, Interpolation interpolation)
     }
     texture_->SetInputData(frame.picture());
     texture_->SetInterpolate(interpolation == Interpolation::Smooth);
+    texture_->SetMipmap(interpolation == Interpolation::Smooth && devicePxPerImagePx < 0.9);   // else it would flicker
     actor_->SetTexture(texture_);
     actor_->VisibilityOn();
     if (width_ == frame.width() && height_ == frame.height()) {

@@ -38,7 +38,7 @@ private:
 class FrameQuad {
 public:
     FrameQuad();
-    void show(const GreyFrame& frame, Interpolation interpolation);
+    void show(const GreyFrame& frame, Interpolation interpolation, double devicePxPerImagePx);
     vtkActor* actor() { return actor_; }
 
 private:

@@ -2,6 +2,7 @@
 
 #include <GL/glew.h>
 #include <vtkObjectFactory.h>
+#include <vtkOpenGLState.h>
 
 namespace ui {
 namespace {
@@ -38,6 +39,12 @@ void GlWindow::OpenGLInitContext()
     GLfloat widths[2] = {1.0F, 1.0F};
     glGetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, widths);
     MaximumHardwareLineWidth = widths[1];
+}
+
+void GlWindow::takeOverState()
+{
+    GetState()->Reset();
+    GetState()->vtkglDepthFunc(GL_LEQUAL);   // lines of one layer lie at one depth: the later one wins
 }
 
 }   // namespace ui

@@ -12,6 +12,9 @@ public:
 
         void OpenGLInitContext() override;
 
+    /// Before every render: others have used the context since, VTK's record of its state is out of date.
+    void takeOverState();
+
 protected:
     GlWindow();
 };

@@ -12,7 +12,7 @@
 namespace ui {
 namespace {
 
-constexpr double tiltRad = 40.0 * std::numbers::pi / 180.0;   // between line of sight and beam
+constexpr double tiltRad = 33.0 * std::numbers::pi / 180.0;   // between line of sight and beam
 constexpr double marginShare = 0.08;
 
 Eigen::AlignedBox3d boxOf(const Beam& beam, const core::VesselTree& tree)
@@ -62,21 +62,21 @@ ScreenFromPatient screenFromPatient(vtkCamera& camera, int width, int height)
     return screen;
 }
 
-void frameBeam(vtkCamera& camera, const Beam& beam, const Eigen::Vector3d& pivotInPatient, const core::VesselTree& tree)
+void frameBeam(vtkCamera& camera, const Beam& beam, const core::VesselTree& tree, double aspect)
 {
     const Eigen::Vector3d along = beam.patientFromCamera.rotation.col(2);
-    const Eigen::Vector3d aside = beam.patientFromCamera.rotation.col(1);   // image vertical
-    const Eigen::Vector3d sight = (std::cos(tiltRad) * along + std::sin(tiltRad) * aside).normalized();
+    const Eigen::Vector3d imageDown = std::copysign(1.0, beam.camera.fy) * beam.patientFromCamera.rotation.col(1);
+    const Eigen::Vector3d sight = (-std::cos(tiltRad) * along + std::sin(tiltRad) * imageDown).normalized();
     const Eigen::Vector3d up = (-along + along.dot(sight) * sight).normalized();
     const Eigen::Vector3d right = sight.cross(up);
 
+    const Eigen::Vector3d pivot = core::centroidInPatient(tree);
     Eigen::AlignedBox2d box;
     for (const Eigen::Vector3d& point : landmarks(beam, tree)) {
-        const Eigen::Vector3d offset = point - pivotInPatient;
-        box.extend(Eigen::Vector2d(right.dot(offset), up.dot(offset)));
+        box.extend(Eigen::Vector2d(right.dot(point - pivot), up.dot(point - pivot)));
     }
-    const Eigen::Vector3d centre = pivotInPatient + box.center().x() * right + box.center().y() * up;
-    const double half = 0.5 * std::max(box.sizes().y(), box.sizes().x()) * (1.0 + 2.0 * marginShare);
+    const Eigen::Vector3d centre = pivot + box.center().x() * right + box.center().y() * up;
+    const double half = 0.5 * std::max(box.sizes().y(), box.sizes().x() / aspect) * (1.0 + 2.0 * marginShare);
     const Eigen::Vector3d position = centre - 4.0 * half * sight;
     camera.ParallelProjectionOn();
     camera.SetParallelScale(std::max(half, 1e-3));

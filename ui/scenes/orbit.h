@@ -27,9 +27,9 @@ struct ScreenFromPatient {
 
 ScreenFromPatient screenFromPatient(vtkCamera& camera, int width, int height);
 
-/// Points a parallel camera at beam and tree: from the source's side, source at the top, everything inside.
-void frameBeam(vtkCamera& camera, const Beam& beam, const Eigen::Vector3d& pivotInPatient,
-               const core::VesselTree& tree);
+/// Points a parallel camera at beam and tree: from behind the detector, so that left and right are those of the
+/// angiogram; source at the top, everything inside a picture of this width/height.
+void frameBeam(vtkCamera& camera, const Beam& beam, const core::VesselTree& tree, double aspect);
 
 /// Moves the camera in its own plane so that what is seen follows the mouse.
 void pan(vtkCamera& camera, int heightPx, double rightPx, double upPx);

@@ -60,7 +60,7 @@ void OverlayScene::Parts::update(Layer& layer)
 {
     const int* size = layer.renderer->GetSize();
     const DeviceFromImage device{viewRect, std::max(1, size[0]), std::max(1, size[1])};
-    layer.quad.show(frame, interpolation);
+    layer.quad.show(frame, interpolation, device.scale());
     showImagePlane(*layer.renderer->GetActiveCamera(), viewRect);
     const std::pair shown{device.width, device.height};
     if (layer.shownRevision == revision && layer.shownRect == viewRect && layer.shownSize == shown) {

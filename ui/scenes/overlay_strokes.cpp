@@ -179,7 +179,7 @@ void addHalo(StrokeMesh& mesh, const BranchLines& branch, double widthPx, double
 {
     const Color shade = palette(ThemeMode::Dark).canvas;
     for (const StrokeLine& line : branch.lines) {
-        addLine(mesh, inOneColor(line, shade), {widthPx + 1.2 * lineWidthPx, 0.55 * branch.style.opacity, 1.5});
+        addLine(mesh, inOneColor(line, shade), {widthPx + 1.1 * lineWidthPx, 0.65 * branch.style.opacity, 1.5});
     }
 }
 

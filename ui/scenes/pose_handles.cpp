@@ -38,7 +38,7 @@ void addRing(StrokeMesh& mesh, const PoseHandleLook& look)
     const bool isHot = look.hot == PoseHandle::Roll || look.active == PoseHandle::Roll;
     const double width = (isHot ? 2.0 : 1.3) * look.pixelScale;
     const StrokeLine ring = arc(look, 0.0, 2.0 * std::numbers::pi, isHot ? tones.textStrong : tones.text);
-    for (const StrokeLine& dash : dashed(ring, {4.0 * look.pixelScale, 3.5 * look.pixelScale})) {
+    for (const StrokeLine& dash : dashed(ring, {4.0 * look.pixelScale, 5.5 * look.pixelScale})) {
         addWithShade(mesh, dash, width);
     }
     if (look.active == PoseHandle::Roll) {

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace ui {
@@ -57,6 +58,7 @@ struct TreeScene::Parts {
     void update();
     StrokeMesh groundStrokes(const ScreenFromPatient& toScreen) const;
     Eigen::Vector2d signCentre() const;
+    double detectorScale() const;
 };
 
 ScreenFromPatient TreeScene::Parts::screen() const
@@ -68,6 +70,11 @@ ScreenFromPatient TreeScene::Parts::screen() const
 Eigen::Vector2d TreeScene::Parts::signCentre() const
 {
     return {ground->GetSize()[0] - signMarginPx * pixelScale, signMarginPx * pixelScale};
+}
+
+double TreeScene::Parts::detectorScale() const
+{
+    return beam.hasDetector() ? screen().pxPerMm * beam.sourceToDetectorMm / std::abs(beam.camera.fx) : 1.0;
 }
 
 StrokeMesh TreeScene::Parts::groundStrokes(const ScreenFromPatient& toScreen) const
@@ -93,7 +100,7 @@ void TreeScene::Parts::update()
     }
     const auto back = tones.field.unit();
     ground->SetBackground(back[0], back[1], back[2]);
-    detector.show(frame, Interpolation::Smooth);
+    detector.show(frame, Interpolation::Smooth, detectorScale());
     detector.actor()->SetVisibility(beam.hasDetector() && frame.width() > 0);
     if (beam.hasDetector()) {
         vtkNew<vtkMatrix4x4> patientFromImage;
@@ -102,7 +109,8 @@ void TreeScene::Parts::update()
         detector.actor()->SetUserMatrix(patientFromImage);
     }
     if (isViewStale && !tree.branches.empty()) {
-        frameBeam(camera(), beam, core::centroidInPatient(tree), tree);
+        const int* size = ground->GetSize();
+        frameBeam(camera(), beam, tree, static_cast<double>(size[0]) / std::max(1, size[1]));
         isViewStale = false;
     }
     ground->ResetCameraClippingRange(sceneBounds(beam, tree).data());

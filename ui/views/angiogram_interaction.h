@@ -19,7 +19,7 @@ struct AngiogramView::Interaction {
     core::ProjectionCamera camera;
     core::RigidTransform cameraFromPatient;
     Eigen::Vector3d pivotInPatient = Eigen::Vector3d::Zero();
-    double lineWidth = 2.0;
+    double lineWidth = 2.4;
 
     Qt::MouseButton pressed = Qt::NoButton;
     bool isDragging = false;

@@ -8,6 +8,7 @@
 #include <vtkOpenGLState.h>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
+#include <QOpenGLPaintDevice>
 #include <QPainter>
 
 #include <vector>
@@ -103,9 +104,7 @@ void VtkView::initializeGL()
     glue_->surface = context()->surface();
     glue_->contextGoes =
         connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkView::releaseContext, Qt::DirectConnection);
-    auto* state = glue_->window->GetState();
-    state->Reset();
-    state->vtkglDepthFunc(GL_LEQUAL);   // Qt leaves GL_LESS
+    glue_->window->takeOverState();
     glue_->window->SetReadyForRendering(true);
     glue_->window->OpenGLInitContext();
 }
@@ -132,20 +131,29 @@ void VtkView::paintGL()
     const QSize device = deviceSize();
     glue_->window->SetSize(device.width(), device.height());
     prepareFrame();
+    glue_->window->takeOverState();
     auto* state = glue_->window->GetState();
-    state->Reset();
     state->Push();
-    state->vtkglDepthFunc(GL_LEQUAL);
     glue_->window->Render();
     ++renderCount_;
     makeCurrent();   // an observer may have switched contexts
     blitToWidget();
     state->Pop();
-    {
-        QPainter painter(this);
-        paintAnnotations(painter);
-    }
+    makeCurrent();   // binds the widget's framebuffer again
+    paintOverOpenGl();
     isPainting_ = false;
+}
+
+void VtkView::paintOverOpenGl()
+{
+    // Not QPainter(this): when a parent is grabbed, Qt would send that paint to the parent's picture, under the view.
+    QOpenGLPaintDevice device(deviceSize());
+    device.setDevicePixelRatio(devicePixelRatio());
+    QPainter painter(&device);
+    // The paint engine takes up its own OpenGL state anew only after native painting; VTK changed all of it.
+    painter.beginNativePainting();
+    painter.endNativePainting();
+    paintAnnotations(painter);
 }
 
 void VtkView::blitToWidget()

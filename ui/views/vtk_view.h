@@ -37,6 +37,7 @@ private:
     struct Glue;
     void releaseContext();
     void blitToWidget();
+    void paintOverOpenGl();
 
     std::unique_ptr<Glue> glue_;
     int contextCount_ = 0;

@@ -1,0 +1,114 @@
+#include "ui/scenes/burn_text.h"
+
+#include "ui/scenes/text_mask.h"
+#include "ui/theme/theme.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace ui {
+namespace {
+
+void blend(core::ColorImage& picture, int x, int y, const Color& color, double share)
+{
+    if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) {
+        return;
+    }
+    std::uint8_t* pixel = &picture.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                                            static_cast<std::size_t>(x))];
+    const Color result = mixed({pixel[0], pixel[1], pixel[2]}, color, share);
+    pixel[0] = result.red;
+    pixel[1] = result.green;
+    pixel[2] = result.blue;
+}
+
+struct Rect {
+    int left, top, width, height;
+};
+
+void fill(core::ColorImage& picture, const Rect& rect, const Color& color, double share)
+{
+    for (int y = rect.top; y < rect.top + rect.height; ++y) {
+        for (int x = rect.left; x < rect.left + rect.width; ++x) {
+            blend(picture, x, y, color, share);
+        }
+    }
+}
+
+void drawMask(core::ColorImage& picture, const core::Mask2d& mask, int left, int top)
+{
+    if (mask.isEmpty()) {
+        return;
+    }
+    const Palette& tones = palette(ThemeMode::Dark);
+    fill(picture, {left - 4, top - 3, mask.width + 8, mask.height + 6}, tones.canvas, 0.4);
+    for (int y = 0; y < mask.height; ++y) {
+        for (int x = 0; x < mask.width; ++x) {
+            blend(picture, left + x, top + y, tones.textStrong, mask.at(x, y) / 255.0);
+        }
+    }
+}
+
+std::string formatted(double value, int decimals)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    return text;
+}
+
+/// One label left of the scale, its middle at `y`.
+void drawLabel(core::ColorImage& picture, const std::string& text, int right, int y)
+{
+    const int sizePx = burnSizes(picture.width, picture.height).textPx;
+    const core::Mask2d mask = textMask({text}, sizePx, TextAlign::Right);
+    drawMask(picture, mask, right - mask.width, y - mask.height / 2);
+}
+
+}   // namespace
+
+BurnSizes burnSizes(int width, int height)
+{
+    const int textPx = std::max(10, static_cast<int>(std::lround(0.0155 * std::min(width, height))));
+    return {textPx, textPx};
+}
+
+void burnTexts(core::ColorImage& picture, const CornerTexts& texts, const BurnSizes& sizes)
+{
+    const int margin = sizes.marginPx;
+    enum class Edge { Top, Bottom };
+    const auto draw = [&](const std::vector<std::string>& lines, TextAlign align, Edge edge) {
+        const core::Mask2d mask = textMask(lines, sizes.textPx, align);
+        const int left = align == TextAlign::Left ? margin : picture.width - margin - mask.width;
+        drawMask(picture, mask, left, edge == Edge::Bottom ? picture.height - margin - mask.height : margin);
+    };
+    draw(texts.topLeft, TextAlign::Left, Edge::Top);
+    draw(texts.topRight, TextAlign::Right, Edge::Top);
+    draw(texts.bottomLeft, TextAlign::Left, Edge::Bottom);
+    draw(texts.bottomRight, TextAlign::Right, Edge::Bottom);
+}
+
+void burnScale(core::ColorImage& picture, double maximumPx, double maximumMm, const BurnSizes& sizes)
+{
+    const int barWidth = sizes.textPx;
+    const int barHeight = std::max(8 * sizes.textPx, picture.height / 6);
+    const int capHeight = std::max(4, sizes.textPx * 2 / 3);
+    const Rect bar{picture.width - sizes.marginPx - barWidth, (picture.height - barHeight) / 2, barWidth, barHeight};
+    for (int y = 0; y < bar.height; ++y) {
+        const double fraction = 1.0 - (y + 0.5) / bar.height;
+        fill(picture, {bar.left, bar.top + y, bar.width, 1}, residualColor(fraction), 1.0);
+    }
+    fill(picture, {bar.left, bar.top - capHeight - 2, bar.width, capHeight}, residualColorAboveScale(), 1.0);
+
+    const bool inMm = maximumMm > 0.0;
+    const double maximum = inMm ? maximumMm : maximumPx;
+    const int decimals = maximum < 10.0 ? 1 : 0;
+    const int right = bar.left - sizes.textPx / 2;
+    drawLabel(picture, inMm ? "mm" : "px", right, bar.top - 5 * sizes.textPx / 2);
+    drawLabel(picture, "> " + formatted(maximum, decimals), right, bar.top - capHeight / 2 - 2);
+    drawLabel(picture, formatted(0.5 * maximum, decimals + 1), right, bar.top + bar.height / 2);
+    drawLabel(picture, "0", right, bar.top + bar.height - sizes.textPx / 2);
+}
+
+}   // namespace ui

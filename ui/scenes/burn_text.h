@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/imaging/image2d.h"
+#include "ui/scenes/render_offscreen.h"
+
+namespace ui {
+
+/// Size of everything that is burned into a picture, in px.
+struct BurnSizes {
+    int textPx = 14;
+    int marginPx = 14;
+};
+
+/// Sizes in proportion to the picture, readable when it is printed.
+BurnSizes burnSizes(int width, int height);
+
+void burnTexts(core::ColorImage& picture, const CornerTexts& texts, const BurnSizes& sizes);
+
+/// Residual ramp with its end values at the right edge; `maximumMm` 0 labels it in px.
+void burnScale(core::ColorImage& picture, double maximumPx, double maximumMm, const BurnSizes& sizes);
+
+}   // namespace ui

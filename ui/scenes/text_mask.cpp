@@ -1,0 +1,115 @@
+#include "ui/scenes/text_mask.h"
+
+#include "ui/scenes/interface_font.h"
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace ui {
+namespace {
+
+struct FreeFace {
+    void operator()(FT_Face face) const { FT_Done_Face(face); }
+};
+struct FreeLibrary {
+    void operator()(FT_Library library) const { FT_Done_FreeType(library); }
+};
+using Library = std::unique_ptr<FT_LibraryRec_, FreeLibrary>;
+using Face = std::unique_ptr<FT_FaceRec_, FreeFace>;
+
+Library openLibrary()
+{
+    FT_Library library = nullptr;
+    return Library(FT_Init_FreeType(&library) == 0 ? library : nullptr);
+}
+
+Face openFace(const Library& library, int sizePx)
+{
+    FT_Face face = nullptr;
+    if (!library || FT_New_Face(library.get(), interfaceFontFile().c_str(), 0, &face) != 0) {
+        return {};
+    }
+    FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(sizePx));
+    return Face(face);
+}
+
+/// Code points of UTF-8; a broken sequence ends the text.
+std::vector<FT_ULong> codePoints(const std::string& text)
+{
+    std::vector<FT_ULong> points;
+    for (std::size_t i = 0; i < text.size();) {
+        const auto lead = static_cast<unsigned char>(text[i]);
+        const std::size_t length = lead < 0x80 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
+        if (i + length > text.size()) {
+            break;
+        }
+        FT_ULong point = length == 1 ? lead : lead & (0x7fU >> length);
+        for (std::size_t k = 1; k < length; ++k) {
+            point = point << 6U | (static_cast<unsigned char>(text[i + k]) & 0x3fU);
+        }
+        points.push_back(point);
+        i += length;
+    }
+    return points;
+}
+
+int widthOf(FT_Face face, const std::string& line)
+{
+    int width = 0;
+    for (const FT_ULong point : codePoints(line)) {
+        if (FT_Load_Char(face, point, FT_LOAD_DEFAULT) == 0) {
+            width += static_cast<int>(face->glyph->advance.x >> 6);
+        }
+    }
+    return width;
+}
+
+void addGlyph(core::Mask2d& mask, const FT_GlyphSlot glyph, int penX, int baseline)
+{
+    const FT_Bitmap& bitmap = glyph->bitmap;
+    for (unsigned row = 0; row < bitmap.rows; ++row) {
+        for (unsigned column = 0; column < bitmap.width; ++column) {
+            const int x = penX + glyph->bitmap_left + static_cast<int>(column);
+            const int y = baseline - glyph->bitmap_top + static_cast<int>(row);
+            if (mask.contains(x, y)) {
+                const auto coverage = bitmap.buffer[row * static_cast<unsigned>(bitmap.pitch) + column];
+                mask.at(x, y) = std::max(mask.at(x, y), coverage);
+            }
+        }
+    }
+}
+
+}   // namespace
+
+core::Mask2d textMask(const std::vector<std::string>& lines, int sizePx, TextAlign align)
+{
+    const Library library = openLibrary();
+    const Face face = openFace(library, sizePx);
+    if (!face || lines.empty()) {
+        return {};
+    }
+    const int lineHeight = static_cast<int>(std::lround(1.4 * sizePx));
+    int width = 0;
+    for (const std::string& line : lines) {
+        width = std::max(width, widthOf(face.get(), line));
+    }
+    core::Mask2d mask(width + 2, lineHeight * static_cast<int>(lines.size()));
+    int baseline = static_cast<int>(std::lround(1.05 * sizePx));
+    for (const std::string& line : lines) {
+        int penX = align == TextAlign::Right ? width - widthOf(face.get(), line) : 0;
+        for (const FT_ULong point : codePoints(line)) {
+            if (FT_Load_Char(face.get(), point, FT_LOAD_RENDER) == 0) {
+                addGlyph(mask, face->glyph, penX, baseline);
+                penX += static_cast<int>(face->glyph->advance.x >> 6);
+            }
+        }
+        baseline += lineHeight;
+    }
+    return mask;
+}
+
+}   // namespace ui

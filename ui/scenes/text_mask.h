@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/imaging/image2d.h"
+
+#include <string>
+#include <vector>
+
+namespace ui {
+
+enum class TextAlign { Left, Right };
+
+/// Coverage (0…255) of lines of UTF-8 text in the interface font; empty when there is no text or no font.
+core::Mask2d textMask(const std::vector<std::string>& lines, int sizePx, TextAlign align);
+
+}   // namespace ui
