@@ -19,6 +19,7 @@ constexpr int widestSidePx = 300;
 constexpr double minRadiusPx = 1.5;
 constexpr double maxRadiusPx = 4.0;
 constexpr std::size_t smallestVesselPx = 60;
+constexpr double fullShare = 0.97;   // differences below this are noise
 
 bool isTraceable(const ImageF& frame, const ImageF& first)
 {
@@ -90,7 +91,17 @@ std::vector<double> opacificationCurve(const std::vector<ImageF>& frames, Polari
 int suggestFrame(const std::vector<ImageF>& frames, Polarity polarity)
 {
     const std::vector<double> curve = opacificationCurve(frames, polarity);
-    return curve.empty() ? 0 : static_cast<int>(std::max_element(curve.begin(), curve.end()) - curve.begin());
+    if (curve.empty()) {
+        return 0;
+    }
+    const double fullest = *std::max_element(curve.begin(), curve.end());
+    std::vector<int> full;
+    for (int k = 0; k < static_cast<int>(curve.size()); ++k) {
+        if (curve[static_cast<std::size_t>(k)] >= fullShare * fullest) {
+            full.push_back(k);
+        }
+    }
+    return full[(full.size() - 1) / 2];
 }
 
 }   // namespace core

@@ -10,7 +10,7 @@ namespace core {
 /// common to all frames. 0 for frames that cannot be traced (empty, another size, not finite, of one colour).
 std::vector<double> opacificationCurve(const std::vector<ImageF>& frames, Polarity polarity);
 
-/// The fullest frame: the first with the most opacification; 0 when there are no frames.
+/// The fullest frame: the middle one of those with nearly the most opacification; 0 when there are no frames.
 int suggestFrame(const std::vector<ImageF>& frames, Polarity polarity);
 
 }   // namespace core

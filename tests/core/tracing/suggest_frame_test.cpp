@@ -28,6 +28,12 @@ TEST(SuggestFrame, PicksTheFullestFrame)
     EXPECT_LT(curve[3], curve[2]);
 }
 
+TEST(SuggestFrame, TakesTheMiddleOfALongFilling)
+{
+    const ImageF full = frameFilledTo(1.0);
+    EXPECT_EQ(core::suggestFrame({frameFilledTo(0.3), full, full, full, full, full}, Polarity::VesselsDark), 3);
+}
+
 TEST(SuggestFrame, NoiseIsNotTakenForFilling)
 {
     const std::vector<ImageF> run{frameFilledTo(0.2, 20.0), frameFilledTo(0.9, 4.0)};
