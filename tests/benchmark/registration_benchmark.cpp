@@ -50,14 +50,14 @@ void registerOnce(benchmark::State& state, const std::string& method)
     state.counters["solve_ms"] = benchmark::Counter(sum.solveMs, mean);
 }
 
-/// The usual print, remembering each benchmark's median.
+/// The usual print, remembering each benchmark's median processor time, which other programs disturb least.
 class MedianReporter : public benchmark::ConsoleReporter {
 public:
     void ReportRuns(const std::vector<Run>& reports) override
     {
         for (const Run& run : reports) {
             if (run.aggregate_name == "median") {
-                mediansMs_[run.run_name.function_name] = run.GetAdjustedRealTime();
+                mediansMs_[run.run_name.function_name] = run.GetAdjustedCPUTime();
             }
         }
         ConsoleReporter::ReportRuns(reports);

@@ -28,6 +28,7 @@ const char* const usage =
     "  --threads <n>     changes the time only, never the numbers (all cores)\n"
     "  --methods <list>  method or method:preset, comma-separated (angiopose,dynaweight:seed_noprior,\n"
     "                    dynaweight:seed_mean,iterative-pnp:seed_noprior)\n"
+    "  --set <list>      options by their key in files, comma-separated (searchRadiusMm=100)\n"
     "  --rotation <deg>  standard deviation per axis of the start pose's rotation (2)\n"
     "  --shift <mm>      standard deviation per axis of its translation (5)\n"
     "  --worst <n>       also list the worst runs of each method (0)\n"
@@ -109,10 +110,10 @@ void printWorst(const Experiment& experiment, std::size_t contestant, std::size_
     std::printf("  worst of %s:\n", experiment.contestants[contestant].label.c_str());
     for (std::size_t i = 0; i < std::min(count, order.size()); ++i) {
         const TrialOutcome& o = outcomes[order[i]];
-        std::printf("    run %4zu  tree %2zu  PR %s px  angle %s°  depth %s mm%s\n", order[i],
-                    order[i] % experiment.phantoms.size(), significant(o.projection.meanPx).c_str(),
+        std::printf("    run %4zu  tree %2zu  PR %s px  angle %s°  depth %s mm  (start: %.0f mm aside, %.1f°)%s\n",
+                    order[i], order[i] % experiment.phantoms.size(), significant(o.projection.meanPx).c_str(),
                     significant(o.pose.angleDeg).c_str(), significant(o.pose.centroidDepthMm).c_str(),
-                    o.trustworthy ? "" : "  (not trusted)");
+                    o.start.centroidInPlaneMm, o.start.angleDeg, o.trustworthy ? "" : "  not trusted");
     }
 }
 
@@ -157,6 +158,14 @@ int main(int argc, char** argv)
     experiment.contestants = contestantsOf(
         arguments.list("methods", "angiopose,dynaweight:seed_noprior,dynaweight:seed_mean,iterative-pnp:seed_noprior"),
         experiment.plan.target);
+    for (const std::string& assignment : arguments.list("set", "")) {
+        for (Contestant& contestant : experiment.contestants) {
+            if (!setOption(contestant.options, assignment)) {
+                std::fprintf(stderr, "no such option: %s\n", assignment.c_str());
+                return 2;
+            }
+        }
+    }
     const int points = static_cast<int>(arguments.number("points", 2000));
     for (int tree = 0; tree < static_cast<int>(arguments.number("trees", 10)); ++tree) {
         experiment.phantoms.push_back(

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdlib>
 #include <limits>
 
 namespace benchmarks {
@@ -87,6 +88,18 @@ Contestant contestantOf(const std::string& name, Target target)
     return contestant;
 }
 
+bool setOption(core::RegistrationOptions& options, const std::string& assignment)
+{
+    const std::size_t equals = assignment.find('=');
+    for (const core::OptionField& field : core::optionFields()) {
+        if (equals != std::string::npos && field.key == assignment.substr(0, equals)) {
+            field.write(options, std::strtod(assignment.c_str() + equals + 1, nullptr));
+            return true;
+        }
+    }
+    return false;
+}
+
 TrialOutcome runTrial(const Phantom& phantom, const core::RegistrationInput& input, const Contestant& contestant)
 {
     const auto begin = std::chrono::steady_clock::now();
@@ -99,6 +112,8 @@ TrialOutcome runTrial(const Phantom& phantom, const core::RegistrationInput& inp
     outcome.trustworthy = result && result.value().trustworthy;
     outcome.projection = core::projectionError(phantom.tree, phantom.camera, poses);
     outcome.pose = core::poseError(core::centroidInPatient(phantom.tree), poses);
+    outcome.start = core::poseError(core::centroidInPatient(phantom.tree),
+                                    {input.initialCameraFromPatient, phantom.trueCameraFromPatient});
     return outcome;
 }
 

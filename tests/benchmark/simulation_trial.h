@@ -45,9 +45,13 @@ struct Contestant {
 /// Fails (empty label) when method or preset is unknown.
 Contestant contestantOf(const std::string& name, Target target);
 
+/// Changes one option by the key it has in files, e.g. "searchRadiusMm=100"; false when there is no such option.
+bool setOption(core::RegistrationOptions& options, const std::string& assignment);
+
 struct TrialOutcome {
     bool failed = false;   ///< no result at all
     bool trustworthy = false;
+    core::PoseError start;   ///< of the start pose
     core::ProjectionError projection;
     core::PoseError pose;
     double timeMs = 0.0;
