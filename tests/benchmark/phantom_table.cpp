@@ -4,6 +4,7 @@
 #include "core/registration_case.h"
 #include "io/case_file.h"
 #include "tests/benchmark/arguments.h"
+#include "tests/benchmark/simulation_trial.h"
 #include "tests/benchmark/text_table.h"
 
 #include <algorithm>
@@ -24,7 +25,8 @@ constexpr double medianDifferenceDeg = 0.7;
 
 const char* const usage =
     "phantom_table [folder with IM1.angiopose … IM4.angiopose]\n"
-    "  --method <id>     another method (angiopose)\n";
+    "  --method <id>     another method (angiopose)\n"
+    "  --set <list>      options by their key in files, comma-separated (finalScalePx=0.5)\n";
 
 struct View {
     std::string name;
@@ -46,7 +48,7 @@ double degrees(double radians)
     return radians * 180.0 / std::numbers::pi;
 }
 
-core::Result<View> registerView(const std::filesystem::path& path, const std::string& method)
+core::Result<View> registerView(const std::filesystem::path& path, const core::RegistrationOptions& options)
 {
     std::vector<std::string> warnings;
     auto loaded = io::loadCase(path.string(), warnings);
@@ -54,7 +56,7 @@ core::Result<View> registerView(const std::filesystem::path& path, const std::st
         return loaded.error();
     }
     core::RegistrationCase registrationCase = std::move(loaded).value();
-    registrationCase.options.method = method;
+    registrationCase.options = options;
     const auto headerPose = core::cameraFromPatient(registrationCase.cArm, Eigen::Vector3d::Zero());
     if (!headerPose) {
         return headerPose.error();
@@ -139,9 +141,17 @@ int main(int argc, char** argv)
     const std::filesystem::path folder = arguments.positional().empty()
                                              ? std::filesystem::path(TEST_DATA_DIR) / "coronary-phantom-xa/cases"
                                              : std::filesystem::path(arguments.positional().front());
+    core::RegistrationOptions options;
+    options.method = arguments.text("method", options.method);
+    for (const std::string& assignment : arguments.list("set", "")) {
+        if (!setOption(options, assignment)) {
+            std::fprintf(stderr, "no such option: %s\n", assignment.c_str());
+            return 2;
+        }
+    }
     std::vector<View> views;
     for (const char* name : {"IM1.angiopose", "IM2.angiopose", "IM3.angiopose", "IM4.angiopose"}) {
-        auto view = registerView(folder / name, arguments.text("method", "angiopose"));
+        auto view = registerView(folder / name, options);
         if (!view) {
             std::fprintf(stderr, "%s\n", view.error().message.c_str());
             return 1;
