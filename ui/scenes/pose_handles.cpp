@@ -69,6 +69,7 @@ PoseHandles::PoseHandles()
 {
     renderer_->SetLayer(1);
     renderer_->InteractiveOff();
+    renderer_->DrawOff();
     renderer_->AddActor2D(strokes_.actor());
 }
 
@@ -86,6 +87,7 @@ void PoseHandles::show(const PoseHandleLook& look)
         addCross(mesh, look);
     }
     strokes_.show(mesh);
+    renderer_->SetDraw(look.radius > 0.0);   // an empty layer still costs a pass over the picture
 }
 
 }   // namespace ui

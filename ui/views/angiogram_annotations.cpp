@@ -85,6 +85,14 @@ public:
         return scene_.treePasses(viewport_.imageRectOf({wide.left(), wide.top()}, {wide.right(), wide.bottom()}));
     }
 
+    bool hasPicture(const QRectF& part) const
+    {
+        const core::ImageF& frame = scene_.frame();
+        const Eigen::Vector2d topLeft = viewport_.widgetFromImage({-0.5, -0.5});
+        const Eigen::Vector2d bottomRight = viewport_.widgetFromImage({frame.width - 0.5, frame.height - 0.5});
+        return part.intersects(QRectF(QPointF(topLeft.x(), topLeft.y()), QPointF(bottomRight.x(), bottomRight.y())));
+    }
+
 private:
     const ImageViewport& viewport_;
     const OverlayScene& scene_;
@@ -121,8 +129,12 @@ QRectF paintCorner(QPainter& painter, const QSizeF& size, Corner corner, const Q
     const std::array<std::pair<QStringList, QFont>, 3> choices{{{lines, full}, {lines, small}, {folded, small}}};
     for (const auto& [shown, font] : choices) {
         const QRectF block = blockRect(size, corner, shown, font);
-        if (ground.hasVessels(block)) {
+        const bool coversPicture = ground.hasPicture(block);
+        if (ground.hasVessels(block) || (coversPicture && font == full)) {
             continue;
+        }
+        if (coversPicture) {
+            painter.fillRect(block.adjusted(-5.0, -3.0, 5.0, 3.0), colorOf(tones().canvas, 0.4));
         }
         painter.setFont(font);
         const int flags = (isRight(corner) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter | Qt::TextSingleLine;

@@ -1,0 +1,152 @@
+#include "ui/scenes/render_offscreen.h"
+
+#include "tests/ui/overlay_fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace {
+
+const ui::ViewRect wholeImage{-0.5, 511.5, -0.5, 511.5};
+
+void fillWithDots(ui::OverlayScene& scene, test::Mirror mirror)
+{
+    scene.setFrame(core::ImageF(512, 512, 0.0F));
+    scene.setWindowLevel(1.0, 0.5);
+    scene.setTree(test::treeOfDots());
+    scene.setCamera(test::obliqueCamera(mirror));
+    scene.setPose(test::obliquePose());
+}
+
+double brightnessAt(const core::ColorImage& picture, int x, int y)
+{
+    const std::size_t at =
+        3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
+    return picture.rgb[at] + picture.rgb[at + 1] + picture.rgb[at + 2];
+}
+
+class RenderOffscreenOf : public ::testing::TestWithParam<test::Mirror> {};
+
+TEST_P(RenderOffscreenOf, PutsEveryPointWhereTheCameraProjectsIt)
+{
+    ui::OverlayScene scene;
+    fillWithDots(scene, GetParam());
+    const auto picture = ui::renderOffscreen(scene, 1024, 1024, wholeImage);
+    ASSERT_TRUE(picture) << picture.error().message;
+    for (const core::VesselBranch& branch : test::treeOfDots().branches) {
+        const auto pixel =
+            core::project(test::obliqueCamera(GetParam()), test::obliquePose() * branch.pointsInPatient.front());
+        const Eigen::Vector2d expected = 2.0 * (*pixel + Eigen::Vector2d(0.5, 0.5)) - Eigen::Vector2d(0.5, 0.5);
+        const auto found =
+            test::centreOfLight([&](int x, int y) { return brightnessAt(picture.value(), x, y); }, expected);
+        EXPECT_LT((found - expected).norm(), 0.25) << "branch " << branch.id;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(BothMirrors, RenderOffscreenOf,
+                         ::testing::Values(test::Mirror::SeenFromDetector, test::Mirror::SeenFromSource));
+
+TEST(RenderOffscreen, ShowsEveryPixelOfTheFrameAsItsGreyValue)
+{
+    core::ImageF frame(16, 16);
+    for (int i = 0; i < 256; ++i) {
+        frame.pixels[static_cast<std::size_t>(i)] = static_cast<float>(i);
+    }
+    ui::OverlayScene scene;
+    scene.setFrame(frame);
+    scene.setWindowLevel(255.0, 127.5);
+    scene.setInterpolation(ui::Interpolation::Nearest);
+    const auto picture = ui::renderOffscreen(scene, 16, 16, {-0.5, 15.5, -0.5, 15.5});
+    ASSERT_TRUE(picture) << picture.error().message;
+    for (std::size_t i = 0; i < 256; ++i) {
+        EXPECT_NEAR(picture.value().rgb[3 * i], static_cast<double>(i), 1.0);
+    }
+}
+
+TEST(RenderOffscreen, HidesPointsBehindTheSource)
+{
+    ui::OverlayScene scene;
+    fillWithDots(scene, test::Mirror::SeenFromDetector);
+    core::RigidTransform behind = test::obliquePose();
+    behind.translation.z() = -750.0;
+    scene.setPose(behind);
+    const auto picture = ui::renderOffscreen(scene, 256, 256, wholeImage);
+    ASSERT_TRUE(picture) << picture.error().message;
+    EXPECT_TRUE(std::all_of(picture.value().rgb.begin(), picture.value().rgb.end(), [](int v) { return v == 0; }));
+}
+
+TEST(RenderOffscreen, JoinsTilesWithoutSeam)
+{
+    core::VesselTree line;
+    core::VesselBranch branch;
+    branch.id = 1;
+    for (int i = 0; i <= 100; ++i) {
+        branch.pointsInPatient.emplace_back(-60.0 + 1.2 * i, 0.0, 0.0);
+    }
+    line.branches = {branch};
+    ui::OverlayScene scene;
+    scene.setTree(line);
+    scene.setCamera({2400.0, 2400.0, 255.5, 255.5, 512, 512});
+    scene.setPose({Eigen::Matrix3d::Identity(), {0.0, 0.0, 750.0}});
+    const auto picture = ui::renderOffscreen(scene, 3000, 300, {-0.5, 511.5, 230.0, 281.2});
+    ASSERT_TRUE(picture) << picture.error().message;
+    const int row = static_cast<int>((255.5 - 230.0) / 51.2 * 300);
+    const double inside = brightnessAt(picture.value(), 1500, row);
+    EXPECT_GT(inside, 200.0);
+    for (int x = 2040; x < 2056; ++x) {   // the border between two tiles lies at 2048
+        EXPECT_NEAR(brightnessAt(picture.value(), x, row), inside, 3.0) << x;
+    }
+}
+
+TEST(RenderOffscreen, LeavesTheSceneAsItWas)
+{
+    ui::OverlayScene scene;
+    scene.setViewRect({1.0, 2.0, 3.0, 4.0});
+    scene.setLineWidthPx(5.0);
+    ASSERT_TRUE(ui::renderOffscreen(scene, 64, 64, wholeImage));
+    EXPECT_EQ(scene.viewRect(), (ui::ViewRect{1.0, 2.0, 3.0, 4.0}));
+    EXPECT_EQ(scene.lineWidthPx(), 5.0);
+}
+
+TEST(RenderOffscreen, BurnsTextsIntoTheirCorners)
+{
+    ui::OverlayScene scene;
+    ui::CornerTexts texts;
+    texts.bottomRight = {"Not for clinical use"};
+    const auto picture = ui::renderOffscreen(scene, 600, 600, wholeImage, texts);
+    ASSERT_TRUE(picture) << picture.error().message;
+    double topLeft = 0.0;
+    double bottomRight = 0.0;
+    for (int y = 0; y < 300; ++y) {
+        for (int x = 0; x < 300; ++x) {
+            topLeft += brightnessAt(picture.value(), x, y);
+            bottomRight += brightnessAt(picture.value(), 599 - x, 599 - y);
+        }
+    }
+    EXPECT_EQ(topLeft, 0.0);
+    EXPECT_GT(bottomRight, 10000.0);
+}
+
+TEST(RenderOffscreen, RefusesImpossibleSizes)
+{
+    ui::OverlayScene scene;
+    const auto picture = ui::renderOffscreen(scene, 0, 100, wholeImage);
+    ASSERT_FALSE(picture);
+    EXPECT_NE(picture.error().message.find("choose another size"), std::string::npos);
+}
+
+TEST(OverlayScene, FindsTheBranchUnderAPoint)
+{
+    ui::OverlayScene scene;
+    fillWithDots(scene, test::Mirror::SeenFromDetector);
+    const core::VesselBranch branch = test::treeOfDots().branches[4];
+    const auto pixel = core::project(test::obliqueCamera(test::Mirror::SeenFromDetector),
+                                     test::obliquePose() * branch.pointsInPatient.front());
+    EXPECT_EQ(scene.branchAt(*pixel + Eigen::Vector2d(2.0, 0.0), 3.0), branch.id);
+    EXPECT_EQ(scene.branchAt(*pixel + Eigen::Vector2d(4.0, 0.0), 3.0), std::nullopt);
+    scene.setMode(ui::OverlayMode::Hidden);
+    EXPECT_EQ(scene.branchAt(*pixel, 3.0), std::nullopt);
+}
+
+}   // namespace

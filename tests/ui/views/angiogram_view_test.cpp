@@ -1,0 +1,241 @@
+#include "ui/views/angiogram_view.h"
+
+#include "tests/ui/overlay_fixture.h"
+
+#include <gtest/gtest.h>
+#include <QApplication>
+#include <QImage>
+#include <QOpenGLContext>
+#include <QPointer>
+#include <QSignalSpy>
+#include <QTest>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <climits>
+#include <cmath>
+
+namespace {
+
+class AngiogramViewTest : public ::testing::TestWithParam<test::Mirror> {
+protected:
+    AngiogramViewTest()
+    {
+        view_->resize(640, 480);
+        view_->setFrame(core::ImageF(512, 512, 0.0F));
+        view_->setWindowLevel(1.0, 0.5);
+        view_->scene().setTree(test::treeOfDots());
+        setMirror(test::Mirror::SeenFromDetector);
+        view_->show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(view_.get()));
+    }
+
+    void setMirror(test::Mirror mirror)
+    {
+        camera_ = test::obliqueCamera(mirror);
+        view_->setCamera(camera_);
+        view_->setPose(test::obliquePose());
+        view_->setPivot(Eigen::Vector3d::Zero());
+    }
+    Eigen::Vector2d projected(const Eigen::Vector3d& pointInPatient) const
+    {
+        return *core::project(camera_, test::obliquePose() * pointInPatient);
+    }
+    QPoint onWidget(const Eigen::Vector3d& pointInPatient) const
+    {
+        return view_->widgetFromImage(projected(pointInPatient)).toPoint();
+    }
+    void expectDotsWhereProjected()
+    {
+        const QImage picture = view_->grabFramebuffer();
+        const double ratio = view_->devicePixelRatio();
+        const auto brightness = [&picture](int x, int y) {
+            return picture.valid(x, y) ? qGray(picture.pixel(x, y)) : 0;
+        };
+        int seen = 0;
+        for (const core::VesselBranch& branch : test::treeOfDots().branches) {
+            const QPointF at = view_->widgetFromImage(projected(branch.pointsInPatient.front()));
+            // Pixel k of the framebuffer covers k … k + 1 device px.
+            const Eigen::Vector2d expected(at.x() * ratio - 0.5, at.y() * ratio - 0.5);
+            if (!picture.rect().adjusted(20, 40, -20, -90).contains(at.toPoint() * ratio)) {
+                continue;   // off the picture or below the texts
+            }
+            ++seen;
+            EXPECT_LT((test::centreOfLight(brightness, expected) - expected).norm(), 0.5) << "branch " << branch.id;
+        }
+        EXPECT_GT(seen, 0);
+    }
+    void drag(Qt::MouseButton button, const QPoint& from, const std::vector<QPoint>& way)
+    {
+        QTest::mousePress(view_.get(), button, {}, from);
+        for (const QPoint& point : way) {
+            QTest::mouseMove(view_.get(), point);
+        }
+    }
+    void wheel(int degrees8, Qt::KeyboardModifiers modifiers, const QPointF& at)
+    {
+        QWheelEvent event(at, view_->mapToGlobal(at), {}, {0, degrees8}, Qt::NoButton, modifiers, Qt::NoScrollPhase,
+                          false);
+        QApplication::sendEvent(view_.get(), &event);
+    }
+
+    std::unique_ptr<ui::AngiogramView> view_ = std::make_unique<ui::AngiogramView>();
+    core::ProjectionCamera camera_;
+};
+
+TEST_P(AngiogramViewTest, ShowsThePointsWhereTheCameraProjectsThem)
+{
+    setMirror(GetParam());
+    expectDotsWhereProjected();
+    wheel(240, Qt::ControlModifier, {400.0, 300.0});
+    expectDotsWhereProjected();
+    drag(Qt::MiddleButton, {300, 200}, {{310, 205}, {263, 231}});
+    QTest::mouseRelease(view_.get(), Qt::MiddleButton, {}, {263, 231});
+    expectDotsWhereProjected();
+}
+
+INSTANTIATE_TEST_SUITE_P(BothMirrors, AngiogramViewTest,
+                         ::testing::Values(test::Mirror::SeenFromDetector, test::Mirror::SeenFromSource));
+
+using AngiogramViewInput = AngiogramViewTest;
+
+TEST_F(AngiogramViewInput, LeftDragChangesWindowAndLevel)
+{
+    QSignalSpy changed(view_.get(), &ui::AngiogramView::windowLevelChanged);
+    drag(Qt::LeftButton, {100, 100}, {{160, 100}});
+    QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, {160, 100});
+    ASSERT_FALSE(changed.isEmpty());
+    EXPECT_GT(view_->shownRange().window(), 1.0);
+    EXPECT_NEAR(view_->shownRange().level(), 0.5, 1e-9);
+}
+
+TEST_F(AngiogramViewInput, ControlWheelKeepsThePointUnderTheMouse)
+{
+    const QPointF mouse(411.0, 173.0);
+    const Eigen::Vector2d before = view_->imageFromWidget(mouse);
+    const double zoom = view_->zoom();
+    wheel(120, Qt::ControlModifier, mouse);
+    EXPECT_GT(view_->zoom(), zoom);
+    EXPECT_LT((view_->imageFromWidget(mouse) - before).norm(), 1e-9);
+    QTest::mouseDClick(view_.get(), Qt::LeftButton, {}, {50, 50});
+    EXPECT_NEAR(view_->zoom(), zoom, 1e-12);
+}
+
+TEST_F(AngiogramViewInput, WheelAndKeysStepThroughFrames)
+{
+    QSignalSpy steps(view_.get(), &ui::AngiogramView::frameStepRequested);
+    wheel(-120, {}, {200.0, 200.0});
+    wheel(60, {}, {200.0, 200.0});
+    wheel(60, {}, {200.0, 200.0});
+    QTest::keyClick(view_.get(), Qt::Key_Down, Qt::ShiftModifier);
+    QTest::keyClick(view_.get(), Qt::Key_Home);
+    QTest::keyClick(view_.get(), Qt::Key_End);
+    std::vector<int> values;
+    for (const QList<QVariant>& step : steps) {
+        values.push_back(step.front().toInt());
+    }
+    EXPECT_EQ(values, (std::vector<int>{1, -1, 10, INT_MIN, INT_MAX}));
+}
+
+TEST_F(AngiogramViewInput, ClickPicksTheBranchAndHoverAnnouncesIt)
+{
+    int clicked = 0;
+    std::optional<int> hovered;
+    QObject::connect(view_.get(), &ui::AngiogramView::branchClicked, [&clicked](int id) { clicked = id; });
+    QObject::connect(view_.get(), &ui::AngiogramView::branchHovered, [&hovered](auto id) { hovered = id; });
+    QSignalSpy background(view_.get(), &ui::AngiogramView::backgroundClicked);
+    const core::VesselBranch branch = test::treeOfDots().branches[5];
+    const QPoint at = onWidget(branch.pointsInPatient.front());
+    QTest::mouseMove(view_.get(), at);
+    EXPECT_EQ(hovered, branch.id);
+    QTest::mouseClick(view_.get(), Qt::LeftButton, {}, at);
+    EXPECT_EQ(clicked, branch.id);
+    QTest::mouseClick(view_.get(), Qt::LeftButton, {}, {5, 5});
+    EXPECT_EQ(background.size(), 1);
+    EXPECT_EQ(hovered, std::nullopt);
+}
+
+TEST_F(AngiogramViewInput, NudgeDragFollowsTheMouseOnTheImage)
+{
+    view_->setNudgeMode(true);
+    core::PoseOffset offset;
+    QObject::connect(view_.get(), &ui::AngiogramView::dragged, [&](const core::PoseOffset& o) {
+        offset = o;
+        view_->setPose(core::applyOffset(test::obliquePose(), o, Eigen::Vector3d::Zero(), camera_));
+    });
+    QSignalSpy finished(view_.get(), &ui::AngiogramView::dragFinished);
+    const QPoint start = onWidget(Eigen::Vector3d::Zero());
+    drag(Qt::LeftButton, start, {start + QPoint(10, 0), start + QPoint(40, -25)});
+    QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, start + QPoint(40, -25));
+    EXPECT_EQ(finished.size(), 1);
+    const auto moved =
+        core::applyOffset(test::obliquePose(), offset, Eigen::Vector3d::Zero(), camera_) * Eigen::Vector3d::Zero();
+    const Eigen::Vector2d step = (*core::project(camera_, moved) - projected(Eigen::Vector3d::Zero())) * view_->zoom();
+    EXPECT_NEAR(step.x(), 40.0, 1e-6);
+    EXPECT_NEAR(step.y(), -25.0, 1e-6);
+}
+
+TEST_F(AngiogramViewInput, DraggingTheRingRollsClockwise)
+{
+    view_->setNudgeMode(true);
+    core::PoseOffset offset;
+    QObject::connect(view_.get(), &ui::AngiogramView::dragged, [&](const core::PoseOffset& o) { offset = o; });
+    const double radius = 0.12 * view_->height();
+    const QPointF centre = view_->widgetFromImage(projected(Eigen::Vector3d::Zero()));
+    const auto onRing = [&](double rad) { return (centre + radius * QPointF(std::cos(rad), std::sin(rad))).toPoint(); };
+    drag(Qt::LeftButton, onRing(0.0), {onRing(0.2), onRing(0.5), onRing(0.8)});
+    QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, onRing(0.8));
+    EXPECT_NEAR(offset.rollDeg, 0.8 * 57.2958, 2.0);   // the mouse moves in whole pixels
+    EXPECT_EQ(offset.rightMm, 0.0);
+}
+
+TEST_F(AngiogramViewInput, EscapeAndRightClickTakeADragBack)
+{
+    view_->setNudgeMode(true);
+    QSignalSpy cancelled(view_.get(), &ui::AngiogramView::dragCancelled);
+    QSignalSpy finished(view_.get(), &ui::AngiogramView::dragFinished);
+    QSignalSpy dragged(view_.get(), &ui::AngiogramView::dragged);
+    const QPoint start = onWidget(Eigen::Vector3d::Zero());
+    drag(Qt::LeftButton, start, {start + QPoint(20, 0)});
+    QTest::keyClick(view_.get(), Qt::Key_Escape);
+    const auto count = dragged.size();
+    QTest::mouseMove(view_.get(), start + QPoint(60, 0));
+    QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, start + QPoint(60, 0));
+    EXPECT_EQ(cancelled.size(), 1);
+    EXPECT_EQ(dragged.size(), count);
+    drag(Qt::LeftButton, start, {start + QPoint(20, 0)});
+    QTest::mousePress(view_.get(), Qt::RightButton, {}, start + QPoint(20, 0));
+    QTest::mouseRelease(view_.get(), Qt::RightButton, {}, start + QPoint(20, 0));
+    QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, start + QPoint(20, 0));
+    EXPECT_EQ(cancelled.size(), 2);
+    EXPECT_EQ(finished.size(), 0);
+}
+
+TEST_F(AngiogramViewInput, ManyChangesMakeOneRedraw)
+{
+    QTest::qWait(50);
+    const int before = view_->renderCount();
+    for (int i = 0; i < 20; ++i) {
+        view_->setPose(test::obliquePose());
+    }
+    QTest::qWait(200);
+    EXPECT_LE(view_->renderCount() - before, 2);
+}
+
+TEST_F(AngiogramViewInput, MovesToAnotherWindowAndGoesWithItsContext)
+{
+    auto host = std::make_unique<QWidget>();
+    host->resize(700, 500);
+    auto* layout = new QVBoxLayout(host.get());
+    layout->addWidget(view_.get());
+    host->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(host.get()));
+    expectDotsWhereProjected();
+    const QPointer<QOpenGLContext> context = view_->context();
+    ASSERT_TRUE(context);
+    view_.reset();
+    EXPECT_TRUE(context.isNull());
+}
+
+}   // namespace
