@@ -13,7 +13,7 @@
 namespace io {
 namespace {
 
-constexpr std::size_t maxUnpackedBytes = std::size_t{512} << 20;
+constexpr std::size_t maxUnpackedBytes = std::size_t{128} << 20;
 
 core::Result<core::Angiogram> rasterAngiogram(std::string_view content, const std::string& path)
 {

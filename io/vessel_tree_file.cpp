@@ -3,6 +3,7 @@
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
+#include "io/vessel/markups.h"
 #include "io/vessel/swc.h"
 #include "io/vessel/tree_table.h"
 #include "io/vessel/vtk_lines.h"
@@ -13,7 +14,7 @@
 namespace io {
 namespace {
 
-constexpr std::string_view knownFormats = "Choose a centreline file: .vtp, .vtk, .vtu, .csv or .swc.";
+constexpr std::string_view knownFormats = "Choose a centreline file: .vtp, .vtk, .vtu, .csv, .swc or .mrk.json.";
 
 core::Result<LineSet> parseVtk(std::string_view content, const std::string& path)
 {
@@ -33,6 +34,9 @@ core::Result<LineSet> parseLines(std::string_view content, const std::string& pa
     }
     const std::string extension = extensionOf(path);
     const std::string_view found = describeContent(content);
+    if (found == "a JSON file" && extension == ".json") {
+        return parseMarkups(content, path);
+    }
     if (!found.empty()) {
         return fileError(path, "this is " + std::string(found) + ", not a centreline. " + std::string(knownFormats));
     }

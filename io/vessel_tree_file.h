@@ -11,8 +11,10 @@ struct VesselTreeReadOptions {
     double swcUnitMm = 1.0;   ///< length of one unit of an SWC file
 };
 
-/// Centreline tree from VTP, legacy VTK (poly-data or unstructured grid), CSV or SWC (FORMATS §4), patient LPS mm.
-/// RAS files are converted. Fails with file, problem and remedy.
+/// Centreline tree from VTP/VTU, legacy VTK (poly-data or unstructured grid), CSV, SWC or Slicer curves (FORMATS §4),
+/// patient LPS mm. RAS files are converted, and stretches that several lines share (VMTK) come once, cut at
+/// bifurcations. Branch ids are the file's where they are unique, else 1…n in file order. Fails with file, problem and
+/// remedy.
 core::Result<core::VesselTree> readVesselTree(const std::string& path, const VesselTreeReadOptions& options = {});
 
 /// Writes VTP or CSV, by extension, atomically.

@@ -13,16 +13,17 @@ namespace {
 
 constexpr std::string_view rleSyntax = "1.2.840.10008.1.2.5";
 
-/// The decoders reserve what the stream declares: refuse one that is not the image of the header.
-bool hasExpectedSize(std::string_view compressed, bool isRle, const PixelLayout& layout)
+/// The decoders trust what the stream declares: refuse one that is not the image of the header.
+bool isTheImageExpected(std::string_view compressed, bool isRle, const PixelLayout& layout)
 {
     if (isRle) {
         const std::size_t bytes = layout.pixelsPerFrame() * static_cast<std::size_t>(layout.samples) *
                                   static_cast<std::size_t>(layout.bitsAllocated / 8);
         return compressed.size() > 64 && bytes / 64 <= compressed.size();   // 2 bytes give at most 128
     }
-    const auto size = streamSizeOf(compressed);
-    return size && size->columns == layout.columns && size->rows == layout.rows;
+    const auto head = streamHeadOf(compressed);
+    return head && head->columns == layout.columns && head->rows == layout.rows && head->components == layout.samples &&
+           head->bits >= 2 && head->bits <= layout.bitsAllocated;
 }
 
 /// libjpeg fills what is missing with grey; a whole stream ends with its end marker.
@@ -71,8 +72,8 @@ std::optional<std::vector<char>> decodeFrame(std::string_view compressed, const 
 {
     quietLibraries();
     const auto syntax = gdcm::TransferSyntax::GetTSType(transferSyntax.c_str());
-    if (syntax == gdcm::TransferSyntax::TS_END || !hasExpectedSize(compressed, transferSyntax == rleSyntax, layout) ||
-        !isWhole(compressed)) {
+    if (syntax == gdcm::TransferSyntax::TS_END ||
+        !isTheImageExpected(compressed, transferSyntax == rleSyntax, layout) || !isWhole(compressed)) {
         return std::nullopt;
     }
     try {

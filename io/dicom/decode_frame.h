@@ -14,11 +14,13 @@ namespace io {
 std::optional<std::vector<char>> decodeFrame(std::string_view compressed, const std::string& transferSyntax,
                                              PixelLayout& layout);
 
-/// Size a JPEG, JPEG-LS or JPEG 2000 stream declares; nothing when it has no readable header.
-struct StreamSize {
+/// What a JPEG, JPEG-LS or JPEG 2000 stream declares; nothing when it has no readable header.
+struct StreamHead {
     int columns = 0;
     int rows = 0;
+    int components = 0;
+    int bits = 0;   ///< per sample
 };
-std::optional<StreamSize> streamSizeOf(std::string_view stream);
+std::optional<StreamHead> streamHeadOf(std::string_view stream);
 
 }   // namespace io

@@ -13,7 +13,7 @@ constexpr std::size_t preambleSize = 128;
 constexpr std::string_view magic = "DICM";
 constexpr std::string_view deflatedSyntax = "1.2.840.10008.1.2.1.99";
 constexpr std::string_view bigEndianSyntax = "1.2.840.10008.1.2.2";
-constexpr std::size_t maxUnpackedBytes = std::size_t{512} << 20;
+constexpr std::size_t maxUnpackedBytes = std::size_t{128} << 20;
 constexpr DicomTag transferSyntaxTag = 0x00020010;
 
 bool hasPreamble(std::string_view content)

@@ -3,6 +3,9 @@
 #include "io/dicom/dicom_elements.h"
 #include "io/support/file_error.h"
 
+#include <algorithm>
+#include <array>
+
 namespace io {
 namespace {
 
@@ -20,8 +23,12 @@ std::string missingImage(const DicomFile& file)
 
 std::string findUnsupported(const PixelLayout& layout)
 {
-    const bool isGrey = layout.samples == 1 && layout.photometric.starts_with("MONOCHROME");
-    const bool isColour = layout.samples == 3 && (layout.photometric == "RGB" || layout.photometric.starts_with("YBR"));
+    constexpr std::array<std::string_view, 7> colours = {"RGB",     "YBR_FULL",        "YBR_FULL_422",   "YBR_RCT",
+                                                         "YBR_ICT", "YBR_PARTIAL_422", "YBR_PARTIAL_420"};
+    const bool isGrey =
+        layout.samples == 1 && (layout.photometric == "MONOCHROME1" || layout.photometric == "MONOCHROME2");
+    const bool isColour =
+        layout.samples == 3 && std::find(colours.begin(), colours.end(), layout.photometric) != colours.end();
     if (layout.photometric == "PALETTE COLOR") {
         return "it is stored in palette colours. Export the angiogram in grey.";
     }
@@ -70,7 +77,8 @@ core::Result<PixelLayout> pixelLayoutOf(const DicomFile& file, const std::string
     if (layout.rows <= 0 || layout.columns <= 0 || layout.frames <= 0) {
         return fileError(path, "its header gives no image size. The file is damaged; export the run again.");
     }
-    if (layout.pixelsPerFrame() > maxRunPixels / static_cast<std::size_t>(layout.frames)) {
+    if (layout.pixelsPerFrame() > maxFramePixels ||
+        layout.pixelsPerFrame() > maxRunPixels / static_cast<std::size_t>(layout.frames)) {
         return fileError(path, "it declares " + std::to_string(layout.frames) + " frames of " +
                                    std::to_string(layout.columns) + " x " + std::to_string(layout.rows) +
                                    " pixels, more than this program holds. Export fewer frames.");

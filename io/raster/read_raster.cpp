@@ -1,12 +1,12 @@
 #include "io/raster/read_raster.h"
 
 #include "io/raster/raster_integrity.h"
+#include "io/raster/read_tiff.h"
 #include "io/support/file_error.h"
 #include "io/support/quiet_libraries.h"
 
 #include <itkJPEGImageIO.h>
 #include <itkPNGImageIO.h>
-#include <itkTIFFImageIO.h>
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -15,7 +15,7 @@
 namespace io {
 namespace {
 
-constexpr std::size_t maxPixels = 220'000'000;
+constexpr std::size_t maxBytes = std::size_t{800} << 20;   // decoded samples and their float copy together
 constexpr unsigned int maxSide = 32'768;
 constexpr unsigned int minSide = 8;
 
@@ -28,10 +28,7 @@ itk::ImageIOBase::Pointer readerFor(std::string_view content)
     if (content.starts_with("\x89PNG")) {
         return itk::PNGImageIO::New().GetPointer();
     }
-    if (content.starts_with("\xff\xd8\xff")) {
-        return itk::JPEGImageIO::New().GetPointer();
-    }
-    return itk::TIFFImageIO::New().GetPointer();
+    return itk::JPEGImageIO::New().GetPointer();
 }
 
 std::optional<RasterShape> shapeOf(const itk::ImageIOBase& reader)
@@ -39,7 +36,11 @@ std::optional<RasterShape> shapeOf(const itk::ImageIOBase& reader)
     const auto width = reader.GetDimensions(0), height = reader.GetDimensions(1);
     const auto frames = reader.GetNumberOfDimensions() > 2 ? reader.GetDimensions(2) : 1;
     if (width < minSide || height < minSide || frames == 0 || width > maxSide || height > maxSide ||
-        width * height > maxPixels / frames || reader.GetNumberOfComponents() > 4) {
+        reader.GetNumberOfComponents() > 4) {
+        return std::nullopt;
+    }
+    const std::size_t bytesPerPixel = sizeof(float) + reader.GetComponentSize() * reader.GetNumberOfComponents();
+    if (width * height > maxBytes / bytesPerPixel / frames) {
         return std::nullopt;
     }
     return RasterShape{static_cast<int>(width), static_cast<int>(height), static_cast<int>(frames),
@@ -127,6 +128,14 @@ core::Result<Raster> readRaster(std::string_view content, const std::string& pat
     quietLibraries();
     if (const std::string damage = findRasterDamage(content); !damage.empty()) {
         return fileError(path, damage);
+    }
+    const bool isTiff = content.starts_with("II") || content.starts_with("MM");
+    if (isTiff) {
+        auto tiff = readTiff(path);
+        return tiff && isFinite(*tiff) ? core::Result<Raster>(std::move(*tiff))
+                                       : fileError(path,
+                                                   "this TIFF is damaged or of an unusual kind. Export it in grey "
+                                                   "or RGB with 8 or 16 bits, without tiles.");
     }
     try {
         const itk::ImageIOBase::Pointer reader = readerFor(content);

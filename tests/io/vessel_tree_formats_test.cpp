@@ -199,3 +199,17 @@ TEST(ReadVesselTree, SaysWhatIsWrong)
     EXPECT_NE(errorOf(folder.write("h.vtk", start + "POLYGONS 1 4\n3 0 1 1\n")).find("surface"), std::string::npos);
     EXPECT_NE(errorOf(folder.write("i.vtk", start + "LINES 1 90\n89 0 1\n")).find("LINES"), std::string::npos);
 }
+
+TEST(ReadVesselTree, ReadsSlicerCurves)
+{
+    const test::ScratchFolder folder;
+    const std::string curve = R"({"markups": [{"type": "Curve", "coordinateSystem": "RAS", "coordinateUnits": "mm",
+        "controlPoints": [{"position": [1, 2, 3]}, {"position": [4, 5, 6.5]},
+                          {"position": [0, 0, 0], "positionStatus": "undefined"}]}]})";
+    const auto tree = readOrFail(folder.write("curve.mrk.json", curve));
+    ASSERT_EQ(tree.branches.size(), 1u);
+    EXPECT_EQ(tree.branches[0].pointsInPatient, (std::vector<Eigen::Vector3d>{{-1.0, -2.0, 3.0}, {-4.0, -5.0, 6.5}}));
+    EXPECT_NE(errorOf(folder.write("other.json", "{\"markups\": [{\"type\": \"Curve\"}]}")).find("Slicer"),
+              std::string::npos);
+    EXPECT_NE(errorOf(folder.write("none.json", "{}")).find("Slicer"), std::string::npos);
+}

@@ -8,16 +8,18 @@ namespace {
 constexpr DicomEncoding bigEndian{true, true};
 constexpr std::string_view codestreamStart("\xff\x4f\xff\x51", 4);   // SOC, SIZ (ISO 15444-1)
 
-std::optional<StreamSize> jpeg2000Size(std::string_view stream)
+std::optional<StreamHead> jpeg2000Head(std::string_view stream)
 {
     const std::size_t start = stream.substr(0, 4096).find(codestreamStart);   // after boxes, if it is a JP2 file
-    if (start == std::string_view::npos || stream.size() < start + 24) {
+    if (start == std::string_view::npos || stream.size() < start + 43) {
         return std::nullopt;
     }
     const auto at = [&](std::size_t offset) { return readUint32(stream.substr(start + offset), bigEndian); };
     const std::uint32_t columns = at(8) - at(16);
     const std::uint32_t rows = at(12) - at(20);
-    return StreamSize{static_cast<int>(columns), static_cast<int>(rows)};
+    const int components = readUint16(stream.substr(start + 40), bigEndian);
+    const int bits = (static_cast<unsigned char>(stream[start + 42]) & 0x7f) + 1;
+    return StreamHead{static_cast<int>(columns), static_cast<int>(rows), components, bits};
 }
 
 /// True for the markers that start a frame: SOF0…SOF15 without DHT, JPG, DAC, and JPEG-LS's SOF55.
@@ -29,12 +31,12 @@ bool isFrameStart(unsigned char marker)
 
 }   // namespace
 
-std::optional<StreamSize> streamSizeOf(std::string_view stream)
+std::optional<StreamHead> streamHeadOf(std::string_view stream)
 {
     if (!stream.starts_with("\xff\xd8")) {
-        return jpeg2000Size(stream);
+        return jpeg2000Head(stream);
     }
-    for (std::size_t at = 2; at + 9 <= stream.size();) {
+    for (std::size_t at = 2; at + 10 <= stream.size();) {
         if (static_cast<unsigned char>(stream[at]) != 0xff) {
             return std::nullopt;
         }
@@ -44,8 +46,9 @@ std::optional<StreamSize> streamSizeOf(std::string_view stream)
             continue;
         }
         if (isFrameStart(marker)) {
-            return StreamSize{readUint16(stream.substr(at + 7), bigEndian),
-                              readUint16(stream.substr(at + 5), bigEndian)};
+            return StreamHead{readUint16(stream.substr(at + 7), bigEndian),
+                              readUint16(stream.substr(at + 5), bigEndian), static_cast<unsigned char>(stream[at + 9]),
+                              static_cast<unsigned char>(stream[at + 4])};
         }
         at += 2 + std::size_t{readUint16(stream.substr(at + 2), bigEndian)};
     }

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "io/vessel/line_set.h"
+
+#include <string_view>
+
+namespace io {
+
+/// Curves of a Slicer markups file (`.mrk.json`), one line each, turned to LPS.
+core::Result<LineSet> parseMarkups(std::string_view json, const std::string& path);
+
+}   // namespace io
