@@ -1,0 +1,59 @@
+#pragma once
+
+#include "app/cli/console.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace app {
+
+// One struct of arguments and one function per command; each returns its exit code.
+
+struct RegisterArguments {
+    std::string casePath;
+    std::string method;   ///< empty: the case's own
+    std::vector<std::string> options;   ///< "key=value", keys of core::optionFields()
+    std::vector<int> auxiliaryBranchIds;   ///< empty: the case's own
+    std::vector<int> excludedBranchIds;   ///< empty: the case's own
+    std::optional<int> frame;
+    std::string outputFolder;   ///< empty: "<case>-registered" in the current folder
+    OutputFormat format = OutputFormat::Text;
+};
+int runRegister(const RegisterArguments& arguments);
+
+struct ProjectArguments {
+    std::string casePath;
+    std::string posePath;   ///< empty: the case's current pose
+    std::string outputPath;
+    int widthPx = 0;   ///< 0: twice the image
+    std::optional<int> frame;
+};
+int runProject(const ProjectArguments& arguments);
+
+struct SimulateArguments {
+    std::uint64_t seed = 1;
+    std::string outputFolder;
+    double nonRigidMm = 0.0;
+    int branches = 24;
+};
+int runSimulate(const SimulateArguments& arguments);
+
+struct TraceAngiogramArguments {
+    std::string imagePath;
+    std::optional<int> frame;
+    std::string outputPath;
+    std::string maskPath;
+    double sensitivity = 1.0;
+};
+int runTraceAngiogram(const TraceAngiogramArguments& arguments);
+
+struct FileArguments {
+    std::string path;
+    OutputFormat format = OutputFormat::Text;
+};
+int runInfo(const FileArguments& arguments);
+int runValidate(const FileArguments& arguments);
+
+}   // namespace app

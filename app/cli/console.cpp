@@ -1,0 +1,73 @@
+#include "app/cli/console.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+
+namespace app {
+namespace {
+
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "the signal handler must not lock");
+
+extern "C" void onInterrupt(int signal)
+{
+    interrupted = true;
+    std::signal(signal, SIG_DFL);
+}
+
+}   // namespace
+
+void printMessage(std::string_view message)
+{
+    std::fprintf(stderr, "angiopose-cli: %.*s\n", static_cast<int>(message.size()), message.data());
+}
+
+void printWarnings(const std::vector<std::string>& warnings)
+{
+    for (const std::string& warning : warnings) {
+        printMessage("warning: " + warning);
+    }
+}
+
+int failInput(std::string_view message)
+{
+    printMessage(message);
+    return exitInput;
+}
+
+ProgressLine::ProgressLine(std::string label) : label_(std::move(label)), isTerminal_(isatty(STDERR_FILENO) == 1) {}
+
+ProgressLine::~ProgressLine()
+{
+    if (lastPercent_ >= 0) {
+        std::fputs("\r\x1b[K", stderr);
+    }
+}
+
+void ProgressLine::show(double fraction, std::string_view detail)
+{
+    const int percent = static_cast<int>(100.0 * fraction);
+    if (!isTerminal_ || percent == lastPercent_) {
+        return;
+    }
+    lastPercent_ = percent;
+    std::fprintf(stderr, "\r\x1b[K%s %3d %%  %.*s", label_.c_str(), percent, static_cast<int>(detail.size()),
+                 detail.data());
+    std::fflush(stderr);
+}
+
+void catchInterrupts()
+{
+    std::signal(SIGINT, onInterrupt);
+    std::signal(SIGTERM, onInterrupt);
+}
+
+bool isInterrupted()
+{
+    return interrupted;
+}
+
+}   // namespace app

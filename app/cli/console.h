@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace app {
+
+/// FORMATS §5.
+enum ExitCode : int {
+    exitDone = 0,
+    exitUsage = 2,
+    exitInput = 3,
+    exitNotTrustworthy = 4,
+    exitStopped = 130,
+};
+
+enum class OutputFormat { Text, Json };
+
+/// One message to stderr, as "angiopose-cli: message".
+void printMessage(std::string_view message);
+void printWarnings(const std::vector<std::string>& warnings);
+
+/// Reports an input error and gives its exit code.
+int failInput(std::string_view message);
+
+/// A progress line on stderr, redrawn in place; silent where stderr is not a terminal.
+class ProgressLine {
+public:
+    explicit ProgressLine(std::string label);
+    ~ProgressLine();
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+
+    void show(double fraction, std::string_view detail);
+
+private:
+    std::string label_;
+    int lastPercent_ = -1;
+    bool isTerminal_;
+};
+
+/// Ctrl+C becomes a wish to stop that running work answers; a second Ctrl+C ends the program at once.
+void catchInterrupts();
+bool isInterrupted();
+
+}   // namespace app

@@ -1,0 +1,180 @@
+#include "app/case_texts.h"
+#include "app/cli/commands.h"
+#include "app/number_text.h"
+#include "core/registration_case.h"
+#include "io/angiogram_file.h"
+#include "io/case_file.h"
+#include "io/vessel_tree_file.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string extensionOf(const std::string& path)
+{
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return extension;
+}
+
+Json sourcedJson(const core::Sourced<double>& sourced)
+{
+    Json json{{"value", nullptr}, {"origin", originText(sourced.origin)}};
+    if (sourced.value) {
+        json["value"] = *sourced.value;
+    }
+    if (!sourced.basis.empty()) {
+        json["basis"] = sourced.basis;
+    }
+    return json;
+}
+
+Json cameraJson(const core::ProjectionCamera& camera)
+{
+    return {{"fx", camera.fx}, {"fy", camera.fy}, {"cx", camera.cx}, {"cy", camera.cy}};
+}
+
+/// What the header says about geometry, and what follows from it.
+Json geometryJson(const core::CArm& cArm, const core::Angiogram& angiogram)
+{
+    Json json{
+        {"sourceToDetectorMm", sourcedJson(cArm.sourceToDetectorMm)},
+        {"sourceToPatientMm", sourcedJson(cArm.sourceToPatientMm)},
+        {"columnSpacingMm", sourcedJson(cArm.columnSpacingMm)},
+        {"rowSpacingMm", sourcedJson(cArm.rowSpacingMm)},
+        {"primaryAngleDeg", sourcedJson(cArm.primaryAngleDeg)},
+        {"secondaryAngleDeg", sourcedJson(cArm.secondaryAngleDeg)},
+    };
+    const auto camera = core::cameraFromCArm(cArm, angiogram.width(), angiogram.height());
+    if (camera) {
+        json["camera"] = cameraJson(camera.value());
+    } else {
+        json["cameraMissing"] = camera.error().message;
+    }
+    json["contradictions"] = core::findContradictions(cArm);
+    return json;
+}
+
+Json angiogramJson(const core::Angiogram& angiogram)
+{
+    return {{"kind", "angiogram"},
+            {"width", angiogram.width()},
+            {"height", angiogram.height()},
+            {"frames", angiogram.frameCount()},
+            {"suggestedFrame", angiogram.suggestedFrame},
+            {"vessels", angiogram.polarity == core::Polarity::VesselsDark ? "dark" : "bright"},
+            {"frameTimeMs", angiogram.frameTimeMs},
+            {"geometry", geometryJson(angiogram.cArm, angiogram)},
+            {"warnings", angiogram.warnings}};
+}
+
+Json treeJson(const core::VesselTree& tree)
+{
+    double lengthMm = 0.0;
+    Json branches = Json::array();
+    for (const core::VesselBranch& branch : tree.branches) {
+        lengthMm += branch.lengthMm();
+        branches.push_back({{"id", branch.id},
+                            {"name", branch.name},
+                            {"points", branch.pointsInPatient.size()},
+                            {"lengthMm", branch.lengthMm()},
+                            {"hasRadius", !branch.radiusMm.empty()}});
+    }
+    const auto nodes = core::findNodes(tree);
+    const auto bifurcations =
+        std::count_if(nodes.begin(), nodes.end(), [](const auto& node) { return node.isBifurcation(); });
+    const Eigen::Vector3d centroid = core::centroidInPatient(tree);
+    return {{"kind", "vessel tree"},
+            {"points", tree.pointCount()},
+            {"lengthMm", lengthMm},
+            {"bifurcations", bifurcations},
+            {"ends", static_cast<long>(nodes.size()) - bifurcations},
+            {"centroidInPatientMm", {centroid.x(), centroid.y(), centroid.z()}},
+            {"branches", branches}};
+}
+
+Json caseJson(const core::RegistrationCase& registrationCase, const std::vector<std::string>& warnings)
+{
+    Json json{{"kind", "case"}, {"title", registrationCase.title}, {"frame", registrationCase.frame}};
+    if (registrationCase.tree) {
+        json["tree"] = treeJson(*registrationCase.tree);
+    }
+    if (registrationCase.angiogram) {
+        json["angiogram"] = angiogramJson(*registrationCase.angiogram);
+        json["angiogram"]["geometry"] = geometryJson(registrationCase.cArm, *registrationCase.angiogram);
+    }
+    if (const auto camera = core::cameraOf(registrationCase); camera) {
+        json["camera"] = cameraJson(camera.value());
+        json["camera"]["origin"] = registrationCase.cameraOverride ? "user" : "derived";
+    }
+    json["startPose"] = registrationCase.hasInitialPose ? "given" : "from the angles";
+    json["warnings"] = warnings;
+    return json;
+}
+
+core::Result<Json> describe(const std::string& path)
+{
+    const std::string extension = extensionOf(path);
+    if (extension == ".angiopose") {
+        std::vector<std::string> warnings;
+        const auto loaded = io::loadCase(path, warnings);
+        return loaded ? core::Result<Json>(caseJson(loaded.value(), warnings)) : loaded.error();
+    }
+    const bool isTree = extension == ".vtp" || extension == ".vtk" || extension == ".swc" || extension == ".csv";
+    if (isTree) {
+        const auto tree = io::readVesselTree(path);
+        return tree ? core::Result<Json>(treeJson(tree.value())) : tree.error();
+    }
+    const auto angiogram = io::readAngiogram(path);
+    return angiogram ? core::Result<Json>(angiogramJson(angiogram.value())) : angiogram.error();
+}
+
+/// The JSON as indented "key: value" lines for people.
+void printReadable(const Json& json, int indent)
+{
+    for (const auto& [key, value] : json.items()) {
+        const std::string label =
+            std::string(static_cast<std::size_t>(indent), ' ') + (json.is_array() ? "-" : key + ":");
+        if (value.is_object() && value.contains("origin") && value.contains("value")) {
+            const std::string number =
+                value["value"].is_null() ? "missing" : fixedText(value["value"].get<double>(), 4);
+            std::printf("%-24s %s (%s%s)\n", label.c_str(), number.c_str(), value["origin"].get<std::string>().c_str(),
+                        value.contains("basis") ? (", " + value["basis"].get<std::string>()).c_str() : "");
+        } else if (value.is_structured()) {
+            if (!value.empty()) {
+                std::printf("%s\n", label.c_str());
+                printReadable(value, indent + 2);
+            }
+        } else {
+            const std::string text = value.is_string()         ? value.get<std::string>()
+                                     : value.is_number_float() ? fixedText(value.get<double>(), 3)
+                                                               : value.dump();
+            std::printf("%-24s %s\n", label.c_str(), text.c_str());
+        }
+    }
+}
+
+}   // namespace
+
+int runInfo(const FileArguments& arguments)
+{
+    const auto description = describe(arguments.path);
+    if (!description) {
+        return failInput(description.error().message);
+    }
+    if (arguments.format == OutputFormat::Json) {
+        std::puts(description.value().dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+    } else {
+        printReadable(description.value(), 0);
+    }
+    return exitDone;
+}
+
+}   // namespace app

@@ -1,0 +1,149 @@
+#include "app/cli/commands.h"
+#include "core/registration/registration_options.h"
+
+#include <CLI/CLI.hpp>
+#include <clocale>
+#include <exception>
+#include <iostream>
+
+namespace {
+
+using namespace app;
+
+std::string methodList()
+{
+    std::string text = "Methods:";
+    for (const core::MethodInfo& method : core::methodInfos()) {
+        text += "\n  " + std::string(method.id) + "  " + std::string(method.summary);
+    }
+    return text;
+}
+
+std::string optionList()
+{
+    std::string text = "Options of --set, with their range:";
+    for (const core::OptionField& field : core::optionFields()) {
+        text += "\n  " + std::string(field.key);
+        if (!field.choices.empty()) {
+            text += "=";
+            for (const std::string_view choice : field.choices) {
+                text += (text.back() == '=' ? "" : "|") + std::string(choice);
+            }
+        }
+        text += "  " + std::string(field.help);
+    }
+    return text;
+}
+
+void addRegister(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("register", "Find the pose of the vessel tree in the angiogram of a case");
+    auto arguments = std::make_shared<RegisterArguments>();
+    command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
+    command->add_option("--method", arguments->method, "Method id; see the list below");
+    command->add_option("--set", arguments->options, "Option of the method as key=value; may be repeated");
+    command->add_option("--auxiliary", arguments->auxiliaryBranchIds, "Branches of the auxiliary problem, e.g. 1,2,5")
+        ->delimiter(',');
+    command->add_option("--exclude", arguments->excludedBranchIds, "Branches left out, e.g. 7,9")->delimiter(',');
+    command->add_option("--frame", arguments->frame, "Frame of the angiogram, from 0");
+    command->add_option("--output", arguments->outputFolder,
+                        "Folder for result.json, overlay.png and pose.tfm (default: CASE-registered)");
+    command->add_flag_callback(
+        "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print the result as JSON and nothing else");
+    command->footer([] {
+        return methodList() + "\n\n" + optionList() +
+               "\n\nExample: angiopose-cli register case.angiopose --method angiopose --output result";
+    });
+    command->callback([arguments, &exitCode] { exitCode = runRegister(*arguments); });
+}
+
+void addProject(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("project", "Draw the projected tree of a case at a given pose");
+    auto arguments = std::make_shared<ProjectArguments>();
+    command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
+    command->add_option("--pose", arguments->posePath, "Pose: .json or .tfm (default: the pose of the case)");
+    command->add_option("--output", arguments->outputPath, "Picture to write, .png")->required();
+    command->add_option("--width", arguments->widthPx, "Width of the picture in pixels (default: twice the image)")
+        ->check(CLI::Range(64, 8192));
+    command->add_option("--frame", arguments->frame, "Frame of the angiogram, from 0");
+    command->footer("Example: angiopose-cli project case.angiopose --pose result/result.json --output overlay.png");
+    command->callback([arguments, &exitCode] { exitCode = runProject(*arguments); });
+}
+
+void addSimulate(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("simulate", "Make a synthetic case whose pose is known");
+    auto arguments = std::make_shared<SimulateArguments>();
+    command->add_option("--seed", arguments->seed, "Same seed, same case")->required();
+    command->add_option("--output", arguments->outputFolder, "Folder for the case and its files")->required();
+    command->add_option("--branches", arguments->branches, "Number of branches")->check(CLI::Range(1, 200));
+    command->add_option("--non-rigid", arguments->nonRigidMm, "Smooth deformation of the true vessel, std in mm")
+        ->check(CLI::Range(0.0, 10.0));
+    command->footer("Example: angiopose-cli simulate --seed 7 --output demo");
+    command->callback([arguments, &exitCode] { exitCode = runSimulate(*arguments); });
+}
+
+void addTraceAngiogram(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("trace-angiogram", "Trace the vessels of an angiogram as 2-D centrelines");
+    auto arguments = std::make_shared<TraceAngiogramArguments>();
+    command->add_option("IMAGE", arguments->imagePath, "DICOM, PNG, TIFF or JPEG")->required();
+    command->add_option("--frame", arguments->frame, "Frame, from 0 (default: the fullest)");
+    command->add_option("--output", arguments->outputPath, "Centrelines to write, .csv")->required();
+    command->add_option("--mask", arguments->maskPath, "Vessel mask to write, .png");
+    command->add_option("--sensitivity", arguments->sensitivity, "Above 1: fainter vessels too")
+        ->check(CLI::Range(0.2, 5.0));
+    command->footer("Example: angiopose-cli trace-angiogram run.dcm --frame 5 --output centreline.csv --mask mask.png");
+    command->callback([arguments, &exitCode] { exitCode = runTraceAngiogram(*arguments); });
+}
+
+void addFileCommand(CLI::App& app, int& exitCode, const std::string& name, const std::string& help,
+                    int (*run)(const FileArguments&))
+{
+    auto* command = app.add_subcommand(name, help);
+    auto arguments = std::make_shared<FileArguments>();
+    command->add_option("FILE", arguments->path)->required();
+    command->add_flag_callback(
+        "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print JSON and nothing else");
+    command->footer("Example: angiopose-cli " + name + " case.angiopose");
+    command->callback([arguments, run, &exitCode] { exitCode = run(*arguments); });
+}
+
+int parseAndRun(int argc, char** argv)
+{
+    int exitCode = exitDone;
+    CLI::App app("AngioPose: where a 3-D vessel tree lies in a 2-D angiogram. Not for clinical use.", "angiopose-cli");
+    app.set_version_flag("--version", std::string("angiopose-cli ") + ANGIOPOSE_VERSION);
+    app.require_subcommand(1);
+    app.footer(
+        "Exit codes: 0 done, 2 wrong usage, 3 input missing or invalid, 4 result not trustworthy, 130 stopped.\n"
+        "Help on a command: angiopose-cli COMMAND --help");
+    addRegister(app, exitCode);
+    addProject(app, exitCode);
+    addSimulate(app, exitCode);
+    addTraceAngiogram(app, exitCode);
+    addFileCommand(app, exitCode, "info", "Say what a file holds and what follows from it", runInfo);
+    addFileCommand(app, exitCode, "validate", "Check a case file and name every problem", runValidate);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? exitDone : exitUsage;
+    }
+    return exitCode;
+}
+
+}   // namespace
+
+int main(int argc, char** argv)
+{
+    std::setlocale(LC_ALL, "C");
+    app::catchInterrupts();
+    try {
+        return parseAndRun(argc, argv);
+    } catch (const std::bad_alloc&) {
+        return app::failInput("There is not enough memory for this input.");
+    } catch (const std::exception& error) {
+        return app::failInput(std::string("Unexpected failure: ") + error.what());
+    }
+}

@@ -1,0 +1,41 @@
+#include "app/cli/case_input.h"
+#include "app/cli/commands.h"
+#include "app/overlay_picture.h"
+#include "io/image_file.h"
+#include "io/pose_file.h"
+
+#include <cstdio>
+
+namespace app {
+
+int runProject(const ProjectArguments& arguments)
+{
+    auto loaded = loadCaseForCommand(arguments.casePath, arguments.frame);
+    if (!loaded) {
+        return failInput(loaded.error().message);
+    }
+    core::RegistrationCase registrationCase = std::move(loaded).value();
+    if (!arguments.posePath.empty()) {
+        const auto pose = io::readPose(arguments.posePath);
+        if (!pose) {
+            return failInput(pose.error().message);
+        }
+        registrationCase.cameraFromPatient = pose.value();
+        registrationCase.result.reset();
+    }
+    OverlayPictureOptions options;
+    options.widthPx = arguments.widthPx;
+    options.coloring = OverlayColoring::Branches;
+    const auto picture = drawOverlay(registrationCase, {}, options);
+    if (!picture) {
+        return failInput(arguments.casePath + ": " + picture.error().message);
+    }
+    if (const auto status = io::writePng(picture.value(), arguments.outputPath, provenanceTexts(registrationCase));
+        !status) {
+        return failInput(status.error().message);
+    }
+    std::printf("%s\n", arguments.outputPath.c_str());
+    return exitDone;
+}
+
+}   // namespace app

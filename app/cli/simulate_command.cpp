@@ -1,0 +1,75 @@
+#include "app/cli/commands.h"
+#include "core/registration_case.h"
+#include "core/simulation/simulated_case.h"
+#include "io/angiogram_file.h"
+#include "io/case_file.h"
+#include "io/centerline2d_file.h"
+#include "io/pose_file.h"
+#include "io/vessel_tree_file.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+core::RegistrationCase caseOf(const core::SimulatedCase& simulated, const fs::path& folder, std::uint64_t seed)
+{
+    core::RegistrationCase registrationCase;
+    registrationCase.title = "Simulated case, seed " + std::to_string(seed);
+    registrationCase.centerlineFile.path = (folder / "tree.vtp").string();
+    registrationCase.imageFile.path = (folder / "angiogram.dcm").string();
+    registrationCase.tree = std::make_shared<const core::VesselTree>(simulated.tree);
+    registrationCase.angiogram = std::make_shared<const core::Angiogram>(simulated.angiogram);
+    registrationCase.frame = simulated.angiogram.suggestedFrame;
+    registrationCase.cArm = simulated.angiogram.cArm;
+    registrationCase.initialCameraFromPatient = simulated.initialCameraFromPatient;
+    registrationCase.hasInitialPose = true;
+    registrationCase.cameraFromPatient = simulated.initialCameraFromPatient;
+    return registrationCase;
+}
+
+core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const fs::path& folder, std::uint64_t seed)
+{
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure) {
+        return core::Error{"The folder '" + folder.string() + "' cannot be made: " + failure.message() + "."};
+    }
+    if (auto status = io::writeVesselTree(simulated.tree, (folder / "tree.vtp").string()); !status) {
+        return status;
+    }
+    if (auto status = io::writeAngiogram(simulated.angiogram, (folder / "angiogram.dcm").string()); !status) {
+        return status;
+    }
+    if (auto status = io::writeCenterline2d(simulated.trueTarget, (folder / "true-centreline.csv").string()); !status) {
+        return status;
+    }
+    if (auto status = io::writePose(simulated.trueCameraFromPatient, (folder / "true-pose.json").string()); !status) {
+        return status;
+    }
+    const fs::path absolute = fs::absolute(folder);
+    return io::saveCase(caseOf(simulated, absolute, seed), (absolute / "case.angiopose").string());
+}
+
+}   // namespace
+
+int runSimulate(const SimulateArguments& arguments)
+{
+    core::TreeOptions tree;
+    tree.branchCount = arguments.branches;
+    core::DsaOptions dsa;
+    dsa.nonRigidStdMm = arguments.nonRigidMm;
+    const core::SimulatedCase simulated = core::simulateCase(arguments.seed, tree, dsa);
+    const fs::path folder(arguments.outputFolder);
+    if (const auto status = writeSimulatedCase(simulated, folder, arguments.seed); !status) {
+        return failInput(status.error().message);
+    }
+    std::printf("%s\n", (folder / "case.angiopose").string().c_str());
+    return exitDone;
+}
+
+}   // namespace app

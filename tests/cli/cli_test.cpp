@@ -1,0 +1,186 @@
+#include "core/simulation/simulated_case.h"
+#include "io/pose_file.h"
+#include "tests/cli/run_program.h"
+#include "tests/support/matchers.h"
+#include "tests/support/test_data.h"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+namespace fs = std::filesystem;
+using test::runCli;
+
+/// A folder that vanishes with the test.
+class TemporaryFolder {
+public:
+    explicit TemporaryFolder(const std::string& name) : path_(fs::temp_directory_path() / ("angiopose-" + name))
+    {
+        fs::remove_all(path_);
+        fs::create_directories(path_);
+    }
+    ~TemporaryFolder() { fs::remove_all(path_); }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+private:
+    fs::path path_;
+};
+
+void writeText(const std::string& path, const std::string& text)
+{
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+TEST(Cli, HelpAndVersionSucceed)
+{
+    EXPECT_EQ(runCli({"--version"}).exitCode, 0);
+    const auto help = runCli({"register", "--help"});
+    EXPECT_EQ(help.exitCode, 0);
+    EXPECT_NE(help.output.find("Example:"), std::string::npos);
+    EXPECT_NE(help.output.find("dynaweight"), std::string::npos);
+}
+
+TEST(Cli, WrongUsageGivesTwo)
+{
+    EXPECT_EQ(runCli({}).exitCode, 2);
+    EXPECT_EQ(runCli({"dance"}).exitCode, 2);
+    EXPECT_EQ(runCli({"register"}).exitCode, 2);
+    EXPECT_EQ(runCli({"simulate", "--seed", "many", "--output", "x"}).exitCode, 2);
+}
+
+TEST(Cli, AMissingInputIsNamed)
+{
+    for (const std::string command : {"register", "info", "validate"}) {
+        const auto outcome = runCli({command, "/nowhere/case.angiopose"});
+        EXPECT_EQ(outcome.exitCode, 3) << command;
+        EXPECT_NE(outcome.messages.find("/nowhere/case.angiopose"), std::string::npos) << command;
+        EXPECT_TRUE(outcome.output.empty()) << command;
+    }
+}
+
+TEST(Cli, BrokenCasesAreRefusedWithTheReason)
+{
+    const TemporaryFolder folder("broken-cases");
+    const std::string path = folder.file("case.angiopose");
+    for (const std::string text :
+         {"", "{", "[]", "{\"format\": \"something\"}", "{\"format\": \"angiopose-case\", \"version\": 99}",
+          "{\"format\": \"angiopose-case\", \"version\": 1, \"vessel\": 3}"}) {
+        writeText(path, text);
+        EXPECT_EQ(runCli({"validate", path}).exitCode, 3) << text;
+        const auto outcome = runCli({"register", path, "--output", folder.file("result")});
+        EXPECT_EQ(outcome.exitCode, 3) << text;
+        EXPECT_NE(outcome.messages.find(path), std::string::npos) << text;
+    }
+}
+
+class CliOnSimulatedCase : public ::testing::Test {
+protected:
+    void SetUp() override
+    {
+        const auto simulated = runCli({"simulate", "--seed", "3", "--output", folder_.file("demo")});
+        ASSERT_EQ(simulated.exitCode, 0) << simulated.messages;
+        casePath_ = folder_.file("demo/case.angiopose");
+    }
+
+    TemporaryFolder folder_{"simulated-case"};
+    std::string casePath_;
+};
+
+TEST_F(CliOnSimulatedCase, IsValidAndDescribed)
+{
+    EXPECT_EQ(runCli({"validate", casePath_}).exitCode, 0);
+    const auto info = runCli({"info", casePath_, "--json"});
+    ASSERT_EQ(info.exitCode, 0) << info.messages;
+    const auto json = nlohmann::json::parse(info.output);
+    EXPECT_EQ(json["kind"], "case");
+    EXPECT_GT(json["tree"]["points"].get<int>(), 100);
+    EXPECT_EQ(json["angiogram"]["geometry"]["sourceToDetectorMm"]["origin"], "header");
+}
+
+TEST_F(CliOnSimulatedCase, RegistersToTheTruePose)
+{
+    const auto outcome = runCli({"register", casePath_, "--output", folder_.file("result"), "--json"});
+    ASSERT_TRUE(outcome.exitCode == 0) << outcome.exitCode << outcome.messages;
+    const auto json = nlohmann::json::parse(outcome.output);   // stdout holds JSON and nothing else
+    EXPECT_EQ(json["format"], "angiopose-result");
+    EXPECT_LT(json["metrics"]["medianProjectionDistancePx"].get<double>(), 1.0);
+    EXPECT_TRUE(fs::exists(folder_.file("result/overlay.png")));
+
+    const auto found = io::readPose(folder_.file("result/result.json"));
+    const auto truth = io::readPose(folder_.file("demo/true-pose.json"));
+    ASSERT_TRUE(found && truth);
+    EXPECT_TRUE(test::nearPose(found.value(), truth.value(), 1.0, 8.0));   // depth is weak in one view
+}
+
+TEST_F(CliOnSimulatedCase, ProjectsAGivenPose)
+{
+    const std::string picture = folder_.file("overlay.png");
+    const auto outcome =
+        runCli({"project", casePath_, "--pose", folder_.file("demo/true-pose.json"), "--output", picture});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.messages;
+    EXPECT_GT(fs::file_size(picture), 10000u);
+}
+
+TEST_F(CliOnSimulatedCase, TracesItsAngiogram)
+{
+    const std::string csv = folder_.file("traced.csv");
+    const auto outcome = runCli(
+        {"trace-angiogram", folder_.file("demo/angiogram.dcm"), "--output", csv, "--mask", folder_.file("mask.png")});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.messages;
+    EXPECT_GT(fs::file_size(csv), 1000u);
+    EXPECT_TRUE(fs::exists(folder_.file("mask.png")));
+    EXPECT_EQ(
+        runCli({"trace-angiogram", folder_.file("demo/angiogram.dcm"), "--frame", "99", "--output", csv}).exitCode, 3);
+}
+
+TEST_F(CliOnSimulatedCase, UnknownMethodsAndOptionsAreUsageErrors)
+{
+    EXPECT_EQ(runCli({"register", casePath_, "--method", "magic"}).exitCode, 2);
+    const auto option = runCli({"register", casePath_, "--set", "magic=1"});
+    EXPECT_EQ(option.exitCode, 2);
+    EXPECT_NE(option.messages.find("magic"), std::string::npos);
+}
+
+TEST_F(CliOnSimulatedCase, InputsAreNeverOverwritten)
+{
+    const auto before = fs::last_write_time(folder_.file("demo/angiogram.dcm"));
+    runCli({"register", casePath_, "--output", folder_.file("demo")});
+    EXPECT_EQ(fs::last_write_time(folder_.file("demo/angiogram.dcm")), before);
+    EXPECT_EQ(runCli({"validate", casePath_}).exitCode, 0);
+}
+
+/// Every odd, malformed or truncated file: a load or one clear message, quickly and in little memory.
+TEST(Cli, ExoticFilesLoadOrAreRefusedClearly)
+{
+    ANGIOPOSE_NEEDS_DATA("exotic-dicom");
+    int files = 0;
+    for (const std::string folder :
+         {"exotic-dicom", "exotic-lfs-pointers", "exotic-mesh", "exotic-nifti", "exotic-nrrd"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(test::dataFile(folder))) {
+            if (!entry.is_regular_file()) {
+                continue;
+            }
+            ++files;
+            const std::string path = entry.path().string();
+            const auto outcome = runCli({"info", path});
+            EXPECT_TRUE(outcome.exitCode == 0 || outcome.exitCode == 3) << path << ": " << outcome.exitCode;
+            EXPECT_LT(outcome.seconds, 10.0) << path;
+            EXPECT_LT(outcome.peakMemoryKiB, 1024 * 1024) << path;
+            if (outcome.exitCode == 3) {
+                EXPECT_EQ(std::count(outcome.messages.begin(), outcome.messages.end(), '\n'), 1) << outcome.messages;
+                EXPECT_NE(outcome.messages.find(entry.path().filename().string()), std::string::npos)
+                    << outcome.messages;
+            }
+        }
+    }
+    EXPECT_GT(files, 100);
+}
+
+}   // namespace
