@@ -1,5 +1,6 @@
 #include "io/dicom/decode_frame.h"
 
+#include "io/dicom/decode_rle.h"
 #include "io/support/quiet_libraries.h"
 
 #include <gdcmDataElement.h>
@@ -14,13 +15,8 @@ namespace {
 constexpr std::string_view rleSyntax = "1.2.840.10008.1.2.5";
 
 /// The decoders trust what the stream declares: refuse one that is not the image of the header.
-bool isTheImageExpected(std::string_view compressed, bool isRle, const PixelLayout& layout)
+bool isTheImageExpected(std::string_view compressed, const PixelLayout& layout)
 {
-    if (isRle) {
-        const std::size_t bytes = layout.pixelsPerFrame() * static_cast<std::size_t>(layout.samples) *
-                                  static_cast<std::size_t>(layout.bitsAllocated / 8);
-        return compressed.size() > 64 && bytes / 64 <= compressed.size();   // 2 bytes give at most 128
-    }
     const auto head = streamHeadOf(compressed);
     return head && head->columns == layout.columns && head->rows == layout.rows && head->components == layout.samples &&
            head->bits >= 2 && head->bits <= layout.bitsAllocated;
@@ -71,9 +67,12 @@ std::optional<std::vector<char>> decodeFrame(std::string_view compressed, const 
                                              PixelLayout& layout)
 {
     quietLibraries();
+    if (transferSyntax == rleSyntax) {
+        layout.isPlanar = false;
+        return decodeRle(compressed, layout);
+    }
     const auto syntax = gdcm::TransferSyntax::GetTSType(transferSyntax.c_str());
-    if (syntax == gdcm::TransferSyntax::TS_END ||
-        !isTheImageExpected(compressed, transferSyntax == rleSyntax, layout) || !isWhole(compressed)) {
+    if (syntax == gdcm::TransferSyntax::TS_END || !isTheImageExpected(compressed, layout) || !isWhole(compressed)) {
         return std::nullopt;
     }
     try {

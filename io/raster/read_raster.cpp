@@ -1,11 +1,11 @@
 #include "io/raster/read_raster.h"
 
 #include "io/raster/raster_integrity.h"
+#include "io/raster/read_jpeg.h"
 #include "io/raster/read_tiff.h"
 #include "io/support/file_error.h"
 #include "io/support/quiet_libraries.h"
 
-#include <itkJPEGImageIO.h>
 #include <itkPNGImageIO.h>
 #include <algorithm>
 #include <cmath>
@@ -22,14 +22,6 @@ constexpr unsigned int minSide = 8;
 struct RasterShape {
     int width = 0, height = 0, frames = 1, channels = 1;
 };
-
-itk::ImageIOBase::Pointer readerFor(std::string_view content)
-{
-    if (content.starts_with("\x89PNG")) {
-        return itk::PNGImageIO::New().GetPointer();
-    }
-    return itk::JPEGImageIO::New().GetPointer();
-}
 
 std::optional<RasterShape> shapeOf(const itk::ImageIOBase& reader)
 {
@@ -129,16 +121,15 @@ core::Result<Raster> readRaster(std::string_view content, const std::string& pat
     if (const std::string damage = findRasterDamage(content); !damage.empty()) {
         return fileError(path, damage);
     }
-    const bool isTiff = content.starts_with("II") || content.starts_with("MM");
-    if (isTiff) {
-        auto tiff = readTiff(path);
-        return tiff && isFinite(*tiff) ? core::Result<Raster>(std::move(*tiff))
-                                       : fileError(path,
-                                                   "this TIFF is damaged or of an unusual kind. Export it in grey "
-                                                   "or RGB with 8 or 16 bits, without tiles.");
+    if (!content.starts_with("\x89PNG")) {
+        auto raster = content.starts_with("\xff\xd8") ? readJpeg(content) : readTiff(path);
+        return raster && isFinite(*raster) ? core::Result<Raster>(std::move(*raster))
+                                           : fileError(path,
+                                                       "the image is damaged or of an unusual kind. Export it in "
+                                                       "grey or RGB with 8 or 16 bits, without tiles.");
     }
     try {
-        const itk::ImageIOBase::Pointer reader = readerFor(content);
+        const itk::ImageIOBase::Pointer reader = itk::PNGImageIO::New().GetPointer();
         reader->SetFileName(path);
         reader->ReadImageInformation();
         const auto shape = shapeOf(*reader);

@@ -1,0 +1,98 @@
+#include "io/raster/read_jpeg.h"
+
+#include <jpeglib.h>
+#include <csetjmp>
+#include <cstdio>
+
+namespace io {
+namespace {
+
+constexpr std::size_t maxPixels = 100'000'000;
+constexpr JDIMENSION minSide = 8;
+
+/// libjpeg's way out of an error is a long jump: nothing with a destructor may live in the functions it leaves.
+struct JpegState {
+    jpeg_decompress_struct decoder;
+    jpeg_error_mgr errors;
+    std::jmp_buf exit;
+};
+
+void leave(j_common_ptr decoder)
+{
+    std::longjmp(static_cast<JpegState*>(decoder->client_data)->exit, 1);
+}
+
+void saySilently(j_common_ptr) {}
+
+/// Reads the header and starts decoding to grey or RGB.
+bool start(JpegState* state, std::string_view content)
+{
+    state->decoder.err = jpeg_std_error(&state->errors);
+    state->errors.error_exit = leave;
+    state->errors.output_message = saySilently;
+    jpeg_create_decompress(&state->decoder);
+    state->decoder.client_data = state;
+    if (setjmp(state->exit) != 0) {
+        return false;
+    }
+    jpeg_mem_src(&state->decoder, reinterpret_cast<const unsigned char*>(content.data()),
+                 static_cast<unsigned long>(content.size()));
+    jpeg_read_header(&state->decoder, TRUE);
+    const auto& head = state->decoder;
+    if ((head.num_components != 1 && head.num_components != 3) || head.image_width < minSide ||
+        head.image_height < minSide || std::size_t{head.image_width} * head.image_height > maxPixels) {
+        return false;
+    }
+    state->decoder.out_color_space = head.num_components == 1 ? JCS_GRAYSCALE : JCS_RGB;
+    jpeg_start_decompress(&state->decoder);
+    return true;
+}
+
+bool readRow(JpegState* state, unsigned char* row)
+{
+    if (setjmp(state->exit) != 0) {
+        return false;
+    }
+    return jpeg_read_scanlines(&state->decoder, &row, 1) == 1 && state->errors.num_warnings == 0;
+}
+
+void copyRow(const std::vector<unsigned char>& row, std::size_t y, Raster& raster)
+{
+    core::ImageF& frame = raster.frames.front();
+    const auto width = static_cast<std::size_t>(frame.width);
+    const bool isGrey = row.size() == width;
+    for (std::size_t x = 0; x < width; ++x) {
+        float value = isGrey ? row[x] : row[3 * x];
+        if (!isGrey && (row[3 * x] != row[3 * x + 1] || row[3 * x + 1] != row[3 * x + 2])) {
+            raster.wasColour = true;
+            value = 0.299F * value + 0.587F * row[3 * x + 1] + 0.114F * row[3 * x + 2];
+        }
+        frame.pixels[y * width + x] = value;
+    }
+}
+
+}   // namespace
+
+std::optional<Raster> readJpeg(std::string_view content)
+{
+    JpegState state{};
+    std::optional<Raster> result;
+    if (start(&state, content)) {
+        const auto& head = state.decoder;
+        Raster raster;
+        raster.frames.emplace_back(static_cast<int>(head.output_width), static_cast<int>(head.output_height));
+        std::vector<unsigned char> row(std::size_t{head.output_width} *
+                                       static_cast<unsigned int>(head.output_components));
+        std::size_t y = 0;
+        while (y < head.output_height && readRow(&state, row.data())) {
+            copyRow(row, y++, raster);
+        }
+        if (y == head.output_height) {
+            result = std::move(raster);
+        }
+    }
+    jpeg_destroy_decompress(&state.decoder);
+    return result;
+}
+
+}   // namespace io
