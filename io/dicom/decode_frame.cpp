@@ -1,12 +1,15 @@
 #include "io/dicom/decode_frame.h"
 
 #include "io/dicom/decode_rle.h"
+#include "io/raster/read_jpeg.h"
 #include "io/support/quiet_libraries.h"
 
 #include <gdcmDataElement.h>
 #include <gdcmFragment.h>
 #include <gdcmImage.h>
 #include <gdcmSequenceOfFragments.h>
+#include <algorithm>
+#include <cmath>
 #include <exception>
 
 namespace io {
@@ -15,11 +18,30 @@ namespace {
 constexpr std::string_view rleSyntax = "1.2.840.10008.1.2.5";
 
 /// The decoders trust what the stream declares: refuse one that is not the image of the header.
-bool isTheImageExpected(std::string_view compressed, const PixelLayout& layout)
+bool isTheImageExpected(const StreamHead& head, const PixelLayout& layout)
 {
-    const auto head = streamHeadOf(compressed);
-    return head && head->columns == layout.columns && head->rows == layout.rows && head->components == layout.samples &&
-           head->bits >= 2 && head->bits <= layout.bitsAllocated;
+    return head.columns == layout.columns && head.rows == layout.rows && head.components == layout.samples &&
+           head.bits >= 2 && head.bits <= layout.bitsAllocated;
+}
+
+/// 8-bit lossy JPEG through libjpeg: GDCM asserts on damaged ones. RGB without a colour transform is not told apart by
+/// the stream, so it is left alone.
+std::optional<std::vector<char>> decodeBaseline(std::string_view compressed, PixelLayout& layout)
+{
+    const auto raster = layout.photometric == "RGB" ? std::nullopt : readJpeg(compressed);
+    if (!raster) {
+        return std::nullopt;
+    }
+    layout.samples = 1;
+    layout.bitsAllocated = 8;
+    layout.bitsStored = 8;
+    layout.highBit = 7;
+    layout.isSigned = false;
+    const core::ImageF& image = raster->frames.front();
+    std::vector<char> bytes(image.pixels.size());
+    std::transform(image.pixels.begin(), image.pixels.end(), bytes.begin(),
+                   [](float value) { return static_cast<char>(static_cast<unsigned char>(std::lround(value))); });
+    return bytes;
 }
 
 /// libjpeg fills what is missing with grey; a whole stream ends with its end marker.
@@ -71,8 +93,15 @@ std::optional<std::vector<char>> decodeFrame(std::string_view compressed, const 
         layout.isPlanar = false;
         return decodeRle(compressed, layout);
     }
+    const auto head = streamHeadOf(compressed);
     const auto syntax = gdcm::TransferSyntax::GetTSType(transferSyntax.c_str());
-    if (syntax == gdcm::TransferSyntax::TS_END || !isTheImageExpected(compressed, layout) || !isWhole(compressed)) {
+    if (syntax == gdcm::TransferSyntax::TS_END || !head || !isTheImageExpected(*head, layout) || !isWhole(compressed)) {
+        return std::nullopt;
+    }
+    if (head->isBaseline) {
+        return decodeBaseline(compressed, layout);
+    }
+    if (layout.samples != 1 && compressed.starts_with("\xff\xd8")) {   // colour in lossless JPEG: GDCM asserts
         return std::nullopt;
     }
     try {

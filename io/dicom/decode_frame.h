@@ -20,6 +20,7 @@ struct StreamHead {
     int rows = 0;
     int components = 0;
     int bits = 0;   ///< per sample
+    bool isBaseline = false;   ///< 8-bit lossy JPEG
 };
 std::optional<StreamHead> streamHeadOf(std::string_view stream);
 

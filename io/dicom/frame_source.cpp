@@ -145,8 +145,8 @@ core::Result<std::vector<ImageF>> compressedFrames(const DicomFile& file, const 
     for (std::size_t k = 0; k < count; ++k) {
         PixelLayout decoded = layout;
         const auto bytes = decodeFrame(streams[k], file.transferSyntax, decoded);
-        const std::size_t needed = layout.pixelsPerFrame() * static_cast<std::size_t>(layout.samples) *
-                                   static_cast<std::size_t>(layout.bitsAllocated) / 8;
+        const std::size_t needed = decoded.pixelsPerFrame() * static_cast<std::size_t>(decoded.samples) *
+                                   static_cast<std::size_t>(decoded.bitsAllocated) / 8;
         if (!bytes || bytes->size() < needed || layout.bitsAllocated < 8) {
             return fileError(path, "frame " + std::to_string(k) + " cannot be decoded (transfer syntax " +
                                        file.transferSyntax.substr(0, 64) +

@@ -19,7 +19,7 @@ std::optional<StreamHead> jpeg2000Head(std::string_view stream)
     const std::uint32_t rows = at(12) - at(20);
     const int components = readUint16(stream.substr(start + 40), bigEndian);
     const int bits = (static_cast<unsigned char>(stream[start + 42]) & 0x7f) + 1;
-    return StreamHead{static_cast<int>(columns), static_cast<int>(rows), components, bits};
+    return StreamHead{static_cast<int>(columns), static_cast<int>(rows), components, bits, false};
 }
 
 /// True for the markers that start a frame: SOF0…SOF15 without DHT, JPG, DAC, and JPEG-LS's SOF55.
@@ -48,7 +48,7 @@ std::optional<StreamHead> streamHeadOf(std::string_view stream)
         if (isFrameStart(marker)) {
             return StreamHead{readUint16(stream.substr(at + 7), bigEndian),
                               readUint16(stream.substr(at + 5), bigEndian), static_cast<unsigned char>(stream[at + 9]),
-                              static_cast<unsigned char>(stream[at + 4])};
+                              static_cast<unsigned char>(stream[at + 4]), marker <= 0xc2 && stream[at + 4] == 8};
         }
         at += 2 + std::size_t{readUint16(stream.substr(at + 2), bigEndian)};
     }
