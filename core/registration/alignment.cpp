@@ -55,19 +55,33 @@ inline bool Alignment::match(const AlignmentPoint& point, const CentroidPose& po
     if (match.squaredDistance > limitPx * limitPx) {
         return false;
     }
-    match.normalX = -line.ty;
-    match.normalY = line.tx;
-    match.residual = match.normalX * du + match.normalY * dv;
-
     const Eigen::Vector3d tangent = pose.rotation * point.tangent;
     const double su = camera_.fx * (tangent.x() - X.x() * perDepth * tangent.z());
     const double sv = camera_.fy * (tangent.y() - X.y() * perDepth * tangent.z());
     const double squaredLength = su * su + sv * sv;
     const double shortest = endOnShare * camera_.fy;
     const double along = su * line.tx + sv * line.ty;
+    // The normal points to the same side of the branch however the curve was traced.
+    const double side = along < 0.0 ? -1.0 : 1.0;
+    match.normalX = -side * line.ty;
+    match.normalY = side * line.tx;
+    match.residual = match.normalX * du + match.normalY * dv;
     const double squaredCosine = squaredLength < shortest * shortest ? 1.0 : along * along / squaredLength;
     match.gate = squaredCosine * squaredCosine;
     return true;
+}
+
+/// d(residual) / d(rotation rad, shift mm).
+inline Vector6d Alignment::residualGradient(const Match& found) const
+{
+    const Eigen::Vector3d& X = found.inCamera;
+    const double perDepth = 1.0 / X.z();
+    const double ax = found.normalX * camera_.fx * perDepth;
+    const double ay = found.normalY * camera_.fy * perDepth;
+    const Eigen::Vector3d a(ax, ay, -(ax * X.x() + ay * X.y()) * perDepth);
+    Vector6d J;
+    J << found.turned.cross(a), a;
+    return J;
 }
 
 Agreement Alignment::look(const CentroidPose& pose, double scalePx) const
@@ -87,13 +101,7 @@ Agreement Alignment::look(const CentroidPose& pose, double scalePx) const
         }
         const double weight = importance * found.gate * std::exp(perSquaredScale * found.squaredDistance);
         costShare -= weight;
-        const Eigen::Vector3d& X = found.inCamera;
-        const double perDepth = 1.0 / X.z();
-        const double ax = found.normalX * camera_.fx * perDepth;
-        const double ay = found.normalY * camera_.fy * perDepth;
-        const Eigen::Vector3d a(ax, ay, -(ax * X.x() + ay * X.y()) * perDepth);
-        Vector6d J;
-        J << found.turned.cross(a), a;
+        const Vector6d J = residualGradient(found);
         const Vector6d weighted = weight * J;
         for (int column = 0; column < 6; ++column) {
             for (int row = column; row < 6; ++row) {
@@ -104,6 +112,24 @@ Agreement Alignment::look(const CentroidPose& pose, double scalePx) const
     }
     agreement.loss = 2.0 * scalePx * scalePx * costShare;
     return agreement;
+}
+
+void Alignment::collectRows(const CentroidPose& pose, double scalePx, std::vector<ResidualRow>& rows) const
+{
+    rows.clear();
+    const double perSquaredScale = -0.5 / (scalePx * scalePx);
+    Match found;
+    for (const AlignmentPoint& point : points_) {
+        ResidualRow row;
+        row.branchIndex = point.branchIndex;
+        if (match(point, pose, cutOff * scalePx, found)) {
+            const double v = visibility_[static_cast<std::size_t>(point.branchIndex)];
+            row.weight = v * v * found.gate * std::exp(perSquaredScale * found.squaredDistance);
+            row.residual = found.residual;
+            row.gradient = residualGradient(found);
+        }
+        rows.push_back(row);
+    }
 }
 
 void Alignment::updateVisibility(const CentroidPose& pose, double scalePx)

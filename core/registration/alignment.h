@@ -18,6 +18,14 @@ struct Agreement {
     double loss = 0.0;   ///< Σ 2ℓ² v (1 − w); a point that leaves or turns across costs the maximum
 };
 
+/// One point's share of the equations; weight 0 where nothing is near.
+struct ResidualRow {
+    Vector6d gradient = Vector6d::Zero();   ///< for steps (rad, mm)
+    double residual = 0.0;   ///< px across the vessel, to the same side all along a branch
+    double weight = 0.0;
+    int branchIndex = 0;
+};
+
 /// Point-to-line agreement of the projected tree with the target (ALGORITHMS §6.2, 6.3, 6.5): Welsch weight of the
 /// distance, cos⁴ gate of the directions, squared visibility of the branch.
 class Alignment {
@@ -25,6 +33,9 @@ public:
     Alignment(std::vector<AlignmentPoint> points, const ProjectionCamera& camera, const TargetLines& target);
 
     Agreement look(const CentroidPose& pose, double scalePx) const;
+
+    /// What `look` sums up, point by point.
+    void collectRows(const CentroidPose& pose, double scalePx, std::vector<ResidualRow>& rows) const;
 
     /// Mean weight of each branch becomes its visibility (§6.7).
     void updateVisibility(const CentroidPose& pose, double scalePx);
@@ -42,6 +53,7 @@ public:
 private:
     struct Match;
     bool match(const AlignmentPoint& point, const CentroidPose& pose, double limitPx, Match& match) const;
+    Vector6d residualGradient(const Match& match) const;
 
     std::vector<AlignmentPoint> points_;
     ProjectionCamera camera_;

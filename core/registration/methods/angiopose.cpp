@@ -4,7 +4,7 @@
 #include "core/registration/coarse_search.h"
 #include "core/registration/graduated_refinement.h"
 #include "core/registration/pose_uncertainty.h"
-#include "core/support/quantile.h"
+#include "core/registration/shape_tolerance.h"
 #include "core/support/stopwatch.h"
 
 #include <algorithm>
@@ -146,7 +146,8 @@ std::vector<ScoredPose> AngioPose::refineFinalists(const std::vector<ScoredPose>
                 return report("refine", 0.7 + 0.1 * (static_cast<double>(refined.size()) + step.progress),
                               refined.empty() ? step.pose : refined.front().pose, step.scalePx);
             });
-        refined.push_back({result.pose, score_.of(result.pose), result.scalePx, result.stopReason});
+        const CentroidPose pose = refineTolerantly(full_, prior_, result.pose, result.scalePx);
+        refined.push_back({pose, score_.of(pose), result.scalePx, result.stopReason});
     }
     std::stable_sort(refined.begin(), refined.end(),
                      [](const ScoredPose& a, const ScoredPose& b) { return a.score > b.score; });
