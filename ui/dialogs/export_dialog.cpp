@@ -1,0 +1,115 @@
+#include "ui/dialogs/export_dialog.h"
+
+#include "ui/panels/number_field.h"
+#include "ui/panels/section.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace ui {
+namespace {
+
+enum SizeEntry { ViewSize, Size1024, Size2048, CustomSize };
+
+}   // namespace
+
+ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
+    : QDialog(parent),
+      viewWidthPx_(viewWidthPx),
+      aspect_(aspect),
+      size_(new QComboBox),
+      width_(new NumberField({64.0, 8192.0, 0, QStringLiteral("px"), 64.0})),
+      resulting_(roleLabel("hint")),
+      residuals_(new QCheckBox(tr("Residual colours with their scale"))),
+      identity_(new QCheckBox(tr("Patient identity in the picture")))
+{
+    setObjectName(QStringLiteral("exportDialog"));
+    setWindowTitle(tr("Export overlay"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    setMinimumWidth(400);
+    size_->addItems({tr("As in the window"), tr("1024 px wide"), tr("2048 px wide"), tr("Other width")});
+    width_->showValue(1600.0);
+
+    auto* form = new QFormLayout;
+    form->setHorizontalSpacing(14);
+    form->setVerticalSpacing(10);
+    form->addRow(roleLabel("label", tr("Size")), size_);
+    form->addRow(roleLabel("label", tr("Width")), width_);
+    form->addRow(QString(), resulting_);
+    form->addRow(QString(), residuals_);
+    form->addRow(QString(), identity_);
+    auto* notice = roleLabel("hint", tr("The picture always says “Not for clinical use” and carries inputs, "
+                                        "method and pose in its text fields."));
+    notice->setWordWrap(true);
+
+    auto* cancel = new QPushButton(tr("Cancel"));
+    auto* exportButton = new QPushButton(tr("Export …"));
+    exportButton->setProperty("role", "primary");
+    exportButton->setDefault(true);
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(cancel);
+    buttons->addWidget(exportButton);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(22, 20, 22, 16);
+    layout->setSpacing(14);
+    layout->addLayout(form);
+    layout->addWidget(notice);
+    layout->addLayout(buttons);
+
+    connect(size_, &QComboBox::currentIndexChanged, this, &ExportDialog::showSize);
+    connect(width_, &NumberField::edited, this, &ExportDialog::showSize);
+    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    connect(exportButton, &QPushButton::clicked, this, &QDialog::accept);
+    connect(this, &QDialog::accepted, this, [this] { emit chosen(choice()); });
+    showChoice({});
+}
+
+void ExportDialog::showChoice(const ExportChoice& choice)
+{
+    const int entry = choice.widthPx == 1024 ? Size1024 : choice.widthPx == 2048 ? Size2048 : CustomSize;
+    size_->setCurrentIndex(choice.widthPx == viewWidthPx_ ? ViewSize : entry);
+    if (entry == CustomSize) {
+        width_->showValue(choice.widthPx);
+    }
+    residuals_->setChecked(choice.residualColors == Choice::On);
+    identity_->setChecked(choice.identity == Choice::On);
+    showSize();
+}
+
+ExportChoice ExportDialog::choice() const
+{
+    ExportChoice result;
+    switch (size_->currentIndex()) {
+        case ViewSize:
+            result.widthPx = viewWidthPx_;
+            break;
+        case Size1024:
+            result.widthPx = 1024;
+            break;
+        case Size2048:
+            result.widthPx = 2048;
+            break;
+        default:
+            result.widthPx = static_cast<int>(width_->value().value_or(1024.0));
+    }
+    result.residualColors = residuals_->isChecked() ? Choice::On : Choice::Off;
+    result.identity = identity_->isChecked() ? Choice::On : Choice::Off;
+    return result;
+}
+
+void ExportDialog::showSize()
+{
+    width_->setEnabled(size_->currentIndex() == CustomSize);
+    const int width = choice().widthPx;
+    resulting_->setText(tr("%1 × %2 px").arg(width).arg(std::lround(width * aspect_)));
+}
+
+}   // namespace ui

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QDialog>
+#include <QSize>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+
+namespace ui {
+
+class NumberField;
+
+enum class Choice { Off, On };
+
+/// How the user wants the overlay exported.
+struct ExportChoice {
+    int widthPx = 1024;
+    Choice residualColors = Choice::On;
+    Choice identity = Choice::Off;
+};
+
+/// Asks size, residual colours and identity before an overlay is written. `chosen` follows on Export.
+class ExportDialog : public QDialog {
+    Q_OBJECT
+public:
+    /// `viewWidthPx` is what the window shows now, `aspect` height by width of the picture.
+    ExportDialog(int viewWidthPx, double aspect, QWidget* parent);
+
+    void showChoice(const ExportChoice& choice);
+    ExportChoice choice() const;
+
+signals:
+    void chosen(const ui::ExportChoice& choice);
+
+private:
+    void showSize();
+
+    int viewWidthPx_;
+    double aspect_;
+    QComboBox* size_;
+    NumberField* width_;
+    QLabel* resulting_;
+    QCheckBox* residuals_;
+    QCheckBox* identity_;
+};
+
+}   // namespace ui

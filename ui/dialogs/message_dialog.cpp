@@ -1,0 +1,99 @@
+#include "ui/dialogs/message_dialog.h"
+
+#include "ui/panels/section.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+
+constexpr int dialogWidth = 460;
+
+QVBoxLayout* makeBody(QDialog* dialog, const Message& message)
+{
+    auto* layout = new QVBoxLayout(dialog);
+    layout->setContentsMargins(22, 20, 22, 16);
+    layout->setSpacing(12);
+    auto* heading = roleLabel("heading", message.heading);
+    auto* text = roleLabel("body", message.text);
+    for (QLabel* label : {heading, text}) {
+        label->setWordWrap(true);
+        label->setTextFormat(Qt::PlainText);
+    }
+    text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    layout->addWidget(heading);
+    layout->addWidget(text);
+    dialog->setWindowTitle(message.heading);
+    dialog->setMinimumWidth(dialogWidth);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    return layout;
+}
+
+}   // namespace
+
+MessageDialog::MessageDialog(Message message, QWidget* parent) : QDialog(parent)
+{
+    setObjectName(QStringLiteral("messageDialog"));
+    auto* layout = makeBody(this, message);
+    auto* details = new QPlainTextEdit(message.details);
+    details->setReadOnly(true);
+    details->setMaximumHeight(130);
+    details->hide();
+    layout->addWidget(details);
+
+    auto* buttons = new QHBoxLayout;
+    if (!message.details.isEmpty()) {
+        auto* unfold = new QPushButton(tr("Details"));
+        unfold->setCheckable(true);
+        connect(unfold, &QPushButton::toggled, this, [this, details](bool on) {
+            details->setVisible(on);
+            adjustSize();
+        });
+        auto* copy = new QPushButton(tr("Copy details"));
+        connect(copy, &QPushButton::clicked, this, [message] {
+            QGuiApplication::clipboard()->setText(message.text + QLatin1Char('\n') + message.details);
+        });
+        buttons->addWidget(unfold);
+        buttons->addWidget(copy);
+    }
+    auto* close = new QPushButton(tr("Close"));
+    close->setProperty("role", "primary");
+    close->setDefault(true);
+    connect(close, &QPushButton::clicked, this, &QDialog::accept);
+    buttons->addStretch(1);
+    buttons->addWidget(close);
+    layout->addLayout(buttons);
+    close->setFocus();
+}
+
+void MessageDialog::show(const Message& message, QWidget* parent)
+{
+    (new MessageDialog(message, parent))->open();
+}
+
+QuestionDialog::QuestionDialog(const Message& message, const QStringList& verbs, QWidget* parent) : QDialog(parent)
+{
+    setObjectName(QStringLiteral("questionDialog"));
+    auto* layout = makeBody(this, message);
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    const int last = static_cast<int>(verbs.size()) - 1;
+    for (int i = last; i >= 0; --i) {
+        auto* button = new QPushButton(verbs[i]);
+        if (i == 0) {
+            button->setProperty("role", "primary");
+            button->setDefault(true);
+        }
+        connect(button, &QPushButton::clicked, this, [this, i] { done(i + 1); });
+        buttons->addWidget(button);
+    }
+    layout->addLayout(buttons);
+    connect(this, &QDialog::finished, this, [this, last](int code) { emit answered(code == 0 ? last : code - 1); });
+}
+
+}   // namespace ui

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QDialog>
+
+namespace ui {
+
+/// What went wrong or what to know: a heading, one sentence on problem and remedy, details to copy.
+struct Message {
+    QString heading;
+    QString text;
+    QString details;
+};
+
+/// Shows one message over its parent; details fold out and can be copied. Deletes itself when closed.
+class MessageDialog : public QDialog {
+    Q_OBJECT
+public:
+    MessageDialog(Message message, QWidget* parent);
+
+    static void show(const Message& message, QWidget* parent);
+};
+
+/// A question whose answers are verbs. `answered` carries the index of the chosen verb; closing means the last one.
+class QuestionDialog : public QDialog {
+    Q_OBJECT
+public:
+    QuestionDialog(const Message& message, const QStringList& verbs, QWidget* parent);
+
+signals:
+    void answered(int index);
+};
+
+}   // namespace ui

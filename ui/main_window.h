@@ -1,0 +1,95 @@
+#pragma once
+
+#include "ui/panels/bottom_strip.h"
+#include "ui/panels/branch_panel.h"
+#include "ui/panels/geometry_panel.h"
+#include "ui/panels/header_bar.h"
+#include "ui/panels/pose_panel.h"
+#include "ui/panels/registration_panel.h"
+#include "ui/panels/result_panel.h"
+#include "ui/panels/step_bar.h"
+#include "ui/panels/welcome_page.h"
+#include "ui/window_actions.h"
+
+#include <QMainWindow>
+
+class QScrollArea;
+class QSplitter;
+class QStackedWidget;
+
+namespace ui {
+
+class AngiogramView;
+class TreeView;
+
+/// Places views and panels. Knows no case: whoever owns it connects the parts.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    explicit MainWindow(QWidget* parent = nullptr);
+
+    AngiogramView& angiogramView() { return *angiogramView_; }
+    TreeView& treeView() { return *treeView_; }
+    HeaderBar& header() { return *header_; }
+    StepBar& steps() { return *steps_; }
+    BranchPanel& branches() { return *branches_; }
+    PosePanel& pose() { return *pose_; }
+    GeometryPanel& geometryPanel() { return *geometry_; }
+    RegistrationPanel& registration() { return *registration_; }
+    ResultPanel& result() { return *result_; }
+    BottomStrip& strip() { return *strip_; }
+    WelcomePage& welcome() { return *welcome_; }
+    WindowActions& actions() { return *actions_; }
+
+    void showImagePage();
+    void showWelcomePage();
+    void focusStep(Step step);   ///< brings the step's part of the window to the user
+    void setNudging(bool on);   ///< coloured border around the image
+
+    QByteArray layoutState() const;
+    void restoreLayout(const QByteArray& state);
+    void closeNow();   ///< closes without asking again
+
+signals:
+    void filesDropped(const QStringList& paths);
+    void closeRequested();
+    void hideKeyHeld(bool held);   ///< H pressed and released
+    void nudgeKeyPressed(ui::Nudge nudge);   ///< only while nudging
+    void escapePressed();
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    QWidget* makeLeftColumn();
+    QWidget* makeCentre();
+    QWidget* makeRightColumn();
+    bool takesKey(QObject* watched) const;
+    bool filterKey(QEvent* event);
+
+    WindowActions* actions_;
+    HeaderBar* header_;
+    StepBar* steps_;
+    BranchPanel* branches_;
+    TreeView* treeView_;
+    AngiogramView* angiogramView_;
+    WelcomePage* welcome_;
+    QStackedWidget* centre_;
+    QWidget* imageFrame_;
+    GeometryPanel* geometry_;
+    PosePanel* pose_;
+    RegistrationPanel* registration_;
+    ResultPanel* result_;
+    QScrollArea* rightColumn_;
+    BottomStrip* strip_;
+    QSplitter* columns_;
+    QSplitter* leftSplitter_;
+    bool nudging_ = false;
+    bool hideHeld_ = false;
+    bool closeAllowed_ = false;
+};
+
+}   // namespace ui

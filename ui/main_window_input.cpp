@@ -1,0 +1,116 @@
+#include "ui/main_window.h"
+
+#include "ui/views/angiogram_view.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QKeyEvent>
+#include <QMimeData>
+#include <QPlainTextEdit>
+
+// What reaches the window from outside: closing, dropped files, and the keys that are held or repeat.
+
+namespace ui {
+namespace {
+
+QStringList localFiles(const QMimeData* data)
+{
+    QStringList paths;
+    for (const QUrl& url : data->urls()) {
+        if (url.isLocalFile()) {
+            paths << url.toLocalFile();
+        }
+    }
+    return paths;
+}
+
+bool takesText(const QWidget* widget)
+{
+    return qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QPlainTextEdit*>(widget) ||
+           qobject_cast<const QComboBox*>(widget);
+}
+
+}   // namespace
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (closeAllowed_) {
+        event->accept();
+        return;
+    }
+    event->ignore();
+    emit closeRequested();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    if (!localFiles(event->mimeData()).isEmpty()) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    event->acceptProposedAction();
+    emit filesDropped(localFiles(event->mimeData()));
+}
+
+bool MainWindow::takesKey(QObject* watched) const
+{
+    const auto* widget = qobject_cast<QWidget*>(watched);
+    return widget && widget->window() == this && !takesText(QApplication::focusWidget());
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event)
+{
+    switch (event->type()) {
+        case QEvent::ShortcutOverride:
+        case QEvent::KeyPress:
+        case QEvent::KeyRelease:
+            if (takesKey(watched) && filterKey(event)) {
+                return true;
+            }
+            break;
+        case QEvent::WindowDeactivate:
+            if (watched == this && hideHeld_) {
+                hideHeld_ = false;
+                emit hideKeyHeld(false);
+            }
+            break;
+        default:
+            break;
+    }
+    return QMainWindow::eventFilter(watched, event);
+}
+
+bool MainWindow::filterKey(QEvent* event)
+{
+    auto* key = static_cast<QKeyEvent*>(event);
+    const auto nudge = nudging_ ? nudgeOfKey(key->key(), key->modifiers()) : std::nullopt;
+    if (event->type() == QEvent::ShortcutOverride) {
+        if (nudge) {
+            event->accept();   // the key comes back as KeyPress instead of a shortcut
+        }
+        return nudge.has_value();
+    }
+    if (key->key() == Qt::Key_H && key->modifiers() == Qt::NoModifier) {
+        const bool pressed = event->type() == QEvent::KeyPress;
+        if (!key->isAutoRepeat() && pressed != hideHeld_) {
+            hideHeld_ = pressed;
+            emit hideKeyHeld(pressed);
+        }
+        return true;
+    }
+    if (event->type() == QEvent::KeyPress && nudge) {
+        emit nudgeKeyPressed(*nudge);
+        return true;
+    }
+    if (event->type() == QEvent::KeyPress && key->key() == Qt::Key_Escape) {
+        emit escapePressed();   // and on to the view, which may be dragging
+    }
+    return false;
+}
+
+}   // namespace ui

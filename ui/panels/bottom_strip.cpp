@@ -1,0 +1,127 @@
+#include "ui/panels/bottom_strip.h"
+
+#include "ui/panels/section.h"
+#include "ui/plots/frame_bars.h"
+
+#include <QHBoxLayout>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+
+constexpr int progressSteps = 1000;
+
+}   // namespace
+
+BottomStrip::BottomStrip(QWidget* parent)
+    : QWidget(parent),
+      frames_(new FrameBars),
+      frameNote_(new ElidedLabel("hint")),
+      saveState_(new ElidedLabel("label")),
+      undoState_(new ElidedLabel("hint")),
+      status_(roleLabel("label")),
+      progress_(new QProgressBar),
+      stop_(new QPushButton(tr("Stop")))
+{
+    setProperty("role", "strip");
+    setAttribute(Qt::WA_StyledBackground);
+    status_->setWordWrap(true);
+    status_->setTextFormat(Qt::PlainText);
+    status_->setMinimumWidth(1);
+    status_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    progress_->setTextVisible(false);
+    progress_->setFixedHeight(4);
+    progress_->setAccessibleName(tr("Progress"));
+    stop_->setAccessibleName(tr("Stop the running task"));
+    QSizePolicy keepsPlace = stop_->sizePolicy();
+    keepsPlace.setRetainSizeWhenHidden(true);
+    stop_->setSizePolicy(keepsPlace);
+
+    auto* left = new QVBoxLayout;
+    left->setSpacing(4);
+    left->addWidget(saveState_);
+    left->addWidget(undoState_);
+    left->addStretch(1);
+    auto* centre = new QVBoxLayout;
+    centre->setSpacing(3);
+    centre->addWidget(frames_, 1);
+    centre->addWidget(frameNote_);
+    auto* task = new QVBoxLayout;
+    task->setSpacing(6);
+    task->addWidget(status_, 1);
+    task->addWidget(progress_);
+    auto* right = new QHBoxLayout;
+    right->setSpacing(10);
+    right->addLayout(task, 1);
+    right->addWidget(stop_, 0, Qt::AlignVCenter);
+
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(14, 8, 14, 8);
+    layout->setSpacing(18);
+    layout->addLayout(left, 3);
+    layout->addLayout(centre, 12);
+    layout->addLayout(right, 4);
+    setFixedHeight(78);
+    connect(frames_, &FrameBars::frameRequested, this, &BottomStrip::frameRequested);
+    connect(stop_, &QPushButton::clicked, this, &BottomStrip::stopRequested);
+    showIdle(tr("Ready"));
+}
+
+void BottomStrip::showFrames(const std::vector<double>& opacification, int suggested)
+{
+    frames_->showFrames(opacification, suggested);
+}
+
+void BottomStrip::showCurrentFrame(int frame)
+{
+    frames_->showCurrent(frame);
+}
+
+void BottomStrip::showFrameNote(const QString& note)
+{
+    frameNote_->showText(note);
+}
+
+void BottomStrip::showSaveState(const QString& text)
+{
+    saveState_->showText(text);
+}
+
+void BottomStrip::showUndoState(const QString& text)
+{
+    undoState_->showText(text);
+}
+
+void BottomStrip::showStatus(const QString& text)
+{
+    status_->setText(text);
+    status_->setToolTip(text);
+}
+
+void BottomStrip::showBusy(const QString& text)
+{
+    showStatus(text);
+    progress_->setRange(0, 0);
+    progress_->show();
+    stop_->show();
+}
+
+void BottomStrip::showProgress(const QString& text, double fraction)
+{
+    showStatus(text);
+    progress_->setRange(0, progressSteps);
+    progress_->setValue(static_cast<int>(fraction * progressSteps));
+    progress_->show();
+    stop_->show();
+}
+
+void BottomStrip::showIdle(const QString& text)
+{
+    showStatus(text);
+    progress_->hide();
+    stop_->hide();
+}
+
+}   // namespace ui

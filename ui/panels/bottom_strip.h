@@ -1,0 +1,46 @@
+#pragma once
+
+#include "ui/panels/elided_label.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QProgressBar;
+class QPushButton;
+
+namespace ui {
+
+class FrameBars;
+
+/// The low strip below the image: autosave and undo on the left, frames in the middle, the running task on the right.
+class BottomStrip : public QWidget {
+    Q_OBJECT
+public:
+    explicit BottomStrip(QWidget* parent = nullptr);
+
+    void showFrames(const std::vector<double>& opacification, int suggested);
+    void showCurrentFrame(int frame);
+    void showFrameNote(const QString& note);
+    void showSaveState(const QString& text);
+    void showUndoState(const QString& text);
+    void showStatus(const QString& text);   ///< what is going on, or "Ready"
+    void showBusy(const QString& text);   ///< a task without known end
+    void showProgress(const QString& text, double fraction);
+    void showIdle(const QString& text);
+
+signals:
+    void frameRequested(int frame);
+    void stopRequested();
+
+private:
+    FrameBars* frames_;
+    ElidedLabel* frameNote_;
+    ElidedLabel* saveState_;
+    ElidedLabel* undoState_;
+    QLabel* status_;
+    QProgressBar* progress_;
+    QPushButton* stop_;
+};
+
+}   // namespace ui

@@ -1,0 +1,156 @@
+#include "ui/panels/branch_delegate.h"
+
+#include "ui/panels/branch_model.h"
+#include "ui/theme/active_theme.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace ui {
+namespace {
+
+constexpr int margin = 14;
+constexpr int residualWidth = 44;
+constexpr int pillWidth = 40;
+constexpr int crossWidth = 20;
+
+void paintBackground(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index)
+{
+    const Palette& tones = activePalette();
+    if (option.state & QStyle::State_Selected) {
+        painter.fillRect(option.rect, toQColor(tones.accent, 0.16));
+    } else if (index.data(BranchModel::HoveredRole).toBool()) {
+        painter.fillRect(option.rect, toQColor(tones.accent, 0.08));
+    }
+    if (option.state & QStyle::State_HasFocus) {
+        painter.fillRect(QRect(option.rect.left(), option.rect.top(), 2, option.rect.height()), toQColor(tones.accent));
+    }
+}
+
+QColor residualTone(const QModelIndex& index)
+{
+    const QVariant residual = index.data(BranchModel::ResidualRole);
+    const auto* model = static_cast<const BranchModel*>(index.model());
+    if (!residual.isValid() || model->scaleMaximumMm() <= 0.0) {
+        return toQColor(activePalette().hint);
+    }
+    return toQColor(residualColor(std::clamp(residual.toDouble() / model->scaleMaximumMm(), 0.0, 1.0)));
+}
+
+void paintChip(QPainter& painter, const QRect& row, const QModelIndex& index)
+{
+    const QRectF chip(row.left() + margin, row.center().y() - 4.0, 9.0, 9.0);
+    const QColor tone = residualTone(index);
+    const bool excluded = index.data(BranchModel::ExcludedRole).toBool();
+    painter.setPen(QPen(tone, 1.2));
+    painter.setBrush(excluded ? QBrush(Qt::NoBrush) : QBrush(tone));
+    painter.drawRoundedRect(chip, 2.0, 2.0);
+}
+
+void paintPill(QPainter& painter, const QRect& pill, bool on)
+{
+    const Palette& tones = activePalette();
+    painter.setPen(on ? QPen(Qt::NoPen) : QPen(toQColor(tones.line), 1.0));
+    painter.setBrush(on ? QBrush(toQColor(tones.accent)) : QBrush(toQColor(tones.field)));
+    painter.drawRoundedRect(QRectF(pill).adjusted(0.5, 0.5, -0.5, -0.5), pill.height() / 2.0, pill.height() / 2.0);
+    painter.setPen(toQColor(on ? tones.window : tones.hint));
+    painter.drawText(pill, Qt::AlignCenter, on ? BranchDelegate::tr("aux") : QStringLiteral("–"));
+}
+
+void paintCross(QPainter& painter, const QRect& area, bool excluded)
+{
+    const Palette& tones = activePalette();
+    const QPointF centre = QRectF(area).center();
+    painter.setPen(QPen(toQColor(excluded ? tones.attention : tones.hint), excluded ? 1.8 : 1.2));
+    painter.drawLine(centre + QPointF(-3.5, -3.5), centre + QPointF(3.5, 3.5));
+    painter.drawLine(centre + QPointF(-3.5, 3.5), centre + QPointF(3.5, -3.5));
+}
+
+}   // namespace
+
+void BranchDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const
+{
+    const Palette& tones = activePalette();
+    const QRect row = option.rect;
+    const bool excluded = index.data(BranchModel::ExcludedRole).toBool();
+    const bool auxiliary = index.data(BranchModel::AuxiliaryRole).toBool();
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    paintBackground(*painter, option, index);
+    paintChip(*painter, row, index);
+
+    const QRect pill = auxiliaryRect(row);
+    const QString length = tr("%1 mm").arg(index.data(BranchModel::LengthRole).toDouble(), 0, 'f', 0);
+    const int lengthWidth = option.fontMetrics.horizontalAdvance(QStringLiteral("0000 mm"));
+    const QRect lengthRect(pill.left() - lengthWidth - 10, row.top(), lengthWidth, row.height());
+    const QRect nameRect(row.left() + margin + 20, row.top(), lengthRect.left() - row.left() - margin - 26,
+                         row.height());
+
+    QFont name = option.font;
+    name.setWeight(QFont::DemiBold);
+    name.setStrikeOut(excluded);
+    painter->setFont(name);
+    painter->setPen(toQColor(excluded ? tones.hint : tones.textStrong));
+    painter->drawText(
+        nameRect, Qt::AlignLeft | Qt::AlignVCenter,
+        QFontMetrics(name).elidedText(index.data(BranchModel::NameRole).toString(), Qt::ElideRight, nameRect.width()));
+    painter->setFont(option.font);
+    painter->setPen(toQColor(tones.label));
+    painter->drawText(lengthRect, Qt::AlignRight | Qt::AlignVCenter, length);
+    if (!excluded) {
+        paintPill(*painter, pill, auxiliary);
+    }
+    if (excluded || (option.state & (QStyle::State_MouseOver | QStyle::State_Selected))) {
+        paintCross(*painter, excludeRect(row), excluded);
+    }
+    const QVariant residual = index.data(BranchModel::ResidualRole);
+    painter->setPen(residualTone(index));
+    painter->drawText(row.adjusted(0, 0, -margin, 0), Qt::AlignRight | Qt::AlignVCenter,
+                      excluded             ? tr("out")
+                      : residual.isValid() ? QString::number(residual.toDouble(), 'f', 2)
+                                           : QString());
+    painter->restore();
+}
+
+QSize BranchDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const
+{
+    return {200, std::max(27, option.fontMetrics.height() + 10)};
+}
+
+QRect BranchDelegate::excludeRect(const QRect& row)
+{
+    return {row.right() - margin - residualWidth - crossWidth, row.top(), crossWidth, row.height()};
+}
+
+QRect BranchDelegate::auxiliaryRect(const QRect& row)
+{
+    const int height = std::min(19, row.height() - 4);
+    return {excludeRect(row).left() - pillWidth - 2, row.center().y() - height / 2, pillWidth, height};
+}
+
+bool BranchDelegate::editorEvent(QEvent* event, QAbstractItemModel*, const QStyleOptionViewItem& option,
+                                 const QModelIndex& index)
+{
+    const auto type = event->type();
+    if (type != QEvent::MouseButtonPress && type != QEvent::MouseButtonRelease && type != QEvent::MouseButtonDblClick) {
+        return false;
+    }
+    const auto* mouse = static_cast<QMouseEvent*>(event);
+    if (mouse->button() != Qt::LeftButton || mouse->modifiers() != Qt::NoModifier) {
+        return false;
+    }
+    const QPoint place = mouse->position().toPoint();
+    const int id = index.data(BranchModel::IdRole).toInt();
+    const bool onPill = auxiliaryRect(option.rect).contains(place) && !index.data(BranchModel::ExcludedRole).toBool();
+    const bool onCross = excludeRect(option.rect).contains(place);
+    if (type == QEvent::MouseButtonRelease && onPill) {
+        emit auxiliaryClicked(id);
+    } else if (type == QEvent::MouseButtonRelease && onCross) {
+        emit excludeClicked(id);
+    }
+    return onPill || onCross;
+}
+
+}   // namespace ui

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QStyledItemDelegate>
+
+namespace ui {
+
+/// Paints a branch row (chip, name, length, auxiliary pill, exclude cross, residual) and takes clicks on its switches.
+class BranchDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+    static QRect auxiliaryRect(const QRect& row);
+    static QRect excludeRect(const QRect& row);
+
+signals:
+    void auxiliaryClicked(int branchId);
+    void excludeClicked(int branchId);
+
+protected:
+    bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
+                     const QModelIndex& index) override;
+};
+
+}   // namespace ui

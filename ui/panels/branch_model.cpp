@@ -1,0 +1,97 @@
+#include "ui/panels/branch_model.h"
+
+#include "ui/panels/result_sentences.h"
+
+#include <algorithm>
+
+namespace ui {
+
+void BranchModel::setTree(const core::VesselTree& tree)
+{
+    beginResetModel();
+    rows_.clear();
+    for (const core::VesselBranch& branch : tree.branches) {
+        rows_.push_back({branch.id, displayName(branch), branch.lengthMm()});
+    }
+    residualMm_.clear();
+    endResetModel();
+}
+
+void BranchModel::setMarks(const BranchMarks& marks)
+{
+    if (marks != marks_) {
+        marks_ = marks;
+        refresh();
+    }
+}
+
+void BranchModel::setResiduals(const std::map<int, double>& residualMm, double scaleMaximumMm)
+{
+    residualMm_ = residualMm;
+    scaleMaximumMm_ = scaleMaximumMm;
+    refresh();
+}
+
+int BranchModel::rowOf(int branchId) const
+{
+    const auto found = std::ranges::find(rows_, branchId, &Row::id);
+    return found == rows_.end() ? -1 : static_cast<int>(found - rows_.begin());
+}
+
+int BranchModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+QVariant BranchModel::data(const QModelIndex& index, int role) const
+{
+    const Row& row = rows_[static_cast<std::size_t>(index.row())];
+    switch (role) {
+        case Qt::DisplayRole:
+        case NameRole:
+            return row.name;
+        case Qt::AccessibleTextRole:
+        case Qt::ToolTipRole:
+            return description(row);
+        case IdRole:
+            return row.id;
+        case LengthRole:
+            return row.lengthMm;
+        case AuxiliaryRole:
+            return marks_.auxiliary.contains(row.id);
+        case ExcludedRole:
+            return marks_.excluded.contains(row.id);
+        case HoveredRole:
+            return marks_.hovered == row.id;
+        case ResidualRole: {
+            const auto found = residualMm_.find(row.id);
+            return found == residualMm_.end() ? QVariant() : QVariant(found->second);
+        }
+        default:
+            return {};
+    }
+}
+
+void BranchModel::refresh()
+{
+    if (!rows_.empty()) {
+        emit dataChanged(index(0), index(static_cast<int>(rows_.size()) - 1));
+    }
+}
+
+QString BranchModel::description(const Row& row) const
+{
+    QStringList parts{tr("%1, %2 mm long").arg(row.name).arg(row.lengthMm, 0, 'f', 0)};
+    if (marks_.auxiliary.contains(row.id)) {
+        parts << tr("in the auxiliary set");
+    }
+    if (marks_.excluded.contains(row.id)) {
+        parts << tr("excluded");
+    }
+    if (const auto found = residualMm_.find(row.id); found != residualMm_.end()) {
+        parts << tr("median residual %1 mm").arg(found->second, 0, 'f', 2);
+    }
+    return parts.join(QStringLiteral(", "));
+}
+
+}   // namespace ui

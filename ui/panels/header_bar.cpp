@@ -1,0 +1,40 @@
+#include "ui/panels/header_bar.h"
+
+#include "ui/panels/section.h"
+
+#include <QHBoxLayout>
+
+namespace ui {
+
+HeaderBar::HeaderBar(QWidget* parent)
+    : QWidget(parent), title_(new ElidedLabel("title")), study_(new ElidedLabel("label")), menuBar_(new QMenuBar)
+{
+    setProperty("role", "header");
+    setAttribute(Qt::WA_StyledBackground);
+    menuBar_->setNativeMenuBar(false);
+    menuBar_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+    auto* notice = roleLabel("attention", tr("Not for clinical use"));
+    notice->setObjectName(QStringLiteral("clinicalNotice"));
+    notice->setToolTip(tr("AngioPose is a research program, not a medical device."));
+
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(14, 4, 14, 4);
+    layout->setSpacing(16);
+    layout->addWidget(menuBar_);
+    layout->addWidget(title_);
+    layout->addWidget(study_);
+    layout->addStretch(1);
+    layout->addWidget(notice);
+}
+
+void HeaderBar::showTitle(const QString& title)
+{
+    title_->showText(title);
+}
+
+void HeaderBar::showStudy(const QString& study)
+{
+    study_->showText(study);
+}
+
+}   // namespace ui

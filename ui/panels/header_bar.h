@@ -1,0 +1,26 @@
+#pragma once
+
+#include "ui/panels/elided_label.h"
+
+#include <QMenuBar>
+#include <QWidget>
+
+namespace ui {
+
+/// Top row of the window: case title, study, menus and the notice that is always there.
+class HeaderBar : public QWidget {
+    Q_OBJECT
+public:
+    explicit HeaderBar(QWidget* parent = nullptr);
+
+    void showTitle(const QString& title);   ///< with its `*` when there are unsaved changes
+    void showStudy(const QString& study);
+    QMenuBar* menuBar() const { return menuBar_; }
+
+private:
+    ElidedLabel* title_;
+    ElidedLabel* study_;
+    QMenuBar* menuBar_;
+};
+
+}   // namespace ui

@@ -1,0 +1,163 @@
+#include "ui/panels/number_field.h"
+
+#include "ui/theme/active_theme.h"
+
+#include <QFocusEvent>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+namespace {
+
+constexpr QChar minusSign{0x2212};
+
+std::optional<double> parsed(QString text)
+{
+    text.replace(minusSign, QLatin1Char('-')).replace(QLatin1Char(','), QLatin1Char('.'));
+    bool ok = false;
+    const double value = text.trimmed().toDouble(&ok);
+    return ok && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+}   // namespace
+
+NumberField::NumberField(NumberFormat format, QWidget* parent) : QLineEdit(parent), format_(std::move(format))
+{
+    setProperty("role", "number");
+    const int unitWidth = format_.unit.isEmpty() ? 0 : fontMetrics().horizontalAdvance(format_.unit) + 8;
+    setTextMargins(0, 0, unitWidth, 0);
+    connect(this, &QLineEdit::returnPressed, this, &NumberField::commit);
+}
+
+void NumberField::showValue(std::optional<double> value)
+{
+    value_ = value;
+    if (!(hasFocus() && isModified())) {
+        setText(textOf(value));
+        setCursorPosition(0);
+    }
+}
+
+bool NumberField::event(QEvent* event)
+{
+    // Up, Down and Esc belong to the field while it has the focus, not to the window's shortcuts.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_Escape) {
+            event->accept();
+            return true;
+        }
+    }
+    return QLineEdit::event(event);
+}
+
+void NumberField::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) {
+        stepBy(event->key() == Qt::Key_Up ? 1.0 : -1.0, event->modifiers());
+    } else if (event->key() == Qt::Key_Escape) {
+        revert();
+    } else {
+        QLineEdit::keyPressEvent(event);
+    }
+}
+
+void NumberField::wheelEvent(QWheelEvent* event)
+{
+    if (!hasFocus() || isReadOnly()) {
+        event->ignore();
+        return;
+    }
+    // Alt and Shift turn the wheel sideways on some desktops.
+    const QPoint delta = event->angleDelta();
+    const int notches = delta.y() != 0 ? delta.y() : delta.x();
+    stepBy(notches / 120.0, event->modifiers());
+    event->accept();
+}
+
+void NumberField::focusOutEvent(QFocusEvent* event)
+{
+    QLineEdit::focusOutEvent(event);
+    commit();
+}
+
+void NumberField::paintEvent(QPaintEvent* event)
+{
+    QLineEdit::paintEvent(event);
+    QPainter painter(this);
+    painter.setPen(toQColor(activePalette().hint));
+    painter.drawText(rect().adjusted(0, 0, -10, 0), Qt::AlignRight | Qt::AlignVCenter, format_.unit);
+}
+
+QSize NumberField::sizeHint() const
+{
+    return {110, QLineEdit::sizeHint().height()};
+}
+
+void NumberField::commit()
+{
+    if (!isModified()) {
+        return;
+    }
+    const auto typed = parsed(text());
+    setModified(false);
+    if (!typed) {
+        revert();
+        return;
+    }
+    const double wanted = std::clamp(*typed, format_.min, format_.max);
+    const bool isNew = !value_ || textOf(wanted) != textOf(value_);
+    if (isNew) {
+        value_ = wanted;
+    }
+    revert();
+    if (isNew) {
+        emit edited(wanted);
+    }
+}
+
+void NumberField::revert()
+{
+    setText(textOf(value_));
+    setModified(false);
+}
+
+void NumberField::stepBy(double steps, Qt::KeyboardModifiers modifiers)
+{
+    if (isModified()) {
+        commit();
+    }
+    double factor = 1.0;
+    if (modifiers & Qt::ControlModifier) {
+        factor = 0.1;
+    } else if (modifiers & Qt::ShiftModifier) {
+        factor = 10.0;
+    }
+    const double finest = std::pow(10.0, -format_.decimals);
+    const double step = std::max(finest, format_.step * factor);
+    const double wanted = std::clamp(value_.value_or(0.0) + steps * step, format_.min, format_.max);
+    if (!value_ || wanted != *value_) {
+        value_ = wanted;
+        revert();
+        emit edited(wanted);
+    }
+}
+
+QString NumberField::textOf(std::optional<double> value) const
+{
+    if (!value) {
+        return {};
+    }
+    QString digits = QString::number(std::abs(*value), 'f', format_.decimals);
+    const bool isZero = digits.count(QLatin1Char('0')) + digits.count(QLatin1Char('.')) == digits.size();
+    if (*value < 0.0 && !isZero) {
+        return minusSign + digits;
+    }
+    return format_.sign == NumberSign::Always && !isZero ? QLatin1Char('+') + digits : digits;
+}
+
+}   // namespace ui

@@ -1,0 +1,113 @@
+#include "ui/panels/option_form.h"
+
+#include "ui/panels/number_field.h"
+#include "ui/panels/section.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+namespace {
+
+QString fromView(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+bool appliesTo(const core::OptionField& field, const std::string& method)
+{
+    return field.methods.empty() || std::ranges::find(field.methods, method) != field.methods.end();
+}
+
+bool isSwitch(const core::OptionField& field)
+{
+    return field.choices.empty() && field.decimals == 0 && field.min == 0.0 && field.max == 1.0;
+}
+
+/// A step that feels right for the size of the range: 1, 0.1, …, never below the last shown digit.
+double stepOf(const core::OptionField& field)
+{
+    return std::max(std::pow(10.0, -field.decimals), std::min(1.0, std::pow(10.0, 1 - field.decimals)));
+}
+
+}   // namespace
+
+OptionForm::OptionForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout(this))
+{
+    form_->setContentsMargins(0, 0, 0, 0);
+    form_->setHorizontalSpacing(10);
+    form_->setVerticalSpacing(6);
+    form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form_->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    rebuild();
+}
+
+void OptionForm::showOptions(const core::RegistrationOptions& options)
+{
+    options_ = options;
+    if (options.method != shownMethod_) {
+        rebuild();
+    }
+    for (const auto& refresh : refreshers_) {
+        refresh();
+    }
+}
+
+void OptionForm::rebuild()
+{
+    shownMethod_ = options_.method;
+    refreshers_.clear();
+    while (form_->rowCount() > 0) {
+        form_->removeRow(0);
+    }
+    for (const core::OptionField& field : core::optionFields()) {
+        if (!appliesTo(field, shownMethod_)) {
+            continue;
+        }
+        QWidget* editor = makeEditor(field);
+        editor->setObjectName(fromView(field.key));
+        editor->setAccessibleName(fromView(field.label));
+        editor->setToolTip(fromView(field.help));
+        auto* label = roleLabel("label", fromView(field.label));
+        label->setToolTip(fromView(field.help));
+        form_->addRow(label, editor);
+        refreshers_.back()();
+    }
+}
+
+QWidget* OptionForm::makeEditor(const core::OptionField& field)
+{
+    if (!field.choices.empty()) {
+        auto* box = new QComboBox;
+        box->setFocusPolicy(Qt::StrongFocus);
+        for (const std::string_view choice : field.choices) {
+            box->addItem(fromView(choice));
+        }
+        connect(box, &QComboBox::activated, this, [this, &field](int index) { write(field, index); });
+        refreshers_.emplace_back([this, &field, box] { box->setCurrentIndex(static_cast<int>(field.read(options_))); });
+        return box;
+    }
+    if (isSwitch(field)) {
+        auto* box = new QCheckBox;
+        connect(box, &QCheckBox::clicked, this, [this, &field](bool on) { write(field, on ? 1.0 : 0.0); });
+        refreshers_.emplace_back([this, &field, box] { box->setChecked(field.read(options_) > 0.5); });
+        return box;
+    }
+    auto* box = new NumberField({field.min, field.max, field.decimals, fromView(field.unit), stepOf(field)});
+    connect(box, &NumberField::edited, this, [this, &field](double value) { write(field, value); });
+    refreshers_.emplace_back([this, &field, box] { box->showValue(field.read(options_)); });
+    return box;
+}
+
+void OptionForm::write(const core::OptionField& field, double value)
+{
+    field.write(options_, value);
+    emit edited(options_, fromView(field.label));
+}
+
+}   // namespace ui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/registration/registration_options.h"
+
+#include <QWidget>
+
+#include <functional>
+#include <vector>
+
+class QFormLayout;
+
+namespace ui {
+
+/// Fields for the options of the chosen method, made from core::optionFields().
+class OptionForm : public QWidget {
+    Q_OBJECT
+public:
+    explicit OptionForm(QWidget* parent = nullptr);
+
+    void showOptions(const core::RegistrationOptions& options);   ///< silent; rebuilds when the method changed
+
+signals:
+    void edited(const core::RegistrationOptions& options, const QString& fieldLabel);
+
+private:
+    void rebuild();
+    QWidget* makeEditor(const core::OptionField& field);
+    void write(const core::OptionField& field, double value);
+
+    core::RegistrationOptions options_;
+    QFormLayout* form_;
+    std::string shownMethod_;
+    std::vector<std::function<void()>> refreshers_;   ///< one per editor: shows the option's value
+};
+
+}   // namespace ui

@@ -1,0 +1,110 @@
+#include "ui/panels/pose_panel.h"
+
+#include "ui/panels/lock_dot.h"
+
+#include <QGridLayout>
+#include <QPushButton>
+
+namespace ui {
+namespace {
+
+NumberFormat formatOf(PoseAxis axis)
+{
+    if (isShift(axis)) {
+        return {-2000.0, 2000.0, 2, QStringLiteral("mm"), 1.0, NumberSign::Always};
+    }
+    return {-180.0, 180.0, 2, QStringLiteral("°"), 1.0, NumberSign::Always};
+}
+
+}   // namespace
+
+PosePanel::PosePanel(QWidget* parent) : Section(tr("Pose"), Folding::Fixed, parent)
+{
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(6);
+    grid->setColumnMinimumWidth(0, 84);
+    grid->setColumnStretch(1, 1);
+    for (const PoseAxis axis : poseAxes) {
+        const Row row = makeRow(axis);
+        const int line = static_cast<int>(axis);
+        grid->addWidget(row.label, line, 0);
+        grid->addWidget(row.field, line, 1);
+        grid->addWidget(row.lock, line, 2);
+        rows_[static_cast<std::size_t>(axis)] = row;
+    }
+    auto* reset = new QPushButton(tr("Back to start pose"));
+    reset->setProperty("role", "quiet");
+    reset->setToolTip(tr("Backspace. Undo brings the pose back."));
+    connect(reset, &QPushButton::clicked, this, &PosePanel::resetRequested);
+    reset_ = reset;
+    contentLayout()->addLayout(grid);
+    contentLayout()->addWidget(reset);
+    showNudgeMode(false);
+    showOffset(std::nullopt);
+}
+
+PosePanel::Row PosePanel::makeRow(PoseAxis axis)
+{
+    Row row{roleLabel("label", labelOf(axis)), new NumberField(formatOf(axis)), new LockDot};
+    row.field->setAccessibleName(tr("Pose %1").arg(labelOf(axis)));
+    row.field->setToolTip(explanationOf(axis));
+    row.label->setToolTip(explanationOf(axis));
+    row.lock->setAccessibleName(tr("Lock %1").arg(labelOf(axis)));
+    row.lock->setToolTip(tr("Lock against nudging and dragging. Register still finds all six."));
+    row.label->setBuddy(row.field);
+    connect(row.field, &NumberField::edited, this, [this, axis](double value) { editAxis(axis, value); });
+    connect(row.lock, &QAbstractButton::clicked, this, [this, axis] { toggleLock(axis); });
+    return row;
+}
+
+void PosePanel::showOffset(const std::optional<core::PoseOffset>& offset)
+{
+    offset_ = offset.value_or(core::PoseOffset{});
+    reset_->setEnabled(offset.has_value());
+    for (const PoseAxis axis : poseAxes) {
+        const Row& row = rows_[static_cast<std::size_t>(axis)];
+        row.field->setEnabled(offset.has_value());
+        row.lock->setEnabled(offset.has_value());
+        row.field->showValue(offset ? std::optional(valueOf(*offset, axis)) : std::nullopt);
+    }
+}
+
+void PosePanel::showLocks(const PoseLocks& locks)
+{
+    locks_ = locks;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        rows_[i].lock->setChecked(locks[i]);
+        rows_[i].field->setReadOnly(locks[i]);
+        setRole(rows_[i].label, locks[i] ? "attention" : "label");
+    }
+}
+
+void PosePanel::showNudgeMode(bool on)
+{
+    setHint(on ? tr("nudging · arrows · N ends") : tr("nudge N · fine Ctrl · coarse Shift"));
+}
+
+void PosePanel::setActiveAxis(std::optional<PoseAxis> axis)
+{
+    for (const PoseAxis each : poseAxes) {
+        const Row& row = rows_[static_cast<std::size_t>(each)];
+        const bool marked = locks_[static_cast<std::size_t>(each)];
+        setRole(row.label, marked ? "attention" : axis == each ? "strong" : "label");
+    }
+}
+
+void PosePanel::editAxis(PoseAxis axis, double value)
+{
+    valueOf(offset_, axis) = value;
+    emit offsetEdited(offset_);
+}
+
+void PosePanel::toggleLock(PoseAxis axis)
+{
+    locks_[static_cast<std::size_t>(axis)] = !locks_[static_cast<std::size_t>(axis)];
+    showLocks(locks_);
+    emit locksEdited(locks_);
+}
+
+}   // namespace ui

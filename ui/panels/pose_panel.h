@@ -1,0 +1,44 @@
+#pragma once
+
+#include "ui/panels/number_field.h"
+#include "ui/panels/section.h"
+#include "ui/pose_axis.h"
+
+#include <QAbstractButton>
+
+namespace ui {
+
+/// The pose relative to the start pose, in mm and degrees, with a lock per degree of freedom.
+/// Shows what it is told, reports what the user wants; decides nothing.
+class PosePanel : public Section {
+    Q_OBJECT
+public:
+    explicit PosePanel(QWidget* parent = nullptr);
+
+    void showOffset(const std::optional<core::PoseOffset>& offset);   ///< nothing: there is no pose to edit yet
+    void showLocks(const PoseLocks& locks);
+    void showNudgeMode(bool on);
+    void setActiveAxis(std::optional<PoseAxis> axis);   ///< the one in use, marked in amber
+
+signals:
+    void offsetEdited(const core::PoseOffset& offset);
+    void locksEdited(const ui::PoseLocks& locks);
+    void resetRequested();
+
+private:
+    struct Row {
+        QLabel* label;
+        NumberField* field;
+        QAbstractButton* lock;
+    };
+    Row makeRow(PoseAxis axis);
+    void editAxis(PoseAxis axis, double value);
+    void toggleLock(PoseAxis axis);
+
+    core::PoseOffset offset_;
+    PoseLocks locks_{};
+    std::array<Row, poseAxes.size()> rows_{};
+    QAbstractButton* reset_;
+};
+
+}   // namespace ui

@@ -1,0 +1,108 @@
+#include "ui/panels/registration_panel.h"
+
+#include "ui/panels/option_form.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QPushButton>
+
+namespace ui {
+namespace {
+
+QString fromView(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+}   // namespace
+
+RegistrationPanel::RegistrationPanel(QWidget* parent)
+    : Section(tr("Registration"), Folding::Fixed, parent),
+      method_(new QComboBox),
+      summary_(roleLabel("hint")),
+      form_(new OptionForm),
+      optionSection_(new Section(tr("Method and options"), Folding::Foldable)),
+      register_(new QPushButton(tr("Register  R"))),
+      stop_(new QPushButton(tr("Stop")))
+{
+    register_->setProperty("role", "primary");
+    register_->setAccessibleName(tr("Register"));
+    stop_->setToolTip(tr("Ends the run and keeps the best pose so far."));
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(8);
+    buttons->addWidget(register_, 5);
+    buttons->addWidget(stop_, 2);
+
+    method_->setAccessibleName(tr("Method"));
+    method_->setFocusPolicy(Qt::StrongFocus);
+    for (const core::MethodInfo& info : core::methodInfos()) {
+        method_->addItem(fromView(info.label), QByteArray(info.id.data(), static_cast<qsizetype>(info.id.size())));
+        method_->setItemData(method_->count() - 1, fromView(info.summary), Qt::ToolTipRole);
+    }
+    summary_->setWordWrap(true);
+    optionSection_->contentLayout()->addWidget(method_);
+    optionSection_->contentLayout()->addWidget(summary_);
+    optionSection_->contentLayout()->addWidget(form_);
+    optionSection_->layout()->setContentsMargins(0, 2, 0, 0);
+    optionSection_->setFolded(true);
+
+    contentLayout()->addLayout(buttons);
+    contentLayout()->addWidget(optionSection_);
+
+    connect(register_, &QPushButton::clicked, this, &RegistrationPanel::registerRequested);
+    connect(stop_, &QPushButton::clicked, this, &RegistrationPanel::stopRequested);
+    connect(method_, &QComboBox::activated, this, &RegistrationPanel::chooseMethod);
+    connect(form_, &OptionForm::edited, this, &RegistrationPanel::optionsEdited);
+    showOptions(options_);
+    updateButtons();
+}
+
+void RegistrationPanel::showOptions(const core::RegistrationOptions& options)
+{
+    options_ = options;
+    const int index = method_->findData(QByteArray::fromStdString(options.method));
+    method_->setCurrentIndex(index);
+    summary_->setText(index >= 0 ? method_->itemData(index, Qt::ToolTipRole).toString() : QString());
+    form_->showOptions(options);
+    showAuxiliary(auxiliaryCount_);
+}
+
+void RegistrationPanel::showAuxiliary(int branchCount)
+{
+    auxiliaryCount_ = branchCount;
+    const QString branches = branchCount == 1 ? tr("aux: 1 branch") : tr("aux: %1 branches").arg(branchCount);
+    const QString auxiliary = branchCount == 0 ? tr("aux: nodes") : branches;
+    setHint(tr("%1 · %2").arg(method_->currentText(), auxiliary));
+}
+
+void RegistrationPanel::showReady(const QString& whyNot)
+{
+    whyNot_ = whyNot;
+    updateButtons();
+}
+
+void RegistrationPanel::setRunning(bool running)
+{
+    running_ = running;
+    updateButtons();
+}
+
+void RegistrationPanel::chooseMethod(int index)
+{
+    options_.method = method_->itemData(index).toByteArray().toStdString();
+    showOptions(options_);
+    emit optionsEdited(options_, tr("method"));
+}
+
+void RegistrationPanel::updateButtons()
+{
+    register_->setEnabled(!running_ && whyNot_.isEmpty());
+    register_->setToolTip(whyNot_.isEmpty() ? tr("Finds the pose that lays the vessels onto the angiogram (R).")
+                                            : whyNot_);
+    register_->setText(running_ ? tr("Registering …") : tr("Register  R"));
+    stop_->setEnabled(running_);
+    method_->setEnabled(!running_);
+    form_->setEnabled(!running_);
+}
+
+}   // namespace ui

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/registration/registration_options.h"
+#include "ui/panels/section.h"
+
+class QComboBox;
+class QPushButton;
+
+namespace ui {
+
+class OptionForm;
+
+/// Method, options, Register and Stop. Shows what it is told, reports what the user wants; decides nothing.
+class RegistrationPanel : public Section {
+    Q_OBJECT
+public:
+    explicit RegistrationPanel(QWidget* parent = nullptr);
+
+    void showOptions(const core::RegistrationOptions& options);   ///< silent
+    void showAuxiliary(int branchCount);   ///< 0: the nodes
+    void showReady(const QString& whyNot);   ///< empty: Register can be pressed
+    void setRunning(bool running);
+    QPushButton* registerButton() const { return register_; }
+
+signals:
+    void optionsEdited(const core::RegistrationOptions& options, const QString& fieldLabel);
+    void registerRequested();
+    void stopRequested();
+
+private:
+    void chooseMethod(int index);
+    void updateButtons();
+
+    core::RegistrationOptions options_;
+    QComboBox* method_;
+    QLabel* summary_;
+    OptionForm* form_;
+    Section* optionSection_;
+    QPushButton* register_;
+    QPushButton* stop_;
+    QString whyNot_;
+    int auxiliaryCount_ = 0;
+    bool running_ = false;
+};
+
+}   // namespace ui

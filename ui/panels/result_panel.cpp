@@ -1,0 +1,155 @@
+#include "ui/panels/result_panel.h"
+
+#include "ui/panels/result_sentences.h"
+#include "ui/plots/convergence_plot.h"
+#include "ui/plots/histogram_plot.h"
+
+#include <QHBoxLayout>
+
+namespace ui {
+namespace {
+
+QLabel* sentenceBox(const char* role)
+{
+    QLabel* label = roleLabel(role);
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label->hide();
+    return label;
+}
+
+void showIn(QLabel* box, const QStringList& sentences)
+{
+    box->setText(sentences.join(QLatin1Char(' ')));
+    box->setVisible(!sentences.isEmpty());
+}
+
+QString runSummary(const core::RegistrationResult& result)
+{
+    const std::string_view reason = core::toText(result.stopReason);
+    const QString words = QString::fromUtf8(reason.data(), static_cast<qsizetype>(reason.size()));
+    const double ms = result.time.totalMs;
+    const QString time = ms >= 1000.0 ? ResultPanel::tr("%1 s").arg(ms / 1000.0, 0, 'f', 1)
+                                      : ResultPanel::tr("%1 ms").arg(ms, 0, 'f', ms < 10.0 ? 1 : 0);
+    return ResultPanel::tr("%1 · %2").arg(words, time);
+}
+
+QString sourceWords(const JudgedPose& judged)
+{
+    const QString median = ResultPanel::tr("%1 px").arg(judged.result.metrics.medianPx, 0, 'f', 2);
+    switch (judged.source) {
+        case PoseSource::Run:
+            return ResultPanel::tr("%1 · %2").arg(median, runSummary(judged.result));
+        case PoseSource::Edited:
+            return ResultPanel::tr("%1 · moved by hand").arg(median);
+        case PoseSource::Start:
+            break;
+    }
+    return ResultPanel::tr("%1 · start pose").arg(median);
+}
+
+}   // namespace
+
+ResultPanel::ResultPanel(QWidget* parent)
+    : QWidget(parent),
+      section_(new Section(tr("Result"), Folding::Fixed)),
+      residualSection_(new Section(tr("Residuals"), Folding::Fixed)),
+      convergenceSection_(new Section(tr("Convergence"), Folding::Fixed)),
+      certain_(sentenceBox("fineBox")),
+      doubtful_(sentenceBox("attentionBox")),
+      histogram_(new HistogramPlot),
+      convergence_(new ConvergencePlot)
+{
+    auto* numbers = new QHBoxLayout;
+    numbers->setSpacing(4);
+    numbers->addWidget(makeNumber(median_, tr("median, mm"), tr("Half of the vessel points lie nearer than this.")), 1);
+    numbers->addWidget(makeNumber(p95_, tr("95 %, mm"), tr("95 of 100 vessel points lie nearer than this.")), 1);
+    numbers->addWidget(
+        makeNumber(coverage_, tr("covered"), tr("Share of the traced vessels that the tree explains within 3 px.")), 1);
+    section_->contentLayout()->addLayout(numbers);
+    section_->contentLayout()->addWidget(certain_);
+    section_->contentLayout()->addWidget(doubtful_);
+    certain_->setToolTip(tr("± is one standard deviation."));
+    doubtful_->setToolTip(tr("± is one standard deviation."));
+
+    residualSection_->setHint(tr("mm, all points"));
+    residualSection_->contentLayout()->addWidget(histogram_);
+    convergenceSection_->contentLayout()->addWidget(convergence_);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(section_);
+    layout->addWidget(residualSection_);
+    layout->addWidget(convergenceSection_);
+    showNothing(tr("nothing to judge yet"));
+}
+
+QWidget* ResultPanel::makeNumber(QLabel*& value, const QString& caption, const QString& toolTip)
+{
+    auto* cell = new QWidget;
+    cell->setToolTip(toolTip);
+    value = roleLabel("bigNumber");
+    value->setAccessibleName(caption);
+    auto* layout = new QVBoxLayout(cell);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(value);
+    layout->addWidget(roleLabel("hint", caption));
+    return cell;
+}
+
+void ResultPanel::showJudgement(const JudgedPose& judged, const core::VesselTree& tree)
+{
+    const core::DistanceMetrics& metrics = judged.result.metrics;
+    median_->setText(QString::number(metrics.medianMm, 'f', 2));
+    p95_->setText(QString::number(metrics.p95Mm, 'f', 2));
+    coverage_->setText(tr("%1 %").arg(100.0 * metrics.coverage, 0, 'f', 0));
+    section_->setHint(sourceWords(judged));
+    showSentences(judged, tree);
+    histogram_->showValues(judged.residualsMm, judged.scaleMaximumMm);
+}
+
+void ResultPanel::showSentences(const JudgedPose& judged, const core::VesselTree& tree)
+{
+    if (judged.source == PoseSource::Start) {
+        showIn(certain_, {});
+        showIn(doubtful_, {tr("This is the start pose: nothing is fitted yet. R registers, N nudges.")});
+        return;
+    }
+    const ResultSentences sentences = sentencesOf(judged.result, tree, judged.millimetresPerPixel);
+    showIn(certain_, sentences.certain);
+    showIn(doubtful_, sentences.doubtful);
+}
+
+void ResultPanel::showNothing(const QString& why)
+{
+    for (QLabel* label : {median_, p95_, coverage_}) {
+        label->setText(QStringLiteral("–"));
+    }
+    section_->setHint(why);
+    showIn(certain_, {});
+    showIn(doubtful_, {});
+    histogram_->showValues({}, 0.0);
+}
+
+void ResultPanel::startRun()
+{
+    convergence_->showHistory({});
+}
+
+void ResultPanel::showProgress(const core::IterationReport& report)
+{
+    convergence_->append(report);
+    convergenceSection_->setHint(tr("median distance, px"));
+}
+
+void ResultPanel::showHistory(const std::vector<core::IterationReport>& history)
+{
+    convergence_->showHistory(history);
+    const QString steps =
+        history.size() == 1 ? tr("median distance, 1 step") : tr("median distance, %1 steps").arg(history.size());
+    convergenceSection_->setHint(history.empty() ? QString() : steps);
+}
+
+}   // namespace ui

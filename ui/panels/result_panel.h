@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/registration/registration.h"
+#include "core/vessel/vessel_tree.h"
+#include "ui/panels/section.h"
+
+namespace ui {
+
+class ConvergencePlot;
+class HistogramPlot;
+
+/// How a pose came about.
+enum class PoseSource { Start, Edited, Run };
+
+/// What the result panel shows of one judged pose.
+struct JudgedPose {
+    core::RegistrationResult result;   ///< of the run, or a judgement of the pose as it is
+    PoseSource source = PoseSource::Start;
+    std::vector<double> residualsMm;   ///< every used tree point
+    double scaleMaximumMm = 0.0;
+    double millimetresPerPixel = 0.0;   ///< at the vessels
+};
+
+/// Three numbers, what they mean in words, and the two plots. Shows what it is told.
+class ResultPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit ResultPanel(QWidget* parent = nullptr);
+
+    void showJudgement(const JudgedPose& judged, const core::VesselTree& tree);
+    void showNothing(const QString& why);
+    void startRun();   ///< empties the convergence plot
+    void showProgress(const core::IterationReport& report);
+    void showHistory(const std::vector<core::IterationReport>& history);
+
+private:
+    QWidget* makeNumber(QLabel*& value, const QString& caption, const QString& toolTip);
+    void showSentences(const JudgedPose& judged, const core::VesselTree& tree);
+
+    Section* section_;
+    Section* residualSection_;
+    Section* convergenceSection_;
+    QLabel* median_ = nullptr;
+    QLabel* p95_ = nullptr;
+    QLabel* coverage_ = nullptr;
+    QLabel* certain_;
+    QLabel* doubtful_;
+    HistogramPlot* histogram_;
+    ConvergencePlot* convergence_;
+};
+
+}   // namespace ui

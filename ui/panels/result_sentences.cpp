@@ -1,0 +1,119 @@
+#include "ui/panels/result_sentences.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+namespace {
+
+constexpr double agreeingMm = 0.5;   ///< branches with a median below this agree
+constexpr double disagreeingMm = 1.0;   ///< branches with a median above this are named
+
+QString translated(const char* text)
+{
+    return QCoreApplication::translate("ui::ResultSentences", text);
+}
+
+QString number(double value)
+{
+    return QString::number(value, 'f', value < 9.95 ? 1 : 0);
+}
+
+QString certainPose(const core::PoseUncertainty& uncertainty)
+{
+    const bool inPlane = uncertainty.observed[3] && uncertainty.observed[4];
+    const bool turns = uncertainty.observed[0] && uncertainty.observed[1] && uncertainty.observed[2];
+    QStringList parts;
+    if (inPlane) {
+        parts << translated("In plane ±%1 mm").arg(number(std::max(0.05, uncertainty.inPlaneMm)));
+    }
+    if (turns) {
+        const double largest = uncertainty.rotationDeg.maxCoeff();
+        parts << (parts.isEmpty() ? translated("Rotation ±%1°") : translated("rotation ±%1°"))
+                     .arg(number(std::max(0.05, largest)));
+    }
+    return parts.isEmpty() ? QString() : parts.join(QStringLiteral(", ")) + QLatin1Char('.');
+}
+
+QString agreement(const std::vector<core::BranchResidual>& branches, double mmPerPx)
+{
+    const auto agrees = [mmPerPx](const core::BranchResidual& branch) {
+        return branch.pointCount > 0 && branch.medianPx * mmPerPx <= agreeingMm;
+    };
+    const auto count = std::ranges::count_if(branches, agrees);
+    return translated("%1 of %2 branches agree within %3 mm.")
+        .arg(count)
+        .arg(branches.size())
+        .arg(agreeingMm, 0, 'f', 1);
+}
+
+QString unseen(const core::PoseUncertainty& uncertainty)
+{
+    if (!uncertainty.observed[5] || uncertainty.depthMm > 2.0 * std::max(0.5, uncertainty.inPlaneMm)) {
+        return translated("Depth ±%1 mm: one view cannot tell it.").arg(number(uncertainty.depthMm));
+    }
+    return {};
+}
+
+QString disagreement(const std::vector<core::BranchResidual>& branches, const core::VesselTree& tree, double mmPerPx)
+{
+    QStringList names;
+    double worstMm = 0.0;
+    for (const core::BranchResidual& residual : branches) {
+        const core::VesselBranch* branch = tree.find(residual.branchId);
+        const double medianMm = residual.medianPx * mmPerPx;
+        if (branch && medianMm > disagreeingMm) {
+            names << displayName(*branch);
+            worstMm = std::max(worstMm, medianMm);
+        }
+    }
+    if (names.isEmpty()) {
+        return {};
+    }
+    if (names.size() == 1) {
+        return translated("%1 is %2 mm off: perhaps unfilled in this frame, or moved.")
+            .arg(names.front(), number(worstMm));
+    }
+    if (names.size() > 3) {
+        return translated("%1 branches are up to %2 mm off: unfilled in this frame, or the pose is wrong.")
+            .arg(names.size())
+            .arg(number(worstMm));
+    }
+    const QString last = names.takeLast();
+    return translated("%1 and %2 are up to %3 mm off: perhaps unfilled in this frame, or moved.")
+        .arg(names.join(QStringLiteral(", ")), last, number(worstMm));
+}
+
+}   // namespace
+
+ResultSentences sentencesOf(const core::RegistrationResult& result, const core::VesselTree& tree,
+                            double millimetresPerPixel)
+{
+    ResultSentences sentences;
+    const QString pose = certainPose(result.uncertainty);
+    const QString branches = agreement(result.branches, millimetresPerPixel);
+    if (result.trustworthy) {
+        sentences.certain << (pose.isEmpty() ? branches : pose + QLatin1Char(' ') + branches);
+    } else {
+        sentences.doubtful << translated("Look closely: this fit is not trustworthy.") << branches;
+    }
+    for (const std::string& warning : result.warnings) {
+        sentences.doubtful << QString::fromStdString(warning);
+    }
+    for (const QString& sentence :
+         {unseen(result.uncertainty), disagreement(result.branches, tree, millimetresPerPixel)}) {
+        if (!sentence.isEmpty()) {
+            sentences.doubtful << sentence;
+        }
+    }
+    return sentences;
+}
+
+QString displayName(const core::VesselBranch& branch)
+{
+    return branch.name.empty() ? translated("Branch %1").arg(branch.id) : QString::fromStdString(branch.name);
+}
+
+}   // namespace ui

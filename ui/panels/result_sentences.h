@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/registration/registration.h"
+#include "core/vessel/vessel_tree.h"
+
+#include <QStringList>
+
+namespace ui {
+
+/// What the judgement of a pose means, in a clinician's words.
+struct ResultSentences {
+    QStringList certain;   ///< shown in green
+    QStringList doubtful;   ///< shown in amber: what one view cannot tell, which branch disagrees and why that may be
+};
+
+ResultSentences sentencesOf(const core::RegistrationResult& result, const core::VesselTree& tree,
+                            double millimetresPerPixel);
+
+/// "LAD", or "Branch 3" where the tree has no names.
+QString displayName(const core::VesselBranch& branch);
+
+}   // namespace ui

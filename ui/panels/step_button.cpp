@@ -1,0 +1,130 @@
+#include "ui/panels/step_button.h"
+
+#include "ui/theme/active_theme.h"
+
+#include <QPainter>
+
+namespace ui {
+namespace {
+
+constexpr int sideMargin = 14;
+constexpr int markWidth = 20;
+constexpr int hintGap = 8;
+
+QFont hintFont(QFont font)
+{
+    font.setPixelSize(std::max(10, font.pixelSize() - 1));
+    return font;
+}
+
+QFont nameFont(QFont font, QFont::Weight weight)
+{
+    font.setWeight(weight);
+    return font;
+}
+
+QString glyphOf(StepMark mark)
+{
+    switch (mark) {
+        case StepMark::Done:
+            return QStringLiteral("✓");
+        case StepMark::Look:
+            return QStringLiteral("!");
+        case StepMark::Open:
+            break;
+    }
+    return {};
+}
+
+}   // namespace
+
+StepButton::StepButton(const QString& name, QWidget* parent) : QAbstractButton(parent)
+{
+    setText(name);
+    setCursor(Qt::PointingHandCursor);
+    setFocusPolicy(Qt::TabFocus);
+    setFixedHeight(40);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+}
+
+void StepButton::showState(const StepState& state)
+{
+    state_ = state;
+    setToolTip(state.whyNotReady);
+    const QString spoken = state.mark == StepMark::Done   ? tr("done")
+                           : state.mark == StepMark::Look ? tr("needs a look")
+                                                          : tr("open");
+    setAccessibleName(tr("%1: %2, %3").arg(text(), spoken, state.hint));
+    updateGeometry();
+    update();
+}
+
+void StepButton::setCurrent(bool current)
+{
+    current_ = current;
+    update();
+}
+
+void StepButton::setHintRoom(HintRoom room)
+{
+    room_ = room;
+    updateGeometry();
+    update();
+}
+
+int StepButton::widthWith(HintRoom room) const
+{
+    // Room for the name as it is while current, so that nothing moves when that changes.
+    const QFontMetrics nameMetrics(nameFont(font(), QFont::DemiBold));
+    int width = 2 * sideMargin + nameMetrics.horizontalAdvance(text());
+    if (state_.mark != StepMark::Open) {
+        width += markWidth;
+    }
+    if (room == HintRoom::Shown && !state_.hint.isEmpty()) {
+        width += hintGap + QFontMetrics(hintFont(font())).horizontalAdvance(state_.hint);
+    }
+    return width;
+}
+
+QSize StepButton::sizeHint() const
+{
+    return {widthWith(room_), 40};
+}
+
+void StepButton::paintEvent(QPaintEvent*)
+{
+    const Palette& tones = activePalette();
+    QPainter painter(this);
+    if (underMouse()) {
+        painter.fillRect(rect(), toQColor(tones.accent, 0.06));
+    }
+    int x = sideMargin;
+    const auto write = [&](const QString& words, const Color& tone) {
+        painter.setPen(toQColor(tone));
+        painter.drawText(QRect(x, 0, width(), height()), Qt::AlignLeft | Qt::AlignVCenter, words);
+    };
+    if (state_.mark != StepMark::Open) {
+        QFont bold = font();
+        bold.setWeight(QFont::Bold);
+        painter.setFont(bold);
+        write(glyphOf(state_.mark), state_.mark == StepMark::Done ? tones.fine : tones.attention);
+        painter.setFont(font());
+        x += markWidth;
+    }
+    painter.setFont(nameFont(font(), current_ ? QFont::DemiBold : QFont::Normal));
+    write(text(), current_ ? tones.textStrong : tones.text);
+    x += painter.fontMetrics().horizontalAdvance(text()) + hintGap;
+    if (room_ == HintRoom::Shown) {
+        painter.setFont(hintFont(font()));
+        write(state_.hint, tones.hint);
+    }
+    if (current_) {
+        painter.fillRect(QRect(0, height() - 2, width(), 2), toQColor(tones.accent));
+    }
+    if (hasFocus()) {
+        painter.setPen(QPen(toQColor(tones.accent), 1.0));
+        painter.drawRect(rect().adjusted(1, 1, -2, -4));
+    }
+}
+
+}   // namespace ui

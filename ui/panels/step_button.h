@@ -1,0 +1,32 @@
+#pragma once
+
+#include "ui/panels/step_bar.h"
+
+#include <QAbstractButton>
+
+namespace ui {
+
+enum class HintRoom { Shown, Dropped };
+
+/// One step: mark, name, hint; underlined in the accent colour while current.
+class StepButton : public QAbstractButton {
+    Q_OBJECT
+public:
+    explicit StepButton(const QString& name, QWidget* parent = nullptr);
+
+    void showState(const StepState& state);
+    void setCurrent(bool current);
+    void setHintRoom(HintRoom room);
+    int widthWith(HintRoom room) const;
+    QSize sizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    StepState state_;
+    HintRoom room_ = HintRoom::Shown;
+    bool current_ = false;
+};
+
+}   // namespace ui

@@ -1,0 +1,69 @@
+#include "ui/plots/histogram_plot.h"
+
+#include "ui/theme/active_theme.h"
+
+#include <QPainter>
+
+#include <algorithm>
+
+namespace ui {
+namespace {
+
+constexpr int binCount = 22;
+constexpr int labelHeight = 18;
+
+}   // namespace
+
+HistogramPlot::HistogramPlot(QWidget* parent) : QWidget(parent)
+{
+    setMinimumHeight(92);
+    setAccessibleName(tr("Histogram of residuals"));
+}
+
+void HistogramPlot::showValues(const std::vector<double>& valuesMm, double scaleMaximumMm)
+{
+    scaleMaximumMm_ = scaleMaximumMm;
+    counts_ = valuesMm.empty() ? std::vector<int>{} : binned(valuesMm, scaleMaximumMm, binCount);
+    update();
+}
+
+void HistogramPlot::paintEvent(QPaintEvent*)
+{
+    const Palette& tones = activePalette();
+    QPainter painter(this);
+    const QRectF area = QRectF(rect()).adjusted(0, 2, 0, -labelHeight);
+    painter.setPen(toQColor(tones.line));
+    painter.drawLine(area.bottomLeft(), area.bottomRight());
+    if (counts_.empty()) {
+        painter.setPen(toQColor(tones.hint));
+        painter.drawText(area, Qt::AlignCenter, tr("no residuals yet"));
+        return;
+    }
+    const double tallest = std::max(1, *std::ranges::max_element(counts_));
+    // One empty slot keeps the "above" bar apart from the scale.
+    const double slot = area.width() / (binCount + 2);
+    for (int i = 0; i <= binCount; ++i) {
+        const double height = counts_[static_cast<std::size_t>(i)] / tallest * area.height();
+        const double left = area.left() + slot * (i < binCount ? i : binCount + 1);
+        painter.fillRect(QRectF(left, area.bottom() - height, slot - 1.0, height),
+                         toQColor(i < binCount ? residualColor((i + 0.5) / binCount) : residualColorAboveScale()));
+    }
+    painter.setPen(toQColor(tones.hint));
+    const QRectF labels(area.left(), area.bottom() + 2, area.width(), labelHeight - 2);
+    painter.drawText(labels, Qt::AlignLeft | Qt::AlignTop, QStringLiteral("0"));
+    painter.drawText(labels, Qt::AlignHCenter | Qt::AlignTop, QString::number(scaleMaximumMm_ / 2.0, 'f', 1));
+    painter.drawText(labels, Qt::AlignRight | Qt::AlignTop, tr("above %1").arg(scaleMaximumMm_, 0, 'f', 1));
+}
+
+std::vector<int> binned(const std::vector<double>& values, double maximum, int bins)
+{
+    std::vector<int> counts(static_cast<std::size_t>(bins) + 1, 0);
+    for (const double value : values) {
+        const double position = maximum > 0.0 ? value / maximum * bins : bins;
+        const auto bin = static_cast<std::size_t>(std::clamp(position, 0.0, static_cast<double>(bins)));
+        ++counts[bin];
+    }
+    return counts;
+}
+
+}   // namespace ui

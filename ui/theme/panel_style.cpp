@@ -1,0 +1,92 @@
+#include "ui/theme/panel_style.h"
+
+#include <array>
+#include <utility>
+
+namespace ui {
+namespace {
+
+/// `@name@` stands for a tone of the palette or a mixture of two.
+constexpr const char* pattern = R"(
+QLabel[role="heading"] { color: @text@; font-weight: 600; }
+QLabel[role="title"] { color: @textStrong@; font-weight: 600; }
+QLabel[role="welcome"] { color: @textStrong@; font-size: 20px; font-weight: 600; }
+QLabel[role="strong"] { color: @textStrong@; }
+QLabel[role="body"] { color: @text@; }
+QLabel[role="label"] { color: @label@; }
+QLabel[role="hint"] { color: @hint@; font-size: 12px; }
+QLabel[role="attention"] { color: @attention@; }
+QLabel[role="bigNumber"] { color: @textStrong@; font-size: 24px; font-weight: 600; }
+QLabel[role="fineBox"], QLabel[role="attentionBox"] { border-radius: 4px; padding: 8px 10px; }
+QLabel[role="fineBox"] { background: @fineBack@; border: 1px solid @fineLine@; color: @fineText@; }
+QLabel[role="attentionBox"] { background: @attentionBack@; border: 1px solid @attentionLine@; color: @attentionText@; }
+QListView { background: transparent; border: none; }
+QProgressBar, QProgressBar::chunk { border-radius: 2px; }
+QSplitter::handle:horizontal { width: 1px; }
+QSplitter::handle:vertical { height: 1px; }
+QDialog { background: @panel@; }
+QWidget[role="header"] { background: @title@; }
+QWidget[role="stepBar"], QWidget[role="column"], QWidget[role="strip"] { background: @panel@; }
+QWidget[role="canvas"] { background: @canvas@; }
+QWidget[role="canvasNudging"] { background: @attention@; }
+QScrollArea[role="column"], QScrollArea[role="column"] > QWidget > QWidget { border: none; background: @panel@; }
+QLineEdit[role="number"] { background: @field@; border: 1px solid @line@; border-radius: 3px; padding: 3px 8px;
+  color: @textStrong@; selection-background-color: @accent@; }
+QLineEdit[role="number"]:focus { border-color: @accent@; }
+QLineEdit[role="number"]:disabled, QLineEdit[role="number"][readOnly="true"] { color: @hint@; }
+QPushButton[role="primary"] { background: @accent@; border-color: @accent@; color: @onAccent@; font-weight: 600; }
+QPushButton[role="primary"]:hover { background: @accentHover@; }
+QPushButton[role="primary"]:focus { border-color: @textStrong@; }
+QPushButton[role="primary"]:disabled { background: @line@; border-color: @line@; color: @hint@; }
+QPushButton[role="quiet"] { border-color: transparent; color: @label@; padding: 3px 8px; }
+QPushButton[role="quiet"]:hover, QPushButton[role="quiet"]:focus { border-color: @line@; color: @textStrong@; }
+QPushButton[role="link"] { border: none; background: transparent; color: @accent@; padding: 2px 6px; }
+QPushButton[role="link"]:hover { text-decoration: underline; }
+QPushButton[role="link"]:disabled { color: @hint@; }
+QToolButton[role="fold"] { border: none; background: transparent; padding: 0px; width: 12px; height: 12px; }
+)";
+
+void replaceAll(std::string& text, const std::string& name, const Color& color)
+{
+    const std::string token = "@" + name + "@";
+    const std::string value = color.hex();
+    for (auto at = text.find(token); at != std::string::npos; at = text.find(token, at + value.size())) {
+        text.replace(at, token.size(), value);
+    }
+}
+
+}   // namespace
+
+std::string panelStyleSheet(const Palette& tones)
+{
+    const std::array<std::pair<const char*, Color>, 21> named{{
+        {"title", tones.title},
+        {"window", tones.window},
+        {"panel", tones.panel},
+        {"field", tones.field},
+        {"line", tones.line},
+        {"textStrong", tones.textStrong},
+        {"text", tones.text},
+        {"label", tones.label},
+        {"hint", tones.hint},
+        {"accent", tones.accent},
+        {"accentHover", mixed(tones.accent, tones.textStrong, 0.2)},
+        {"onAccent", mixed(tones.window, tones.title, 0.5)},
+        {"attention", tones.attention},
+        {"canvas", tones.canvas},
+        {"fineBack", mixed(tones.panel, tones.fine, 0.10)},
+        {"fineLine", mixed(tones.panel, tones.fine, 0.30)},
+        {"fineText", mixed(tones.text, tones.fine, 0.55)},
+        {"attentionBack", mixed(tones.panel, tones.attention, 0.10)},
+        {"attentionLine", mixed(tones.panel, tones.attention, 0.35)},
+        {"attentionText", mixed(tones.text, tones.attention, 0.60)},
+        {"fine", tones.fine},
+    }};
+    std::string sheet = pattern;
+    for (const auto& [name, color] : named) {
+        replaceAll(sheet, name, color);
+    }
+    return sheet;
+}
+
+}   // namespace ui

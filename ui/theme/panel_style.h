@@ -1,0 +1,12 @@
+#pragma once
+
+#include "ui/theme/theme.h"
+
+#include <string>
+
+namespace ui {
+
+/// Style sheet of the panels: tones by the `role` property of labels, buttons and fields.
+std::string panelStyleSheet(const Palette& palette);
+
+}   // namespace ui

@@ -1,0 +1,193 @@
+#include "ui/window_actions.h"
+
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QMenu>
+#include <QMenuBar>
+
+#include <array>
+#include <vector>
+
+namespace ui {
+namespace {
+
+enum class Menu { File, Edit, Registration, View, Theme, Help };
+enum class Kind { Plain, Switch };
+
+struct ActionRow {
+    Command command;
+    Menu menu;
+    const char* text;
+    const char* keys;   ///< separated by "; "
+    Kind kind = Kind::Plain;
+};
+
+const std::vector<ActionRow>& rows()
+{
+    static const std::vector<ActionRow> table{
+        {Command::Open, Menu::File, QT_TRANSLATE_NOOP("ui::WindowActions", "Open …"), "Ctrl+O"},
+        {Command::OpenSample, Menu::File, QT_TRANSLATE_NOOP("ui::WindowActions", "Open sample case"), ""},
+        {Command::Save, Menu::File, QT_TRANSLATE_NOOP("ui::WindowActions", "Save"), "Ctrl+S"},
+        {Command::SaveAs, Menu::File, QT_TRANSLATE_NOOP("ui::WindowActions", "Save as …"), "Ctrl+Shift+S"},
+        {Command::ExportOverlay, Menu::File, QT_TRANSLATE_NOOP("ui::WindowActions", "Export overlay …"), "Ctrl+E"},
+        {Command::ExportResult, Menu::File, QT_TRANSLATE_NOOP("ui::WindowActions", "Export result …"), ""},
+        {Command::ExportPose, Menu::File, QT_TRANSLATE_NOOP("ui::WindowActions", "Export pose …"), ""},
+        {Command::ExportTrace, Menu::File, QT_TRANSLATE_NOOP("ui::WindowActions", "Export traced vessels …"), ""},
+        {Command::Close, Menu::File, QT_TRANSLATE_NOOP("ui::WindowActions", "Quit"), "Ctrl+Q"},
+        {Command::Undo, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Undo"), "Ctrl+Z"},
+        {Command::Redo, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Redo"), "Ctrl+Shift+Z; Ctrl+Y"},
+        {Command::Nudge, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Nudge mode"), "N", Kind::Switch},
+        {Command::ResetPose, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Back to start pose"), "Backspace"},
+        {Command::ToggleAuxiliary, Menu::Edit,
+         QT_TRANSLATE_NOOP("ui::WindowActions", "Selected branches auxiliary on or off"), "A"},
+        {Command::ToggleExcluded, Menu::Edit,
+         QT_TRANSLATE_NOOP("ui::WindowActions", "Exclude or include selected branches"), "X"},
+        {Command::SelectAll, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Select all branches"), "Ctrl+A"},
+        {Command::Register, Menu::Registration, QT_TRANSLATE_NOOP("ui::WindowActions", "Register"), "R"},
+        {Command::Stop, Menu::Registration, QT_TRANSLATE_NOOP("ui::WindowActions", "Stop and keep the best pose"),
+         "Shift+R"},
+        {Command::Fit, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Fit the image to the window"), "1"},
+        {Command::AutoWindow, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Automatic brightness"), "0"},
+        {Command::Invert, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Invert grey values"), "I", Kind::Switch},
+        {Command::Outline, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Vessel outline instead of centreline"),
+         "O", Kind::Switch},
+        {Command::ShowTrace, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Show traced vessels"), "T",
+         Kind::Switch},
+        {Command::Flicker, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Flicker start pose and pose"), "F",
+         Kind::Switch},
+        {Command::LessOpacity, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Overlay fainter"), "["},
+        {Command::MoreOpacity, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Overlay stronger"), "]"},
+        {Command::Cine, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Play frames"), "C", Kind::Switch},
+        {Command::HideIdentity, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Hide patient identity"), "Shift+P",
+         Kind::Switch},
+        {Command::ResetTreeView, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Reset 3-D view"), "3"},
+        {Command::FullScreen, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Full screen"), "F11", Kind::Switch},
+        {Command::ReduceMotion, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Reduce motion"), "", Kind::Switch},
+        {Command::ThemeDark, Menu::Theme, QT_TRANSLATE_NOOP("ui::WindowActions", "Dark"), "", Kind::Switch},
+        {Command::ThemeLight, Menu::Theme, QT_TRANSLATE_NOOP("ui::WindowActions", "Light"), "", Kind::Switch},
+        {Command::ThemeSystem, Menu::Theme, QT_TRANSLATE_NOOP("ui::WindowActions", "As the desktop"), "", Kind::Switch},
+        {Command::Keys, Menu::Help, QT_TRANSLATE_NOOP("ui::WindowActions", "Keys"), "F1; ?"},
+        {Command::About, Menu::Help, QT_TRANSLATE_NOOP("ui::WindowActions", "About AngioPose"), ""},
+    };
+    return table;
+}
+
+struct KeyNote {
+    const char* keys;
+    const char* effect;
+};
+
+constexpr std::array nudgeNotes{
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "← → ↑ ↓"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "move by 1 mm (Shift 10 mm, Ctrl 0.1 mm)")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "PgUp PgDn"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "move away from or to the source")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", ", ."), QT_TRANSLATE_NOOP("ui::WindowActions", "roll by 1°")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "Alt+arrows"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "turn LAO/RAO and CRA/CAU by 1°")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "drag"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "move; on the ring roll; Esc takes it back")},
+};
+
+constexpr std::array viewNotes{
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "left drag"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "window and level")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "middle drag"), QT_TRANSLATE_NOOP("ui::WindowActions", "pan")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "right drag, Ctrl+wheel"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "zoom")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "wheel, ↑ ↓, Home, End"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "frames")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "H (hold)"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "hide the overlay")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "click"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "pick a branch (Ctrl adds)")},
+};
+
+QString translated(const char* text)
+{
+    return QCoreApplication::translate("ui::WindowActions", text);
+}
+
+QList<QKeySequence> shortcutsOf(const ActionRow& row)
+{
+    return QKeySequence::listFromString(QString::fromLatin1(row.keys));
+}
+
+QString sheetLine(const QString& keys, const QString& effect)
+{
+    return QStringLiteral("<tr><td style='padding-right:18px'><b>%1</b></td><td>%2</td></tr>")
+        .arg(keys.toHtmlEscaped(), effect.toHtmlEscaped());
+}
+
+template <class Notes>
+QString sheetBlock(const QString& heading, const Notes& notes)
+{
+    QString lines = QStringLiteral("<tr><td colspan='2'><br/><b>%1</b></td></tr>").arg(heading);
+    for (const KeyNote& note : notes) {
+        lines += sheetLine(translated(note.keys), translated(note.effect));
+    }
+    return lines;
+}
+
+bool startsGroup(Command command)
+{
+    return command == Command::Save || command == Command::ExportOverlay || command == Command::Close ||
+           command == Command::Nudge || command == Command::ToggleAuxiliary || command == Command::Outline ||
+           command == Command::Cine || command == Command::FullScreen;
+}
+
+}   // namespace
+
+WindowActions::WindowActions(QWidget* window) : QObject(window), recent_(new QMenu(tr("Open recent"), window))
+{
+    auto* themes = new QActionGroup(this);
+    for (const ActionRow& row : rows()) {
+        auto* action = new QAction(translated(row.text), this);
+        action->setCheckable(row.kind == Kind::Switch);
+        action->setShortcuts(shortcutsOf(row));
+        action->setAutoRepeat(row.command == Command::MoreOpacity || row.command == Command::LessOpacity ||
+                              row.command == Command::Undo || row.command == Command::Redo);
+        if (row.menu == Menu::Theme) {
+            themes->addAction(action);
+        }
+        window->addAction(action);
+        actions_[row.command] = action;
+    }
+}
+
+void WindowActions::fillMenus(QMenuBar* menuBar)
+{
+    std::map<Menu, QMenu*> menus;
+    menus[Menu::File] = menuBar->addMenu(tr("&File"));
+    menus[Menu::Edit] = menuBar->addMenu(tr("&Edit"));
+    menus[Menu::Registration] = menuBar->addMenu(tr("&Registration"));
+    menus[Menu::View] = menuBar->addMenu(tr("&View"));
+    menus[Menu::Help] = menuBar->addMenu(tr("&Help"));
+    menus[Menu::Theme] = new QMenu(tr("Theme"), menuBar);
+    for (const ActionRow& row : rows()) {
+        if (startsGroup(row.command)) {
+            menus[row.menu]->addSeparator();
+        }
+        menus[row.menu]->addAction(actions_.at(row.command));
+        if (row.command == Command::OpenSample) {
+            menus[Menu::File]->addMenu(recent_);
+        }
+    }
+    menus[Menu::View]->addMenu(menus[Menu::Theme]);
+}
+
+QString WindowActions::keySheet() const
+{
+    QString lines;
+    for (const ActionRow& row : rows()) {
+        const QAction* action = actions_.at(row.command);
+        if (!action->shortcuts().isEmpty()) {
+            lines +=
+                sheetLine(QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText), action->text());
+        }
+    }
+    return QStringLiteral("<table>") + lines + sheetBlock(tr("In nudge mode"), nudgeNotes) +
+           sheetBlock(tr("On the angiogram"), viewNotes) + QStringLiteral("</table>");
+}
+
+}   // namespace ui

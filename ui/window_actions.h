@@ -1,0 +1,70 @@
+#pragma once
+
+#include <QAction>
+#include <QObject>
+
+#include <map>
+
+class QMenu;
+class QMenuBar;
+class QWidget;
+
+namespace ui {
+
+/// Everything the window can be asked to do.
+enum class Command {
+    Open,
+    OpenSample,
+    Save,
+    SaveAs,
+    ExportOverlay,
+    ExportResult,
+    ExportPose,
+    ExportTrace,
+    Close,
+    Undo,
+    Redo,
+    Nudge,
+    ResetPose,
+    ToggleAuxiliary,
+    ToggleExcluded,
+    SelectAll,
+    Register,
+    Stop,
+    Fit,
+    AutoWindow,
+    Invert,
+    Outline,
+    ShowTrace,
+    Flicker,
+    MoreOpacity,
+    LessOpacity,
+    HideIdentity,
+    Cine,
+    ResetTreeView,
+    FullScreen,
+    ReduceMotion,
+    ThemeDark,
+    ThemeLight,
+    ThemeSystem,
+    Keys,
+    About
+};
+
+/// The window's named actions with their keys, made from one table that also feeds menus and key sheet.
+class WindowActions : public QObject {
+    Q_OBJECT
+public:
+    explicit WindowActions(QWidget* window);
+
+    QAction* operator[](Command command) const { return actions_.at(command); }
+    QMenu* recentMenu() const { return recent_; }
+    void fillMenus(QMenuBar* menuBar);
+    QString keySheet() const;   ///< rich text: every key, and what the mouse does
+
+private:
+    std::map<Command, QAction*> actions_;
+    QMenu* recent_;
+};
+
+}   // namespace ui
