@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/support/result.h"
+
+#include <QString>
+
+namespace app {
+
+enum class InputKind { Case, Centerline, Image, Target };
+
+/// What a file claims to be, judged by its first bytes and, where these do not tell, by its name.
+/// Fails naming the file when it cannot be read or is nothing that the program opens.
+core::Result<InputKind> inputKindOf(const QString& path);
+
+/// Name filters of the open dialog, all kinds first.
+QStringList openFilters();
+
+}   // namespace app

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/registration/registration.h"
+#include "core/support/result.h"
+#include "core/vessel/centerline2d.h"
+
+#include <QFutureWatcher>
+#include <QObject>
+
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace app {
+
+/// A pose to judge: everything by value or shared and constant.
+struct JudgeRequest {
+    core::RegistrationInput input;   ///< its target is what the tree is compared with
+    core::RigidTransform cameraFromPatient;
+};
+
+/// How a pose agrees with the image.
+struct Judgement {
+    core::RegistrationResult result;   ///< of core::evaluatePose
+    std::map<int, std::vector<double>> residualPx;   ///< per branch, one value per tree point
+};
+
+using SharedJudgement = std::shared_ptr<const Judgement>;
+
+/// Judges poses off the GUI thread, always the newest: a request while one is being judged replaces the waiting one.
+class JudgeJob : public QObject {
+    Q_OBJECT
+public:
+    explicit JudgeJob(QObject* parent = nullptr);
+
+    void request(JudgeRequest request);
+    void cancel();   ///< drops the waiting request and the outcome of the running one
+
+signals:
+    void judged(const app::SharedJudgement& judgement);
+    void failed(const QString& reason);
+
+private:
+    void start(JudgeRequest request);
+    void publish();
+
+    std::optional<JudgeRequest> waiting_;
+    QFutureWatcher<core::Result<SharedJudgement>> watcher_;
+    bool running_ = false;
+    bool cancelled_ = false;
+};
+
+}   // namespace app

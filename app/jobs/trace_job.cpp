@@ -1,0 +1,51 @@
+#include "app/jobs/trace_job.h"
+
+#include "app/jobs/guarded.h"
+
+#include <QtConcurrentRun>
+
+#include <utility>
+
+namespace app {
+namespace {
+
+core::Result<SharedCenterline> trace(const TraceRequest& request)
+{
+    const core::Angiogram& angiogram = *request.angiogram;
+    auto traced = core::traceAngiogram(angiogram.frames[static_cast<std::size_t>(request.frame)], angiogram.polarity,
+                                       request.options);
+    if (!traced) {
+        return traced.error();
+    }
+    return SharedCenterline(std::make_shared<core::Centerline2d>(std::move(traced).value().centerline));
+}
+
+}   // namespace
+
+TraceJob::TraceJob(QObject* parent) : QObject(parent)
+{
+    connect(&watcher_, &QFutureWatcherBase::finished, this, &TraceJob::publish);
+}
+
+void TraceJob::start(TraceRequest request)
+{
+    Q_ASSERT(!isRunning() && request.angiogram && request.frame >= 0 &&
+             request.frame < request.angiogram->frameCount());
+    running_ = true;
+    request_ = std::move(request);
+    watcher_.setFuture(QtConcurrent::run(
+        [snapshot = request_] { return guarded<SharedCenterline>([&snapshot] { return trace(snapshot); }); }));
+}
+
+void TraceJob::publish()
+{
+    running_ = false;
+    const auto outcome = watcher_.result();
+    if (outcome) {
+        emit finished(outcome.value());
+    } else {
+        emit failed(QString::fromStdString(outcome.error().message));
+    }
+}
+
+}   // namespace app

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/imaging/angiogram.h"
+#include "core/support/result.h"
+#include "core/tracing/trace_angiogram.h"
+#include "core/vessel/centerline2d.h"
+
+#include <QFutureWatcher>
+#include <QObject>
+
+#include <memory>
+
+namespace app {
+
+/// One frame to trace, by value; the run itself is shared and never changes.
+struct TraceRequest {
+    std::shared_ptr<const core::Angiogram> angiogram;
+    int frame = 0;
+    core::TraceOptions options;
+
+    bool operator==(const TraceRequest&) const = default;
+};
+
+using SharedCenterline = std::shared_ptr<const core::Centerline2d>;
+
+/// Traces one frame off the GUI thread. A destroyed job drops its result.
+class TraceJob : public QObject {
+    Q_OBJECT
+public:
+    explicit TraceJob(QObject* parent = nullptr);
+
+    void start(TraceRequest request);
+    bool isRunning() const { return running_; }
+    const TraceRequest& request() const { return request_; }
+
+signals:
+    void finished(const app::SharedCenterline& traced);
+    void failed(const QString& reason);
+
+private:
+    void publish();
+
+    TraceRequest request_;
+    QFutureWatcher<core::Result<SharedCenterline>> watcher_;
+    bool running_ = false;
+};
+
+}   // namespace app
