@@ -1,0 +1,18 @@
+#pragma once
+
+#include "app/jobs/load_job.h"
+#include "core/registration_case.h"
+
+namespace app {
+
+/// `base` with the loaded parts in place of its own: a new image brings its geometry and fullest frame, a new tree
+/// forgets branch choices, and the pose goes to the start pose where one can be had.
+core::RegistrationCase withInputs(core::RegistrationCase base, const LoadedInputs& inputs);
+
+/// True when the files make a case by themselves: a vessel tree and an angiogram.
+bool makesNewCase(const LoadedInputs& inputs);
+
+/// The case moved to `cArm`: a pose that still was the start pose follows the new one.
+core::RegistrationCase withGeometry(core::RegistrationCase base, const core::CArm& cArm);
+
+}   // namespace app

@@ -1,0 +1,280 @@
+#include "app/case_controller.h"
+
+#include "app/assemble_case.h"
+#include "app/commands/edit_case.h"
+#include "app/settings.h"
+#include "ui/views/angiogram_view.h"
+#include "ui/views/tree_view.h"
+
+namespace app {
+
+using namespace std::chrono_literals;
+
+CaseController::CaseController(ui::MainWindow& window, QObject* parent)
+    : QObject(parent),
+      window_(window),
+      sync_(window, document_),
+      branches_(document_),
+      pose_(document_),
+      registration_(document_, target_),
+      open_(document_),
+      save_(document_, window),
+      export_(document_, target_, window),
+      review_(document_, sync_, window)
+{
+    connectFiles();
+    connectEditing();
+    connectBranches();
+    connectPose();
+    connectGeometry();
+    connectRegistration();
+    connectHelp();
+    connect(&document_, &CaseDocument::changed, this, &CaseController::followDocument);
+    connect(&document_, &CaseDocument::stateChanged, this, &CaseController::showTitle);
+    connect(&target_, &TargetProvider::changed, this, &CaseController::followTarget);
+    connect(&judge_, &JudgeJob::judged, this, [this](const SharedJudgement& judgement) {
+        judgement_ = judgement;
+        showJudgement();
+    });
+    connect(&judge_, &JudgeJob::failed, this, [this](const QString& reason) {
+        judgement_.reset();
+        showJudgement();
+        window_.result().showNothing(reason);
+    });
+    noteTimer_.setSingleShot(true);
+    connect(&noteTimer_, &QTimer::timeout, this, [this] {
+        if (!registration_.isRunning() && !open_.isLoading()) {
+            window_.strip().showIdle(tr("Ready"));
+        }
+    });
+    clock_.setInterval(5s);
+    connect(&clock_, &QTimer::timeout, this, [this] { window_.strip().showSaveState(save_.saveState()); });
+    clock_.start();
+    if (const QByteArray layout = settings::windowLayout.read(); !layout.isEmpty()) {
+        window_.restoreLayout(layout);
+    }
+    fillRecent();
+    followDocument();
+}
+
+void CaseController::connectEditing()
+{
+    QUndoStack& stack = document_.undoStack();
+    QAction* undo = window_.actions()[ui::Command::Undo];
+    QAction* redo = window_.actions()[ui::Command::Redo];
+    connect(undo, &QAction::triggered, this, [this] {
+        if (!document_.isLocked()) {
+            document_.undoStack().undo();
+        }
+    });
+    connect(redo, &QAction::triggered, this, [this] {
+        if (!document_.isLocked()) {
+            document_.undoStack().redo();
+        }
+    });
+    const auto showHistory = [this, undo, redo, &stack] {
+        undo->setEnabled(stack.canUndo());
+        redo->setEnabled(stack.canRedo());
+        undo->setText(stack.canUndo() ? tr("Undo: %1").arg(stack.undoText()) : tr("Undo"));
+        redo->setText(stack.canRedo() ? tr("Redo: %1").arg(stack.redoText()) : tr("Redo"));
+        window_.strip().showUndoState(stack.canUndo() ? tr("Undo: %1").arg(stack.undoText()) : QString());
+        showTitle();
+    };
+    connect(&stack, &QUndoStack::indexChanged, this, showHistory);
+    connect(&stack, &QUndoStack::cleanChanged, this, &CaseController::showTitle);
+    connect(&document_, &CaseDocument::editRefused, this,
+            [this] { showNote(tr("A registration is running. Stop it to edit.")); });
+    showHistory();
+}
+
+void CaseController::connectBranches()
+{
+    ui::BranchPanel& panel = window_.branches();
+    connect(&branches_, &BranchController::marksChanged, this, [this] { sync_.showMarks(branches_.marks()); });
+    connect(&branches_, &BranchController::refused, this, &CaseController::showNote);
+    connect(&panel, &ui::BranchPanel::hovered, &branches_, &BranchController::hover);
+    connect(&panel, &ui::BranchPanel::selectionEdited, &branches_, &BranchController::select);
+    connect(&panel, &ui::BranchPanel::auxiliaryToggled, &branches_, &BranchController::toggleAuxiliary);
+    connect(&panel, &ui::BranchPanel::excludedToggled, &branches_, &BranchController::toggleExcluded);
+    connect(&panel, &ui::BranchPanel::onlyTheseAuxiliary, &branches_, &BranchController::setAuxiliary);
+    connect(&panel, &ui::BranchPanel::auxiliaryCleared, this, [this] { branches_.setAuxiliary({}); });
+    connect(&window_.angiogramView(), &ui::AngiogramView::branchHovered, &branches_, &BranchController::hover);
+    connect(&window_.angiogramView(), &ui::AngiogramView::branchClicked, &branches_, &BranchController::click);
+    connect(&window_.angiogramView(), &ui::AngiogramView::backgroundClicked, this, [this] { branches_.select({}); });
+    connect(&window_.treeView(), &ui::TreeView::backgroundClicked, this, [this] { branches_.select({}); });
+    connect(&window_.treeView(), &ui::TreeView::branchHovered, &branches_, &BranchController::hover);
+    connect(&window_.treeView(), &ui::TreeView::branchClicked, &branches_, &BranchController::click);
+
+    ui::WindowActions& actions = window_.actions();
+    connect(actions[ui::Command::ToggleAuxiliary], &QAction::triggered, this,
+            [this] { branches_.toggleAuxiliary(branches_.marks().selected); });
+    connect(actions[ui::Command::ToggleExcluded], &QAction::triggered, this,
+            [this] { branches_.toggleExcluded(branches_.marks().selected); });
+    connect(actions[ui::Command::SelectAll], &QAction::triggered, &branches_, &BranchController::selectAll);
+}
+
+void CaseController::connectPose()
+{
+    ui::PosePanel& panel = window_.pose();
+    ui::AngiogramView& view = window_.angiogramView();
+    connect(&panel, &ui::PosePanel::offsetEdited, &pose_, &PoseController::setOffset);
+    connect(&panel, &ui::PosePanel::locksEdited, &pose_, &PoseController::setLocks);
+    connect(&panel, &ui::PosePanel::resetRequested, &pose_, &PoseController::reset);
+    connect(window_.actions()[ui::Command::ResetPose], &QAction::triggered, &pose_, &PoseController::reset);
+    connect(&window_, &ui::MainWindow::escapePressed, &review_, &ReviewController::stopMotion);
+    connect(&window_, &ui::MainWindow::nudgeKeyPressed, this, [this](const ui::Nudge& nudge) {
+        review_.stopMotion();
+        window_.pose().setActiveAxis(nudge.axis);
+        pose_.nudge(nudge);
+    });
+    connect(window_.actions()[ui::Command::Nudge], &QAction::toggled, this, [this, &view](bool on) {
+        review_.stopMotion();
+        view.setNudgeMode(on);
+        window_.setNudging(on);
+        window_.pose().showNudgeMode(on);
+        window_.pose().setActiveAxis(std::nullopt);
+        showNote(on ? tr("Nudge mode: arrows move, drag moves or rolls, N ends") : tr("Nudge mode off"));
+    });
+    connect(&view, &ui::AngiogramView::dragStarted, &pose_, &PoseController::startDrag);
+    connect(&view, &ui::AngiogramView::dragged, &pose_, &PoseController::drag);
+    connect(&view, &ui::AngiogramView::dragFinished, &pose_, &PoseController::finishDrag);
+    connect(&view, &ui::AngiogramView::dragCancelled, &pose_, &PoseController::cancelDrag);
+    connect(&pose_, &PoseController::previewed, this, [this](const core::RigidTransform& pose) {
+        sync_.showPreview(pose);
+        window_.pose().showOffset(pose_.currentOffset());
+        judge(pose);
+    });
+    connect(&pose_, &PoseController::previewEnded, this, [this] {
+        sync_.endPreview();
+        window_.pose().showOffset(pose_.currentOffset());
+        judge(document_.current().cameraFromPatient);
+    });
+    connect(&pose_, &PoseController::refused, this, &CaseController::showNote);
+    connect(&pose_, &PoseController::locksChanged, this, [this] { window_.pose().showLocks(pose_.locks()); });
+}
+
+void CaseController::connectGeometry()
+{
+    connect(&window_.geometryPanel(), &ui::GeometryPanel::edited, this,
+            [this](const core::CArm& cArm, const QString& what) {
+                document_.push(
+                    changeGeometry(document_, withGeometry(document_.current(), cArm), tr("Change %1").arg(what)));
+            });
+    connect(&window_.geometryPanel(), &ui::GeometryPanel::cameraOverrideDropped, this, [this] {
+        core::RegistrationCase wanted = document_.current();
+        wanted.cameraOverride.reset();
+        wanted.result.reset();
+        document_.push(changeGeometry(document_, wanted, tr("Use distances and spacing")));
+    });
+}
+
+void CaseController::connectRegistration()
+{
+    ui::RegistrationPanel& panel = window_.registration();
+    connect(&panel, &ui::RegistrationPanel::registerRequested, &registration_, &RegistrationController::start);
+    connect(&panel, &ui::RegistrationPanel::stopRequested, &registration_, &RegistrationController::stop);
+    connect(window_.actions()[ui::Command::Register], &QAction::triggered, this, [this] {
+        if (!registration_.isRunning()) {
+            review_.stopMotion();
+            registration_.start();
+        }
+    });
+    connect(window_.actions()[ui::Command::Stop], &QAction::triggered, &registration_, &RegistrationController::stop);
+    connect(&window_.strip(), &ui::BottomStrip::stopRequested, this, [this] {
+        registration_.stop();
+        open_.abandon();
+    });
+    connect(&panel, &ui::RegistrationPanel::optionsEdited, this,
+            [this](const core::RegistrationOptions& options, const QString& label) {
+                document_.push(std::make_unique<ChangeOptions>(document_, ChangeOptions::Values{options},
+                                                               tr("Change option “%1”").arg(label)));
+            });
+    connect(&registration_, &RegistrationController::runningChanged, this, &CaseController::setRunning);
+    connect(&registration_, &RegistrationController::tracingStarted, this,
+            [this] { window_.strip().showBusy(tr("Tracing the vessels of this frame …")); });
+    connect(&registration_, &RegistrationController::advanced, this, &CaseController::showProgress);
+    connect(&registration_, &RegistrationController::finished, this, &CaseController::showFinished);
+    connect(&registration_, &RegistrationController::failed, this,
+            [this](const QString& reason) { showProblem(tr("Registration cannot run"), reason); });
+}
+
+void CaseController::followDocument()
+{
+    exported_ = false;
+    sync_.refresh();
+    branches_.followDocument();
+    target_.want(document_.current());
+    window_.pose().showOffset(pose_.currentOffset());
+    window_.registration().showOptions(document_.current().options);
+    window_.registration().showReady(registration_.whyNotReady());
+    judge(document_.current().cameraFromPatient);
+    showJudgement();
+    showGeometry();
+    showTitle();
+    showSteps();
+}
+
+void CaseController::followTarget()
+{
+    sync_.showTarget(target_.current());
+    judge(document_.current().cameraFromPatient);
+    showSteps();
+}
+
+void CaseController::judge(const core::RigidTransform& cameraFromPatient)
+{
+    if (!target_.current() || !pose_.currentOffset()) {
+        judge_.cancel();
+        judgement_.reset();
+        return;
+    }
+    if (auto input = core::registrationInputOf(document_.current(), *target_.current())) {
+        judge_.request({std::move(input).value(), cameraFromPatient});
+    }
+}
+
+void CaseController::setRunning(bool running)
+{
+    review_.stopMotion();
+    window_.registration().setRunning(running);
+    window_.pose().setEnabled(!running);
+    window_.geometryPanel().setEnabled(!running);
+    if (running) {
+        window_.result().startRun();
+        sync_.showJudgement(nullptr);
+    } else {
+        sync_.endPreview();
+        window_.strip().showIdle(tr("Ready"));
+        showJudgement();
+    }
+    showSteps();
+    if (!running && closing_ != Closing::No) {
+        // The solver's best pose is applied by the same event: close once that is done.
+        QMetaObject::invokeMethod(this, &CaseController::closeWindow, Qt::QueuedConnection);
+    }
+}
+
+void CaseController::showProgress(const core::IterationReport& report)
+{
+    if (!registration_.isRunning()) {
+        return;   // a report that was still on its way when the run ended
+    }
+    sync_.showPreview(report.cameraFromPatient);
+    window_.result().showProgress(report);
+    const QString stage = QString::fromUtf8(report.stage.data(), static_cast<qsizetype>(report.stage.size()));
+    window_.strip().showProgress(tr("Registering: %1 · %2 % · %3 px")
+                                     .arg(stage)
+                                     .arg(100.0 * report.progress, 0, 'f', 0)
+                                     .arg(report.medianDistancePx, 0, 'f', 1),
+                                 report.progress);
+}
+
+void CaseController::showFinished(const core::RegistrationResult& result)
+{
+    window_.steps().showCurrent(ui::Step::Review);
+    showNote(result.stopReason == core::StopReason::StoppedByUser
+                 ? tr("Stopped: the best pose so far is kept, undo takes it back")
+                 : tr("Registered: median %1 mm").arg(result.metrics.medianMm, 0, 'f', 2));
+}
+
+}   // namespace app

@@ -1,0 +1,37 @@
+#include "app/case_controller.h"
+#include "app/theme_choice.h"
+#include "ui/main_window.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QSurfaceFormat>
+
+int main(int argc, char** argv)
+{
+    QSurfaceFormat format;
+    format.setVersion(3, 2);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    QSurfaceFormat::setDefaultFormat(format);
+    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);   // contexts survive re-parenting of the views
+    QApplication application(argc, argv);
+    QApplication::setOrganizationName(QStringLiteral("AngioPose"));
+    QApplication::setApplicationName(QStringLiteral("AngioPose"));
+    QApplication::setApplicationVersion(QStringLiteral(ANGIOPOSE_VERSION));
+
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QApplication::translate(
+        "main", "Finds the pose of a 3-D vessel tree in a 2-D angiogram. Not for clinical use."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(QStringLiteral("files"),
+                                 QApplication::translate("main", "A case, or a centreline and an angiogram."),
+                                 QStringLiteral("[case|files…]"));
+    parser.process(application);
+
+    app::applyChosenTheme(application);
+    ui::MainWindow window;
+    app::CaseController controller(window);
+    window.show();
+    controller.begin(parser.positionalArguments());
+    return QApplication::exec();
+}

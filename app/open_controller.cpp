@@ -1,0 +1,121 @@
+#include "app/open_controller.h"
+
+#include "app/assemble_case.h"
+#include "app/commands/edit_case.h"
+#include "app/recent_cases.h"
+
+#include <QFileInfo>
+
+namespace app {
+namespace {
+
+QString namesOf(const QStringList& paths)
+{
+    QStringList names;
+    for (const QString& path : paths) {
+        names << QFileInfo(path).fileName();
+    }
+    return names.join(QStringLiteral(", "));
+}
+
+QStringList notesOf(const LoadedInputs& inputs)
+{
+    QStringList notes;
+    for (const std::string& warning : inputs.warnings) {
+        notes << QString::fromStdString(warning);
+    }
+    return notes;
+}
+
+}   // namespace
+
+OpenController::OpenController(CaseDocument& document, QObject* parent) : QObject(parent), document_(document) {}
+
+void OpenController::open(const QStringList& paths)
+{
+    if (paths.isEmpty()) {
+        return;
+    }
+    if (document_.isLocked()) {
+        emit failed(tr("A registration is running. Stop it before opening another file."), paths);
+        return;
+    }
+    abandon();
+    job_ = new LoadJob(this);
+    connect(job_, &LoadJob::finished, this, [this, paths](const LoadedInputs& inputs) {
+        finish();
+        take(inputs, paths);
+    });
+    connect(job_, &LoadJob::failed, this, [this, paths](const QString& reason) {
+        finish();
+        emit failed(reason, paths);
+    });
+    emit started(tr("Reading %1 …").arg(namesOf(paths)));
+    job_->start(paths);
+}
+
+void OpenController::abandon()
+{
+    if (job_) {
+        finish();
+    }
+    waiting_.reset();
+}
+
+void OpenController::finish()
+{
+    job_->disconnect(this);
+    job_->deleteLater();
+    job_ = nullptr;
+    emit ended();
+}
+
+void OpenController::take(const LoadedInputs& inputs, const QStringList& paths)
+{
+    if (document_.isLocked()) {
+        emit failed(tr("A registration was started meanwhile. Open the file again when it has ended."), paths);
+        return;
+    }
+    const bool replaces = inputs.wholeCase || makesNewCase(inputs);
+    if (!replaces) {
+        join(inputs, paths);
+        return;
+    }
+    const QString path = inputs.wholeCase ? paths.front() : QString();
+    if (document_.isModified()) {
+        waiting_ = inputs;
+        waitingPath_ = path;
+        emit replacementNeedsConsent();
+        return;
+    }
+    replaceWith(inputs, path);
+}
+
+void OpenController::replaceOpenCase()
+{
+    if (const auto inputs = std::exchange(waiting_, std::nullopt)) {
+        replaceWith(*inputs, waitingPath_);
+    }
+}
+
+void OpenController::replaceWith(const LoadedInputs& inputs, const QString& path)
+{
+    document_.replace(inputs.wholeCase ? *inputs.wholeCase : withInputs({}, inputs), path);
+    if (!path.isEmpty()) {
+        rememberCase(path);
+    }
+    emit opened(notesOf(inputs));
+}
+
+void OpenController::join(const LoadedInputs& inputs, const QStringList& paths)
+{
+    if (document_.isEmpty()) {
+        document_.replace(withInputs(document_.current(), inputs), {});
+    } else {
+        document_.push(
+            joinInputs(document_, withInputs(document_.current(), inputs), tr("Open %1").arg(namesOf(paths))));
+    }
+    emit opened(notesOf(inputs));
+}
+
+}   // namespace app

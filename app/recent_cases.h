@@ -1,0 +1,11 @@
+#pragma once
+
+#include <QStringList>
+
+namespace app {
+
+/// Paths of cases opened or saved lately, newest first.
+QStringList recentCases();
+void rememberCase(const QString& path);
+
+}   // namespace app

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/support/result.h"
+
+#include <QString>
+
+namespace app {
+
+/// Generates the sample case (tree, DSA run, case file) in the application's data folder; returns the case file.
+core::Result<QString> writeSampleCase();
+
+}   // namespace app

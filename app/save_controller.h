@@ -1,0 +1,38 @@
+#pragma once
+
+#include "app/autosave.h"
+#include "app/case_document.h"
+
+#include <QObject>
+
+#include <functional>
+
+class QWidget;
+
+namespace app {
+
+/// Saves the open case, under its name or a new one, and offers what crashed sessions left behind.
+class SaveController : public QObject {
+    Q_OBJECT
+public:
+    SaveController(CaseDocument& document, QWidget& window, QObject* parent = nullptr);
+
+    void save(std::function<void()> whenSaved = {});   ///< asks for a name where there is none
+    void saveAs(std::function<void()> whenSaved = {});
+    bool saveTo(const QString& path);
+    void offerRecovery();
+    void discardAutosave() { autosave_.discard(); }
+    QString saveState() const;   ///< "Autosaved 12 s ago", "All changes saved", …
+
+signals:
+    void failed(const QString& reason);
+    void saved();
+    void recoveryWanted(const app::LeftBehind& copy);
+
+private:
+    CaseDocument& document_;
+    QWidget& window_;
+    Autosave autosave_;
+};
+
+}   // namespace app

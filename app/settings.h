@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QByteArray>
+#include <QSettings>
+#include <QStringList>
+
+namespace app {
+
+/// One stored preference: key, type and default in one place.
+template <class T>
+struct Setting {
+    const char* key;
+    T fallback;
+
+    T read() const
+    {
+        const QVariant stored = QSettings().value(QLatin1String(key));
+        return stored.isValid() ? stored.value<T>() : fallback;
+    }
+    void write(const T& value) const { QSettings().setValue(QLatin1String(key), QVariant::fromValue(value)); }
+};
+
+/// Every preference that outlives a session. Poses and options belong to the case, not here.
+namespace settings {
+inline const Setting<QString> lastFolder{"files/lastFolder", {}};
+inline const Setting<QStringList> recentCases{"files/recentCases", {}};
+inline const Setting<QByteArray> windowLayout{"window/layout", {}};
+inline const Setting<QString> theme{"window/theme", QStringLiteral("dark")};   ///< dark, light or system
+inline const Setting<bool> reduceMotion{"window/reduceMotion", false};
+inline const Setting<bool> noticeAccepted{"window/noticeAccepted", false};
+inline const Setting<double> overlayOpacity{"view/overlayOpacity", 0.9};
+inline const Setting<bool> identityHidden{"view/identityHidden", false};
+inline const Setting<int> exportWidthPx{"export/widthPx", 1024};
+inline const Setting<bool> exportResiduals{"export/residuals", true};
+}   // namespace settings
+
+}   // namespace app

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/registration_case.h"
+#include "ui/panels/step_bar.h"
+
+namespace app {
+
+/// What the steps need to know beside the case.
+struct StepFacts {
+    QString targetProblem;   ///< why the frame could not be traced; empty when fine
+    bool isTracing = false;
+    bool isRunning = false;
+    bool poseEdited = false;   ///< the pose differs from the start pose
+    bool exported = false;   ///< the pose as it is has been exported
+};
+
+/// Marks and hints of the step bar: true now, in few words.
+std::array<ui::StepState, ui::stepCount> stepStates(const core::RegistrationCase& current, const StepFacts& facts);
+
+}   // namespace app

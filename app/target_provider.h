@@ -1,0 +1,41 @@
+#pragma once
+
+#include "app/jobs/trace_job.h"
+#include "core/registration_case.h"
+
+#include <QObject>
+
+#include <deque>
+#include <optional>
+#include <utility>
+
+namespace app {
+
+/// The traced vessels of the case's frame: the given 2-D centreline, or tracing on a worker, remembered per frame and
+/// options. Only the newest wish is answered.
+class TargetProvider : public QObject {
+    Q_OBJECT
+public:
+    explicit TargetProvider(QObject* parent = nullptr);
+
+    void want(const core::RegistrationCase& registrationCase);
+    const SharedCenterline& current() const { return current_; }   ///< null until ready
+    const QString& problem() const { return problem_; }   ///< why there is none, empty otherwise
+    bool isTracing() const { return job_.isRunning(); }
+
+signals:
+    void changed();   ///< `current` or `problem`
+
+private:
+    void startWanted();
+    void remember(const SharedCenterline& traced);
+    void settle(SharedCenterline target, const QString& problem);
+
+    TraceJob job_;
+    std::optional<TraceRequest> wanted_;
+    std::deque<std::pair<TraceRequest, SharedCenterline>> traced_;   ///< newest last
+    SharedCenterline current_;
+    QString problem_;
+};
+
+}   // namespace app
