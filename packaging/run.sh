@@ -7,7 +7,7 @@ root=$(dirname "$here")
 cd "$root"
 
 "$here/install_packages.sh" build
-[ -f build/release/build.ninja ] || cmake --preset release >/dev/null
+[ -f build/release/build.ninja ] || cmake --preset release -DBUILD_TESTING=OFF >/dev/null
 cmake --build build/release --target angiopose angiopose-cli
 
 demo=build/demo

@@ -15,7 +15,7 @@ step "Format"
 "$here/check_format.sh"
 
 step "Release: build"
-cmake --preset release >/dev/null
+cmake --preset release -DBUILD_TESTING=ON >/dev/null
 cmake --build build/release
 step "Release: tests"
 ctest --preset release

@@ -8,6 +8,7 @@ namespace core {
 namespace {
 
 constexpr double borderShare = 0.02;   // an extreme value that fills more of the frame than this is border or shutter
+constexpr double backgroundRoom = 0.75;   // contrast beyond the background, relative to that of the vessels
 
 /// Finite pixels, sorted; at most about 60 000 of them, evenly picked.
 std::vector<float> sortedSample(const ImageF& frame)
@@ -47,6 +48,10 @@ DisplayRange displayRange(const ImageF& frame)
                                      dropsHighest ? firstHighest : sample.end());
 
     DisplayRange range{quantile(exposed, 0.005), quantile(exposed, 0.995)};
+    // Thin dark vessels (or bright ones) hardly move the median: keep it away from white (from black).
+    const double background = quantile(exposed, 0.5);
+    range.high = std::max(range.high, background + backgroundRoom * (background - range.low));
+    range.low = std::min(range.low, background - backgroundRoom * (range.high - background));
     if (!(range.high > range.low)) {
         range.high = range.low + 1.0;
     }

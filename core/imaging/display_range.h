@@ -13,8 +13,9 @@ struct DisplayRange {
     double level() const { return 0.5 * (low + high); }
 };
 
-/// Range that shows the vessels well: the 0.5th to 99.5th percentile of the pixels inside the exposed field
-/// (a large border of one extreme value does not count). Never empty: high > low.
+/// Range that shows the vessels well: from the 0.5th to the 99.5th percentile of the pixels inside the exposed field
+/// (a large border of one extreme value does not count), widened so that the background stays a middle grey.
+/// Never empty: high > low.
 DisplayRange displayRange(const ImageF& frame);
 
 }   // namespace core

@@ -23,8 +23,23 @@ TEST(DisplayRange, IgnoresABlackBorder)
 {
     const DisplayRange range = displayRange(borderedRamp());
     EXPECT_GE(range.low, 100.0);
-    EXPECT_LE(range.low, 103.0);
+    EXPECT_LE(range.low, 120.0);
     EXPECT_GE(range.high, 195.0);
+}
+
+TEST(DisplayRange, KeepsTheBackgroundGreyWhereVesselsAreThin)
+{
+    for (const float vessel : {20.0F, 180.0F}) {
+        ImageF image(100, 100, 100.0F);
+        for (int y = 0; y < 100; ++y) {
+            image.at(40, y) = vessel;
+            image.at(41, y) = vessel;
+        }
+        const DisplayRange range = displayRange(image);
+        const double shade = (100.0 - range.low) / range.window();
+        EXPECT_GT(shade, 0.35);
+        EXPECT_LT(shade, 0.65);
+    }
 }
 
 TEST(DisplayRange, IsNeverEmptyWhateverTheImage)
