@@ -6,28 +6,40 @@ namespace core {
 namespace {
 
 constexpr double toleranceScalePx = 2.0;   // ALGORITHMS §6.8: hypotheses are compared at this scale
-constexpr int cellPx = 2;
+constexpr std::size_t pointStride = 2;
+constexpr int cellPx = 3;
 
 }   // namespace
 
-AgreementScore::AgreementScore(const TreeSamples& tree, const ProjectionCamera& camera, const TargetLines& target)
-    : points_(alignmentPoints(tree)),
-      camera_(camera),
+AgreementScore::AgreementScore(const RegistrationProblem& problem, const TargetLines& target)
+    : points_(alignmentPoints(problem.tree, pointStride)),
+      camera_(problem.camera),
       target_(&target),
-      alignment_(points_, camera, target),
-      columns_(camera.width / cellPx + 1),
-      rows_(camera.height / cellPx + 1)
+      all_(points_, camera_, target),
+      columns_(camera_.width / cellPx + 1),
+      rows_(camera_.height / cellPx + 1)
 {
+    if (problem.auxiliaryIsChosen) {
+        chosen_.emplace(alignmentPoints(problem.tree, problem.auxiliary), camera_, target);
+    }
     covered_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
 }
 
 double AgreementScore::of(const CentroidPose& pose)
 {
-    const double missing = alignment_.look(pose, toleranceScalePx).loss / (2.0 * toleranceScalePx * toleranceScalePx);
-    const double treeShare = 1.0 - missing / static_cast<double>(points_.size());
-    const double targetShare = coveredTargetShare(pose);
-    const double sum = treeShare + targetShare;
-    return sum > 0.0 ? 2.0 * treeShare * targetShare / sum : 0.0;
+    const double tree = treeShare(pose);
+    const double target = coveredTargetShare(pose);
+    return tree + target > 0.0 ? 2.0 * tree * target / (tree + target) : 0.0;
+}
+
+double AgreementScore::treeShare(const CentroidPose& pose)
+{
+    const auto share = [&](const Alignment& alignment) {
+        alignment.look(pose, toleranceScalePx, agreement_);
+        const double missing = agreement_.loss / (2.0 * toleranceScalePx * toleranceScalePx);
+        return 1.0 - missing / static_cast<double>(alignment.size());
+    };
+    return chosen_ ? 0.5 * (share(all_) + share(*chosen_)) : share(all_);
 }
 
 double AgreementScore::coveredTargetShare(const CentroidPose& pose)

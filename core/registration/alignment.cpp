@@ -33,8 +33,10 @@ Alignment::Alignment(std::vector<AlignmentPoint> points, const ProjectionCamera&
         }
         pointCount_[branch] += 1.0;
     }
+    for (double& count : pointCount_) {
+        count = std::max(count, 1.0);
+    }
     visibility_.assign(pointCount_.size(), 1.0);
-    weightSum_.assign(pointCount_.size(), 0.0);
 }
 
 inline bool Alignment::match(const AlignmentPoint& point, const CentroidPose& pose, double limitPx, Match& match) const
@@ -87,19 +89,29 @@ inline Vector6d Alignment::residualGradient(const Match& found) const
 Agreement Alignment::look(const CentroidPose& pose, double scalePx) const
 {
     Agreement agreement;
+    look(pose, scalePx, agreement);
+    return agreement;
+}
+
+void Alignment::look(const CentroidPose& pose, double scalePx, Agreement& agreement) const
+{
+    agreement.equations = {};
+    agreement.branchWeight.assign(visibility_.size(), 0.0);
     Matrix6d& H = agreement.equations.hessian;
     Vector6d& g = agreement.equations.gradient;
     const double perSquaredScale = -0.5 / (scalePx * scalePx);
     double costShare = 0.0;
     Match found;
     for (const AlignmentPoint& point : points_) {
-        const double v = visibility_[static_cast<std::size_t>(point.branchIndex)];
-        const double importance = v * v;
+        const auto branch = static_cast<std::size_t>(point.branchIndex);
+        const double importance = visibility_[branch] * visibility_[branch];
         costShare += importance;
         if (!match(point, pose, cutOff * scalePx, found)) {
             continue;
         }
-        const double weight = importance * found.gate * std::exp(perSquaredScale * found.squaredDistance);
+        const double agreeing = found.gate * std::exp(perSquaredScale * found.squaredDistance);
+        const double weight = importance * agreeing;
+        agreement.branchWeight[branch] += agreeing;
         costShare -= weight;
         const Vector6d J = residualGradient(found);
         const Vector6d weighted = weight * J;
@@ -110,8 +122,10 @@ Agreement Alignment::look(const CentroidPose& pose, double scalePx) const
         }
         g += found.residual * weighted;
     }
+    for (std::size_t b = 0; b < pointCount_.size(); ++b) {
+        agreement.branchWeight[b] /= pointCount_[b];
+    }
     agreement.loss = 2.0 * scalePx * scalePx * costShare;
-    return agreement;
 }
 
 void Alignment::collectRows(const CentroidPose& pose, double scalePx, std::vector<ResidualRow>& rows) const
@@ -130,27 +144,6 @@ void Alignment::collectRows(const CentroidPose& pose, double scalePx, std::vecto
         }
         rows.push_back(row);
     }
-}
-
-void Alignment::updateVisibility(const CentroidPose& pose, double scalePx)
-{
-    std::fill(weightSum_.begin(), weightSum_.end(), 0.0);
-    const double perSquaredScale = -0.5 / (scalePx * scalePx);
-    Match found;
-    for (const AlignmentPoint& point : points_) {
-        if (match(point, pose, cutOff * scalePx, found)) {
-            weightSum_[static_cast<std::size_t>(point.branchIndex)] +=
-                found.gate * std::exp(perSquaredScale * found.squaredDistance);
-        }
-    }
-    for (std::size_t b = 0; b < visibility_.size(); ++b) {
-        visibility_[b] = pointCount_[b] > 0.0 ? weightSum_[b] / pointCount_[b] : 0.0;
-    }
-}
-
-void Alignment::resetVisibility()
-{
-    std::fill(visibility_.begin(), visibility_.end(), 1.0);
 }
 
 void Alignment::collectResiduals(const CentroidPose& pose, double limitPx, std::vector<double>& residuals) const

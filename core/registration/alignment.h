@@ -3,6 +3,8 @@
 #include "core/registration/centroid_pose.h"
 #include "core/registration/target_lines.h"
 
+#include <algorithm>
+
 namespace core {
 
 /// A tree point as the inner loop reads it: relative to the tree's centroid.
@@ -16,6 +18,7 @@ struct AlignmentPoint {
 struct Agreement {
     NormalEquations equations;   ///< of Σ w r² for steps about the pose, weights frozen
     double loss = 0.0;   ///< Σ 2ℓ² v (1 − w); a point that leaves or turns across costs the maximum
+    std::vector<double> branchWeight;   ///< mean weight of each branch's points, 0…1
 };
 
 /// One point's share of the equations; weight 0 where nothing is near.
@@ -34,13 +37,15 @@ public:
 
     Agreement look(const CentroidPose& pose, double scalePx) const;
 
+    /// The same into an agreement that is reused: nothing is allocated after the first time.
+    void look(const CentroidPose& pose, double scalePx, Agreement& agreement) const;
+
     /// What `look` sums up, point by point.
     void collectRows(const CentroidPose& pose, double scalePx, std::vector<ResidualRow>& rows) const;
 
-    /// Mean weight of each branch becomes its visibility (§6.7).
-    void updateVisibility(const CentroidPose& pose, double scalePx);
-    void resetVisibility();
-    const std::vector<double>& visibility() const { return visibility_; }
+    /// The branches' mean weights become their visibility (§6.7).
+    void setVisibility(const Agreement& agreement) { visibility_ = agreement.branchWeight; }
+    void resetVisibility() { std::fill(visibility_.begin(), visibility_.end(), 1.0); }
 
     /// Residual across the line (px) of every point; NaN where no line is within `limitPx` in a like direction.
     void collectResiduals(const CentroidPose& pose, double limitPx, std::vector<double>& residuals) const;
@@ -59,8 +64,7 @@ private:
     ProjectionCamera camera_;
     const TargetLines* target_;
     std::vector<double> visibility_;   ///< per branch, 0…1
-    std::vector<double> weightSum_;   ///< per branch, scratch
-    std::vector<double> pointCount_;   ///< per branch
+    std::vector<double> pointCount_;   ///< per branch, at least 1
 };
 
 /// Every `stride`-th tree point.

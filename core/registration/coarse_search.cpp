@@ -1,6 +1,8 @@
 #include "core/registration/coarse_search.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -10,10 +12,10 @@ namespace {
 constexpr int blockPx = 16;   // step of the shifts
 constexpr int phasePx = 4;   // resolution of the closeness image
 constexpr int phases = blockPx / phasePx;
-constexpr double closenessPx = 11.0;   // ALGORITHMS §6.8
 constexpr double stepDeg = 4.0;
 constexpr std::size_t keptPerOrientation = 3;
 constexpr std::size_t keptCandidates = 12;
+constexpr std::size_t maxPoints = 257;   // sums of bytes must fit 16 bits
 constexpr double basinPx = 24.0;
 constexpr double basinDeg = 3.0;
 constexpr double radiansPerDegree = std::numbers::pi / 180.0;
@@ -33,6 +35,26 @@ bool isSameBasin(const CoarseCandidate& a, const CoarseCandidate& b, double pxPe
 {
     const double shiftPx = (a.pose.centroidInCamera - b.pose.centroidInCamera).norm() * pxPerMm;
     return shiftPx < basinPx && angleBetween(a.pose.rotation, b.pose.rotation) < basinDeg * radiansPerDegree;
+}
+
+/// The best candidate of each basin, best first.
+std::vector<CoarseCandidate> distinct(std::vector<CoarseCandidate> candidates, double pxPerMm)
+{
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const CoarseCandidate& a, const CoarseCandidate& b) { return a.score > b.score; });
+    std::vector<CoarseCandidate> best;
+    for (const CoarseCandidate& candidate : candidates) {
+        const bool isNew = std::none_of(best.begin(), best.end(), [&](const CoarseCandidate& other) {
+            return isSameBasin(candidate, other, pxPerMm);
+        });
+        if (isNew) {
+            best.push_back(candidate);
+        }
+        if (best.size() == keptCandidates) {
+            break;
+        }
+    }
+    return best;
 }
 
 }   // namespace
@@ -102,65 +124,62 @@ void CoarseSearch::scoreOrientation(std::span<const AlignmentPoint> points, cons
     }
 }
 
+void CoarseSearch::keepBest(const CentroidPose& pose, std::size_t pointCount, const Shifts& shifts,
+                            std::vector<CoarseCandidate>& found) const
+{
+    std::array<std::size_t, keptPerOrientation> best{};
+    std::array<int, keptPerOrientation> sums;
+    sums.fill(-1);
+    for (std::size_t k = 0; k < shifts.sums.size(); ++k) {
+        for (std::size_t rank = 0; rank < keptPerOrientation; ++rank) {
+            if (shifts.sums[k] > sums[rank]) {
+                std::move_backward(best.begin() + rank, best.end() - 1, best.end());
+                std::move_backward(sums.begin() + rank, sums.end() - 1, sums.end());
+                best[rank] = k;
+                sums[rank] = shifts.sums[k];
+                break;
+            }
+        }
+    }
+    const double depthMm = pose.centroidInCamera.z();
+    for (std::size_t rank = 0; rank < keptPerOrientation && sums[rank] >= 0; ++rank) {
+        const int column = static_cast<int>(best[rank]) % shifts.side - shifts.half;
+        const int row = static_cast<int>(best[rank]) / shifts.side - shifts.half;
+        CoarseCandidate candidate{pose, sums[rank] / (255.0 * static_cast<double>(pointCount))};
+        candidate.pose.centroidInCamera.x() += column * blockPx * depthMm / camera_.fx;
+        candidate.pose.centroidInCamera.y() += row * blockPx * depthMm / camera_.fy;
+        found.push_back(candidate);
+    }
+}
+
 std::vector<CoarseCandidate> CoarseSearch::find(std::span<const AlignmentPoint> points, const CentroidPose& start,
                                                 const SearchReach& reach,
                                                 const std::function<Verdict(double)>& proceed) const
 {
+    assert(points.size() <= maxPoints);
     const double depthMm = std::max(minProjectableDepthMm, start.centroidInCamera.z());
     const double pxPerMm = 1.0 / millimetresPerPixel(camera_, depthMm);
     Shifts shifts(static_cast<int>(std::ceil(reach.radiusMm * pxPerMm / blockPx)));
-    std::vector<CoarseCandidate> candidates;
+    std::vector<CoarseCandidate> found;
     const std::vector<double> tilts = anglesWithin(reach.tiltDeg);
     const std::vector<double> rolls = anglesWithin(reach.rollDeg);
-    const double orientations = static_cast<double>(tilts.size() * tilts.size() * rolls.size());
-    double done = 0.0;
-    std::vector<std::size_t> order(shifts.sums.size());
+    const auto tiltCount = static_cast<double>(tilts.size() * tilts.size());
+    double tiltsDone = 0.0;
     for (const double tiltX : tilts) {
         for (const double tiltY : tilts) {
             for (const double roll : rolls) {
-                Vector6d turn = Vector6d::Zero();
-                turn.head<3>() = logSo3(expSo3({0.0, 0.0, roll}) * expSo3({tiltX, tiltY, 0.0}));
-                const CentroidPose pose = moved(start, turn);
+                CentroidPose pose = start;
+                pose.rotation = expSo3({0.0, 0.0, roll}) * expSo3({tiltX, tiltY, 0.0}) * start.rotation;
                 scoreOrientation(points, pose, shifts);
-                for (std::size_t k = 0; k < order.size(); ++k) {
-                    order[k] = k;
-                }
-                const std::size_t kept = std::min(keptPerOrientation, order.size());
-                std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(kept), order.end(),
-                                  [&](std::size_t a, std::size_t b) {
-                                      return shifts.sums[a] != shifts.sums[b] ? shifts.sums[a] > shifts.sums[b] : a < b;
-                                  });
-                for (std::size_t k = 0; k < kept; ++k) {
-                    const int column = static_cast<int>(order[k]) % shifts.side - shifts.half;
-                    const int row = static_cast<int>(order[k]) / shifts.side - shifts.half;
-                    CoarseCandidate candidate{pose,
-                                              shifts.sums[order[k]] / (255.0 * static_cast<double>(points.size()))};
-                    candidate.pose.centroidInCamera.x() += column * blockPx * depthMm / camera_.fx;
-                    candidate.pose.centroidInCamera.y() += row * blockPx * depthMm / camera_.fy;
-                    candidates.push_back(candidate);
-                }
-                done += 1.0;
-                if (proceed(done / orientations) == Verdict::Stop) {
-                    return candidates;
-                }
+                keepBest(pose, points.size(), shifts, found);
+            }
+            tiltsDone += 1.0;
+            if (proceed(tiltsDone / tiltCount) == Verdict::Stop) {
+                return distinct(std::move(found), pxPerMm);
             }
         }
     }
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const CoarseCandidate& a, const CoarseCandidate& b) { return a.score > b.score; });
-    std::vector<CoarseCandidate> distinct;
-    for (const CoarseCandidate& candidate : candidates) {
-        const bool isNew = std::none_of(distinct.begin(), distinct.end(), [&](const CoarseCandidate& other) {
-            return isSameBasin(candidate, other, pxPerMm);
-        });
-        if (isNew) {
-            distinct.push_back(candidate);
-        }
-        if (distinct.size() == keptCandidates) {
-            break;
-        }
-    }
-    return distinct;
+    return distinct(std::move(found), pxPerMm);
 }
 
 }   // namespace core

@@ -25,16 +25,20 @@ struct CoarseCandidate {
 /// all shifts of one point are neighbours in memory, is summed over few tree points.
 class CoarseSearch {
 public:
+    static constexpr double closenessPx = 11.0;   ///< ALGORITHMS §6.8
+
     CoarseSearch(const ProjectionCamera& camera, const TargetLines& target);
 
-    /// Best candidates, different from each other by more than a basin, best first. `proceed` is asked after each
-    /// orientation and ends the search when it says Stop.
+    /// Best candidates, different from each other by more than a basin, best first. `proceed` is told the share done
+    /// after each tilt; Stop ends the search with what it has.
     std::vector<CoarseCandidate> find(std::span<const AlignmentPoint> points, const CentroidPose& start,
                                       const SearchReach& reach, const std::function<Verdict(double)>& proceed) const;
 
 private:
     struct Shifts;
     void addPoint(double u, double v, Shifts& shifts) const;
+    void keepBest(const CentroidPose& pose, std::size_t pointCount, const Shifts& shifts,
+                  std::vector<CoarseCandidate>& found) const;
     void scoreOrientation(std::span<const AlignmentPoint> points, const CentroidPose& pose, Shifts& shifts) const;
 
     ProjectionCamera camera_;

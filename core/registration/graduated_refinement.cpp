@@ -1,15 +1,14 @@
 #include "core/registration/graduated_refinement.h"
 
-#include "core/support/quantile.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace core {
 namespace {
 
-constexpr double settledMm = 1e-5;   // ALGORITHMS §1
+constexpr double settledMm = 1e-4;   // 0.0003 px
 constexpr double noiseFactor = 1.5;   // §6.5: the last scale is this many residual standard deviations
+constexpr double noiseMattersPx = 5.0;   // above, the scale is wider than any noise
 constexpr double madToStd = 1.4826;
 
 /// One refinement under way.
@@ -24,8 +23,10 @@ public:
     void setScale(double scalePx)
     {
         scalePx_ = scalePx;
-        alignment_.updateVisibility(pose_, scalePx_);
-        current_ = lookAt(pose_);
+        if (!current_.branchWeight.empty()) {
+            alignment_.setVisibility(current_);
+        }
+        lookAt(pose_, current_);
         damping_.reset();
     }
 
@@ -35,8 +36,8 @@ public:
         const Vector6d step = dampedStep(current_.equations, damping_.factor());
         const double promised = predictedDecrease(current_.equations, step);
         const CentroidPose trial = moved(pose_, step);
-        const Agreement agreement = lookAt(trial);
-        const double gained = current_.loss - agreement.loss;
+        lookAt(trial, trial_);
+        const double gained = current_.loss - trial_.loss;
         const double lengthMm = spreadMm * step.head<3>().norm() + step.tail<3>().norm();
         if (gained < 0.0 || !(promised > 0.0)) {
             damping_.reject();
@@ -44,31 +45,34 @@ public:
         }
         damping_.accept(gained / promised);
         pose_ = trial;
-        current_ = agreement;
+        std::swap(current_, trial_);
         return lengthMm;
     }
 
     const CentroidPose& pose() const { return pose_; }
     double scalePx() const { return scalePx_; }
 
+    /// Robust standard deviation of the residuals of the points that agree.
     double noisePx()
     {
         alignment_.collectResiduals(pose_, 2.0 * scalePx_, residuals_);
         std::erase_if(residuals_, [](double residual) { return std::isnan(residual); });
-        for (double& residual : residuals_) {
-            residual = std::abs(residual);
+        if (residuals_.empty()) {
+            return scalePx_;
         }
-        return residuals_.empty() ? scalePx_ : madToStd * quantile(residuals_, 0.5);
+        const auto middle = residuals_.begin() + static_cast<std::ptrdiff_t>(residuals_.size() / 2);
+        std::nth_element(residuals_.begin(), middle, residuals_.end(),
+                         [](double a, double b) { return std::abs(a) < std::abs(b); });
+        return madToStd * std::abs(*middle);
     }
 
 private:
-    Agreement lookAt(const CentroidPose& pose) const
+    void lookAt(const CentroidPose& pose, Agreement& agreement) const
     {
-        Agreement agreement = alignment_.look(pose, scalePx_);
+        alignment_.look(pose, scalePx_, agreement);
         const double variance = scalePx_ * scalePx_;
         prior_.add(pose, variance, agreement.equations);
         agreement.loss += variance * prior_.cost(pose);
-        return agreement;
     }
 
     Alignment& alignment_;
@@ -76,6 +80,7 @@ private:
     CentroidPose pose_;
     double scalePx_ = 1.0;
     Agreement current_;
+    Agreement trial_;
     Damping damping_;
     std::vector<double> residuals_;
 };
@@ -117,7 +122,10 @@ RefinementResult refine(Alignment& alignment, const StartPrior& prior, const Cen
         if (isLast) {
             return finish(StopReason::Converged);
         }
-        endScalePx = std::max(schedule.endScalePx, std::min(refinement.scalePx(), noiseFactor * refinement.noisePx()));
+        if (refinement.scalePx() < noiseMattersPx) {
+            endScalePx =
+                std::max(schedule.endScalePx, std::min(refinement.scalePx(), noiseFactor * refinement.noisePx()));
+        }
         refinement.setScale(std::max(endScalePx, schedule.shrink * refinement.scalePx()));
     }
 }

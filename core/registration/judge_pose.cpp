@@ -21,7 +21,9 @@ RegistrationResult judgePose(const RegistrationProblem& problem, const Registrat
     result.iterations = solution.iterations;
     result.metrics = distanceMetrics(problem, pose, projected);
     result.branches = branchResiduals(problem.tree, projected);
-    result.uncertainty = poseUncertainty(problem, TargetLines(problem.target, problem.camera), pose, prior);
+    const auto lines = solution.targetLines ? solution.targetLines
+                                            : std::make_shared<const TargetLines>(problem.target, problem.camera);
+    result.uncertainty = poseUncertainty(problem, *lines, pose, prior);
     result.alternatives = solution.alternatives;
     result.time = solution.time;
 

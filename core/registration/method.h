@@ -2,7 +2,9 @@
 
 #include "core/registration/progress_log.h"
 #include "core/registration/registration_problem.h"
+#include "core/registration/target_lines.h"
 
+#include <memory>
 #include <span>
 
 namespace core {
@@ -15,6 +17,7 @@ struct MethodSolution {
     std::vector<Hypothesis> alternatives;   ///< best first, without the solution; empty when the method seeks none
     std::vector<std::string> warnings;   ///< what only the method can know, plain words
     StageTimes time;   ///< totalMs stays 0
+    std::shared_ptr<const TargetLines> targetLines;   ///< if the method built them, for judging
 };
 
 /// Solves a checked problem. Reports every iteration to `progress` and returns at once when told to stop.

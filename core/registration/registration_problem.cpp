@@ -147,6 +147,13 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
     problem.tree = samplesOf(isEven ? resampled(tree, options.pointSpacingMm) : tree);
     markNodes(tree, problem.tree);
     problem.target = samplesOf(isEven ? resampled(input.target, options.targetSpacingPx) : input.target);
+    for (const VesselBranch& branch : tree.branches) {
+        const auto& points = branch.pointsInPatient;
+        problem.givenTreePoints.insert(problem.givenTreePoints.end(), points.begin(), points.end());
+    }
+    for (const Curve2d& curve : input.target.curves) {
+        problem.givenTargetPoints.insert(problem.givenTargetPoints.end(), curve.pointsPx.begin(), curve.pointsPx.end());
+    }
     problem.auxiliary = auxiliaryPoints(problem.tree, input.auxiliaryBranchIds);
     problem.auxiliaryIsChosen = !input.auxiliaryBranchIds.empty();
     return problem;

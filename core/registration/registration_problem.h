@@ -36,6 +36,8 @@ struct RegistrationProblem {
     RigidTransform start;   ///< cameraFromPatient, exactly rigid
     TreeSamples tree;   ///< without the excluded branches
     TargetSamples target;
+    std::vector<Eigen::Vector3d> givenTreePoints;   ///< of the used branches, before resampling
+    std::vector<Eigen::Vector2d> givenTargetPoints;   ///< before resampling
     std::vector<int> auxiliary;   ///< {p'}: tree points of the chosen branches, or the nodes
     bool auxiliaryIsChosen = false;   ///< the user named branches for {p'}
 };
