@@ -196,7 +196,8 @@ void MainWindow::restoreLayout(const QByteArray& state)
 void MainWindow::closeNow()
 {
     closeAllowed_ = true;
-    close();
+    // Queued: this may be the answer to a close event, in which closing again would be ignored.
+    QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection);
 }
 
 }   // namespace ui

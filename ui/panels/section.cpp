@@ -55,7 +55,7 @@ void Section::setFolded(bool folded)
 
 bool Section::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() == QEvent::MouseButtonRelease) {
+    if (event->type() == QEvent::MouseButtonRelease && (watched == title_ || watched == hint_)) {
         setFolded(!isFolded());
         return true;
     }
