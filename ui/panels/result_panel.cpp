@@ -147,9 +147,14 @@ void ResultPanel::showProgress(const core::IterationReport& report)
 void ResultPanel::showHistory(const std::vector<core::IterationReport>& history)
 {
     convergence_->showHistory(history);
-    const QString steps =
-        history.size() == 1 ? tr("median distance, 1 step") : tr("median distance, %1 steps").arg(history.size());
-    convergenceSection_->setHint(history.empty() ? QString() : steps);
+    if (history.empty()) {
+        convergenceSection_->setHint({});
+        return;
+    }
+    convergenceSection_->setHint(tr("median %1 → %2 px, steps: %3")
+                                     .arg(history.front().medianDistancePx, 0, 'f', 1)
+                                     .arg(history.back().medianDistancePx, 0, 'f', 1)
+                                     .arg(history.size()));
 }
 
 }   // namespace ui

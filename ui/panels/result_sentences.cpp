@@ -49,10 +49,19 @@ QString agreement(const std::vector<core::BranchResidual>& branches, double mmPe
         .arg(agreeingMm, 0, 'f', 1);
 }
 
-QString unseen(const core::PoseUncertainty& uncertainty)
+/// Nothing when the solver's own warnings speak of depth already.
+QString depthWords(const core::RegistrationResult& result)
 {
-    if (!uncertainty.observed[5] || uncertainty.depthMm > 2.0 * std::max(0.5, uncertainty.inPlaneMm)) {
+    const core::PoseUncertainty& uncertainty = result.uncertainty;
+    const auto speaksOfDepth = [](const std::string& warning) { return warning.find("depth") != std::string::npos; };
+    if (std::ranges::any_of(result.warnings, speaksOfDepth)) {
+        return {};
+    }
+    if (!uncertainty.observed[5]) {
         return translated("Depth ±%1 mm: one view cannot tell it.").arg(number(uncertainty.depthMm));
+    }
+    if (uncertainty.depthMm > 2.0 * std::max(0.5, uncertainty.inPlaneMm)) {
+        return translated("Depth is the least certain: ±%1 mm.").arg(number(uncertainty.depthMm));
     }
     return {};
 }
@@ -97,13 +106,12 @@ ResultSentences sentencesOf(const core::RegistrationResult& result, const core::
     if (result.trustworthy) {
         sentences.certain << (pose.isEmpty() ? branches : pose + QLatin1Char(' ') + branches);
     } else {
-        sentences.doubtful << translated("Look closely: this fit is not trustworthy.") << branches;
+        sentences.doubtful << translated("Look closely: this fit is not trustworthy.");
     }
     for (const std::string& warning : result.warnings) {
         sentences.doubtful << QString::fromStdString(warning);
     }
-    for (const QString& sentence :
-         {unseen(result.uncertainty), disagreement(result.branches, tree, millimetresPerPixel)}) {
+    for (const QString& sentence : {depthWords(result), disagreement(result.branches, tree, millimetresPerPixel)}) {
         if (!sentence.isEmpty()) {
             sentences.doubtful << sentence;
         }

@@ -54,9 +54,6 @@ void ConvergencePlot::paintEvent(QPaintEvent*)
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(toQColor(tones.accent), 1.5));
     painter.drawPolyline(line);
-    painter.setPen(toQColor(tones.hint));
-    painter.drawText(area, Qt::AlignRight | Qt::AlignTop,
-                     tr("%1 → %2 px").arg(medianPx_.front(), 0, 'f', 1).arg(medianPx_.back(), 0, 'f', 1));
 }
 
 }   // namespace ui

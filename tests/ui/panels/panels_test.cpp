@@ -1,0 +1,116 @@
+#include "ui/panels/geometry_panel.h"
+#include "ui/panels/lock_dot.h"
+#include "ui/panels/option_form.h"
+#include "ui/panels/pose_panel.h"
+#include "ui/panels/registration_panel.h"
+#include "ui/plots/frame_bars.h"
+#include "ui/plots/histogram_plot.h"
+
+#include <gtest/gtest.h>
+#include <QComboBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+namespace ui {
+namespace {
+
+TEST(PosePanel, ReportsTheWholeOffsetAfterTyping)
+{
+    PosePanel panel;
+    core::PoseOffset reported;
+    QObject::connect(&panel, &PosePanel::offsetEdited, [&](const core::PoseOffset& offset) { reported = offset; });
+    panel.showOffset(core::PoseOffset{.rightMm = 1.0, .rollDeg = 2.0});
+    auto* up = panel.findChildren<NumberField*>()[1];
+
+    up->selectAll();
+    QTest::keyClicks(up, QStringLiteral("4"));
+    QTest::keyClick(up, Qt::Key_Return);
+
+    EXPECT_EQ(reported, (core::PoseOffset{.rightMm = 1.0, .upMm = 4.0, .rollDeg = 2.0}));
+}
+
+TEST(PosePanel, TogglesALockByItsDot)
+{
+    PosePanel panel;
+    panel.showOffset(core::PoseOffset{});
+    PoseLocks reported{};
+    QObject::connect(&panel, &PosePanel::locksEdited, [&](const PoseLocks& locks) { reported = locks; });
+
+    QTest::mouseClick(panel.findChildren<LockDot*>()[2], Qt::LeftButton);
+
+    EXPECT_EQ(reported, (PoseLocks{false, false, true, false, false, false}));
+}
+
+TEST(RegistrationPanel, ShowsTheOptionsOfTheChosenMethodSilently)
+{
+    RegistrationPanel panel;
+    QSignalSpy edited(&panel, &RegistrationPanel::optionsEdited);
+    core::RegistrationOptions options;
+    options.method = "dynaweight";
+    panel.showOptions(options);
+    EXPECT_EQ(edited.count(), 0);
+    for (const core::OptionField& field : core::optionFields()) {
+        const bool applies =
+            field.methods.empty() || std::ranges::find(field.methods, "dynaweight") != field.methods.end();
+        EXPECT_EQ(panel.findChild<QWidget*>(QString::fromUtf8(field.key.data(), static_cast<int>(field.key.size()))) !=
+                      nullptr,
+                  applies)
+            << field.key;
+    }
+}
+
+TEST(RegistrationPanel, CannotStartWhileRunningOrNotReady)
+{
+    RegistrationPanel panel;
+    EXPECT_TRUE(panel.registerButton()->isEnabled());
+    panel.setRunning(true);
+    EXPECT_FALSE(panel.registerButton()->isEnabled());
+    panel.setRunning(false);
+    panel.showReady(QStringLiteral("Open an angiogram first."));
+    EXPECT_FALSE(panel.registerButton()->isEnabled());
+    EXPECT_EQ(panel.registerButton()->toolTip(), QStringLiteral("Open an angiogram first."));
+}
+
+TEST(GeometryPanel, MarksWhatIsMissingAndReportsItAsTyped)
+{
+    GeometryPanel panel;
+    GeometryState state;
+    state.missing = QStringLiteral("SID is missing.");
+    panel.showGeometry(state);
+    EXPECT_FALSE(panel.isFolded());
+    core::CArm reported;
+    QObject::connect(&panel, &GeometryPanel::edited, [&](const core::CArm& cArm) { reported = cArm; });
+    auto* sid = panel.findChildren<NumberField*>()[0];
+
+    QTest::keyClicks(sid, QStringLiteral("950"));
+    QTest::keyClick(sid, Qt::Key_Return);
+
+    EXPECT_DOUBLE_EQ(reported.sourceToDetectorMm.value.value_or(0.0), 950.0);
+    EXPECT_EQ(reported.sourceToDetectorMm.origin, core::Origin::User);
+}
+
+TEST(FrameBars, AskForTheFrameUnderTheMouse)
+{
+    FrameBars bars;
+    bars.resize(400, 40);
+    bars.showFrames({0.1, 0.5, 1.0, 0.7}, 2);
+    bars.showCurrent(2);
+    QSignalSpy requested(&bars, &FrameBars::frameRequested);
+
+    QTest::mouseClick(&bars, Qt::LeftButton, Qt::NoModifier, QPoint(350, 20));
+    QTest::keyClick(&bars, Qt::Key_Left);
+
+    ASSERT_EQ(requested.count(), 2);
+    EXPECT_EQ(requested.at(0).first().toInt(), 3);
+    EXPECT_EQ(requested.at(1).first().toInt(), 1);
+}
+
+TEST(HistogramPlot, CountsWhatLiesAboveTheScaleByItself)
+{
+    const auto counts = binned({0.0, 0.4, 0.6, 1.9, 2.0, 50.0, std::numeric_limits<double>::infinity()}, 2.0, 4);
+    EXPECT_EQ(counts, (std::vector<int>{2, 1, 0, 1, 3}));
+}
+
+}   // namespace
+}   // namespace ui

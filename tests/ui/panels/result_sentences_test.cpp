@@ -1,0 +1,62 @@
+#include "ui/panels/result_sentences.h"
+
+#include <gtest/gtest.h>
+
+namespace ui {
+namespace {
+
+core::VesselTree treeOf(const std::vector<std::string>& names)
+{
+    core::VesselTree tree;
+    for (const std::string& name : names) {
+        tree.branches.push_back({static_cast<int>(tree.branches.size()) + 1, name, {{0, 0, 0}, {10, 0, 0}}, {}});
+    }
+    return tree;
+}
+
+core::RegistrationResult resultWith(const std::vector<double>& medianPx)
+{
+    core::RegistrationResult result;
+    for (const double median : medianPx) {
+        result.branches.push_back({static_cast<int>(result.branches.size()) + 1, 10, median, 2.0 * median, 1.0});
+    }
+    result.uncertainty.observed.fill(true);
+    result.uncertainty.inPlaneMm = 0.1;
+    result.uncertainty.rotationDeg = {0.3, 0.2, 0.1};
+    result.uncertainty.depthMm = 4.0;
+    result.trustworthy = true;
+    return result;
+}
+
+TEST(ResultSentences, SayWhatIsCertainAndWhatOneViewCannotTell)
+{
+    const auto sentences = sentencesOf(resultWith({1.0, 1.0}), treeOf({"LM", ""}), 0.3);
+
+    ASSERT_EQ(sentences.certain.size(), 1);
+    EXPECT_EQ(sentences.certain.front(),
+              QStringLiteral("In plane ±0.1 mm, rotation ±0.3°. 2 of 2 branches agree within 0.5 mm."));
+    ASSERT_EQ(sentences.doubtful.size(), 1);
+    EXPECT_EQ(sentences.doubtful.front(), QStringLiteral("Depth is the least certain: ±4.0 mm."));
+}
+
+TEST(ResultSentences, NameTheBranchThatDisagrees)
+{
+    const auto sentences = sentencesOf(resultWith({1.0, 10.0}), treeOf({"LM", ""}), 0.3);
+
+    EXPECT_TRUE(sentences.doubtful.join(' ').contains(QStringLiteral("Branch 2 is 3.0 mm off")));
+}
+
+TEST(ResultSentences, HaveNothingCertainWhenTheFitIsNotTrustworthy)
+{
+    core::RegistrationResult result = resultWith({20.0, 20.0});
+    result.trustworthy = false;
+    result.warnings = {"Only 5 % of the vessel tree lies on a traced vessel."};
+
+    const auto sentences = sentencesOf(result, treeOf({"LM", "LAD"}), 0.3);
+
+    EXPECT_TRUE(sentences.certain.isEmpty());
+    EXPECT_TRUE(sentences.doubtful.contains(QStringLiteral("Only 5 % of the vessel tree lies on a traced vessel.")));
+}
+
+}   // namespace
+}   // namespace ui
