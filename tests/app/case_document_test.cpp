@@ -1,0 +1,74 @@
+#include "app/case_document.h"
+
+#include "app/commands/edit_case.h"
+
+#include <gtest/gtest.h>
+#include <QSignalSpy>
+
+namespace app {
+namespace {
+
+std::unique_ptr<QUndoCommand> showFrame(CaseDocument& document, int frame, int burst = separateEdit)
+{
+    return std::make_unique<ShowFrame>(document, ShowFrame::Values{frame}, QStringLiteral("Frame"), burst);
+}
+
+TEST(CaseDocument, GoesBackAndForth)
+{
+    CaseDocument document;
+    QSignalSpy changed(&document, &CaseDocument::changed);
+    EXPECT_TRUE(document.push(showFrame(document, 4)));
+    EXPECT_EQ(document.current().frame, 4);
+    document.undoStack().undo();
+    EXPECT_EQ(document.current().frame, 0);
+    document.undoStack().redo();
+    EXPECT_EQ(document.current().frame, 4);
+    EXPECT_EQ(changed.count(), 3);
+}
+
+TEST(CaseDocument, TakesABurstBackAsOneStep)
+{
+    CaseDocument document;
+    document.push(showFrame(document, 1, 7));
+    document.push(showFrame(document, 2, 7));
+    document.push(showFrame(document, 3, 7));
+    document.push(showFrame(document, 9, 8));
+
+    EXPECT_EQ(document.undoStack().count(), 2);
+    document.undoStack().undo();
+    EXPECT_EQ(document.current().frame, 3);
+    document.undoStack().undo();
+    EXPECT_EQ(document.current().frame, 0);
+    document.undoStack().redo();
+    EXPECT_EQ(document.current().frame, 3);
+}
+
+TEST(CaseDocument, RefusesEditsWhileLocked)
+{
+    CaseDocument document;
+    QSignalSpy refused(&document, &CaseDocument::editRefused);
+    document.setLocked(true);
+
+    EXPECT_FALSE(document.push(showFrame(document, 4)));
+
+    EXPECT_EQ(document.current().frame, 0);
+    EXPECT_EQ(refused.count(), 1);
+    EXPECT_EQ(document.undoStack().count(), 0);
+}
+
+TEST(CaseDocument, IsModifiedOnlyWhileItDiffersFromWhatWasSaved)
+{
+    CaseDocument document;
+    EXPECT_FALSE(document.isModified());
+    document.push(showFrame(document, 4));
+    EXPECT_TRUE(document.isModified());
+    document.markSaved(QStringLiteral("/tmp/a.angiopose"));
+    EXPECT_FALSE(document.isModified());
+    document.undoStack().undo();
+    EXPECT_TRUE(document.isModified());
+    document.undoStack().redo();
+    EXPECT_FALSE(document.isModified());
+}
+
+}   // namespace
+}   // namespace app

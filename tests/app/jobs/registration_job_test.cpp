@@ -1,0 +1,117 @@
+#include "app/jobs/registration_job.h"
+
+#include "tests/app/jobs/small_case.h"
+
+#include <gtest/gtest.h>
+#include <QCoreApplication>
+#include <QSignalSpy>
+#include <QThread>
+
+#include <memory>
+
+namespace app {
+namespace {
+
+constexpr int patienceMs = 60000;
+
+/// Takes so long that nobody would wait for its end: only a stop ends it.
+core::RegistrationOptions longRun()
+{
+    core::RegistrationOptions options;
+    options.method = "iterative-pnp";
+    options.maxIterations = 1000;
+    return options;
+}
+
+TEST(RegistrationJob, DeliversTheResultOfTheSolver)
+{
+    const auto simulated = test::smallCase();
+    RegistrationJob job;
+    core::RegistrationResult result;
+    QObject::connect(&job, &RegistrationJob::finished, [&](const core::RegistrationResult& r) { result = r; });
+    QSignalSpy finished(&job, &RegistrationJob::finished);
+
+    job.start(test::inputOf(simulated), {});
+
+    ASSERT_TRUE(finished.wait(patienceMs));
+    const auto expected = core::registerVessels(test::inputOf(simulated), {});
+    ASSERT_TRUE(expected);
+    EXPECT_TRUE(result.cameraFromPatient.matrix() == expected.value().cameraFromPatient.matrix());
+    EXPECT_FALSE(job.isRunning());
+}
+
+TEST(RegistrationJob, KeepsTheBestPoseAfterAStop)
+{
+    RegistrationJob job;
+    core::RegistrationResult result;
+    QObject::connect(&job, &RegistrationJob::finished, [&](const core::RegistrationResult& r) { result = r; });
+    QObject::connect(&job, &RegistrationJob::advanced, &job, &RegistrationJob::requestStop);
+    QSignalSpy finished(&job, &RegistrationJob::finished);
+
+    job.start(test::inputOf(test::smallCase()), longRun());
+
+    ASSERT_TRUE(finished.wait(patienceMs));
+    EXPECT_TRUE(core::isRigid(result.cameraFromPatient));
+    EXPECT_GT(result.metrics.coverage, 0.0);
+}
+
+TEST(RegistrationJob, ReportsStoppedWhenStoppedAtOnce)
+{
+    RegistrationJob job;
+    core::RegistrationResult result;
+    QObject::connect(&job, &RegistrationJob::finished, [&](const core::RegistrationResult& r) { result = r; });
+    QSignalSpy finished(&job, &RegistrationJob::finished);
+
+    job.start(test::inputOf(test::smallCase()), longRun());
+    job.requestStop();
+
+    ASSERT_TRUE(finished.wait(patienceMs));
+    EXPECT_EQ(result.stopReason, core::StopReason::StoppedByUser);
+}
+
+TEST(RegistrationJob, ReportsProgressOnTheThreadOfItsOwner)
+{
+    RegistrationJob job;
+    int reports = 0;
+    bool sameThread = true;
+    QObject::connect(&job, &RegistrationJob::advanced, [&] {
+        ++reports;
+        sameThread = sameThread && QThread::currentThread() == QCoreApplication::instance()->thread();
+    });
+    QSignalSpy finished(&job, &RegistrationJob::finished);
+
+    job.start(test::inputOf(test::smallCase()), {});
+
+    ASSERT_TRUE(finished.wait(patienceMs));
+    EXPECT_GT(reports, 0);
+    EXPECT_TRUE(sameThread);
+}
+
+TEST(RegistrationJob, FailsOnUnusableInputWithWords)
+{
+    RegistrationJob job;
+    QSignalSpy failed(&job, &RegistrationJob::failed);
+
+    job.start({}, {});
+
+    ASSERT_TRUE(failed.wait(patienceMs));
+    EXPECT_FALSE(failed.first().first().toString().isEmpty());
+    EXPECT_FALSE(job.isRunning());
+}
+
+TEST(RegistrationJob, CanBeDestroyedWhileRunning)
+{
+    auto job = std::make_unique<RegistrationJob>();
+    int late = 0;
+    QObject::connect(job.get(), &RegistrationJob::finished, [&] { ++late; });
+    job->start(test::inputOf(test::smallCase()), longRun());
+    QThread::msleep(20);
+
+    job.reset();
+    QCoreApplication::processEvents();
+
+    EXPECT_EQ(late, 0);
+}
+
+}   // namespace
+}   // namespace app

@@ -1,0 +1,54 @@
+#include "app/jobs/trace_job.h"
+
+#include "tests/app/jobs/small_case.h"
+
+#include <gtest/gtest.h>
+#include <QSignalSpy>
+
+#include <memory>
+
+namespace app {
+namespace {
+
+constexpr int patienceMs = 60000;
+
+TEST(TraceJob, FindsTheVesselsOfTheFrame)
+{
+    const auto simulated = test::smallCase();
+    TraceJob job;
+    SharedCenterline traced;
+    QObject::connect(&job, &TraceJob::finished, [&](const SharedCenterline& t) { traced = t; });
+    QSignalSpy finished(&job, &TraceJob::finished);
+
+    job.start({std::make_shared<core::Angiogram>(simulated.angiogram), simulated.angiogram.suggestedFrame, {}});
+
+    ASSERT_TRUE(finished.wait(patienceMs));
+    ASSERT_TRUE(traced);
+    EXPECT_GT(traced->pointCount(), 50U);
+}
+
+TEST(TraceJob, SaysWhyAnEvenFrameCannotBeTraced)
+{
+    core::Angiogram flat;
+    flat.frames.emplace_back(64, 64, 100.0F);
+    TraceJob job;
+    QSignalSpy failed(&job, &TraceJob::failed);
+
+    job.start({std::make_shared<core::Angiogram>(flat), 0, {}});
+
+    ASSERT_TRUE(failed.wait(patienceMs));
+    EXPECT_FALSE(failed.first().first().toString().isEmpty());
+}
+
+TEST(TraceJob, CanBeDestroyedWhileRunning)
+{
+    const auto simulated = test::smallCase();
+    auto job = std::make_unique<TraceJob>();
+    job->start({std::make_shared<core::Angiogram>(simulated.angiogram), 0, {}});
+    EXPECT_TRUE(job->isRunning());
+
+    job.reset();
+}
+
+}   // namespace
+}   // namespace app

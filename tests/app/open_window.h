@@ -1,0 +1,114 @@
+#pragma once
+
+#include "app/case_controller.h"
+#include "app/sample_case.h"
+#include "ui/dialogs/message_dialog.h"
+#include "ui/main_window.h"
+#include "ui/views/angiogram_view.h"
+#include "ui/views/tree_view.h"
+
+#include <gtest/gtest.h>
+#include <QApplication>
+#include <QDropEvent>
+#include <QMimeData>
+#include <QPushButton>
+#include <QTest>
+
+namespace test {
+
+inline constexpr int patienceMs = 60000;
+
+/// A shown window with everything behind it, driven by real events.
+class OpenWindow {
+public:
+    OpenWindow()
+    {
+        window.resize(1400, 900);
+        window.show();
+        window.activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
+    }
+    ~OpenWindow()
+    {
+        controller.registration().stop();
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !controller.registration().isRunning(); }, patienceMs));
+    }
+
+    /// Opens files as the user does by dropping them, and waits until they are in the case or refused.
+    void drop(const QStringList& paths)
+    {
+        QMimeData data;
+        QList<QUrl> urls;
+        for (const QString& path : paths) {
+            urls << QUrl::fromLocalFile(path);
+        }
+        data.setUrls(urls);
+        const QPointF place(700, 400);
+        QDragEnterEvent enter(place.toPoint(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&window, &enter);
+        EXPECT_TRUE(enter.isAccepted());
+        QDropEvent event(place, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&window, &event);
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !controller.isLoading(); }, patienceMs));
+    }
+
+    /// Opens the simulated sample and waits until its start pose has been judged.
+    void openSample()
+    {
+        static const auto sample = app::writeSampleCase();
+        ASSERT_TRUE(sample) << sample.error().message;
+        drop({sample.value()});
+        waitForJudgement();
+    }
+
+    void waitForJudgement()
+    {
+        EXPECT_TRUE(QTest::qWaitFor([this] { return controller.judgement() != nullptr; }, patienceMs));
+    }
+
+    void waitForRun()
+    {
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !controller.registration().isRunning(); }, patienceMs));
+    }
+
+    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
+    {
+        QTest::keyClick(&window.angiogramView(), key, modifiers);
+    }
+
+    const core::RegistrationCase& current() { return controller.document().current(); }
+    QUndoStack& history() { return controller.document().undoStack(); }
+
+    /// Visible dialogs of a kind.
+    QList<QDialog*> dialogs(const char* objectName)
+    {
+        QList<QDialog*> open;
+        for (QDialog* dialog : window.findChildren<QDialog*>(QString::fromLatin1(objectName))) {
+            if (dialog->isVisible()) {
+                open << dialog;
+            }
+        }
+        return open;
+    }
+
+    static void clickButton(const QDialog* dialog, const QString& text)
+    {
+        for (QPushButton* button : dialog->findChildren<QPushButton*>()) {
+            if (button->text() == text) {
+                QTest::mouseClick(button, Qt::LeftButton);
+                return;
+            }
+        }
+        FAIL() << "no button " << text.toStdString();
+    }
+
+    ui::MainWindow window;
+    app::CaseController controller{window};
+};
+
+inline double distance(const core::RigidTransform& a, const core::RigidTransform& b)
+{
+    return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff();
+}
+
+}   // namespace test

@@ -1,0 +1,165 @@
+#include "tests/app/open_window.h"
+#include "tests/support/test_data.h"
+
+#include "app/commands/edit_case.h"
+#include "app/settings.h"
+
+#include <QDirIterator>
+#include <QTemporaryDir>
+
+namespace app {
+namespace {
+
+using test::OpenWindow;
+
+QString dataPath(const char* relative)
+{
+    return QString::fromStdString(test::dataFile(relative).string());
+}
+
+TEST(WindowFiles, MakeACaseOfTreeAndImageDroppedTogether)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/views-A/IM4.dcm");
+    OpenWindow w;
+
+    w.drop({dataPath("coronary-phantom-xa/views-A/IM4.dcm"), dataPath("coronary-phantom-xa/tree/Centerlines.vtk")});
+
+    ASSERT_TRUE(w.current().tree && w.current().angiogram);
+    EXPECT_EQ(w.current().tree->branches.size(), 11U);
+    EXPECT_TRUE(w.controller.pose().currentOffset());
+    EXPECT_TRUE(w.controller.document().isModified());
+    EXPECT_TRUE(w.dialogs("messageDialog").isEmpty());
+}
+
+TEST(WindowFiles, JoinTheOpenCaseOneByOneAndCanBeUndone)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/views-A/IM4.dcm");
+    OpenWindow w;
+
+    w.drop({dataPath("coronary-phantom-xa/tree/Centerlines.vtk")});
+    EXPECT_TRUE(w.current().tree && !w.current().angiogram);
+    w.drop({dataPath("coronary-phantom-xa/views-A/IM4.dcm")});
+
+    ASSERT_TRUE(w.current().angiogram);
+    EXPECT_TRUE(w.controller.registration().whyNotReady().isEmpty());
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_FALSE(w.current().angiogram);
+    w.press(Qt::Key_Y, Qt::ControlModifier);
+    EXPECT_TRUE(w.current().angiogram);
+}
+
+TEST(WindowFiles, SaveAndReopenGiveTheSameCase)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("again.angiopose"));
+    core::RegistrationCase saved;
+    {
+        OpenWindow w;
+        w.openSample();
+        w.controller.branches().setAuxiliary({w.current().tree->branches[1].id});
+        w.controller.branches().toggleExcluded({w.current().tree->branches[3].id});
+        w.press(Qt::Key_N);
+        w.press(Qt::Key_Right);
+        w.press(Qt::Key_Down, Qt::AltModifier);
+        EXPECT_TRUE(w.controller.document().isModified());
+        EXPECT_TRUE(w.window.windowTitle().contains(QLatin1Char('*')));
+        ASSERT_TRUE(w.controller.saving().saveTo(path));
+        EXPECT_FALSE(w.controller.document().isModified());
+        EXPECT_FALSE(w.window.windowTitle().contains(QLatin1Char('*')));
+        saved = w.current();
+    }
+    OpenWindow w;
+    w.drop({path});
+
+    EXPECT_EQ(w.current().title, saved.title);
+    EXPECT_EQ(w.current().frame, saved.frame);
+    EXPECT_EQ(w.current().auxiliaryBranchIds, saved.auxiliaryBranchIds);
+    EXPECT_EQ(w.current().excludedBranchIds, saved.excludedBranchIds);
+    EXPECT_EQ(w.current().options, saved.options);
+    EXPECT_EQ(test::distance(w.current().cameraFromPatient, saved.cameraFromPatient), 0.0);
+    EXPECT_EQ(test::distance(w.current().initialCameraFromPatient, saved.initialCameraFromPatient), 0.0);
+}
+
+TEST(WindowFiles, AskBeforeUnsavedChangesAreReplaced)
+{
+    OpenWindow w;
+    w.openSample();
+    w.press(Qt::Key_N);
+    w.press(Qt::Key_Right);
+    const core::RigidTransform edited = w.current().cameraFromPatient;
+
+    w.openSample();
+    ASSERT_EQ(w.dialogs("questionDialog").size(), 1);
+    OpenWindow::clickButton(w.dialogs("questionDialog").front(), QStringLiteral("Keep the open case"));
+    EXPECT_EQ(test::distance(w.current().cameraFromPatient, edited), 0.0);
+
+    w.openSample();
+    OpenWindow::clickButton(w.dialogs("questionDialog").front(), QStringLiteral("Discard changes"));
+    EXPECT_GT(test::distance(w.current().cameraFromPatient, edited), 0.5);
+}
+
+TEST(WindowFiles, CloseWithoutAskingWhenNothingChanged)
+{
+    OpenWindow w;
+    w.openSample();
+
+    w.window.close();
+
+    EXPECT_TRUE(w.dialogs("closeQuestion").isEmpty());
+    EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.window.isVisible(); }, test::patienceMs));
+}
+
+TEST(WindowFiles, WriteAnOverlayWithItsProvenance)
+{
+    const QTemporaryDir folder;
+    OpenWindow w;
+    w.openSample();
+    const QString path = folder.filePath(QStringLiteral("overlay.png"));
+
+    const auto written = w.controller.exporting().writeOverlay({600, ui::Choice::On, ui::Choice::Off}, path);
+
+    ASSERT_TRUE(written) << written.error().message;
+    const QImage picture(path);
+    EXPECT_EQ(picture.width(), 600);
+    EXPECT_TRUE(picture.textKeys().contains(QStringLiteral("cameraFromPatient")));
+    EXPECT_TRUE(picture.text(QStringLiteral("Disclaimer")).contains(QStringLiteral("clinical")));
+}
+
+/// Whatever is dropped on the window loads or is refused by one message, and the open case survives a refusal.
+class WindowBadFiles : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(WindowBadFiles, LoadOrAreRefusedByOneMessage)
+{
+    ANGIOPOSE_NEEDS_DATA(GetParam());
+    OpenWindow w;
+    bool needsSample = true;
+    QDirIterator files(dataPath(GetParam()), QDir::Files, QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+        const QString path = files.next();
+        if (needsSample) {
+            w.controller.document().replace({}, {});
+            w.openSample();
+        }
+        const auto treeBefore = w.current().tree;
+        const auto imageBefore = w.current().angiogram;
+
+        w.drop({path});
+
+        const auto messages = w.dialogs("messageDialog");
+        const bool untouched =
+            w.current().tree == treeBefore && w.current().angiogram == imageBefore && !w.current().givenTarget;
+        needsSample = !untouched;
+        EXPECT_EQ(messages.size(), untouched ? 1 : 0) << path.toStdString();
+        for (QDialog* message : messages) {
+            message->close();
+        }
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Exotic, WindowBadFiles,
+                         ::testing::Values("exotic-dicom", "exotic-lfs-pointers", "exotic-mesh", "exotic-nifti",
+                                           "exotic-nrrd"));
+
+}   // namespace
+}   // namespace app

@@ -1,0 +1,116 @@
+#include "tests/app/open_window.h"
+
+#include "app/commands/edit_case.h"
+
+namespace app {
+namespace {
+
+using test::OpenWindow;
+
+/// Makes the next run so long that only a stop ends it.
+void makeRunLong(OpenWindow& w)
+{
+    core::RegistrationOptions options = w.current().options;
+    options.method = "iterative-pnp";
+    options.maxIterations = 1000;
+    w.controller.document().push(
+        std::make_unique<ChangeOptions>(w.controller.document(), ChangeOptions::Values{options}, "Change"));
+}
+
+TEST(WindowRun, RegistersByKeyAsOneStepOfUndo)
+{
+    OpenWindow w;
+    w.openSample();
+    const core::RigidTransform start = w.current().cameraFromPatient;
+
+    w.press(Qt::Key_R);
+    EXPECT_TRUE(w.controller.registration().isRunning());
+    w.waitForRun();
+
+    ASSERT_TRUE(w.current().result);
+    EXPECT_LT(w.current().result->metrics.medianPx, 2.0);
+    EXPECT_EQ(w.history().undoText(), QStringLiteral("Register (AngioPose)"));
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_LT(test::distance(w.current().cameraFromPatient, start), 1e-12);
+    EXPECT_FALSE(w.current().result);
+}
+
+TEST(WindowRun, StopsAndKeepsAPoseThatCanBeUndone)
+{
+    OpenWindow w;
+    w.openSample();
+    makeRunLong(w);
+    const int steps = w.history().count();
+    w.press(Qt::Key_R);
+    ASSERT_TRUE(w.controller.registration().isRunning());
+
+    w.press(Qt::Key_R, Qt::ShiftModifier);
+    w.waitForRun();
+
+    EXPECT_LE(w.history().count(), steps + 1);
+    EXPECT_TRUE(core::isRigid(w.current().cameraFromPatient));
+    EXPECT_TRUE(w.window.registration().registerButton()->isEnabled());
+    w.waitForJudgement();
+}
+
+TEST(WindowRun, RefusesEditsMeanwhile)
+{
+    OpenWindow w;
+    w.openSample();
+    makeRunLong(w);
+    const int frame = w.current().frame;
+    w.press(Qt::Key_R);
+    ASSERT_TRUE(w.controller.registration().isRunning());
+
+    w.press(Qt::Key_Down);
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+
+    EXPECT_EQ(w.current().frame, frame);
+    EXPECT_EQ(w.current().options.maxIterations, 1000);
+    w.controller.registration().stop();
+    w.waitForRun();
+}
+
+TEST(WindowRun, AsksOnceWhenClosedAndStopsSafely)
+{
+    OpenWindow w;
+    w.openSample();
+    makeRunLong(w);
+    w.press(Qt::Key_R);
+    ASSERT_TRUE(w.controller.registration().isRunning());
+
+    w.window.close();
+    w.window.close();
+    ASSERT_EQ(w.dialogs("closeQuestion").size(), 1);
+    EXPECT_TRUE(w.window.isVisible());
+    OpenWindow::clickButton(w.dialogs("closeQuestion").front(), QStringLiteral("Stop and close"));
+
+    EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.window.isVisible(); }, test::patienceMs));
+    EXPECT_FALSE(w.controller.registration().isRunning());
+    EXPECT_TRUE(w.dialogs("closeQuestion").isEmpty());
+}
+
+TEST(WindowRun, SaysWhatIsMissingInsteadOfRunning)
+{
+    OpenWindow w;
+
+    w.press(Qt::Key_R);
+
+    ASSERT_EQ(w.dialogs("messageDialog").size(), 1);
+    EXPECT_FALSE(w.controller.registration().isRunning());
+}
+
+TEST(WindowRun, SurvivesDestructionWhileRunning)
+{
+    auto w = std::make_unique<OpenWindow>();
+    w->openSample();
+    makeRunLong(*w);
+    w->press(Qt::Key_R);
+    EXPECT_TRUE(w->controller.registration().isRunning());
+
+    w.reset();
+    QCoreApplication::processEvents();
+}
+
+}   // namespace
+}   // namespace app

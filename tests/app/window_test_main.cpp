@@ -1,0 +1,26 @@
+#include "ui/theme/active_theme.h"
+
+#include <gtest/gtest.h>
+#include <QApplication>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QThreadPool>
+
+// Runs window tests in an application whose settings and data live in a folder of their own.
+int main(int argc, char** argv)
+{
+    const QTemporaryDir home;
+    qputenv("XDG_DATA_HOME", home.path().toUtf8());
+    qputenv("XDG_CONFIG_HOME", home.path().toUtf8());
+    ::testing::InitGoogleTest(&argc, argv);
+    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QApplication application(argc, argv);
+    QApplication::setOrganizationName(QStringLiteral("AngioPose"));
+    QApplication::setApplicationName(QStringLiteral("AngioPoseTest"));
+    QApplication::setQuitOnLastWindowClosed(false);
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, home.path());
+    ui::applyTheme(application, ui::ThemeMode::Dark);
+    const int failures = RUN_ALL_TESTS();
+    QThreadPool::globalInstance()->waitForDone();
+    return failures;
+}
