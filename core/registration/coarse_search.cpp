@@ -16,6 +16,7 @@ constexpr double stepDeg = 4.0;
 constexpr std::size_t keptPerOrientation = 3;
 constexpr std::size_t keptCandidates = 12;
 constexpr std::size_t maxPoints = 257;   // sums of bytes must fit 16 bits
+constexpr double worthTrying = 0.8;   // of the best score
 constexpr double basinPx = 24.0;
 constexpr double basinDeg = 3.0;
 constexpr double radiansPerDegree = std::numbers::pi / 180.0;
@@ -44,6 +45,9 @@ std::vector<CoarseCandidate> distinct(std::vector<CoarseCandidate> candidates, d
                      [](const CoarseCandidate& a, const CoarseCandidate& b) { return a.score > b.score; });
     std::vector<CoarseCandidate> best;
     for (const CoarseCandidate& candidate : candidates) {
+        if (candidate.score < worthTrying * candidates.front().score) {
+            break;
+        }
         const bool isNew = std::none_of(best.begin(), best.end(), [&](const CoarseCandidate& other) {
             return isSameBasin(candidate, other, pxPerMm);
         });

@@ -1,89 +1,96 @@
 #include "core/registration/feature_map.h"
 
 #include <cassert>
-#include <cmath>
+#include <cstdlib>
 
 namespace core {
 namespace {
 
-constexpr int marginPx = 96;
+constexpr int marginPx = 64;
 constexpr std::int32_t none = -1;
 
 /// One parabola of the lower envelope: the column's nearest point, and from which cell on it is the lowest.
 struct Parabola {
     int column;
-    std::int32_t rowDistanceSquared;
+    std::int32_t squaredRows;
     std::int32_t point;
     double from;
 };
 
-/// Row distance to the nearest seed of the same column, for every cell; seeds keep their point.
-struct ColumnDistances {
-    std::vector<std::int32_t> distance;
-    std::vector<std::int32_t> point;
-};
-
-ColumnDistances columnDistances(const std::vector<std::int32_t>& seeds, int columns, int rows)
+/// Spreads every seed up and down its column, as far as no other seed is nearer.
+void fillColumns(std::vector<std::int32_t>& cells, const std::vector<std::int32_t>& rowOfPoint, int columns, int rows)
 {
-    const std::int32_t far = columns + rows;
     const auto width = static_cast<std::size_t>(columns);
-    ColumnDistances result{std::vector<std::int32_t>(seeds.size(), far), seeds};
-    for (std::size_t i = 0; i < seeds.size(); ++i) {
-        if (seeds[i] != none) {
-            result.distance[i] = 0;
+    for (std::size_t i = width; i < cells.size(); ++i) {
+        if (cells[i] == none) {
+            cells[i] = cells[i - width];
         }
     }
-    const auto relax = [&result](std::size_t cell, std::size_t neighbour) {
-        if (result.distance[neighbour] + 1 < result.distance[cell]) {
-            result.distance[cell] = result.distance[neighbour] + 1;
-            result.point[cell] = result.point[neighbour];
+    for (int row = rows - 2; row >= 0; --row) {
+        std::int32_t* here = &cells[static_cast<std::size_t>(row) * width];
+        const std::int32_t* below = here + width;
+        for (std::size_t column = 0; column < width; ++column) {
+            if (below[column] == none || below[column] == here[column]) {
+                continue;
+            }
+            const auto distanceTo = [&](std::int32_t point) {
+                return std::abs(rowOfPoint[static_cast<std::size_t>(point)] - row);
+            };
+            if (here[column] == none || distanceTo(below[column]) < distanceTo(here[column])) {
+                here[column] = below[column];
+            }
         }
-    };
-    for (std::size_t i = width; i < seeds.size(); ++i) {
-        relax(i, i - width);
     }
-    for (std::size_t i = seeds.size() - width; i-- > 0;) {
-        relax(i, i + width);
-    }
-    return result;
 }
 
-/// Lower envelope of the parabolas of one row, written over the row.
-void sweepRow(const std::int32_t* distance, const std::int32_t* point, int columns, std::vector<Parabola>& envelope,
-              std::int32_t* nearest)
-{
-    envelope.clear();
-    for (int column = 0; column < columns; ++column) {
-        if (point[column] == none) {
-            continue;
+/// Lower envelope of the parabolas of one row.
+class RowSweep {
+public:
+    explicit RowSweep(int columns) : halfInverse_(static_cast<std::size_t>(columns))
+    {
+        for (int k = 1; k < columns; ++k) {
+            halfInverse_[static_cast<std::size_t>(k)] = 0.5 / k;   // divisions would take half of the time
         }
-        const std::int32_t squared = distance[column] * distance[column];
+        envelope_.reserve(halfInverse_.size());
+    }
+
+    void add(int column, std::int32_t squaredRows, std::int32_t point)
+    {
         double from = 0.0;
-        while (!envelope.empty()) {
-            const Parabola& last = envelope.back();
-            from =
-                static_cast<double>(squared - last.rowDistanceSquared + column * column - last.column * last.column) /
-                (2.0 * (column - last.column));
+        while (!envelope_.empty()) {
+            const Parabola& last = envelope_.back();
+            from = static_cast<double>(squaredRows - last.squaredRows + column * column - last.column * last.column) *
+                   halfInverse_[static_cast<std::size_t>(column - last.column)];
             if (from > last.from) {
                 break;
             }
-            envelope.pop_back();
+            envelope_.pop_back();
         }
-        if (envelope.empty()) {
+        if (envelope_.empty()) {
             from = 0.0;
         }
-        if (from < columns) {
-            envelope.push_back({column, squared, point[column], from});
+        if (from < static_cast<double>(halfInverse_.size())) {
+            envelope_.push_back({column, squaredRows, point, from});
         }
     }
-    std::size_t current = 0;
-    for (int column = 0; column < columns; ++column) {
-        while (current + 1 < envelope.size() && envelope[current + 1].from <= column) {
-            ++current;
+
+    /// Writes the nearest point of every cell and forgets the row.
+    void finish(std::int32_t* nearest)
+    {
+        std::size_t current = 0;
+        for (std::size_t column = 0; column < halfInverse_.size(); ++column) {
+            while (current + 1 < envelope_.size() && envelope_[current + 1].from <= static_cast<double>(column)) {
+                ++current;
+            }
+            nearest[column] = envelope_[current].point;
         }
-        nearest[column] = envelope[current].point;
+        envelope_.clear();
     }
-}
+
+private:
+    std::vector<double> halfInverse_;
+    std::vector<Parabola> envelope_;
+};
 
 }   // namespace
 
@@ -94,22 +101,27 @@ FeatureMap::FeatureMap(std::vector<Eigen::Vector2d> pointsPx, int imageWidth, in
       rows_((imageHeight + 2 * marginPx + cellPx - 1) / cellPx)
 {
     assert(!points_.empty());
-    std::vector<std::int32_t> seeds(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), none);
+    nearest_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), none);
+    std::vector<std::int32_t> rowOfPoint(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
         // Points outside the table stand at its border, the nearest place that still leads to them.
         const double column = std::clamp((points_[i].x() + offsetPx_) / cellPx, 0.0, columns_ - 1.0);
         const double row = std::clamp((points_[i].y() + offsetPx_) / cellPx, 0.0, rows_ - 1.0);
-        const auto cell =
-            static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
-        seeds[cell] = static_cast<std::int32_t>(i);
+        rowOfPoint[i] = static_cast<std::int32_t>(row);
+        nearest_[static_cast<std::size_t>(rowOfPoint[i]) * static_cast<std::size_t>(columns_) +
+                 static_cast<std::size_t>(column)] = static_cast<std::int32_t>(i);
     }
-    const ColumnDistances byColumn = columnDistances(seeds, columns_, rows_);
-    nearest_.resize(seeds.size());
-    std::vector<Parabola> envelope;
-    envelope.reserve(static_cast<std::size_t>(columns_));
+    fillColumns(nearest_, rowOfPoint, columns_, rows_);
+    RowSweep sweep(columns_);
     for (int row = 0; row < rows_; ++row) {
-        const std::size_t start = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
-        sweepRow(&byColumn.distance[start], &byColumn.point[start], columns_, envelope, &nearest_[start]);
+        std::int32_t* cells = &nearest_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_)];
+        for (int column = 0; column < columns_; ++column) {
+            if (cells[column] != none) {
+                const std::int32_t rowsAway = rowOfPoint[static_cast<std::size_t>(cells[column])] - row;
+                sweep.add(column, rowsAway * rowsAway, cells[column]);
+            }
+        }
+        sweep.finish(cells);
     }
 }
 

@@ -12,7 +12,7 @@ namespace core {
 /// nearest by at most a cell's diagonal; outside the table the border cell answers.
 class FeatureMap final : public PointIndex {
 public:
-    static constexpr int cellPx = 2;
+    static constexpr int cellPx = 3;
 
     /// `pointsPx` finite and not empty.
     FeatureMap(std::vector<Eigen::Vector2d> pointsPx, int imageWidth, int imageHeight);

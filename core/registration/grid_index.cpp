@@ -65,9 +65,12 @@ std::size_t GridIndex::nearestIndex(const Eigen::Vector2d& queryPx) const
         }
     };
     // Rings of cells around the query; one more ring cannot help once the best is nearer than the ring.
+    const double column0 = cell.x() - column;
+    const double row0 = cell.y() - row;
+    const double edge = std::min({column0, 1.0 - column0, row0, 1.0 - row0});   // negative outside the table
     for (int ring = 0; ring <= std::max(columns_, rows_); ++ring) {
-        const double reachPx = (ring - 1) * cellPx_;
-        if (reachPx > 0.0 && reachPx * reachPx > bestSquared) {
+        const double reachPx = std::max(0.0, (ring - 1 + std::min(edge, 1.0)) * cellPx_);
+        if (ring > 0 && reachPx * reachPx > bestSquared) {
             break;
         }
         for (int r = std::max(0, row - ring); r <= std::min(rows_ - 1, row + ring); ++r) {

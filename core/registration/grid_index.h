@@ -18,7 +18,7 @@ public:
 private:
     std::vector<Eigen::Vector2d> points_;
     Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
-    double cellPx_ = 8.0;
+    double cellPx_ = 4.0;
     int columns_ = 1;
     int rows_ = 1;
     std::vector<std::int32_t> cellStart_;   ///< one more than cells

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace core {
 namespace {
@@ -33,15 +34,25 @@ TreeSamples samplesOf(const VesselTree& tree)
     return samples;
 }
 
+/// Marks the sample nearest to every node, among those of one branch that meets there.
 void markNodes(const VesselTree& tree, TreeSamples& samples)
 {
     samples.isNode.assign(samples.size(), 0);
     for (const VesselNode& node : findNodes(tree)) {
-        const auto nearest = std::min_element(
-            samples.points.begin(), samples.points.end(), [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-                return (a - node.pointInPatient).squaredNorm() < (b - node.pointInPatient).squaredNorm();
-            });
-        samples.isNode[static_cast<std::size_t>(nearest - samples.points.begin())] = 1;
+        const auto branch = std::find(samples.branchIds.begin(), samples.branchIds.end(), node.branchIds.front());
+        const auto index = static_cast<int>(branch - samples.branchIds.begin());
+        const auto [from, to] = std::equal_range(samples.branchIndex.begin(), samples.branchIndex.end(), index);
+        double nearestSquared = std::numeric_limits<double>::infinity();
+        std::size_t nearest = 0;
+        for (auto i = static_cast<std::size_t>(from - samples.branchIndex.begin());
+             i < static_cast<std::size_t>(to - samples.branchIndex.begin()); ++i) {
+            const double squared = (samples.points[i] - node.pointInPatient).squaredNorm();
+            if (squared < nearestSquared) {
+                nearestSquared = squared;
+                nearest = i;
+            }
+        }
+        samples.isNode[nearest] = 1;
     }
 }
 

@@ -17,7 +17,7 @@ constexpr std::size_t minStretches = 8;
 constexpr double exactPx = 0.1;   // smaller offsets are sampling, not shape
 constexpr double maxVarianceRatio = 10.0;
 constexpr int maxSteps = 10;
-constexpr double settledMm = 1e-4;
+constexpr double settledMm = 1e-3;
 constexpr double leastDamping = 1e-9;
 
 /// Sums over a stretch of a branch.

@@ -18,7 +18,7 @@ constexpr std::size_t searchPoints = 90;
 constexpr std::size_t roughPoints = 200;
 constexpr std::size_t finalists = 3;
 constexpr std::size_t auxiliaryCandidates = 4;
-constexpr double conclusive = 0.9;   // tree and traced vessels explain each other: no search could do better
+constexpr double conclusive = 0.85;   // tree and traced vessels explain each other: no search could do better
 constexpr double worthRefining = 0.85;   // of the best rough score
 constexpr double nearlyAsGood = 0.95;   // ALGORITHMS §6.10
 constexpr double distinctSigmas = 3.0;
@@ -196,20 +196,22 @@ void AngioPose::refineRoughly(const std::vector<CentroidPose>& hypotheses)
 ScoredPose AngioPose::refineFully(const CentroidPose& pose)
 {
     rough_.resetVisibility();
-    const CentroidPose middle = refine(rough_, prior_, pose, middleSchedule).pose;
+    const RefinementResult middle = refine(rough_, prior_, pose, middleSchedule);
+    if (const auto exact = refineWithExactPartners(problem_, middle.pose)) {
+        return {*exact, score_.of(*exact), StopReason::Converged};
+    }
     full_.resetVisibility();
-    RefinementSchedule schedule{
-        std::max(1.5, options_.finalScalePx), options_.finalScalePx, 0.7, 2, 20, options_.maxIterations};
-    const RefinementResult refined = refine(full_, prior_, middle, schedule, [&](const RefinementStep& step) {
+    const double startScalePx = std::max(middle.scalePx, options_.finalScalePx);
+    const RefinementSchedule schedule{startScalePx, options_.finalScalePx, 0.7, 2, 20, options_.maxIterations};
+    const RefinementResult refined = refine(full_, prior_, middle.pose, schedule, [&](const RefinementStep& step) {
         return report("refine", roughEnds + step.progress * (1.0 - roughEnds), step.scalePx);
     });
-    ScoredPose result{refined.pose, 0.0, refined.stopReason};
+    CentroidPose final = refined.pose;
     if (!isStopped()) {
         const auto exact = refineWithExactPartners(problem_, refined.pose);
-        result.pose = exact ? *exact : refineTolerantly(full_, prior_, refined.pose, refined.scalePx);
+        final = exact ? *exact : refineTolerantly(full_, prior_, refined.pose, refined.scalePx);
     }
-    result.score = score_.of(result.pose);
-    return result;
+    return {final, score_.of(final), refined.stopReason};
 }
 
 void AngioPose::refineFinalists()
