@@ -1,9 +1,10 @@
 #include "core/registration/pose_uncertainty.h"
 
 #include "core/registration/alignment.h"
-#include "core/support/quantile.h"
+#include "core/registration/shape_tolerance.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,80 +12,28 @@
 namespace core {
 namespace {
 
-constexpr double matchLimitPx = 6.0;   // farther points belong to no traced vessel
-constexpr double madToStd = 1.4826;
-constexpr double minStdPx = 0.02;   // sampling of the curves: no fit is better than this
-constexpr int maxLag = 40;
-constexpr double insignificantCorrelation = 0.05;
+constexpr double matchScalePx = 1.5;   // with the cut-off of a Welsch weight, points up to 6 px away are looked at
 constexpr double scaleFactor = 3.0;   // Welsch scale at which Gaussian residuals keep nearly all their weight
 
-/// Sum of products of residuals `lag` points apart on one branch, and how many there are.
-struct LagSum {
-    double sum = 0.0;
-    int count = 0;
-};
-
-LagSum lagSum(const TreeSamples& tree, const std::vector<double>& residuals, std::size_t lag)
+/// Information of the image alone about the pose.
+Matrix6d imageInformation(const Alignment& alignment, const CentroidPose& pose)
 {
-    LagSum result;
-    for (std::size_t i = lag; i < residuals.size(); ++i) {
-        const double product = residuals[i] * residuals[i - lag];
-        if (tree.branchIndex[i] == tree.branchIndex[i - lag] && std::isfinite(product)) {
-            result.sum += product;
-            ++result.count;
-        }
-    }
-    return result;
-}
-
-/// 1 + 2 Σ ρ_k up to the first lag that no longer correlates.
-double correlationPoints(const TreeSamples& tree, const std::vector<double>& residuals)
-{
-    const LagSum variance = lagSum(tree, residuals, 0);
-    double length = 1.0;
-    for (int lag = 1; lag <= maxLag && variance.sum > 0.0; ++lag) {
-        const LagSum covariance = lagSum(tree, residuals, static_cast<std::size_t>(lag));
-        if (covariance.count == 0) {
-            break;
-        }
-        const double correlation = covariance.sum / covariance.count / (variance.sum / variance.count);
-        if (correlation < insignificantCorrelation) {
-            break;
-        }
-        length += 2.0 * correlation;
-    }
-    return length;
+    std::vector<ResidualRow> rows;
+    alignment.collectRows(pose, matchScalePx, rows);
+    const ShapeErrors errors = shapeErrors(rows);
+    alignment.collectRows(pose, std::max(1.0, scaleFactor * std::hypot(errors.scatterPx, errors.offsetPx)), rows);
+    const NormalEquations equations = tolerantEquations(rows, errors.varianceRatio());
+    return equations.hessian / (errors.scatterPx * errors.scatterPx * errors.correlationPoints);
 }
 
 }   // namespace
-
-ResidualNoise residualNoise(const TreeSamples& tree, const std::vector<double>& residualsPx)
-{
-    std::vector<double> sizes;
-    for (const double residual : residualsPx) {
-        if (std::isfinite(residual)) {
-            sizes.push_back(std::abs(residual));
-        }
-    }
-    ResidualNoise noise;
-    noise.pointCount = static_cast<int>(sizes.size());
-    noise.stdPx = sizes.empty() ? matchLimitPx : std::max(minStdPx, madToStd * quantile(std::move(sizes), 0.5));
-    noise.correlationPoints = correlationPoints(tree, residualsPx);
-    return noise;
-}
 
 PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const TargetLines& target,
                                 const RigidTransform& cameraFromPatient, const StartPrior& prior)
 {
     const CentroidPose pose = aboutCentroid(cameraFromPatient, problem.tree.centroid);
     const Alignment alignment(alignmentPoints(problem.tree), problem.camera, target);
-    std::vector<double> residuals;
-    alignment.collectResiduals(pose, matchLimitPx, residuals);
-    const ResidualNoise noise = residualNoise(problem.tree, residuals);
-
-    const Agreement agreement = alignment.look(pose, std::max(1.0, scaleFactor * noise.stdPx));
-    const double variance = noise.stdPx * noise.stdPx * noise.correlationPoints;
-    const Matrix6d data = Matrix6d(agreement.equations.hessian.selfadjointView<Eigen::Lower>()) / variance;
+    const Matrix6d data = imageInformation(alignment, pose);
     const Vector6d priorInformation = prior.std.cwiseAbs2().cwiseInverse();
 
     PoseUncertainty uncertainty;

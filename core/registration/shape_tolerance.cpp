@@ -16,6 +16,10 @@ constexpr int minStretchPoints = 6;
 constexpr std::size_t minStretches = 8;
 constexpr double exactPx = 0.1;   // smaller offsets are sampling, not shape
 constexpr double maxVarianceRatio = 10.0;
+constexpr double minScatterPx = 0.02;   // sampling of the curves: no fit is better than this
+constexpr double noMatchPx = 6.0;   // scatter to assume where next to nothing matches
+constexpr std::size_t maxLag = 20;
+constexpr double insignificantCorrelation = 0.05;
 constexpr int maxSteps = 10;
 constexpr double settledMm = 1e-3;
 constexpr double leastDamping = 1e-9;
@@ -45,9 +49,8 @@ void forEachStretch(const std::vector<ResidualRow>& rows, Visit visit)
     }
 }
 
-/// Mean residual of a stretch with enough points, and their deviations from it appended to `deviations`.
-std::optional<double> offsetOf(const std::vector<ResidualRow>& rows, std::ptrdiff_t from, std::ptrdiff_t to,
-                               std::vector<double>& deviations)
+/// Mean residual of the matched points of a stretch; nothing when they are few.
+std::optional<double> offsetOf(const std::vector<ResidualRow>& rows, std::ptrdiff_t from, std::ptrdiff_t to)
 {
     double sum = 0.0;
     int count = 0;
@@ -57,15 +60,67 @@ std::optional<double> offsetOf(const std::vector<ResidualRow>& rows, std::ptrdif
             ++count;
         }
     }
-    if (count < minStretchPoints) {
-        return {};
+    return count < minStretchPoints ? std::nullopt : std::optional(sum / count);
+}
+
+double robustStd(std::vector<double> values)
+{
+    for (double& value : values) {
+        value = std::abs(value);
     }
-    for (std::ptrdiff_t i = from; i < to; ++i) {
-        if (rows[i].weight > 0.0) {
-            deviations.push_back(std::abs(rows[i].residual - sum / count));
+    return madToStd * quantile(std::move(values), 0.5);
+}
+
+/// Offsets of the stretches, and every residual without the offset of a stretch around it.
+struct Decomposition {
+    std::vector<double> offsets;
+    std::vector<double> scatter;   ///< one per row; NaN where unmatched
+};
+
+Decomposition decompose(const std::vector<ResidualRow>& rows)
+{
+    Decomposition result;
+    result.scatter.assign(rows.size(), std::numeric_limits<double>::quiet_NaN());
+    forEachStretch(rows, [&](std::ptrdiff_t from, std::ptrdiff_t to) {
+        const auto offset = offsetOf(rows, from, to);
+        if (!offset) {
+            return;
         }
+        result.offsets.push_back(*offset);
+        for (std::ptrdiff_t i = from; i < to; ++i) {
+            if (rows[i].weight > 0.0) {
+                result.scatter[static_cast<std::size_t>(i)] = rows[i].residual - *offset;
+            }
+        }
+    });
+    return result;
+}
+
+/// 1 + 2 Σ ρ_k up to the first lag that no longer correlates.
+double correlationPoints(const std::vector<ResidualRow>& rows, const std::vector<double>& scatter)
+{
+    const auto meanProduct = [&](std::size_t lag) {
+        double sum = 0.0;
+        int count = 0;
+        for (std::size_t i = lag; i < scatter.size(); ++i) {
+            const double product = scatter[i] * scatter[i - lag];
+            if (rows[i].branchIndex == rows[i - lag].branchIndex && std::isfinite(product)) {
+                sum += product;
+                ++count;
+            }
+        }
+        return count > 0 ? sum / count : 0.0;
+    };
+    const double variance = meanProduct(0);
+    double length = 1.0;
+    for (std::size_t lag = 1; lag <= maxLag && variance > 0.0; ++lag) {
+        const double correlation = meanProduct(lag) / variance;
+        if (correlation < insignificantCorrelation) {
+            break;
+        }
+        length += 2.0 * correlation;
     }
-    return sum / count;
+    return length;
 }
 
 /// Step of the shift alone: rows and columns of the turn drop out.
@@ -95,21 +150,29 @@ CentroidPose settleShift(const Alignment& alignment, const StartPrior& prior, co
 
 }   // namespace
 
-double offsetVarianceRatio(const std::vector<ResidualRow>& rows)
+double ShapeErrors::varianceRatio() const
 {
-    std::vector<double> offsets;
-    std::vector<double> deviations;
-    forEachStretch(rows, [&](std::ptrdiff_t from, std::ptrdiff_t to) {
-        if (const auto offset = offsetOf(rows, from, to, deviations)) {
-            offsets.push_back(std::abs(*offset));
-        }
-    });
-    if (offsets.size() < minStretches) {
-        return 0.0;
+    const double ratio = offsetPx * offsetPx / (scatterPx * scatterPx);
+    return offsetPx < exactPx ? 0.0 : std::min(maxVarianceRatio, ratio);
+}
+
+ShapeErrors shapeErrors(const std::vector<ResidualRow>& rows)
+{
+    Decomposition parts = decompose(rows);
+    ShapeErrors errors;
+    errors.correlationPoints = correlationPoints(rows, parts.scatter);
+    std::erase_if(parts.scatter, [](double value) { return std::isnan(value); });
+    if (parts.offsets.size() < minStretches) {
+        errors.scatterPx = noMatchPx;
+        return errors;
     }
-    const double offsetPx = madToStd * quantile(std::move(offsets), 0.5);
-    const double scatterPx = madToStd * quantile(std::move(deviations), 0.5);
-    return offsetPx < exactPx ? 0.0 : std::min(maxVarianceRatio, offsetPx * offsetPx / (scatterPx * scatterPx));
+    errors.scatterPx = std::max(minScatterPx, robustStd(std::move(parts.scatter)));
+    // A mean of correlated scatter is not zero either.
+    const double byScatter =
+        errors.scatterPx * errors.scatterPx * errors.correlationPoints / static_cast<double>(stretchPoints);
+    const double offset = robustStd(std::move(parts.offsets));
+    errors.offsetPx = std::sqrt(std::max(0.0, offset * offset - byScatter));
+    return errors;
 }
 
 NormalEquations tolerantEquations(const std::vector<ResidualRow>& rows, double varianceRatio)
@@ -139,7 +202,7 @@ CentroidPose refineTolerantly(const Alignment& alignment, const StartPrior& prio
 {
     std::vector<ResidualRow> rows;
     alignment.collectRows(pose, scalePx, rows);
-    const double varianceRatio = offsetVarianceRatio(rows);
+    const double varianceRatio = shapeErrors(rows).varianceRatio();
     if (varianceRatio == 0.0) {
         return pose;
     }

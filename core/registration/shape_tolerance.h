@@ -11,10 +11,20 @@ namespace core {
 CentroidPose refineTolerantly(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose,
                               double scalePx);
 
-/// Variance of the stretches' offsets in units of the variance inside them; 0 where the shape is as good as exact.
-double offsetVarianceRatio(const std::vector<ResidualRow>& rows);
+/// What the residuals along the branches consist of.
+struct ShapeErrors {
+    double offsetPx = 0.0;   ///< standard deviation of the offsets of stretches, beyond what the scatter explains
+    double scatterPx = 0.0;   ///< standard deviation inside the stretches
+    double correlationPoints = 1.0;   ///< neighbouring points that share one scatter
 
-/// Normal equations with the offset of every stretch eliminated, averaged over overlapping stretches.
+    /// Of the offsets in units of the scatter; 0 where the shape is as good as exact.
+    double varianceRatio() const;
+};
+
+ShapeErrors shapeErrors(const std::vector<ResidualRow>& rows);
+
+/// Normal equations with the offset of every stretch eliminated, averaged over overlapping stretches. A ratio of 0
+/// gives the plain ones.
 NormalEquations tolerantEquations(const std::vector<ResidualRow>& rows, double varianceRatio);
 
 }   // namespace core

@@ -19,6 +19,7 @@ constexpr std::size_t roughPoints = 200;
 constexpr std::size_t finalists = 3;
 constexpr std::size_t auxiliaryCandidates = 4;
 constexpr double conclusive = 0.85;   // tree and traced vessels explain each other: no search could do better
+constexpr double lost = 0.5;   // below, the tree lies on next to nothing within reach
 constexpr double worthRefining = 0.85;   // of the best rough score
 constexpr double nearlyAsGood = 0.95;   // ALGORITHMS §6.10
 constexpr double distinctSigmas = 3.0;
@@ -58,6 +59,8 @@ public:
     bool isConclusive() const { return !ranked_.empty() && ranked_.front().score >= conclusive; }
 
     std::vector<CentroidPose> searchHypotheses();
+    bool isLost() const { return !ranked_.empty() && ranked_.front().score < lost; }
+    std::vector<CentroidPose> recentredHypotheses();
     std::vector<CentroidPose> auxiliaryHypotheses();
     void refineRoughly(const std::vector<CentroidPose>& hypotheses);
     void refineFinalists();
@@ -69,7 +72,12 @@ public:
     std::shared_ptr<const TargetLines> target() const { return target_; }
 
 private:
-    std::vector<CentroidPose> search(const std::vector<AlignmentPoint>& points, double progressFrom, double progressTo);
+    struct SearchPlan {
+        CentroidPose start;
+        double progressFrom;
+        double progressTo;
+    };
+    std::vector<CentroidPose> search(const std::vector<AlignmentPoint>& points, const SearchPlan& plan);
     void rank(const CentroidPose& hypothesis);
     ScoredPose refineFully(const CentroidPose& pose);
     bool isStopped() const { return progress_.isStopped(); }
@@ -132,13 +140,13 @@ void AngioPose::tryStart()
     }
 }
 
-std::vector<CentroidPose> AngioPose::search(const std::vector<AlignmentPoint>& points, double progressFrom,
-                                            double progressTo)
+std::vector<CentroidPose> AngioPose::search(const std::vector<AlignmentPoint>& points, const SearchPlan& plan)
 {
     const CoarseSearch coarse(problem_.camera, *target_);
     const SearchReach reach{options_.searchRadiusMm, options_.searchTiltDeg, options_.searchRollDeg};
-    const auto candidates = coarse.find(points, start_, reach, [&](double done) {
-        return report("search", progressFrom + done * (progressTo - progressFrom), CoarseSearch::closenessPx);
+    const auto candidates = coarse.find(points, plan.start, reach, [&](double done) {
+        return report("search", plan.progressFrom + done * (plan.progressTo - plan.progressFrom),
+                      CoarseSearch::closenessPx);
     });
     std::vector<CentroidPose> poses;
     for (const CoarseCandidate& candidate : candidates) {
@@ -149,7 +157,21 @@ std::vector<CentroidPose> AngioPose::search(const std::vector<AlignmentPoint>& p
 
 std::vector<CentroidPose> AngioPose::searchHypotheses()
 {
-    return search(alignmentPoints(problem_.tree, strideFor(problem_.tree.size(), searchPoints)), 0.05, 0.3);
+    return search(alignmentPoints(problem_.tree, strideFor(problem_.tree.size(), searchPoints)), {start_, 0.05, 0.2});
+}
+
+/// The same search from where the tree's middle meets the middle of the traced vessels (ALGORITHMS §5.4).
+std::vector<CentroidPose> AngioPose::recentredHypotheses()
+{
+    Eigen::Vector2d middlePx = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d& point : problem_.target.points) {
+        middlePx += point / static_cast<double>(problem_.target.size());
+    }
+    CentroidPose recentred = start_;
+    const double depthMm = std::max(minProjectableDepthMm, start_.centroidInCamera.z());
+    const Eigen::Vector3d ray = rayThroughPixel(problem_.camera, middlePx);
+    recentred.centroidInCamera = ray * (depthMm / ray.z());
+    return search(alignmentPoints(problem_.tree, strideFor(problem_.tree.size(), searchPoints)), {recentred, 0.2, 0.3});
 }
 
 /// {p'} solved alone: chosen branches are searched for, nodes are refined from the best pose so far.
@@ -162,7 +184,7 @@ std::vector<CentroidPose> AngioPose::auxiliaryHypotheses()
         for (std::size_t i = 0; i < problem_.auxiliary.size(); i += stride) {
             thinned.push_back(problem_.auxiliary[i]);
         }
-        hypotheses = search(alignmentPoints(problem_.tree, thinned), 0.3, searchEnds);
+        hypotheses = search(alignmentPoints(problem_.tree, thinned), {start_, 0.3, searchEnds});
         hypotheses.resize(std::min(hypotheses.size(), auxiliaryCandidates));
     }
     hypotheses.push_back(start_);
@@ -268,6 +290,9 @@ MethodSolution solveAngioPose(const RegistrationProblem& problem, const Registra
     if (!run.isConclusive()) {
         if (options.search != 0.0 && !progress.isStopped()) {
             run.refineRoughly(run.searchHypotheses());
+            if (run.isLost() && !progress.isStopped()) {
+                run.refineRoughly(run.recentredHypotheses());
+            }
         }
         if (!progress.isStopped()) {
             run.refineRoughly(run.auxiliaryHypotheses());

@@ -35,13 +35,13 @@ std::vector<ResidualRow> rowsWith(int branches, double noisePx, Offset offset)
 TEST(ShapeTolerance, TrustsAShapeWithoutOffsets)
 {
     const auto rows = rowsWith(12, 0.2, [](int) { return 0.0; });
-    EXPECT_EQ(offsetVarianceRatio(rows), 0.0);
+    EXPECT_EQ(shapeErrors(rows).varianceRatio(), 0.0);
 }
 
 TEST(ShapeTolerance, NoticesBranchesThatAreOff)
 {
     const auto rows = rowsWith(12, 0.3, [](int branch) { return branch % 2 == 0 ? 0.6 : -0.6; });
-    EXPECT_NEAR(offsetVarianceRatio(rows), 0.36 / 0.09 * 1.4826 * 1.4826, 3.0);
+    EXPECT_NEAR(shapeErrors(rows).varianceRatio(), 0.36 / 0.09 * 1.4826 * 1.4826, 3.0);
 }
 
 TEST(ShapeTolerance, KeepsInformationPositiveAndBelowThatOfAnExactShape)
