@@ -42,8 +42,9 @@ DisplayRange displayRange(const ImageF& frame)
     const auto enough = static_cast<std::ptrdiff_t>(borderShare * static_cast<double>(sample.size()));
     const auto afterLowest = std::upper_bound(sample.begin(), sample.end(), sample.front());
     const auto firstHighest = std::lower_bound(afterLowest, sample.end(), sample.back());
-    const bool dropsLowest = afterLowest - sample.begin() > enough && afterLowest != sample.end();
-    const bool dropsHighest = sample.end() - firstHighest > enough && firstHighest != afterLowest;
+    const bool leavesEnough = firstHighest - afterLowest > 10 * enough;   // else the extreme is the picture itself
+    const bool dropsLowest = leavesEnough && afterLowest - sample.begin() > enough;
+    const bool dropsHighest = leavesEnough && sample.end() - firstHighest > enough;
     const std::vector<float> exposed(dropsLowest ? afterLowest : sample.begin(),
                                      dropsHighest ? firstHighest : sample.end());
 
