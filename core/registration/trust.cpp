@@ -9,6 +9,8 @@ namespace {
 constexpr double minTreeShare = 0.5;   // of the tree's points in view, along traced vessels
 constexpr double minCoverage = 0.35;   // of the traced vessels, explained by the tree
 constexpr double minInView = 0.4;   // of the tree's points
+constexpr double wellExplained = 0.8;   // of the traced vessels: then many branches may simply be unfilled
+constexpr double unfilledAllowance = 0.6;   // what the shares of the tree are multiplied by in that case
 constexpr double branchAgrees = 0.5;
 constexpr double minBranchShare = 0.4;
 constexpr double maxRotationStdDeg = 3.0;
@@ -38,8 +40,9 @@ void judgeFit(const Evidence& evidence, std::vector<std::string>& reasons)
     if (inView < minInView) {
         reasons.push_back("Only " + percent(inView) + " of the vessel tree lies inside the image.");
     }
+    const double demand = evidence.result.metrics.coverage >= wellExplained ? unfilledAllowance : 1.0;
     const double agreeing = agreeingShare(evidence.projected);
-    if (agreeing < minTreeShare) {
+    if (agreeing < demand * minTreeShare) {
         reasons.push_back("Only " + percent(agreeing) + " of the vessel tree lies on a traced vessel.");
     }
     if (evidence.result.metrics.coverage < minCoverage) {
@@ -49,7 +52,7 @@ void judgeFit(const Evidence& evidence, std::vector<std::string>& reasons)
     const auto& branches = evidence.result.branches;
     const auto good = std::count_if(branches.begin(), branches.end(),
                                     [](const BranchResidual& branch) { return branch.agreement >= branchAgrees; });
-    if (static_cast<double>(good) < minBranchShare * static_cast<double>(branches.size())) {
+    if (static_cast<double>(good) < demand * minBranchShare * static_cast<double>(branches.size())) {
         reasons.push_back("Only " + std::to_string(good) + " of " + std::to_string(branches.size()) +
                           " branches agree with the image.");
     }
