@@ -2,12 +2,12 @@
 #include "io/pose_file.h"
 #include "tests/cli/run_program.h"
 #include "tests/support/matchers.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace {
@@ -15,28 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 using test::runCli;
 
-/// A folder that vanishes with the test.
-class TemporaryFolder {
-public:
-    explicit TemporaryFolder(const std::string& name) : path_(fs::temp_directory_path() / ("angiopose-" + name))
-    {
-        fs::remove_all(path_);
-        fs::create_directories(path_);
-    }
-    ~TemporaryFolder() { fs::remove_all(path_); }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::string file(const std::string& name) const { return (path_ / name).string(); }
-
-private:
-    fs::path path_;
-};
-
-void writeText(const std::string& path, const std::string& text)
-{
-    std::ofstream(path, std::ios::binary) << text;
-}
+using test::TemporaryFolder;
+using test::writeText;
 
 TEST(Cli, HelpAndVersionSucceed)
 {
@@ -67,7 +47,7 @@ TEST(Cli, AMissingInputIsNamed)
 
 TEST(Cli, BrokenCasesAreRefusedWithTheReason)
 {
-    const TemporaryFolder folder("broken-cases");
+    const TemporaryFolder folder;
     const std::string path = folder.file("case.angiopose");
     for (const std::string text :
          {"", "{", "[]", "{\"format\": \"something\"}", "{\"format\": \"angiopose-case\", \"version\": 99}",
@@ -89,7 +69,7 @@ protected:
         casePath_ = folder_.file("demo/case.angiopose");
     }
 
-    TemporaryFolder folder_{"simulated-case"};
+    TemporaryFolder folder_;
     std::string casePath_;
 };
 
