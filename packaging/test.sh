@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and passes the tests: style, release build, sanitizers.
-# Usage: test.sh [quick]   quick: style and release tests only
+# Installs what is missing, builds, and passes the tests. With `full` also the sanitizers and clang-tidy.
+# Usage: test.sh [full]
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 cd "$(dirname "$here")"
-mode=${1:-full}
+mode=${1:-usual}
 
 step() { printf '\n== %s (%s)\n' "$1" "$(date +%H:%M:%S)"; }
 
@@ -28,8 +28,8 @@ if [ "$mode" = full ]; then
     ctest --preset asan
     step "Thread sanitizer: jobs"
     cmake --preset tsan >/dev/null
-    cmake --build build/tsan --target jobs_test
-    ctest --preset tsan -R '^jobs\.'
+    cmake --build build/tsan --target job_test
+    ctest --preset tsan -R '^app\.jobs'
     step "clang-tidy"
     "$here/check_tidy.sh"
 fi

@@ -90,13 +90,14 @@ TEST_F(CliOnSimulatedCase, RegistersToTheTruePose)
     ASSERT_TRUE(outcome.exitCode == 0) << outcome.exitCode << outcome.messages;
     const auto json = nlohmann::json::parse(outcome.output);   // stdout holds JSON and nothing else
     EXPECT_EQ(json["format"], "angiopose-result");
-    EXPECT_LT(json["metrics"]["medianProjectionDistancePx"].get<double>(), 1.0);
+    EXPECT_GT(json["metrics"]["coverage"].get<double>(),
+              0.9);   // half of this tree is unfilled, but all that is is met
     EXPECT_TRUE(fs::exists(folder_.file("result/overlay.png")));
 
     const auto found = io::readPose(folder_.file("result/result.json"));
     const auto truth = io::readPose(folder_.file("demo/true-pose.json"));
     ASSERT_TRUE(found && truth);
-    EXPECT_TRUE(test::nearPose(found.value(), truth.value(), 1.0, 8.0));   // depth is weak in one view
+    EXPECT_TRUE(test::nearPose(found.value(), truth.value(), 0.5, 2.0));   // the depth is the weakest
 }
 
 TEST_F(CliOnSimulatedCase, ProjectsAGivenPose)
