@@ -1,7 +1,7 @@
 #include "core/geometry/projection_camera.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 namespace {
 
