@@ -67,6 +67,15 @@ private:
     std::vector<double> pointCount_;   ///< per branch, at least 1
 };
 
+/// The last scale of a refinement is this many standard deviations of the residuals (ALGORITHMS §6.5).
+inline constexpr double scalePerNoise = 1.5;
+
+/// Variance of the residuals that a scale stands for: what the prior is weighed with.
+inline double noiseVariance(double scalePx)
+{
+    return scalePx * scalePx / (scalePerNoise * scalePerNoise);
+}
+
 /// Every `stride`-th tree point.
 std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, std::size_t stride = 1);
 

@@ -7,7 +7,6 @@ namespace core {
 namespace {
 
 constexpr double settledMm = 1e-4;   // 0.0003 px
-constexpr double noiseFactor = 1.5;   // §6.5: the last scale is this many residual standard deviations
 constexpr double noiseMattersPx = 5.0;   // above, the scale is wider than any noise
 constexpr double madToStd = 1.4826;
 
@@ -70,7 +69,7 @@ private:
     void lookAt(const CentroidPose& pose, Agreement& agreement) const
     {
         alignment_.look(pose, scalePx_, agreement);
-        const double variance = scalePx_ * scalePx_;
+        const double variance = noiseVariance(scalePx_);
         prior_.add(pose, variance, agreement.equations);
         agreement.loss += variance * prior_.cost(pose);
     }
@@ -124,7 +123,7 @@ RefinementResult refine(Alignment& alignment, const StartPrior& prior, const Cen
         }
         if (refinement.scalePx() < noiseMattersPx) {
             endScalePx =
-                std::max(schedule.endScalePx, std::min(refinement.scalePx(), noiseFactor * refinement.noisePx()));
+                std::max(schedule.endScalePx, std::min(refinement.scalePx(), scalePerNoise * refinement.noisePx()));
         }
         refinement.setScale(std::max(endScalePx, schedule.shrink * refinement.scalePx()));
     }

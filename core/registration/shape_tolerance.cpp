@@ -138,7 +138,7 @@ CentroidPose settleShift(const Alignment& alignment, const StartPrior& prior, co
     CentroidPose settled = pose;
     for (int k = 0; k < maxSteps; ++k) {
         NormalEquations equations = alignment.look(settled, scalePx).equations;
-        prior.add(settled, scalePx * scalePx, equations);
+        prior.add(settled, noiseVariance(scalePx), equations);
         const Vector6d step = shiftStep(equations);
         settled = moved(settled, step);
         if (step.norm() < settledMm) {
@@ -210,7 +210,7 @@ CentroidPose refineTolerantly(const Alignment& alignment, const StartPrior& prio
     for (int k = 0; k < maxSteps; ++k) {
         alignment.collectRows(refined, scalePx, rows);
         NormalEquations equations = tolerantEquations(rows, varianceRatio);
-        prior.add(refined, scalePx * scalePx, equations);
+        prior.add(refined, noiseVariance(scalePx), equations);
         const Vector6d step = dampedStep(equations, leastDamping);
         refined = moved(refined, step);
         if (step.tail<3>().norm() < settledMm) {
