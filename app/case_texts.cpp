@@ -2,6 +2,8 @@
 
 #include "app/number_text.h"
 
+#include <algorithm>
+
 namespace app {
 namespace {
 
@@ -23,10 +25,17 @@ std::string joined(const std::vector<std::string>& parts, const std::string& sep
     return text;
 }
 
+/// DICOM parts of a name ("family^given") as people write them.
+std::string readableName(std::string name)
+{
+    std::replace(name.begin(), name.end(), '^', ' ');
+    return name;
+}
+
 std::vector<std::string> patientLines(const core::StudyIdentity& identity)
 {
     std::vector<std::string> lines;
-    addLine(lines, identity.patientName);
+    addLine(lines, readableName(identity.patientName));
     addLine(lines,
             joined({identity.patientId.empty() ? "" : "ID " + identity.patientId, identity.birthDate, identity.sex},
                    " · "));
