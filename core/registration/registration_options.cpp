@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
+#include <sstream>
 
 namespace core {
 namespace {
@@ -60,6 +62,15 @@ OptionField onlyFor(std::vector<std::string_view> methods, OptionField field)
 {
     field.methods = std::move(methods);
     return field;
+}
+
+/// "0.2", not "0.200000", in any locale.
+std::string plain(double number)
+{
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << number;
+    return text.str();
 }
 
 std::vector<OptionField> makeFields()
@@ -158,8 +169,8 @@ std::string findProblem(const RegistrationOptions& options)
     for (const OptionField& field : optionFields()) {
         const double value = field.read(options);
         if (!(value >= field.min && value <= field.max)) {
-            return "The option " + std::string(field.key) + " is out of range. Give a number from " +
-                   std::to_string(field.min) + " to " + std::to_string(field.max) + ".";
+            return "The option " + std::string(field.key) + " is out of range. Give a number from " + plain(field.min) +
+                   " to " + plain(field.max) + ".";
         }
     }
     return {};
