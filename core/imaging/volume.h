@@ -1,0 +1,68 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace core {
+
+/// Where the voxels of a volume lie in the patient. Voxel indices are continuous, (0, 0, 0) is the centre of the first.
+struct VolumeGeometry {
+    Eigen::Vector3i size = Eigen::Vector3i::Zero();   ///< voxels along i, j, k
+    Eigen::Vector3d spacingMm = Eigen::Vector3d::Ones();
+    Eigen::Vector3d originInPatient = Eigen::Vector3d::Zero();   ///< centre of voxel (0, 0, 0), LPS mm
+    Eigen::Matrix3d direction =
+        Eigen::Matrix3d::Identity();   ///< columns: unit patient directions of i, j, k; any handedness
+
+    std::size_t voxelCount() const
+    {
+        return static_cast<std::size_t>(size.x()) * static_cast<std::size_t>(size.y()) *
+               static_cast<std::size_t>(size.z());
+    }
+    bool contains(const Eigen::Vector3i& voxel) const
+    {
+        return (voxel.array() >= 0).all() && (voxel.array() < size.array()).all();
+    }
+    std::size_t index(int i, int j, int k) const
+    {
+        return (static_cast<std::size_t>(k) * static_cast<std::size_t>(size.y()) + static_cast<std::size_t>(j)) *
+                   static_cast<std::size_t>(size.x()) +
+               static_cast<std::size_t>(i);
+    }
+    Eigen::Affine3d patientFromVoxel() const
+    {
+        Eigen::Affine3d map = Eigen::Affine3d::Identity();
+        map.linear() = direction * spacingMm.asDiagonal();
+        map.translation() = originInPatient;
+        return map;
+    }
+};
+
+/// Voxels of one kind, i fastest, then j, then k.
+template <class T>
+struct VoxelGrid {
+    VolumeGeometry geometry;
+    std::vector<T> voxels;
+
+    VoxelGrid() = default;
+    explicit VoxelGrid(const VolumeGeometry& where, T fill = T{}) : geometry(where), voxels(where.voxelCount(), fill) {}
+
+    T& at(int i, int j, int k) { return voxels[geometry.index(i, j, k)]; }
+    const T& at(int i, int j, int k) const { return voxels[geometry.index(i, j, k)]; }
+};
+
+using VoxelMask = VoxelGrid<std::uint8_t>;   ///< 0 outside, anything else inside
+using LabelVolume = VoxelGrid<std::uint16_t>;   ///< 0 background, else the label
+
+/// A CT (or other) volume as stored: 16 bit, so that a large scan fits once. value = voxel · slope + intercept.
+struct Volume : VoxelGrid<std::int16_t> {
+    using VoxelGrid::VoxelGrid;
+    double slope = 1.0;
+    double intercept = 0.0;
+
+    /// Hounsfield units for CT.
+    double value(std::size_t voxel) const { return slope * voxels[voxel] + intercept; }
+};
+
+}   // namespace core
