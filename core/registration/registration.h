@@ -4,6 +4,7 @@
 #include "core/geometry/rigid_transform.h"
 #include "core/registration/registration_options.h"
 #include "core/support/result.h"
+#include "core/support/verdict.h"
 #include "core/vessel/centerline2d.h"
 #include "core/vessel/vessel_tree.h"
 
@@ -36,7 +37,6 @@ struct IterationReport {
     RigidTransform cameraFromPatient;   ///< best pose so far
 };
 
-enum class Verdict { Continue, Stop };
 using IterationObserver = std::function<Verdict(const IterationReport&)>;
 
 /// How one branch agrees with the image.

@@ -104,7 +104,7 @@ VesselTree resampled(const VesselTree& tree, double spacingMm)
     VesselTree result;
     for (const VesselBranch& branch : tree.branches) {
         const std::vector<PolylineStation> stations = evenStations(branch.pointsInPatient, spacingMm);
-        VesselBranch even{branch.id, branch.name, interpolate(branch.pointsInPatient, stations), {}};
+        VesselBranch even{branch.id, branch.name, interpolate(branch.pointsInPatient, stations), {}, branch.generation};
         if (branch.radiusMm.size() == branch.pointsInPatient.size()) {
             even.radiusMm = interpolate(branch.radiusMm, stations);
         }

@@ -12,6 +12,7 @@ struct VesselBranch {
     std::string name;   ///< as labelled; may be empty
     std::vector<Eigen::Vector3d> pointsInPatient;   ///< at least two
     std::vector<double> radiusMm;   ///< one per point, or empty when unknown
+    int generation = -1;   ///< 0 begins at the root, 1 leaves such a branch, …; -1 unknown
 
     double lengthMm() const;
 };
