@@ -7,5 +7,5 @@ cmake --preset release -B build/tidy -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DBUI
 if [ $# -gt 0 ]; then
     printf '%s\0' "$@"
 else
-    git ls-files -z 'core/*.cpp' 'io/*.cpp' 'ui/*.cpp' 'app/*.cpp'
+    find core io ui app -name '*.cpp' -print0
 fi | xargs -0 -P "$(nproc)" -n 4 clang-tidy --quiet -p build/tidy --extra-arg=-Wno-unknown-warning-option
