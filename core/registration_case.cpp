@@ -49,6 +49,23 @@ Result<Centerline2d> targetOf(const RegistrationCase& registrationCase)
     return std::move(trace).value().centerline;
 }
 
+namespace {
+
+/// The frame as the image methods read it; null where there is none that the camera takes.
+std::shared_ptr<const ImageF> imageOf(const RegistrationCase& registrationCase, const ProjectionCamera& camera)
+{
+    const auto& angiogram = registrationCase.angiogram;
+    const int frame = registrationCase.frame;
+    const bool isTaken = angiogram && frame >= 0 && frame < angiogram->frameCount() &&
+                         angiogram->width() == camera.width && angiogram->height() == camera.height;
+    if (!isTaken) {
+        return nullptr;
+    }
+    return {angiogram, &angiogram->frames[static_cast<std::size_t>(frame)]};
+}
+
+}   // namespace
+
 Result<RegistrationInput> registrationInputOf(const RegistrationCase& registrationCase, Centerline2d target)
 {
     if (!registrationCase.tree) {
@@ -58,12 +75,18 @@ Result<RegistrationInput> registrationInputOf(const RegistrationCase& registrati
     if (!camera) {
         return camera.error();
     }
-    return RegistrationInput{*registrationCase.tree,
-                             std::move(target),
-                             camera.value(),
-                             registrationCase.cameraFromPatient,
-                             registrationCase.auxiliaryBranchIds,
-                             registrationCase.excludedBranchIds};
+    RegistrationInput input;
+    input.tree = *registrationCase.tree;
+    input.target = std::move(target);
+    input.camera = camera.value();
+    input.initialCameraFromPatient = registrationCase.cameraFromPatient;
+    input.auxiliaryBranchIds = registrationCase.auxiliaryBranchIds;
+    input.excludedBranchIds = registrationCase.excludedBranchIds;
+    input.image = imageOf(registrationCase, input.camera);
+    if (input.image) {
+        input.polarity = registrationCase.angiogram->polarity;
+    }
+    return input;
 }
 
 }   // namespace core

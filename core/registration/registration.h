@@ -2,6 +2,7 @@
 
 #include "core/geometry/projection_camera.h"
 #include "core/geometry/rigid_transform.h"
+#include "core/imaging/angiogram.h"
 #include "core/registration/registration_options.h"
 #include "core/support/result.h"
 #include "core/support/verdict.h"
@@ -10,19 +11,25 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace core {
 
-/// Everything one registration needs, by value: a snapshot that no one else writes to.
+struct Volume;
+
+/// Everything one registration needs, by value: a snapshot that no one else writes to. The large ones are shared.
 struct RegistrationInput {
     VesselTree tree;
     Centerline2d target;
     ProjectionCamera camera;
     RigidTransform initialCameraFromPatient;
-    std::vector<int> auxiliaryBranchIds;   ///< {p'}; empty means the nodes
-    std::vector<int> excludedBranchIds;   ///< not used at all
+    std::vector<int> auxiliaryBranchIds{};   ///< {p'}; empty means the nodes
+    std::vector<int> excludedBranchIds{};   ///< not used at all
+    std::shared_ptr<const ImageF> image{};   ///< the frame that shows the target; null: image methods draw the target
+    Polarity polarity = Polarity::VesselsDark;   ///< of `image`
+    std::shared_ptr<const Volume> volume{};   ///< the CTA that shows the tree; null: radiographs are made of tubes
 };
 
 enum class StopReason { Converged, IterationLimit, NoImprovement, StoppedByUser };

@@ -10,6 +10,10 @@ namespace core {
 /// How the prior of the seed is weighed against the data (ALGORITHMS §2, decision 17).
 enum class PriorPreset { SeedSum, SeedMean, SeedMetric, NoPrior };
 
+/// Which tree points the alternating search solves by themselves (ALGORITHMS §3.2): the branches the user chose, or the
+/// nodes where none is chosen; the nodes; the widest branches, up to a third of the length; random points.
+enum class AuxiliarySet { Chosen, Nodes, MainBranches, Random };
+
 /// Settings of every method; each method reads those that the table below gives it.
 struct RegistrationOptions {
     std::string method = "angiopose";
@@ -28,6 +32,59 @@ struct RegistrationOptions {
     double index = 0;   ///< index into IndexKind: how nearest points are found
     double startScale = 0;   ///< index into StartScale
     double decay = 0;   ///< index into Decay: when the kernel narrows
+
+    double neighbours = 0;   ///< index into Neighbours: how many target points pull each tree point
+
+    // every method that alternates
+    double auxiliary = 0;   ///< index into AuxiliarySet
+    int auxiliaryCount = 60;   ///< points of AuxiliarySet::Random
+
+    // dt-icp, assembled-icp
+    int icpIterations = 100;
+    double alternate = 0;   ///< 1: inside the alternating search
+    double huberPx = 5.0;   ///< distance from which pulls stop growing
+    double icpSolver = 0;   ///< 0: Levenberg–Marquardt with fresh matches, 1: L-BFGS on the squared distances
+    double icpModel = 0;   ///< 0: rigid, 1: an affine stage follows, its rigid part is kept if it fits better
+
+    // nicp, nicp-alternating
+    double nicpImage = 0;   ///< 0: attracted by the traced vessels, 1: by the brightness of the image
+    double nicpStep = 0;   ///< 0: turns and shifts in balance, 1: raw radians and millimetres
+    double nicpPrior = 0;   ///< 1: with the prior of `preset` and `priorWeight`
+    double nicpStartScalePx = 20.0;
+    double nicpFinalScalePx = 3.0;
+    int nicpIterations = 300;   ///< per scale
+
+    // rgbr
+    double rgbrReachMm = 10.0;   ///< first search along the normals
+    int rgbrHypotheses = 500;
+    int rgbrRounds = 30;
+
+    // automask
+    double automaskSample = 5.0;   ///< % of the mask
+    double automaskMarginPx = 8.0;
+    int automaskEvaluations = 600;
+
+    // gradient-matching
+    double gradientScalePx = 1.5;
+    int powellRounds = 20;
+
+    // ogmm
+    double ogmmStartScalePx = 15.0;
+    double ogmmFinalScalePx = 0.5;
+    double ogmmOrientation = 0.3;   ///< kernel width of the directions
+    double ogmmSelfWeight = 1.0;   ///< of the term that keeps the projected tree from collapsing
+
+    // evolution
+    double evolutionStrategy = 0;   ///< 0: CMA-ES, 1: (1+1)
+    int evolutionPopulation = 16;
+    int evolutionEvaluations = 3000;
+
+    // particle
+    double particleSearch = 0;   ///< 0: annealed particle filter, 1: over the out-of-plane angles (Tian)
+    int particles = 500;
+    int particleRounds = 8;
+
+    int randomSeed = 1;   ///< of the methods that draw lots
 
     // angiopose
     double search = 1;   ///< 1: coarse search before refining, 0: refine the start pose only

@@ -1,5 +1,7 @@
 #include "core/registration/registration_problem.h"
 
+#include "core/registration/auxiliary_points.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -64,22 +66,11 @@ TargetSamples samplesOf(const Centerline2d& target)
         const std::vector<Eigen::Vector2d> tangents = tangentsOf(curve.pointsPx, targetTangentReach);
         samples.points.insert(samples.points.end(), curve.pointsPx.begin(), curve.pointsPx.end());
         samples.tangents.insert(samples.tangents.end(), tangents.begin(), tangents.end());
+        samples.radiusPx.insert(samples.radiusPx.end(), curve.radiusPx.begin(), curve.radiusPx.end());
+        samples.radiusPx.resize(samples.points.size(), 0.0);
         samples.curveIndex.insert(samples.curveIndex.end(), curve.pointsPx.size(), curveIndex++);
     }
     return samples;
-}
-
-std::vector<int> auxiliaryPoints(const TreeSamples& tree, const std::vector<int>& branchIds)
-{
-    std::vector<int> points;
-    for (std::size_t i = 0; i < tree.size(); ++i) {
-        const int branchId = tree.branchIds[static_cast<std::size_t>(tree.branchIndex[i])];
-        const bool isChosen = std::find(branchIds.begin(), branchIds.end(), branchId) != branchIds.end();
-        if (branchIds.empty() ? tree.isNode[i] != 0 : isChosen) {
-            points.push_back(static_cast<int>(i));
-        }
-    }
-    return points;
 }
 
 std::string findUnknownBranch(const VesselTree& tree, const std::vector<int>& branchIds, std::string_view role)
@@ -126,6 +117,9 @@ std::string findProblem(const RegistrationInput& input, const VesselTree& usedTr
     if (usedTree.branches.empty()) {
         return "All branches of the vessel tree are excluded. Include at least one branch.";
     }
+    if (input.image && (input.image->width != input.camera.width || input.image->height != input.camera.height)) {
+        return "The image is not of the size that the camera takes. Use the camera that belongs to the image.";
+    }
     if (!isRigid(input.initialCameraFromPatient)) {
         return "The start pose is not a rigid motion: its rotation must be orthonormal with determinant +1 and all "
                "numbers finite. Correct cameraFromPatient or derive the start pose from the angles.";
@@ -165,8 +159,11 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
     for (const Curve2d& curve : input.target.curves) {
         problem.givenTargetPoints.insert(problem.givenTargetPoints.end(), curve.pointsPx.begin(), curve.pointsPx.end());
     }
-    problem.auxiliary = auxiliaryPoints(problem.tree, input.auxiliaryBranchIds);
+    problem.auxiliary = auxiliaryPoints(problem.tree, input.auxiliaryBranchIds, options);
     problem.auxiliaryIsChosen = !input.auxiliaryBranchIds.empty();
+    problem.image = input.image;
+    problem.polarity = input.polarity;
+    problem.volume = input.volume;
     return problem;
 }
 

@@ -25,6 +25,7 @@ struct TreeSamples {
 struct TargetSamples {
     std::vector<Eigen::Vector2d> points;   ///< px
     std::vector<Eigen::Vector2d> tangents;   ///< unit
+    std::vector<double> radiusPx;   ///< 0 where unknown
     std::vector<int> curveIndex;   ///< ascending
 
     std::size_t size() const { return points.size(); }
@@ -38,12 +39,15 @@ struct RegistrationProblem {
     TargetSamples target;
     std::vector<Eigen::Vector3d> givenTreePoints;   ///< of the used branches, before resampling
     std::vector<Eigen::Vector2d> givenTargetPoints;   ///< before resampling
-    std::vector<int> auxiliary;   ///< {p'}: tree points of the chosen branches, or the nodes
+    std::vector<int> auxiliary;   ///< {p'}: tree points by option `auxiliary`
     bool auxiliaryIsChosen = false;   ///< the user named branches for {p'}
+    std::shared_ptr<const ImageF> image;   ///< as given, the size of the camera's; or null
+    Polarity polarity = Polarity::VesselsDark;
+    std::shared_ptr<const Volume> volume;   ///< or null
 };
 
 /// Fails naming what makes the input unusable: empty or broken tree, target or camera, a start pose that is not rigid
-/// or that puts the whole tree behind the source, an unknown branch.
+/// or that puts the whole tree behind the source, an unknown branch, an image that the camera does not take.
 Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const RegistrationOptions& options);
 
 }   // namespace core
