@@ -113,7 +113,7 @@ void ViewSync::showFrame(int frame)
         window_.angiogramView().setFrame(image);
         window_.angiogramView().setFramePosition(frame, shownAngiogram_->frameCount());
         window_.treeView().scene().setFrame(image);
-        window_.treeView().update();
+        window_.treeView().requestRender();
     }
     window_.strip().showCurrentFrame(frame);
     showFrameNote();
@@ -124,7 +124,7 @@ void ViewSync::showPose(const core::RigidTransform& cameraFromPatient)
     window_.angiogramView().setPose(cameraFromPatient);
     window_.treeView().scene().setPose(cameraFromPatient);
     window_.angiogramView().update();
-    window_.treeView().update();
+    window_.treeView().requestRender();
 }
 
 void ViewSync::showPreview(const core::RigidTransform& cameraFromPatient)
@@ -144,7 +144,7 @@ void ViewSync::showMarks(const ui::BranchMarks& marks)
     window_.angiogramView().scene().setMarks(marks);
     window_.angiogramView().update();
     window_.treeView().scene().setMarks(marks);
-    window_.treeView().update();
+    window_.treeView().requestRender();
     window_.branches().showMarks(marks);
     window_.registration().showAuxiliary(static_cast<int>(marks.auxiliary.size()));
 }

@@ -13,7 +13,6 @@ int main(int argc, char** argv)
     qputenv("XDG_DATA_HOME", home.path().toUtf8());
     qputenv("XDG_CONFIG_HOME", home.path().toUtf8());
     ::testing::InitGoogleTest(&argc, argv);
-    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QApplication application(argc, argv);
     QApplication::setOrganizationName(QStringLiteral("AngioPose"));
     QApplication::setApplicationName(QStringLiteral("AngioPoseTest"));

@@ -1,13 +1,8 @@
 #include "ui/scenes/overlay_scene.h"
 
-#include "ui/scenes/frame_layer.h"
+#include "ui/scenes/fill_strokes.h"
+#include "ui/scenes/grey_frame.h"
 #include "ui/scenes/overlay_strokes.h"
-#include "ui/scenes/stroke_actor.h"
-
-#include <vtkCallbackCommand.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkWeakPointer.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -16,15 +11,40 @@
 namespace ui {
 namespace {
 
-/// What one window shows of the scene; every window has its own OpenGL objects.
-struct Layer {
-    vtkNew<vtkRenderer> renderer;
-    FrameQuad quad;
-    StrokeActor strokes;
-    std::pair<vtkWeakPointer<vtkRenderWindow>, unsigned long> watch;
-    std::uint64_t shownRevision = 0;
-    ViewRect shownRect;
-    std::pair<int, int> shownSize{0, 0};
+/// The angiogram as the canvas shows it, kept until another part, size or grey is asked for.
+struct Backdrop {
+    std::vector<std::uint32_t> pixels;
+    ViewRect rect;
+    std::pair<int, int> size{0, 0};
+    Interpolation interpolation = Interpolation::Smooth;
+    std::uint64_t frameRevision = 0;
+
+    const std::vector<std::uint32_t>& of(const GreyFrame& frame, const ViewRect& wantedRect, Interpolation wanted,
+                                         Canvas canvas)
+    {
+        const std::pair wantedSize{canvas.width, canvas.height};
+        if (frameRevision == frame.revision() && rect == wantedRect && size == wantedSize && interpolation == wanted) {
+            return pixels;
+        }
+        frameRevision = frame.revision();
+        rect = wantedRect;
+        size = wantedSize;
+        interpolation = wanted;
+        const Color& around = palette(ThemeMode::Dark).canvas;
+        pixels.assign(canvas.pixelCount(), packed(around));
+        if (frame.width() > 0 && frame.height() > 0) {
+            resampleFrame(frame.grey(), rect, interpolation, around, {pixels.data(), canvas.width, canvas.height});
+        }
+        return pixels;
+    }
+};
+
+/// The overlay's triangles for one view and size.
+struct Strokes {
+    StrokeMesh mesh;
+    std::uint64_t revision = 0;
+    ViewRect rect;
+    std::pair<int, int> size{0, 0};
 };
 
 }   // namespace
@@ -39,7 +59,8 @@ struct OverlayScene::Parts {
     Interpolation interpolation = Interpolation::Smooth;
     ViewRect viewRect{-0.5, 511.5, -0.5, 511.5};
     std::uint64_t revision = 1;
-    std::vector<std::unique_ptr<Layer>> layers;
+    Backdrop backdrop;
+    Strokes strokes;
 
     void project()
     {
@@ -53,35 +74,20 @@ struct OverlayScene::Parts {
         isProjectionStale = true;
         ++revision;
     }
-    void update(Layer& layer);
-};
-
-void OverlayScene::Parts::update(Layer& layer)
-{
-    const int* size = layer.renderer->GetSize();
-    const DeviceFromImage device{viewRect, std::max(1, size[0]), std::max(1, size[1])};
-    layer.quad.show(frame, interpolation, device.scale());
-    showImagePlane(*layer.renderer->GetActiveCamera(), viewRect);
-    const std::pair shown{device.width, device.height};
-    if (layer.shownRevision == revision && layer.shownRect == viewRect && layer.shownSize == shown) {
-        return;
+    const StrokeMesh& meshFor(int width, int height)
+    {
+        const std::pair size{width, height};
+        if (strokes.revision != revision || !(strokes.rect == viewRect) || strokes.size != size) {
+            project();
+            strokes = {overlayStrokes(content, {viewRect, width, height}), revision, viewRect, size};
+        }
+        return strokes.mesh;
     }
-    project();
-    layer.strokes.show(overlayStrokes(content, device));
-    layer.shownRevision = revision;
-    layer.shownRect = viewRect;
-    layer.shownSize = shown;
-}
+};
 
 OverlayScene::OverlayScene() : parts_(std::make_unique<Parts>()) {}
 
-OverlayScene::~OverlayScene()
-{
-    // The renderers stay with their windows, which free their OpenGL objects in the right context.
-    for (const auto& layer : parts_->layers) {
-        layer->renderer->RemoveObserver(layer->watch.second);
-    }
-}
+OverlayScene::~OverlayScene() = default;
 
 void OverlayScene::setFrame(const core::ImageF& frame)
 {
@@ -193,40 +199,15 @@ double OverlayScene::lineWidthPx() const
     return parts_->content.lineWidthPx;
 }
 
-void OverlayScene::attachTo(vtkRenderWindow* window)
+void OverlayScene::drawRows(Canvas canvas, int firstRow, int rowCount)
 {
-    auto layer = std::make_unique<Layer>();
-    const auto canvas = palette(ThemeMode::Dark).canvas.unit();
-    layer->renderer->SetBackground(canvas[0], canvas[1], canvas[2]);
-    layer->renderer->InteractiveOff();
-    layer->renderer->AddActor(layer->quad.actor());
-    layer->renderer->AddActor2D(layer->strokes.actor());
-    vtkNew<vtkCallbackCommand> refresh;
-    struct Client {
-        Parts* parts;
-        Layer* layer;
-    };
-    refresh->SetClientData(new Client{parts_.get(), layer.get()});
-    refresh->SetClientDataDeleteCallback([](void* client) { delete static_cast<Client*>(client); });
-    refresh->SetCallback([](vtkObject*, unsigned long, void* client, void*) {
-        const auto* c = static_cast<Client*>(client);
-        c->parts->update(*c->layer);
-    });
-    layer->watch = {window, layer->renderer->AddObserver(vtkCommand::StartEvent, refresh)};
-    window->AddRenderer(layer->renderer);
-    parts_->layers.push_back(std::move(layer));
-}
-
-void OverlayScene::detachFrom(vtkRenderWindow* window)
-{
-    std::erase_if(parts_->layers, [window](const std::unique_ptr<Layer>& layer) {
-        if (layer->watch.first.GetPointer() != window) {
-            return false;
-        }
-        layer->renderer->RemoveObserver(layer->watch.second);
-        window->RemoveRenderer(layer->renderer);
-        return true;
-    });
+    Parts& p = *parts_;
+    const double rowHeight = p.viewRect.height() / rowCount;
+    ViewRect part = p.viewRect;
+    part.top += rowHeight * firstRow;
+    part.bottom = part.top + rowHeight * canvas.height;
+    std::ranges::copy(p.backdrop.of(p.frame, part, p.interpolation, canvas), canvas.pixels);
+    fillStrokes(p.meshFor(canvas.width, rowCount), rowCount - firstRow, canvas);
 }
 
 std::optional<int> OverlayScene::branchAt(const Eigen::Vector2d& imagePoint, double tolerancePx) const

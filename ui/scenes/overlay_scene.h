@@ -5,6 +5,9 @@
 #include "core/imaging/image2d.h"
 #include "core/vessel/centerline2d.h"
 #include "core/vessel/vessel_tree.h"
+#include "ui/scenes/canvas.h"
+#include "ui/scenes/resample_frame.h"
+#include "ui/scenes/view_rect.h"
 
 #include <map>
 #include <memory>
@@ -12,16 +15,7 @@
 #include <set>
 #include <vector>
 
-class vtkRenderWindow;
-
 namespace ui {
-
-/// Visible part of the image in pixel coordinates (pixel centres at integers, v down).
-struct ViewRect {
-    double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0;
-
-    bool operator==(const ViewRect&) const = default;
-};
 
 /// How branches are shown, the same in every view.
 struct BranchMarks {
@@ -35,11 +29,9 @@ struct BranchMarks {
 
 enum class OverlayMode { Centerline, Outline, Hidden };
 
-/// Smooth blends between pixels; Nearest shows every pixel as it is.
-enum class Interpolation { Smooth, Nearest };
-
-/// The angiogram with the projected tree on it. VTK without Qt: the same scene draws the window, the exported PNG and
-/// the tests. Setters only store and mark; nothing renders until the window does.
+/// The angiogram with the projected tree on it, drawn by the processor: no OpenGL, no Qt, so the same pixels come out
+/// in the window, in the exported PNG and in the tests. Setters only store and mark; `draw` does the work, and keeps
+/// the resampled angiogram while only the tree moves.
 class OverlayScene {
 public:
     OverlayScene();
@@ -70,8 +62,11 @@ public:
     ViewRect viewRect() const;
     double lineWidthPx() const;
 
-    void attachTo(vtkRenderWindow* window);   ///< adds its layer to the window; several windows may show one scene
-    void detachFrom(vtkRenderWindow* window);
+    /// Fills the canvas with what the view rectangle shows.
+    void draw(Canvas canvas) { drawRows(canvas, 0, canvas.height); }
+
+    /// The same for a part of a taller picture: rows `firstRow` … of `rowCount`.
+    void drawRows(Canvas canvas, int firstRow, int rowCount);
 
     /// Branch whose projection passes within `tolerancePx` (image px) of an image point; the nearest one.
     std::optional<int> branchAt(const Eigen::Vector2d& imagePoint, double tolerancePx) const;

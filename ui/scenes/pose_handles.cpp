@@ -1,7 +1,5 @@
 #include "ui/scenes/pose_handles.h"
 
-#include <vtkRenderWindow.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -65,29 +63,14 @@ void addCross(StrokeMesh& mesh, const PoseHandleLook& look)
 
 }   // namespace
 
-PoseHandles::PoseHandles()
-{
-    renderer_->SetLayer(1);
-    renderer_->InteractiveOff();
-    renderer_->DrawOff();
-    renderer_->AddActor2D(strokes_.actor());
-}
-
-void PoseHandles::attachTo(vtkRenderWindow* window)
-{
-    window->SetNumberOfLayers(2);
-    window->AddRenderer(renderer_);
-}
-
-void PoseHandles::show(const PoseHandleLook& look)
+StrokeMesh poseHandleStrokes(const PoseHandleLook& look)
 {
     StrokeMesh mesh;
     if (look.radius > 0.0) {
         addRing(mesh, look);
         addCross(mesh, look);
     }
-    strokes_.show(mesh);
-    renderer_->SetDraw(look.radius > 0.0);   // an empty layer still costs a pass over the picture
+    return mesh;
 }
 
 }   // namespace ui

@@ -1,9 +1,6 @@
 #pragma once
 
-#include "ui/scenes/stroke_actor.h"
-
-#include <vtkNew.h>
-#include <vtkRenderer.h>
+#include "ui/scenes/stroke_mesh.h"
 
 namespace ui {
 
@@ -20,16 +17,7 @@ struct PoseHandleLook {
     double rollSweepRad = 0.0;
 };
 
-/// Cross and ring by which the pose is grasped on the image. A layer of its own over the angiogram.
-class PoseHandles {
-public:
-    PoseHandles();
-    void attachTo(vtkRenderWindow* window);
-    void show(const PoseHandleLook& look);
-
-private:
-    vtkNew<vtkRenderer> renderer_;
-    StrokeActor strokes_;
-};
+/// Cross and ring by which the pose is grasped on the image.
+StrokeMesh poseHandleStrokes(const PoseHandleLook& look);
 
 }   // namespace ui

@@ -1,21 +1,16 @@
 #include "ui/scenes/render_offscreen.h"
 
 #include "ui/scenes/burn_text.h"
-#include "ui/scenes/egl_window.h"
-
-#include <vtkNew.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <optional>
-#include <thread>
-#include <utility>
+#include <cstdint>
+#include <vector>
 
 namespace ui {
 namespace {
 
 constexpr int largestPicturePx = 16384;
-constexpr int largestTilePx = 2048;   // keeps video memory small at any picture size
+constexpr int bandHeight = 1024;
 constexpr double lineWidthShare = 0.0022;   // of the shorter side
 
 /// Puts the scene's view back as it was.
@@ -38,60 +33,27 @@ private:
     double lineWidthPx_;
 };
 
-struct Tile {
-    int left, top, width, height;
-};
-
-std::vector<Tile> tilesOf(int width, int height)
+void copyRows(const std::vector<std::uint32_t>& rows, std::size_t pixelCount, std::uint8_t* rgb)
 {
-    std::vector<Tile> tiles;
-    for (int top = 0; top < height; top += largestTilePx) {
-        for (int left = 0; left < width; left += largestTilePx) {
-            tiles.push_back({left, top, std::min(largestTilePx, width - left), std::min(largestTilePx, height - top)});
-        }
-    }
-    return tiles;
-}
-
-ViewRect partOf(const ViewRect& rect, const Tile& tile, const core::ColorImage& picture)
-{
-    const double across = (rect.right - rect.left) / picture.width;
-    const double down = (rect.bottom - rect.top) / picture.height;
-    return {rect.left + across * tile.left, rect.left + across * (tile.left + tile.width), rect.top + down * tile.top,
-            rect.top + down * (tile.top + tile.height)};
-}
-
-void copyTile(EglWindow& window, const Tile& tile, core::ColorImage& picture)
-{
-    vtkNew<vtkUnsignedCharArray> pixels;
-    window.GetPixelData(0, 0, tile.width - 1, tile.height - 1, 0, pixels, 0);
-    const auto rowBytes = static_cast<std::size_t>(tile.width) * 3;
-    for (int row = 0; row < tile.height; ++row) {   // OpenGL counts rows from the bottom
-        const std::uint8_t* from = pixels->GetPointer(0) + static_cast<std::size_t>(tile.height - 1 - row) * rowBytes;
-        const std::size_t to = static_cast<std::size_t>(tile.top + row) * static_cast<std::size_t>(picture.width) +
-                               static_cast<std::size_t>(tile.left);
-        std::copy(from, from + rowBytes, picture.rgb.begin() + static_cast<std::ptrdiff_t>(3 * to));
+    for (std::size_t i = 0; i < pixelCount; ++i) {
+        *rgb++ = static_cast<std::uint8_t>(rows[i] >> 16U);
+        *rgb++ = static_cast<std::uint8_t>(rows[i] >> 8U);
+        *rgb++ = static_cast<std::uint8_t>(rows[i]);
     }
 }
 
-/// What the scene shows of `viewRect`, tile by tile; nothing when there is no OpenGL.
-std::optional<core::ColorImage> renderTiles(OverlayScene& scene, int width, int height, const ViewRect& viewRect)
+/// What the scene shows of its view rectangle, drawn band by band to keep memory small at any picture size.
+core::ColorImage drawBands(OverlayScene& scene, int width, int height)
 {
-    const vtkSmartPointer<EglWindow> window = EglWindow::create();
-    if (!window) {
-        return std::nullopt;
-    }
     core::ColorImage picture{width, height, {}};
-    picture.rgb.resize(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    scene.attachTo(window);
-    for (const Tile& tile : tilesOf(width, height)) {
-        window->SetSize(tile.width, tile.height);
-        scene.setViewRect(partOf(viewRect, tile, picture));
-        window->takeOverState();
-        window->Render();
-        copyTile(*window, tile, picture);
+    const auto rowLength = static_cast<std::size_t>(width);
+    picture.rgb.resize(3 * rowLength * static_cast<std::size_t>(height));
+    std::vector<std::uint32_t> band(rowLength * static_cast<std::size_t>(std::min(height, bandHeight)));
+    for (int top = 0; top < height; top += bandHeight) {
+        const Canvas canvas{band.data(), width, std::min(bandHeight, height - top)};
+        scene.drawRows(canvas, top, height);
+        copyRows(band, canvas.pixelCount(), picture.rgb.data() + 3 * rowLength * static_cast<std::size_t>(top));
     }
-    scene.detachFrom(window);
     return picture;
 }
 
@@ -106,20 +68,14 @@ core::Result<core::ColorImage> renderOffscreen(OverlayScene& scene, int width, i
     }
     const ViewKeeper keeper(scene);
     scene.setLineWidthPx(std::max(1.5, lineWidthShare * std::min(width, height)));
-    // A thread holds one OpenGL context, and the window's own (GLX) bars EGL from its thread: draw in a fresh one.
-    std::optional<core::ColorImage> picture;
-    std::thread([&] { picture = renderTiles(scene, width, height, viewRect); }).join();
-    if (!picture) {
-        return core::Error{
-            "The overlay cannot be drawn: OpenGL 3.2 through EGL is not available. Install libegl1 and "
-            "libgl1-mesa-dri."};
-    }
+    scene.setViewRect(viewRect);
+    core::ColorImage picture = drawBands(scene, width, height);
     const BurnSizes sizes = burnSizes(width, height);
-    burnTexts(*picture, texts, sizes);
+    burnTexts(picture, texts, sizes);
     if (scaleMaximumPx > 0.0) {
-        burnScale(*picture, scaleMaximumPx, scaleMaximumMm, sizes);
+        burnScale(picture, scaleMaximumPx, scaleMaximumMm, sizes);
     }
-    return std::move(*picture);
+    return picture;
 }
 
 }   // namespace ui

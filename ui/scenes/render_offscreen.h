@@ -14,8 +14,8 @@ struct CornerTexts {
     std::vector<std::string> topLeft, topRight, bottomLeft, bottomRight;
 };
 
-/// Renders the scene without any display (surfaceless EGL, software if need be). `viewRect` fills the picture.
-/// `scaleMaximumPx` > 0 draws the residual scale. Fails when no OpenGL context can be had, saying what to install.
+/// Renders the scene into a picture, without display or OpenGL; safe on any thread that owns the scene. `viewRect`
+/// fills the picture. `scaleMaximumPx` > 0 draws the residual scale. Fails only on impossible sizes.
 core::Result<core::ColorImage> renderOffscreen(OverlayScene& scene, int width, int height, const ViewRect& viewRect,
                                                const CornerTexts& texts = {}, double scaleMaximumPx = 0.0,
                                                double scaleMaximumMm = 0.0);

@@ -2,7 +2,7 @@
 
 #include "core/imaging/display_range.h"
 #include "ui/scenes/beam.h"
-#include "ui/scenes/frame_layer.h"
+#include "ui/scenes/frame_quad.h"
 #include "ui/scenes/orbit.h"
 #include "ui/scenes/stroke_actor.h"
 #include "ui/scenes/tree_tubes.h"
@@ -100,7 +100,7 @@ void TreeScene::Parts::update()
     }
     const auto back = tones.field.unit();
     ground->SetBackground(back[0], back[1], back[2]);
-    detector.show(frame, Interpolation::Smooth, detectorScale());
+    detector.show(frame, detectorScale());
     detector.actor()->SetVisibility(beam.hasDetector() && frame.width() > 0);
     if (beam.hasDetector()) {
         vtkNew<vtkMatrix4x4> patientFromImage;

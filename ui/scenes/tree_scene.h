@@ -11,6 +11,8 @@
 #include <optional>
 #include <vector>
 
+class vtkRenderWindow;
+
 namespace ui {
 
 /// A letter of the orientation sign (L, R, A, P, H, F) and where its centre goes, device px from the bottom left.

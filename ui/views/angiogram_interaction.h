@@ -13,7 +13,6 @@ namespace ui {
 struct AngiogramView::Interaction {
     ImageViewport viewport;
     AngiogramAnnotations annotations;
-    PoseHandles handles;
     bool hasFrame = false;
     std::pair<int, int> frameSize{0, 0};
     core::ProjectionCamera camera;

@@ -1,5 +1,6 @@
 #include "ui/views/angiogram_view.h"
 
+#include "ui/scenes/fill_strokes.h"
 #include "ui/views/angiogram_interaction.h"
 
 #include <QPainter>
@@ -28,10 +29,12 @@ double AngiogramView::Interaction::mmPerImagePx() const
     return isKnown ? core::millimetresPerPixel(camera, depth) : 0.0;
 }
 
-AngiogramView::AngiogramView(QWidget* parent) : VtkView(parent), interaction_(std::make_unique<Interaction>())
+AngiogramView::AngiogramView(QWidget* parent) : QWidget(parent), interaction_(std::make_unique<Interaction>())
 {
-    scene_.attachTo(renderWindow());
-    interaction_->handles.attachTo(renderWindow());
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(80, 80);
+    setAttribute(Qt::WA_OpaquePaintEvent);
     setAccessibleName(tr("Angiogram with the projected vessel tree"));
 }
 
@@ -153,19 +156,19 @@ QPointF AngiogramView::widgetFromImage(const Eigen::Vector2d& imagePoint) const
     return {position.x(), position.y()};
 }
 
-void AngiogramView::prepareFrame()
+QSize AngiogramView::deviceSize() const
+{
+    return (size() * devicePixelRatio()).expandedTo({1, 1});
+}
+
+PoseHandleLook AngiogramView::handleLook() const
 {
     const Interaction& i = *interaction_;
     const double ratio = devicePixelRatio();
-    scene_.setLineWidthPx(i.lineWidth * ratio);
-    // At fractional scale factors the framebuffer is a whole number of pixels, not exactly size × ratio.
-    const QSize device = deviceSize();
-    scene_.setViewRect(i.viewport.imageRectOf({0.0, 0.0}, {device.width() / ratio, device.height() / ratio}));
-
-    PoseHandleLook look;
     const NudgeGrip grip = i.grip(size());
+    PoseHandleLook look;
     if (nudgeMode_ && grip.ringRadius > 0.0) {
-        look.centre = {grip.centre.x() * ratio, device.height() - grip.centre.y() * ratio};
+        look.centre = {grip.centre.x() * ratio, deviceSize().height() - grip.centre.y() * ratio};
         look.radius = grip.ringRadius * ratio;
         look.pixelScale = ratio;
         look.hot = i.hotHandle;
@@ -176,11 +179,32 @@ void AngiogramView::prepareFrame()
             look.rollSweepRad = -i.nudge->sweepRad();
         }
     }
-    interaction_->handles.show(look);
+    return look;
 }
 
-void AngiogramView::paintAnnotations(QPainter& painter)
+void AngiogramView::drawPicture()
 {
+    const double ratio = devicePixelRatio();
+    const QSize device = deviceSize();
+    if (picture_.size() != device) {
+        picture_ = QImage(device, QImage::Format_RGB32);
+    }
+    picture_.setDevicePixelRatio(ratio);
+    const Canvas canvas{reinterpret_cast<std::uint32_t*>(picture_.bits()), device.width(), device.height()};
+    scene_.setLineWidthPx(interaction_->lineWidth * ratio);
+    // At fractional scale factors the picture is a whole number of pixels, not exactly size × ratio.
+    scene_.setViewRect(
+        interaction_->viewport.imageRectOf({0.0, 0.0}, {device.width() / ratio, device.height() / ratio}));
+    scene_.draw(canvas);
+    fillStrokes(poseHandleStrokes(handleLook()), canvas.height, canvas);
+}
+
+void AngiogramView::paintEvent(QPaintEvent*)
+{
+    drawPicture();
+    ++renderCount_;
+    QPainter painter(this);
+    painter.drawImage(QPointF(0.0, 0.0), picture_);
     if (!interaction_->hasFrame) {
         return;
     }

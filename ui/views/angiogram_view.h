@@ -3,9 +3,13 @@
 #include "core/geometry/pose_offset.h"
 #include "core/imaging/display_range.h"
 #include "ui/scenes/overlay_scene.h"
+#include "ui/scenes/pose_handles.h"
 #include "ui/scenes/render_offscreen.h"
-#include "ui/views/vtk_view.h"
 
+#include <QImage>
+#include <QWidget>
+
+#include <memory>
 #include <optional>
 
 namespace ui {
@@ -13,7 +17,7 @@ namespace ui {
 /// The angiogram with the projected tree: window/level (left drag), pan (middle), zoom (right, Ctrl+wheel), frames
 /// (wheel, ↑ ↓, Home, End). In nudge mode the left button drags the tree: inside the ring shifts, on the ring rolls;
 /// Esc takes the drag back. Shows what it is told, reports what the user wants; decides nothing.
-class AngiogramView : public VtkView {
+class AngiogramView : public QWidget {
     Q_OBJECT
 public:
     explicit AngiogramView(QWidget* parent = nullptr);
@@ -35,6 +39,9 @@ public:
     void setWindowLevel(double window, double level);
     core::DisplayRange shownRange() const;
     double zoom() const;   ///< device-independent px per image px
+    int renderCount() const { return renderCount_; }   ///< how often it drew itself
+    QSize sizeHint() const override { return {480, 360}; }
+    QSize minimumSizeHint() const override { return {80, 80}; }
     Eigen::Vector2d imageFromWidget(const QPointF& position) const;
     QPointF widgetFromImage(const Eigen::Vector2d& imagePoint) const;
 
@@ -51,8 +58,7 @@ signals:
     void zoomChanged(double zoom);
 
 protected:
-    void prepareFrame() override;
-    void paintAnnotations(QPainter& painter) override;
+    void paintEvent(QPaintEvent* event) override;
     bool event(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
@@ -66,6 +72,9 @@ protected:
 
 private:
     struct Interaction;
+    void drawPicture();
+    PoseHandleLook handleLook() const;
+    QSize deviceSize() const;
     void dragBy(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void nudgeBy(const QPointF& position, double pace);
     void adjustWindowLevel(const QPointF& step);
@@ -77,6 +86,8 @@ private:
     void showCursor();
 
     OverlayScene scene_;
+    QImage picture_;   ///< angiogram with tree and handles, in device px
+    int renderCount_ = 0;
     std::unique_ptr<Interaction> interaction_;
     bool nudgeMode_ = false;
 };

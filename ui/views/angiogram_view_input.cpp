@@ -245,7 +245,7 @@ void AngiogramView::keyPressEvent(QKeyEvent* event)
                 break;
         }
     }
-    VtkView::keyPressEvent(event);
+    QWidget::keyPressEvent(event);
 }
 
 bool AngiogramView::event(QEvent* event)
@@ -257,12 +257,12 @@ bool AngiogramView::event(QEvent* event)
         event->accept();
         return true;
     }
-    return VtkView::event(event);
+    return QWidget::event(event);
 }
 
 void AngiogramView::resizeEvent(QResizeEvent* event)
 {
-    VtkView::resizeEvent(event);
+    QWidget::resizeEvent(event);
     interaction_->viewport.setWidgetSize(width(), height());
     emit zoomChanged(zoom());
 }
@@ -279,7 +279,7 @@ void AngiogramView::leaveEvent(QEvent*)
 void AngiogramView::hideEvent(QHideEvent* event)
 {
     cancelDrag();
-    VtkView::hideEvent(event);
+    QWidget::hideEvent(event);
 }
 
 }   // namespace ui

@@ -12,7 +12,6 @@ namespace ui {
 namespace {
 
 constexpr double turnDegPerPx = 0.5;
-constexpr int sampleCount = 4;
 
 QColor colorOf(const Color& color)
 {
@@ -23,7 +22,6 @@ QColor colorOf(const Color& color)
 
 TreeView::TreeView(QWidget* parent) : VtkView(parent)
 {
-    renderWindow()->SetMultiSamples(sampleCount);
     scene_.attachTo(renderWindow());
     setAccessibleName(tr("3-D view of vessel tree, X-ray source and detector"));
 }
@@ -34,13 +32,13 @@ void TreeView::setTheme(ThemeMode mode)
 {
     theme_ = mode;
     scene_.setTones(ui::palette(mode));
-    update();
+    requestRender();
 }
 
 void TreeView::resetView()
 {
     scene_.resetView();
-    update();
+    requestRender();
 }
 
 void TreeView::prepareFrame()
@@ -91,7 +89,7 @@ void TreeView::mouseMoveEvent(QMouseEvent* event)
     } else {
         scene_.zoomBy(std::exp(-0.008 * step.y()));
     }
-    update();
+    requestRender();
 }
 
 void TreeView::mouseReleaseEvent(QMouseEvent* event)
@@ -121,7 +119,7 @@ void TreeView::wheelEvent(QWheelEvent* event)
 {
     scene_.zoomBy(std::pow(1.15, event->angleDelta().y() / 120.0));
     event->accept();
-    update();
+    requestRender();
 }
 
 void TreeView::leaveEvent(QEvent*)

@@ -16,7 +16,7 @@ public:
     explicit TreeView(QWidget* parent = nullptr);
     ~TreeView() override;
 
-    TreeScene& scene() { return scene_; }   ///< call update() after changing it
+    TreeScene& scene() { return scene_; }   ///< call requestRender() after changing it
     void setTheme(ThemeMode mode);
     void resetView();
 

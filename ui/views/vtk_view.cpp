@@ -1,89 +1,78 @@
 #include "ui/views/vtk_view.h"
 
 #include "ui/scenes/gl_window.h"
+#include "ui/views/offscreen_context.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkNew.h>
-#include <vtkOpenGLFramebufferObject.h>
-#include <vtkOpenGLState.h>
-#include <QOpenGLContext>
-#include <QOpenGLExtraFunctions>
-#include <QOpenGLPaintDevice>
+#include <vtkUnsignedCharArray.h>
+#include <QElapsedTimer>
 #include <QPainter>
 
-#include <vector>
+#include <chrono>
 
 namespace ui {
 namespace {
 
-QSurfaceFormat surfaceFormat()
-{
-    QSurfaceFormat format;
-    format.setRenderableType(QSurfaceFormat::OpenGL);
-    format.setVersion(3, 2);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setSwapBehavior(QSurfaceFormat::DoubleBuffer);
-    format.setRedBufferSize(8);
-    format.setGreenBufferSize(8);
-    format.setBlueBufferSize(8);
-    format.setAlphaBufferSize(8);
-    format.setDepthBufferSize(24);
-    format.setStencilBufferSize(8);
-    format.setSamples(0);   // VTK multisamples in its own framebuffer
-    return format;
-}
+using namespace std::chrono_literals;
+
+constexpr int settledSamples = 4;
+constexpr int frameMs = 16;
 
 }   // namespace
 
 struct VtkView::Glue {
+    OffscreenContext context;
     vtkNew<GlWindow> window;
-    std::vector<unsigned long> observers;
-    QSurface* surface = nullptr;   // of the context VTK draws with
-    QMetaObject::Connection contextGoes;
+    enum class State { Untried, Ready, Missing } state = State::Untried;
+    int lastRenderMs = 0;
 
-    void observe(unsigned long event, void* client, void (*reaction)(vtkObject*, unsigned long, void*, void*))
+    void observe(unsigned long event, void (*reaction)(vtkObject*, unsigned long, void*, void*))
     {
         vtkNew<vtkCallbackCommand> command;
         command->SetCallback(reaction);
-        command->SetClientData(client);
-        observers.push_back(window->AddObserver(event, command));
+        command->SetClientData(&context);
+        window->AddObserver(event, command);
     }
 };
 
-VtkView::VtkView(QWidget* parent) : QOpenGLWidget(parent), glue_(std::make_unique<Glue>())
+VtkView::VtkView(QWidget* parent) : QWidget(parent), glue_(std::make_unique<Glue>())
 {
-    setFormat(surfaceFormat());
-    setUpdateBehavior(QOpenGLWidget::NoPartialUpdate);
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
-    setMinimumSize(80, 80);   // a dock would otherwise squeeze the view to nothing
-
-    // Not QOpenGLWidget::makeCurrent(): that binds Qt's framebuffer behind the back of VTK's state cache.
-    glue_->observe(vtkCommand::WindowMakeCurrentEvent, this, [](vtkObject*, unsigned long, void* client, void*) {
-        auto* self = static_cast<VtkView*>(client);
-        if (self->glue_->surface) {
-            self->context()->makeCurrent(self->glue_->surface);
+    setMinimumSize(80, 80);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    glue_->observe(vtkCommand::WindowMakeCurrentEvent, [](vtkObject*, unsigned long, void* client, void*) {
+        static_cast<OffscreenContext*>(client)->makeCurrent();
+    });
+    glue_->observe(vtkCommand::WindowIsCurrentEvent, [](vtkObject*, unsigned long, void* client, void* answer) {
+        *static_cast<bool*>(answer) = static_cast<OffscreenContext*>(client)->isCurrent();
+    });
+    renderTimer_.setSingleShot(true);
+    connect(&renderTimer_, &QTimer::timeout, this, [this] {
+        if (isVisible()) {
+            render(Quality::Draft);
+            update();
         }
     });
-    glue_->observe(vtkCommand::WindowIsCurrentEvent, this, [](vtkObject*, unsigned long, void* client, void* answer) {
-        const auto* self = static_cast<VtkView*>(client);
-        *static_cast<bool*>(answer) = self->glue_->surface && QOpenGLContext::currentContext() == self->context() &&
-                                      self->context()->surface() == self->glue_->surface;
-    });
-    glue_->observe(vtkCommand::WindowFrameEvent, this, [](vtkObject*, unsigned long, void* client, void*) {
-        auto* self = static_cast<VtkView*>(client);
-        if (!self->isPainting_) {
-            self->update();
+    settleTimer_.setSingleShot(true);
+    settleTimer_.setInterval(250ms);
+    connect(&settleTimer_, &QTimer::timeout, this, [this] {
+        if (isVisible()) {
+            render(Quality::Settled);
+            update();
         }
     });
 }
 
 VtkView::~VtkView()
 {
-    releaseContext();
-    for (const unsigned long observer : glue_->observers) {
-        glue_->window->RemoveObserver(observer);
+    if (glue_->state == Glue::State::Ready) {
+        glue_->context.makeCurrent();
+        glue_->window->Finalize();
+        glue_->context.doneCurrent();
     }
+    glue_->window->RemoveAllObservers();
 }
 
 vtkRenderWindow* VtkView::renderWindow() const
@@ -96,83 +85,86 @@ QSize VtkView::deviceSize() const
     return (size() * devicePixelRatio()).expandedTo({1, 1});
 }
 
+void VtkView::requestRender()
+{
+    // Never more than half of the time goes into this view, however slow the computer: input and angiogram come first.
+    if (!renderTimer_.isActive()) {
+        renderTimer_.start(glue_->lastRenderMs > frameMs ? glue_->lastRenderMs : 0);
+    }
+}
+
 void VtkView::paintAnnotations(QPainter&) {}
 
-void VtkView::initializeGL()
+bool VtkView::prepareContext()
 {
-    ++contextCount_;
-    glue_->surface = context()->surface();
-    glue_->contextGoes =
-        connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkView::releaseContext, Qt::DirectConnection);
-    glue_->window->takeOverState();
-    glue_->window->SetReadyForRendering(true);
-    glue_->window->OpenGLInitContext();
+    if (glue_->state == Glue::State::Untried) {
+        const bool isThere = glue_->context.create() && glue_->context.makeCurrent();
+        glue_->state = isThere ? Glue::State::Ready : Glue::State::Missing;
+        if (isThere) {
+            glue_->window->takeOverState();
+            glue_->window->SetReadyForRendering(true);
+            glue_->window->OpenGLInitContext();
+        }
+    }
+    return glue_->state == Glue::State::Ready && glue_->context.makeCurrent();
 }
 
-void VtkView::releaseContext()
+void VtkView::render(Quality quality)
 {
-    disconnect(glue_->contextGoes);
-    if (!glue_->window->GetReadyForRendering()) {
+    renderTimer_.stop();
+    if (!prepareContext()) {
         return;
     }
-    makeCurrent();
-    glue_->window->Finalize();
-    glue_->window->SetReadyForRendering(false);
-    glue_->surface = nullptr;
-    doneCurrent();
-}
-
-void VtkView::paintGL()
-{
-    if (isPainting_) {
-        return;
-    }
-    isPainting_ = true;
+    QElapsedTimer timer;
+    timer.start();
     const QSize device = deviceSize();
     glue_->window->SetSize(device.width(), device.height());
+    glue_->window->SetMultiSamples(quality == Quality::Settled ? settledSamples : 0);
     prepareFrame();
     glue_->window->takeOverState();
-    auto* state = glue_->window->GetState();
-    state->Push();
     glue_->window->Render();
+    vtkNew<vtkUnsignedCharArray> pixels;
+    glue_->window->GetPixelData(0, 0, device.width() - 1, device.height() - 1, 1, pixels, 0);
+    glue_->context.doneCurrent();
+    picture_ = QImage(pixels->GetPointer(0), device.width(), device.height(), 3 * device.width(), QImage::Format_RGB888)
+                   .mirrored()   // OpenGL counts rows from the bottom
+                   .convertToFormat(QImage::Format_RGB32);
     ++renderCount_;
-    makeCurrent();   // an observer may have switched contexts
-    blitToWidget();
-    state->Pop();
-    makeCurrent();   // binds the widget's framebuffer again
-    paintOverOpenGl();
-    isPainting_ = false;
+    if (quality == Quality::Draft) {
+        glue_->lastRenderMs = static_cast<int>(timer.elapsed());
+        settleTimer_.start();
+    }
 }
 
-void VtkView::paintOverOpenGl()
+void VtkView::paintEvent(QPaintEvent*)
 {
-    // Not QPainter(this): when a parent is grabbed, Qt would send that paint to the parent's picture, under the view.
-    QOpenGLPaintDevice device(deviceSize());
-    device.setDevicePixelRatio(devicePixelRatio());
-    QPainter painter(&device);
-    // The paint engine takes up its own OpenGL state anew only after native painting; VTK changed all of it.
-    painter.beginNativePainting();
-    painter.endNativePainting();
+    if (picture_.size() != deviceSize()) {
+        render(Quality::Draft);
+    }
+    QPainter painter(this);
+    if (picture_.isNull()) {
+        paintExcuse(painter);
+        return;
+    }
+    picture_.setDevicePixelRatio(devicePixelRatio());
+    painter.drawImage(QPointF(0.0, 0.0), picture_);
+    painter.setRenderHint(QPainter::Antialiasing);
     paintAnnotations(painter);
 }
 
-void VtkView::blitToWidget()
+void VtkView::paintExcuse(QPainter& painter)
 {
-    auto* state = glue_->window->GetState();
-    auto* gl = context()->extraFunctions();
-    gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
-    const GLenum target = GL_COLOR_ATTACHMENT0;
-    gl->glDrawBuffers(1, &target);
-    state->vtkglDisable(GL_SCISSOR_TEST);
-    gl->glDisable(GL_SCISSOR_TEST);
-    const int* size = glue_->window->GetRenderFramebuffer()->GetLastSize();
-    glue_->window->BlitDisplayFramebuffer(0, 0, 0, size[0], size[1], 0, 0, size[0], size[1], GL_COLOR_BUFFER_BIT,
-                                          GL_NEAREST);
-    // The compositor would let the desktop shine through where alpha is below one.
-    gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
-    gl->glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
-    gl->glClear(GL_COLOR_BUFFER_BIT);
-    gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    painter.fillRect(rect(), palette().base());
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
+                     tr("The 3-D view needs OpenGL 3.2, which this display does not offer. Everything else works. "
+                        "Try LIBGL_ALWAYS_SOFTWARE=1, or install libgl1-mesa-dri."));
+}
+
+void VtkView::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    requestRender();
 }
 
 }   // namespace ui

@@ -1,6 +1,8 @@
 #pragma once
 
-#include <QOpenGLWidget>
+#include <QImage>
+#include <QTimer>
+#include <QWidget>
 
 #include <memory>
 
@@ -9,19 +11,21 @@ class vtkRenderWindow;
 
 namespace ui {
 
-/// A VTK render window inside a Qt 6 window. Redraws are asked for with update() and happen once per frame.
-/// The program sets Qt::AA_ShareOpenGLContexts before it makes its QApplication.
-class VtkView : public QOpenGLWidget {
+/// A VTK render window shown by a plain widget: VTK draws off screen, the widget paints the picture. A window without
+/// any OpenGL widget needs no composition of its own, which costs a frame's whole time without a graphics card.
+/// Redraws are asked for with requestRender() and happen once, after what the user waits for more urgently; edges are
+/// smoothed when the view comes to rest (multisampling takes most of a frame's time in software).
+class VtkView : public QWidget {
     Q_OBJECT
 public:
     explicit VtkView(QWidget* parent = nullptr);
     ~VtkView() override;
 
+    void requestRender();
     vtkRenderWindow* renderWindow() const;
     QSize sizeHint() const override { return {480, 360}; }
     QSize minimumSizeHint() const override { return {80, 80}; }
     QSize deviceSize() const;   ///< in device pixels
-    int contextCount() const { return contextCount_; }   ///< how often a context was taken over
     int renderCount() const { return renderCount_; }
 
 protected:
@@ -30,19 +34,21 @@ protected:
     /// Called in every redraw on top of what VTK drew, in device-independent pixels.
     virtual void paintAnnotations(QPainter& painter);
 
-    void initializeGL() override;
-    void paintGL() override;
+    void paintEvent(QPaintEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     struct Glue;
-    void releaseContext();
-    void blitToWidget();
-    void paintOverOpenGl();
+    enum class Quality { Draft, Settled };
+    bool prepareContext();
+    void render(Quality quality);
+    void paintExcuse(QPainter& painter);
 
     std::unique_ptr<Glue> glue_;
-    int contextCount_ = 0;
+    QTimer renderTimer_;
+    QTimer settleTimer_;
+    QImage picture_;
     int renderCount_ = 0;
-    bool isPainting_ = false;
 };
 
 }   // namespace ui

@@ -76,26 +76,26 @@ TEST(RenderOffscreen, HidesPointsBehindTheSource)
     EXPECT_TRUE(std::all_of(picture.value().rgb.begin(), picture.value().rgb.end(), [](int v) { return v == 0; }));
 }
 
-TEST(RenderOffscreen, JoinsTilesWithoutSeam)
+TEST(RenderOffscreen, JoinsBandsWithoutSeam)
 {
     core::VesselTree line;
     core::VesselBranch branch;
     branch.id = 1;
     for (int i = 0; i <= 100; ++i) {
-        branch.pointsInPatient.emplace_back(-60.0 + 1.2 * i, 0.0, 0.0);
+        branch.pointsInPatient.emplace_back(0.0, -60.0 + 1.2 * i, 0.0);
     }
     line.branches = {branch};
     ui::OverlayScene scene;
     scene.setTree(line);
     scene.setCamera({2400.0, 2400.0, 255.5, 255.5, 512, 512});
     scene.setPose({Eigen::Matrix3d::Identity(), {0.0, 0.0, 750.0}});
-    const auto picture = ui::renderOffscreen(scene, 3000, 300, {-0.5, 511.5, 230.0, 281.2});
+    const auto picture = ui::renderOffscreen(scene, 300, 3000, {230.0, 281.2, -0.5, 511.5});
     ASSERT_TRUE(picture) << picture.error().message;
-    const int row = static_cast<int>((255.5 - 230.0) / 51.2 * 300);
-    const double inside = brightnessAt(picture.value(), 1500, row);
+    const int column = static_cast<int>((255.5 - 230.0) / 51.2 * 300);
+    const double inside = brightnessAt(picture.value(), column, 1500);
     EXPECT_GT(inside, 200.0);
-    for (int x = 2040; x < 2056; ++x) {   // the border between two tiles lies at 2048
-        EXPECT_NEAR(brightnessAt(picture.value(), x, row), inside, 3.0) << x;
+    for (int y = 1016; y < 1032; ++y) {   // the border between two bands lies at 1024
+        EXPECT_NEAR(brightnessAt(picture.value(), column, y), inside, 3.0) << y;
     }
 }
 

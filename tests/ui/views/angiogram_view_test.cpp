@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 #include <QApplication>
 #include <QImage>
-#include <QOpenGLContext>
-#include <QPointer>
 #include <QSignalSpy>
 #include <QTest>
 #include <QVBoxLayout>
@@ -48,7 +46,7 @@ protected:
     }
     void expectDotsWhereProjected()
     {
-        const QImage picture = view_->grabFramebuffer();
+        const QImage picture = view_->grab().toImage();
         const double ratio = view_->devicePixelRatio();
         const auto brightness = [&picture](int x, int y) {
             return picture.valid(x, y) ? qGray(picture.pixel(x, y)) : 0;
@@ -223,7 +221,7 @@ TEST_F(AngiogramViewInput, ManyChangesMakeOneRedraw)
     EXPECT_LE(view_->renderCount() - before, 2);
 }
 
-TEST_F(AngiogramViewInput, MovesToAnotherWindowAndGoesWithItsContext)
+TEST_F(AngiogramViewInput, MovesToAnotherWindow)
 {
     auto host = std::make_unique<QWidget>();
     host->resize(700, 500);
@@ -232,10 +230,7 @@ TEST_F(AngiogramViewInput, MovesToAnotherWindowAndGoesWithItsContext)
     host->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(host.get()));
     expectDotsWhereProjected();
-    const QPointer<QOpenGLContext> context = view_->context();
-    ASSERT_TRUE(context);
     view_.reset();
-    EXPECT_TRUE(context.isNull());
 }
 
 }   // namespace

@@ -1,0 +1,100 @@
+#include "ui/views/tree_view.h"
+
+#include "tests/ui/overlay_fixture.h"
+
+#include <gtest/gtest.h>
+#include <QImage>
+#include <QTest>
+#include <QVBoxLayout>
+
+namespace {
+
+core::VesselTree straightVessel()
+{
+    core::VesselTree tree;
+    core::VesselBranch branch;
+    branch.id = 7;
+    for (int i = 0; i <= 40; ++i) {
+        branch.pointsInPatient.emplace_back(0.0, 0.0, i - 20.0);
+    }
+    branch.radiusMm.assign(branch.pointsInPatient.size(), 1.5);
+    tree.branches = {branch};
+    return tree;
+}
+
+/// Pixels that are clearly brighter than the ground.
+int brightPixels(const QImage& picture)
+{
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            count += qGray(picture.pixel(x, y)) > 110;
+        }
+    }
+    return count;
+}
+
+class TreeViewTest : public ::testing::Test {
+protected:
+    TreeViewTest()
+    {
+        view_->resize(300, 300);
+        view_->scene().setTree(straightVessel());
+        view_->show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(view_.get()));
+    }
+    void settle() { QTest::qWait(500); }
+
+    std::unique_ptr<ui::TreeView> view_ = std::make_unique<ui::TreeView>();
+};
+
+TEST_F(TreeViewTest, ShowsTheTreeAndFindsItsBranchUnderTheMouse)
+{
+    settle();
+    EXPECT_GT(brightPixels(view_->grab().toImage()), 200);
+    std::optional<int> hovered;
+    QObject::connect(view_.get(), &ui::TreeView::branchHovered, [&hovered](auto id) { hovered = id; });
+    QTest::mouseMove(view_.get(), {5, 5});
+    QTest::mouseMove(view_.get(), {150, 150});
+    EXPECT_EQ(hovered, 7);
+}
+
+TEST_F(TreeViewTest, ManyChangesMakeOneRedrawAndOneMoreWhenAtRest)
+{
+    settle();
+    const int before = view_->renderCount();
+    for (int i = 0; i < 20; ++i) {
+        view_->requestRender();
+    }
+    settle();
+    EXPECT_EQ(view_->renderCount() - before, 2);
+}
+
+TEST_F(TreeViewTest, DrawsNothingWhileHidden)
+{
+    settle();
+    view_->hide();
+    const int before = view_->renderCount();
+    view_->requestRender();
+    settle();
+    EXPECT_EQ(view_->renderCount(), before);
+    view_->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(view_.get()));
+    settle();
+    EXPECT_GT(view_->renderCount(), before);
+}
+
+TEST_F(TreeViewTest, MovesToAnotherWindow)
+{
+    QWidget host;
+    host.resize(400, 400);
+    auto* layout = new QVBoxLayout(&host);
+    layout->addWidget(view_.get());
+    host.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&host));
+    settle();
+    EXPECT_GT(brightPixels(view_->grab().toImage()), 200);
+    view_.reset();
+}
+
+}   // namespace

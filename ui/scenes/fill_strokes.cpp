@@ -1,0 +1,131 @@
+#include "ui/scenes/fill_strokes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace ui {
+namespace {
+
+/// A vertex on the canvas: y down, pixel k covers k … k + 1.
+struct Corner {
+    float x, y;
+    std::array<float, 4> rgba;
+};
+
+Corner cornerOf(const StrokeMesh& mesh, std::int32_t vertex, float top)
+{
+    const auto v = static_cast<std::size_t>(vertex);
+    const std::uint8_t* rgba = mesh.colors.data() + 4 * v;
+    return {mesh.points[3 * v],
+            top - mesh.points[3 * v + 1],
+            {static_cast<float>(rgba[0]), static_cast<float>(rgba[1]), static_cast<float>(rgba[2]),
+             static_cast<float>(rgba[3]) / 255.0F}};
+}
+
+/// First pixel whose centre is not before `edge`.
+int firstInside(float edge)
+{
+    constexpr float farPx = 1e6F;   // beyond any canvas, safely within int
+    return static_cast<int>(std::ceil(std::clamp(edge, -farPx, farPx) - 0.5F));
+}
+
+/// x of the edge a→b (a above b) at a height. Both triangles at the edge compute it from the same corners in the same
+/// order and so agree to the last bit.
+float crossing(const Corner& a, const Corner& b, float y)
+{
+    return a.x + (y - a.y) * ((b.x - a.x) / (b.y - a.y));
+}
+
+/// Colour and opacity as planes over the canvas.
+struct Shade {
+    std::array<float, 4> perX, perY;
+    Corner origin;
+
+    std::array<float, 4> at(float x, float y) const
+    {
+        std::array<float, 4> value;
+        for (std::size_t i = 0; i < 4; ++i) {
+            value[i] = origin.rgba[i] + (x - origin.x) * perX[i] + (y - origin.y) * perY[i];
+        }
+        return value;
+    }
+};
+
+Shade shadeOf(const Corner& a, const Corner& b, const Corner& c, float doubleArea)
+{
+    Shade shade{{}, {}, a};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const float ab = b.rgba[i] - a.rgba[i];
+        const float ac = c.rgba[i] - a.rgba[i];
+        shade.perX[i] = (ab * (c.y - a.y) - ac * (b.y - a.y)) / doubleArea;
+        shade.perY[i] = (ac * (b.x - a.x) - ab * (c.x - a.x)) / doubleArea;
+    }
+    return shade;
+}
+
+std::uint32_t blended(std::uint32_t under, const std::array<float, 4>& over)
+{
+    const float opacity = std::clamp(over[3], 0.0F, 1.0F);
+    const auto mix = [opacity](std::uint32_t below, float above) {
+        const auto ground = static_cast<float>(below & 0xFFU);
+        return static_cast<std::uint32_t>(std::clamp(ground + opacity * (above - ground) + 0.5F, 0.0F, 255.0F));
+    };
+    return 0xFF000000U | (mix(under >> 16U, over[0]) << 16U) | (mix(under >> 8U, over[1]) << 8U) | mix(under, over[2]);
+}
+
+void fillSpan(const Shade& shade, int y, int from, int to, Canvas canvas)
+{
+    std::array<float, 4> value = shade.at(static_cast<float>(from) + 0.5F, static_cast<float>(y) + 0.5F);
+    std::uint32_t* row = canvas.row(y);
+    for (int x = from; x < to; ++x) {
+        row[x] = blended(row[x], value);
+        for (std::size_t i = 0; i < 4; ++i) {
+            value[i] += shade.perX[i];
+        }
+    }
+}
+
+void fillTriangle(Corner a, Corner b, Corner c, Canvas canvas)
+{
+    if (b.y < a.y) {
+        std::swap(a, b);
+    }
+    if (c.y < a.y) {
+        std::swap(a, c);
+    }
+    if (c.y < b.y) {
+        std::swap(b, c);
+    }
+    const int top = std::max(0, firstInside(a.y));
+    const int bottom = std::min(canvas.height, firstInside(c.y));
+    const float doubleArea = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+    if (top >= bottom || std::abs(doubleArea) < 1e-9F) {
+        return;
+    }
+    const Shade shade = shadeOf(a, b, c, doubleArea);
+    for (int y = top; y < bottom; ++y) {
+        const float centre = static_cast<float>(y) + 0.5F;
+        const float one = crossing(a, c, centre);
+        const float other = centre < b.y ? crossing(a, b, centre) : crossing(b, c, centre);
+        const int from = std::max(0, firstInside(std::min(one, other)));
+        const int to = std::min(canvas.width, firstInside(std::max(one, other)));
+        if (from < to) {
+            fillSpan(shade, y, from, to, canvas);
+        }
+    }
+}
+
+}   // namespace
+
+void fillStrokes(const StrokeMesh& mesh, double topOfMesh, Canvas canvas)
+{
+    const auto top = static_cast<float>(topOfMesh);
+    for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
+        fillTriangle(cornerOf(mesh, mesh.triangles[i], top), cornerOf(mesh, mesh.triangles[i + 1], top),
+                     cornerOf(mesh, mesh.triangles[i + 2], top), canvas);
+    }
+}
+
+}   // namespace ui

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "ui/scenes/canvas.h"
+#include "ui/scenes/stroke_mesh.h"
+
+namespace ui {
+
+/// Blends the triangles of a mesh onto the canvas, in their order. `topOfMesh` is the mesh's y at the canvas's upper
+/// edge (the canvas's height when they cover the same area). Triangles that share an edge neither overlap nor gap: a
+/// pixel belongs to the one that holds its centre.
+void fillStrokes(const StrokeMesh& mesh, double topOfMesh, Canvas canvas);
+
+}   // namespace ui

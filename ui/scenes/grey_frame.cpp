@@ -1,0 +1,50 @@
+#include "ui/scenes/grey_frame.h"
+
+#include <utility>
+
+namespace ui {
+
+void GreyFrame::setPixels(const core::ImageF& pixels)
+{
+    pixels_ = pixels;
+    ++revision_;
+}
+
+void GreyFrame::setRange(const core::DisplayRange& range)
+{
+    if (range.low != range_.low || range.high != range_.high) {
+        range_ = range;
+        ++revision_;
+    }
+}
+
+void GreyFrame::setInverted(bool inverted)
+{
+    if (inverted != isInverted_) {
+        isInverted_ = inverted;
+        ++revision_;
+    }
+}
+
+const core::Image2d<std::uint8_t>& GreyFrame::grey() const
+{
+    if (std::exchange(greyRevision_, revision_) == revision_) {
+        return grey_;
+    }
+    grey_.width = pixels_.width;
+    grey_.height = pixels_.height;
+    grey_.pixels.resize(pixels_.pixels.size());
+    const double span = range_.window();
+    const auto gain = static_cast<float>(span > 0.0 ? 255.0 / span : 1e30);
+    const auto low = static_cast<float>(range_.low);
+    const float sign = isInverted_ ? -1.0F : 1.0F;
+    const float base = isInverted_ ? 255.5F : 0.5F;
+    for (std::size_t i = 0; i < pixels_.pixels.size(); ++i) {
+        const float value = (pixels_.pixels[i] - low) * gain;
+        const float bounded = value > 0.0F ? (value < 255.0F ? value : 255.0F) : 0.0F;   // NaN shows as the darkest
+        grey_.pixels[i] = static_cast<std::uint8_t>(base + sign * bounded);
+    }
+    return grey_;
+}
+
+}   // namespace ui

@@ -1,0 +1,107 @@
+#include "ui/scenes/resample_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace ui {
+namespace {
+
+/// Which source pixels make one target pixel, and with what share. Along one axis.
+struct Taps {
+    struct Target {
+        int first = 0;   ///< source pixel
+        int count = 0;   ///< 0: outside the picture
+        std::size_t weights = 0;   ///< where its shares begin
+    };
+    std::vector<Target> targets;
+    std::vector<float> weights;   ///< the shares of one target add up to 1
+};
+
+void addTarget(Taps& taps, double centre, double halfWidth, int sourceSize)
+{
+    Taps::Target target{0, 0, taps.weights.size()};
+    if (centre >= -0.5 && centre <= sourceSize - 0.5) {
+        const double inside = std::clamp(centre, 0.0, sourceSize - 1.0);
+        target.first = std::max(0, static_cast<int>(std::floor(inside - halfWidth)) + 1);
+        const int last = std::min(sourceSize - 1, static_cast<int>(std::ceil(inside + halfWidth)) - 1);
+        double sum = 0.0;
+        for (int i = target.first; i <= last; ++i) {
+            sum += 1.0 - std::abs(i - inside) / halfWidth;
+        }
+        for (int i = target.first; i <= last; ++i) {
+            taps.weights.push_back(static_cast<float>((1.0 - std::abs(i - inside) / halfWidth) / sum));
+        }
+        target.count = last - target.first + 1;
+    }
+    taps.targets.push_back(target);
+}
+
+Taps tapsOf(double from, double to, int targetSize, int sourceSize, Interpolation interpolation)
+{
+    Taps taps;
+    const double step = (to - from) / targetSize;
+    for (int k = 0; k < targetSize; ++k) {
+        const double centre = from + (k + 0.5) * step;
+        if (interpolation == Interpolation::Nearest) {
+            addTarget(taps, centre >= -0.5 && centre <= sourceSize - 0.5 ? std::round(centre) : centre, 1e-3,
+                      sourceSize);
+        } else {
+            addTarget(taps, centre, std::max(1.0, step), sourceSize);
+        }
+    }
+    return taps;
+}
+
+/// One row of the picture at the height of a target row: the source rows blended, as wide as the source.
+void blendRows(const core::Image2d<std::uint8_t>& grey, const Taps& down, const Taps::Target& target,
+               std::vector<float>& line)
+{
+    std::fill(line.begin(), line.end(), 0.5F);   // rounds
+    for (int k = 0; k < target.count; ++k) {
+        const float share = down.weights[target.weights + static_cast<std::size_t>(k)];
+        const std::uint8_t* source = grey.pixels.data() + grey.index(0, target.first + k);
+        for (std::size_t x = 0; x < line.size(); ++x) {
+            line[x] += share * static_cast<float>(source[x]);
+        }
+    }
+}
+
+void blendColumns(const std::vector<float>& line, const Taps& across, std::uint32_t around, std::uint32_t* row)
+{
+    for (const Taps::Target& target : across.targets) {
+        if (target.count == 0) {
+            *row++ = around;
+            continue;
+        }
+        const float* shares = across.weights.data() + target.weights;
+        const float* source = line.data() + target.first;
+        float value = 0.0F;
+        for (int k = 0; k < target.count; ++k) {
+            value += shares[k] * source[k];
+        }
+        *row++ = 0xFF000000U | 0x010101U * static_cast<std::uint32_t>(value);
+    }
+}
+
+}   // namespace
+
+void resampleFrame(const core::Image2d<std::uint8_t>& grey, const ViewRect& rect, Interpolation interpolation,
+                   const Color& around, Canvas canvas)
+{
+    const std::uint32_t outside = packed(around);
+    const Taps across = tapsOf(rect.left, rect.right, canvas.width, grey.width, interpolation);
+    const Taps down = tapsOf(rect.top, rect.bottom, canvas.height, grey.height, interpolation);
+    std::vector<float> line(static_cast<std::size_t>(grey.width));
+    for (int y = 0; y < canvas.height; ++y) {
+        const Taps::Target& target = down.targets[static_cast<std::size_t>(y)];
+        if (target.count == 0) {
+            std::fill_n(canvas.row(y), canvas.width, outside);
+            continue;
+        }
+        blendRows(grey, down, target, line);
+        blendColumns(line, across, outside, canvas.row(y));
+    }
+}
+
+}   // namespace ui
