@@ -1,5 +1,7 @@
 #include "core/registration/kd_tree_index.h"
 
+#include "core/registration/point_cloud.h"
+
 #include <cassert>
 #include <cstdint>
 #include <nanoflann.hpp>
@@ -8,22 +10,6 @@ namespace core {
 namespace {
 
 constexpr std::size_t leafSize = 10;
-
-/// What nanoflann wants to know about the points.
-struct PointCloud {
-    std::vector<Eigen::Vector2d> points;
-
-    std::size_t kdtree_get_point_count() const { return points.size(); }
-    double kdtree_get_pt(std::size_t index, std::size_t axis) const
-    {
-        return points[index](static_cast<Eigen::Index>(axis));
-    }
-    template <class Box>
-    bool kdtree_get_bbox(Box&) const
-    {
-        return false;
-    }
-};
 
 class KdTreeIndex final : public PointIndex {
 public:

@@ -60,6 +60,7 @@ void KernelPnp::begin(const RigidTransform& start)
     pose_ = start;
     damping_.reset();
     measure(problem_, pose_, current_);
+    measuredAtPx_ = 0.0;
     const double largestPx = largestDistancePx(current_);
     const double halfDiagonalPx = 0.5 * std::hypot(problem_.camera.width, problem_.camera.height);
     const double startPx =
@@ -72,6 +73,10 @@ void KernelPnp::begin(const RigidTransform& start)
 KernelPnp::Outcome KernelPnp::improve()
 {
     const double scalePx = annealing_.scalePx();
+    if (problem_.neighbours == Neighbours::Radius && scalePx != measuredAtPx_) {
+        measure(problem_, pose_, current_, scalePx);
+        measuredAtPx_ = scalePx;
+    }
     NormalEquations equations = kernelEquations(problem_, current_, scalePx);
     addPrior(prior_, pose_, equations);
     const double loss = kernelLoss(current_, scalePx);
@@ -82,7 +87,7 @@ KernelPnp::Outcome KernelPnp::improve()
         const RigidTransform candidate = expSe3(step) * pose_;
         const bool isTiny = stepLengthMm(step) < settledMm;
         if (isAllowed(candidate)) {
-            measure(problem_, candidate, trial_);
+            measure(problem_, candidate, trial_, scalePx);
             const double trialLoss = kernelLoss(trial_, scalePx);
             if (trialLoss <= loss) {
                 // 2ℓ²(1 − exp(−d²/2ℓ²)) is the loss that the weighted squares majorise.

@@ -67,6 +67,7 @@ private:
     ScaleAnnealing annealing_;
     Damping damping_;
     KernelDistances current_;
+    double measuredAtPx_ = 0.0;   ///< kernel width that `current_` was measured for; 0: nearest partners only
     KernelDistances trial_;
 };
 

@@ -1,7 +1,10 @@
 #include "core/registration/method.h"
 #include "core/registration/methods/angiopose.h"
+#include "core/registration/methods/assembled_icp.h"
+#include "core/registration/methods/dt_icp.h"
 #include "core/registration/methods/dynaweight.h"
 #include "core/registration/methods/iterative_pnp.h"
+#include "core/registration/methods/nicp.h"
 
 #include <algorithm>
 #include <vector>
@@ -21,6 +24,20 @@ const std::vector<Method>& table()
          solveDynaWeight},
         {{"iterative-pnp", "DynaWeightPnP*", "Kernel-weighted iterative PnP on all points (Song, Ghaffari)."},
          solveIterativePnp},
+        {{"nicp", "NICP",
+          "Gradient ascent of the mean kernel between tree and traced vessels, or of the image's brightness "
+          "(Aylward 2003; re-implementation, parameters ours)."},
+         solveNicp},
+        {{"nicp-alternating", "NICP*",
+          "NICP inside the alternating search (Song, Ghaffari; re-implementation, parameters ours)."},
+         solveNicpAlternating},
+        {{"dt-icp", "DT-ICP",
+          "Least Huber loss of the distances to the nearest traced vessel (Rivest-Hénault 2012; "
+          "re-implementation, parameters ours)."},
+         solveDtIcp},
+        {{"assembled-icp", "Assembled ICP",
+          "Least squares on nearest pairs by OpenCV's SQPNP, repeated: what library parts make in an afternoon."},
+         solveAssembledIcp},
     };
     return rows;
 }

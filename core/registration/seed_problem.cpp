@@ -91,6 +91,10 @@ SeedProblem makeSeedProblem(const RegistrationProblem& problem, const Registrati
         seed.schedule.farthestMm = seed.farthestMm;
     }
     seed.target = makeIndex(static_cast<IndexKind>(std::lround(options.index)), problem);
+    seed.neighbours = static_cast<Neighbours>(std::lround(options.neighbours));
+    if (seed.neighbours != Neighbours::Closest) {
+        seed.search = makeNeighbourSearch(problem.target.points);
+    }
     return seed;
 }
 

@@ -13,7 +13,7 @@ MethodSolution solveIterativePnp(const RegistrationProblem& problem, const Regis
     const SeedProblem seed = makeSeedProblem(problem, options);
     solution.time.targetMs = stopwatch.lapMs();
 
-    KernelPnp solver({seed.points, problem.camera, seed.target.get(), {}}, seed.prior, seed.schedule);
+    KernelPnp solver(seed.full(problem.camera), seed.prior, seed.schedule);
     std::vector<double> scratch;
     const KernelPnpResult result = solver.solve({}, [&](const KernelIteration& step) {
         IterationReport report;

@@ -1,0 +1,97 @@
+#include "core/registration/methods/assembled_icp.h"
+
+#include "core/registration/alternating_search.h"
+#include "core/registration/sqpnp.h"
+#include "core/support/stopwatch.h"
+
+#include <algorithm>
+
+namespace core {
+namespace {
+
+/// Up to rounding.
+bool areSame(const std::vector<Eigen::Vector2d>& a, const std::vector<Eigen::Vector2d>& b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const auto& p, const auto& q) { return (p - q).squaredNorm() < 1e-12; });
+}
+
+/// Matches and solves in turns; the solve knows no start, so rotation alone cannot be asked of it.
+class RepeatedPnp final : public PointSolver {
+public:
+    explicit RepeatedPnp(int maxIterations) : maxIterations_(maxIterations) {}
+
+    KernelPnpResult solve(const KernelProblem& problem, SearchStage stage, const RigidTransform& start,
+                          const KernelObserver& observe) override;
+    int maxIterations(SearchStage stage) const override { return stage == SearchStage::Auxiliary ? 1 : maxIterations_; }
+    bool canTurn() const override { return false; }
+
+private:
+    /// Pairs of all points that project, at the pose that was measured.
+    void collectPairs(const KernelProblem& problem);
+
+    int maxIterations_;
+    KernelDistances distances_;
+    std::vector<Eigen::Vector3d> points_;
+    std::vector<Eigen::Vector2d> partnersPx_;
+};
+
+void RepeatedPnp::collectPairs(const KernelProblem& problem)
+{
+    points_.clear();
+    partnersPx_.clear();
+    for (std::size_t i = 0; i < problem.points.size(); ++i) {
+        if (const auto pixel = project(problem.camera, distances_.inCamera[i])) {
+            points_.push_back(problem.points[i]);
+            partnersPx_.emplace_back(*pixel - distances_.residualPx[i]);
+        }
+    }
+}
+
+KernelPnpResult RepeatedPnp::solve(const KernelProblem& problem, SearchStage stage, const RigidTransform& start,
+                                   const KernelObserver& observe)
+{
+    KernelPnpResult result;
+    result.pose = start;
+    result.stopReason = StopReason::IterationLimit;
+    std::vector<Eigen::Vector2d> before;
+    measure(problem, result.pose, distances_);
+    while (result.iterations < maxIterations(stage)) {
+        before.swap(partnersPx_);
+        collectPairs(problem);
+        if (result.iterations > 0 && areSame(before, partnersPx_)) {
+            result.stopReason = StopReason::Converged;
+            break;
+        }
+        const std::optional<RigidTransform> pose = solveSqpnp(points_, partnersPx_, problem.camera);
+        if (!pose) {
+            result.stopReason = StopReason::NoImprovement;
+            break;
+        }
+        result.pose = *pose;
+        measure(problem, result.pose, distances_);
+        ++result.iterations;
+        if (observe && observe({result.iterations, 0.0, result.pose, &distances_}) == Verdict::Stop) {
+            result.stopReason = StopReason::StoppedByUser;
+            break;
+        }
+    }
+    return result;
+}
+
+}   // namespace
+
+MethodSolution solveAssembledIcp(const RegistrationProblem& problem, const RegistrationOptions& options,
+                                 ProgressLog& progress)
+{
+    Stopwatch stopwatch;
+    const SeedProblem seed = makeSeedProblem(problem, options);
+    const double targetMs = stopwatch.lapMs();
+    RepeatedPnp solver(options.icpIterations);
+    MethodSolution solution =
+        searchAlternating(problem, options, seed, solver, {false, options.alternate != 0.0}, progress);
+    solution.time.targetMs = targetMs;
+    return solution;
+}
+
+}   // namespace core

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+namespace core {
+
+/// Which target points pull a tree point (Δ of the seed, ALGORITHMS §2, decision 18).
+enum class Neighbours {
+    Closest,
+    Five,   ///< the five nearest
+    Radius   ///< all within three kernel widths, the nearest 64 at most
+};
+
+/// Finds several near target points in the image.
+class NeighbourSearch {
+public:
+    virtual ~NeighbourSearch() = default;
+
+    /// The `count` nearest of the points within `radiusPx` of a finite pixel, nearest first.
+    virtual void find(const Eigen::Vector2d& queryPx, std::size_t count, double radiusPx,
+                      std::vector<Eigen::Vector2d>& foundPx) const = 0;
+};
+
+/// Exact, by KD-tree; `pointsPx` finite and not empty.
+std::unique_ptr<NeighbourSearch> makeNeighbourSearch(std::vector<Eigen::Vector2d> pointsPx);
+
+}   // namespace core

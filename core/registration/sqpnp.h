@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/geometry/projection_camera.h"
+#include "core/geometry/rigid_transform.h"
+
+#include <optional>
+#include <span>
+
+namespace core {
+
+/// Least-squares pose of points with known pixels, without a start: OpenCV's SQPNP. Nothing when the pairs fix no pose.
+std::optional<RigidTransform> solveSqpnp(std::span<const Eigen::Vector3d> points,
+                                         std::span<const Eigen::Vector2d> pixels, const ProjectionCamera& camera);
+
+}   // namespace core

@@ -1,0 +1,201 @@
+#include "core/evaluation/projection_error.h"
+#include "core/registration/auxiliary_points.h"
+#include "core/registration/distance_descent.h"
+#include "core/registration/method.h"
+#include "core/registration/seed_problem.h"
+#include "tests/support/clean_case.h"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+
+namespace {
+
+using namespace core;
+using test::CleanCase;
+
+RegistrationOptions exactSamples(std::string_view method)
+{
+    RegistrationOptions options;
+    options.method = method;
+    options.resample = 0.0;
+    options.preset = static_cast<double>(PriorPreset::NoPrior);
+    return options;
+}
+
+RigidTransform poseOf(const RegistrationInput& input, const RegistrationOptions& options)
+{
+    const Result<RegistrationProblem> problem = makeProblem(input, options);
+    EXPECT_TRUE(problem) << (problem ? "" : problem.error().message);
+    const IterationObserver none;
+    ProgressLog progress(none);
+    return findMethod(options.method)->solve(problem.value(), options, progress).cameraFromPatient;
+}
+
+double meanPx(const CleanCase& clean, const RigidTransform& pose)
+{
+    return projectionError(clean.tree, clean.camera, {pose, clean.truth}).meanPx;
+}
+
+double depthOffMm(const CleanCase& clean, const RigidTransform& pose)
+{
+    const Eigen::Vector3d centroid = centroidInPatient(clean.tree);
+    return (pose * centroid - clean.truth * centroid).z();
+}
+
+TEST(DtIcp, BothSolversAndTheAffineStageFindTheExactPose)
+{
+    const CleanCase clean(2);
+    CounterRandom random(5);
+    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    RegistrationOptions options = exactSamples("dt-icp");
+    EXPECT_LT(meanPx(clean, poseOf(input, options)), 0.01);
+    options.icpModel = 1.0;
+    EXPECT_LT(meanPx(clean, poseOf(input, options)), 0.01);
+    options.icpSolver = 1.0;
+    EXPECT_LT(meanPx(clean, poseOf(input, options)), 0.1);
+}
+
+// What the method is known for (ALGORITHMS §3.6): shrinking always lowers a one-sided distance, so with branches
+// missing from the image the tree runs away along the ray.
+TEST(DtIcp, RunsAwayInDepthWhereTheImageShowsLittle)
+{
+    CleanCase clean(1);
+    clean.target.curves.resize(2);
+    CounterRandom random(1);
+    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    EXPECT_GT(std::abs(depthOffMm(clean, poseOf(input, exactSamples("dt-icp")))), 100.0);
+}
+
+TEST(DistanceDescent, GradientOfTheSmoothSolverLeadsDownhill)
+{
+    const CleanCase clean(2);
+    CounterRandom random(9);
+    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const auto problem = makeProblem(input, exactSamples("dt-icp"));
+    const SeedProblem seed = makeSeedProblem(problem.value(), exactSamples("dt-icp"));
+    const KernelProblem full = seed.full(clean.camera);
+    const auto loss = [&](const RigidTransform& pose) {
+        KernelDistances distances;
+        measure(full, pose, distances);
+        return huberLoss(full, distances, 5.0);
+    };
+    KernelDistances distances;
+    measure(full, {}, distances);
+    const NormalEquations equations = huberEquations(full, distances, 5.0);
+    for (int k = 0; k < 6; ++k) {
+        const Vector6d step = 1e-6 * Vector6d::Unit(k);
+        const double slope = (loss(expSe3(step)) - loss(expSe3(-step))) / 2e-6;
+        EXPECT_NEAR(2.0 * equations.gradient(k), slope, 1e-3 * std::max(1.0, std::abs(slope))) << k;
+    }
+}
+
+// The literal step (ALGORITHMS §3.3) turns about the source only: the shift that the start lacks stays lacking.
+TEST(Nicp, LiteralStepsHardlyShift)
+{
+    const CleanCase clean(1);
+    const RigidTransform start =
+        RigidTransform{Eigen::Matrix3d::Identity(), Eigen::Vector3d(3.0, 4.0, 0.0)} * clean.truth;
+    RegistrationOptions options = exactSamples("nicp");
+    options.nicpIterations = 60;
+    options.nicpStep = 1.0;
+    const RigidTransform motion = poseOf(clean.from(start), options) * start.inverse();
+    EXPECT_LT(motion.translation.norm(), 0.05);
+    EXPECT_GT(angleBetween(motion.rotation, Eigen::Matrix3d::Identity()) * 800.0, 1.0);
+}
+
+TEST(Nicp, ThePriorHoldsItBack)
+{
+    const CleanCase clean(1);
+    CounterRandom random(3);
+    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    RegistrationOptions options = exactSamples("nicp");
+    options.nicpIterations = 60;
+    options.preset = static_cast<double>(PriorPreset::SeedMean);
+    const RigidTransform free = poseOf(input, options);
+    options.nicpPrior = 1.0;
+    const RigidTransform held = poseOf(input, options);
+    const auto movedMm = [&](const RigidTransform& pose) {
+        return (pose * input.initialCameraFromPatient.inverse()).translation.norm();
+    };
+    EXPECT_LT(movedMm(held), 0.5 * movedMm(free));
+}
+
+TEST(Alternation, TakesAnyMethodOfPoints)
+{
+    const CleanCase clean(3);
+    CounterRandom random(6);
+    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    for (const std::string_view method : {"dt-icp", "assembled-icp"}) {
+        RegistrationOptions options = exactSamples(method);
+        options.alternate = 1.0;
+        EXPECT_LT(meanPx(clean, poseOf(input, options)), 0.01) << method;
+    }
+}
+
+TEST(Neighbours, MoreOfThemStillLeadToThePose)
+{
+    const CleanCase clean(2);
+    CounterRandom random(4);
+    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    for (const Neighbours rule : {Neighbours::Closest, Neighbours::Five, Neighbours::Radius}) {
+        RegistrationOptions options = exactSamples("iterative-pnp");
+        options.neighbours = static_cast<double>(rule);
+        EXPECT_LT(meanPx(clean, poseOf(input, options)), 0.5) << options.neighbours;
+    }
+}
+
+TEST(Neighbours, GradientOfTheirKernelSumMatchesDifferences)
+{
+    const CleanCase clean(2);
+    CounterRandom random(8);
+    RegistrationOptions options = exactSamples("iterative-pnp");
+    options.neighbours = static_cast<double>(Neighbours::Five);
+    const auto problem = makeProblem(clean.from(clean.nearbyStart(random)), options);
+    const SeedProblem seed = makeSeedProblem(problem.value(), options);
+    const KernelProblem full = seed.full(clean.camera);
+    const double scalePx = 9.0;
+    const auto loss = [&](const RigidTransform& pose) {
+        KernelDistances distances;
+        measure(full, pose, distances, scalePx);
+        return kernelLoss(distances, scalePx);
+    };
+    KernelDistances distances;
+    measure(full, {}, distances, scalePx);
+    EXPECT_EQ(distances.further.size(), 4 * full.points.size());
+    const NormalEquations equations = kernelEquations(full, distances, scalePx);
+    for (int k = 0; k < 6; ++k) {
+        const Vector6d step = 1e-7 * Vector6d::Unit(k);
+        const double slope = (loss(expSe3(step)) - loss(expSe3(-step))) / 2e-7;
+        EXPECT_NEAR(equations.gradient(k) / (scalePx * scalePx), slope, 1e-2 * std::max(0.1, std::abs(slope))) << k;
+    }
+}
+
+TEST(AuxiliaryPoints, FollowTheOption)
+{
+    const CleanCase clean(5);
+    RegistrationOptions options = exactSamples("dynaweight");
+    const auto choose = [&](AuxiliarySet set, std::vector<int> branchIds) {
+        options.auxiliary = static_cast<double>(set);
+        RegistrationInput input = clean.from(clean.truth);
+        input.auxiliaryBranchIds = std::move(branchIds);
+        return makeProblem(input, options).value();
+    };
+    const int branch = clean.tree.branches[1].id;
+    const RegistrationProblem nodes = choose(AuxiliarySet::Chosen, {});
+    EXPECT_EQ(nodes.auxiliary, choose(AuxiliarySet::Nodes, {branch}).auxiliary);
+    EXPECT_EQ(choose(AuxiliarySet::Chosen, {branch}).auxiliary.size(), clean.tree.branches[1].pointsInPatient.size());
+
+    const RegistrationProblem main = choose(AuxiliarySet::MainBranches, {});
+    EXPECT_GE(main.auxiliary.size(), main.tree.size() / 3);
+    EXPECT_LT(main.auxiliary.size(), 2 * main.tree.size() / 3);
+
+    options.auxiliaryCount = 25;
+    const RegistrationProblem random = choose(AuxiliarySet::Random, {});
+    EXPECT_EQ(random.auxiliary.size(), 25U);
+    EXPECT_TRUE(std::is_sorted(random.auxiliary.begin(), random.auxiliary.end()));
+    EXPECT_EQ(random.auxiliary, choose(AuxiliarySet::Random, {}).auxiliary);
+    options.randomSeed = 2;
+    EXPECT_NE(random.auxiliary, choose(AuxiliarySet::Random, {}).auxiliary);
+}
+
+}   // namespace
