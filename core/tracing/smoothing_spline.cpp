@@ -1,9 +1,10 @@
 #include "core/tracing/smoothing_spline.h"
 
 namespace core {
+namespace {
 
-std::vector<Eigen::Vector2d> smoothed(const std::vector<Eigen::Vector2d>& points, const std::vector<double>& weights,
-                                      double lambda)
+template <class Value>
+std::vector<Value> smoothedValues(const std::vector<Value>& points, const std::vector<double>& weights, double lambda)
 {
     const std::size_t n = points.size();
     if (n < 3) {
@@ -21,7 +22,7 @@ std::vector<Eigen::Vector2d> smoothed(const std::vector<Eigen::Vector2d>& points
         upper1[k + 1] -= 2.0 * lambda;
         upper2[k] += lambda;
     }
-    std::vector<Eigen::Vector2d> x(n);
+    std::vector<Value> x(n);
     for (std::size_t i = 0; i < n; ++i) {
         x[i] = weights[i] * points[i];
     }
@@ -50,6 +51,25 @@ std::vector<Eigen::Vector2d> smoothed(const std::vector<Eigen::Vector2d>& points
         }
     }
     return x;
+}
+
+}   // namespace
+
+std::vector<Eigen::Vector2d> smoothed(const std::vector<Eigen::Vector2d>& points, const std::vector<double>& weights,
+                                      double lambda)
+{
+    return smoothedValues(points, weights, lambda);
+}
+
+std::vector<Eigen::Vector3d> smoothed(const std::vector<Eigen::Vector3d>& points, const std::vector<double>& weights,
+                                      double lambda)
+{
+    return smoothedValues(points, weights, lambda);
+}
+
+std::vector<double> smoothed(const std::vector<double>& values, const std::vector<double>& weights, double lambda)
+{
+    return smoothedValues(values, weights, lambda);
 }
 
 }   // namespace core

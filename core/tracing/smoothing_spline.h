@@ -9,5 +9,8 @@ namespace core {
 /// (Whittaker 1923; Eilers 2003). `weights` one per point; keeps straight lines as they are.
 std::vector<Eigen::Vector2d> smoothed(const std::vector<Eigen::Vector2d>& points, const std::vector<double>& weights,
                                       double lambda);
+std::vector<Eigen::Vector3d> smoothed(const std::vector<Eigen::Vector3d>& points, const std::vector<double>& weights,
+                                      double lambda);
+std::vector<double> smoothed(const std::vector<double>& values, const std::vector<double>& weights, double lambda);
 
 }   // namespace core

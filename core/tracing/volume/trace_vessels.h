@@ -16,9 +16,12 @@ namespace core {
 
 /// One set of defaults for every scan.
 struct VesselTracingOptions {
-    std::optional<double> threshold;   ///< lumen begins at this value (HU for CT); absent: found from the blood
-    std::vector<Eigen::Vector3d> seedsInPatient;   ///< LPS mm; only vessels connected to one of them; none: the largest
-    std::optional<Eigen::Vector3d> rootInPatient;   ///< LPS mm; the end nearest to it is the root; absent: the thickest
+    std::optional<double> threshold =
+        std::nullopt;   ///< lumen begins at this value (HU for CT); absent: found from the blood
+    std::vector<Eigen::Vector3d> seedsInPatient =
+        {};   ///< LPS mm; only vessels connected to one of them; none: the largest
+    std::optional<Eigen::Vector3d> rootInPatient =
+        std::nullopt;   ///< LPS mm; the end nearest to it is the root; absent: the thickest
     double minBranchLengthMm = 6.0;   ///< branches that leave their parent's wall by less are removed
     double minBranchRadiusMm = 0.0;   ///< branches that are thinner on average are removed
     double pointSpacingMm = 1.0;   ///< along the branches

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <thread>
+#include <vector>
+
+namespace core {
+
+/// `asked`, or as many threads as the processor has when it is 0.
+inline int threadCount(int asked)
+{
+    return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+/// Calls `work(i)` once for each i below `count`, on `threads` threads, this one among them; `meanwhile(done)` is
+/// called on this one between its pieces of work, and its false leaves the rest undone. Results that depend on i alone
+/// and are stored by i come out the same for any number of threads.
+template <class Work, class Meanwhile>
+bool parallelFor(std::size_t count, int threads, const Work& work, const Meanwhile& meanwhile)
+{
+    std::atomic<std::size_t> next{0};
+    std::atomic<bool> stopped{false};
+    std::vector<std::jthread> helpers;
+    for (int t = 1; t < threads; ++t) {
+        helpers.emplace_back([&] {
+            for (std::size_t i = next++; i < count && !stopped; i = next++) {
+                work(i);
+            }
+        });
+    }
+    for (std::size_t i = next++; i < count; i = next++) {
+        work(i);
+        if (!meanwhile(static_cast<double>(i + 1) / static_cast<double>(count))) {
+            stopped = true;
+            break;
+        }
+    }
+    helpers.clear();   // waits for their last piece
+    return !stopped;
+}
+
+}   // namespace core

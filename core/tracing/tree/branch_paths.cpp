@@ -1,0 +1,215 @@
+#include "core/tracing/tree/branch_paths.h"
+
+#include <algorithm>
+#include <deque>
+#include <limits>
+#include <numeric>
+
+namespace core {
+namespace {
+
+constexpr double lookAheadMm = 12.0;   ///< stretch of an edge that tells its width and direction at a node
+constexpr double directionWorth = 0.8;
+
+/// Width and direction of an edge where it leaves its start node, beyond the node's own ball.
+struct Departure {
+    double radiusMm = 0.0;
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+};
+
+Departure departureOf(const VesselEdge& edge, double nodeRadiusMm)
+{
+    const Eigen::Vector3d& start = edge.pointsMm.front();
+    std::vector<double> radii;
+    std::size_t last = edge.pointsMm.size() - 1;
+    for (std::size_t i = 0; i < edge.pointsMm.size(); ++i) {
+        const double away = (edge.pointsMm[i] - start).norm();
+        if (away > nodeRadiusMm + lookAheadMm) {
+            last = i;
+            break;
+        }
+        if (away > nodeRadiusMm) {
+            radii.push_back(edge.radiusMm[i]);
+        }
+    }
+    Departure departure;
+    departure.radiusMm = edge.radiusMm.back();
+    if (!radii.empty()) {
+        std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());
+        departure.radiusMm = radii[radii.size() / 2];
+    }
+    departure.direction = (edge.pointsMm[last] - start).normalized();
+    return departure;
+}
+
+/// A path to be followed from `edge`, which leaves `node`.
+struct Start {
+    std::size_t edge = 0;
+    int node = 0;
+    int parent = -1;
+    int generation = 0;
+};
+
+class Gatherer {
+public:
+    explicit Gatherer(const VesselGraph& graph)
+        : graph_(graph), meeting_(graph.nodesMm.size()), used_(graph.edges.size(), false)
+    {
+        for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+            meeting_[static_cast<std::size_t>(graph.edges[e].startNode)].push_back(e);
+            meeting_[static_cast<std::size_t>(graph.edges[e].endNode)].push_back(e);
+        }
+    }
+
+    std::vector<BranchPath> run(const std::optional<Eigen::Vector3d>& rootMm)
+    {
+        for (const std::vector<int>& nodes : pieces()) {
+            const int root = rootOf(nodes, rootMm);
+            if (root >= 0) {
+                starts_.push_back({meeting_[static_cast<std::size_t>(root)].front(), root, -1, 0});
+                followAll();
+            }
+        }
+        return std::move(paths_);
+    }
+
+private:
+    VesselEdge leaving(std::size_t edge, int node) const
+    {
+        const VesselEdge& stored = graph_.edges[edge];
+        return stored.startNode == node ? stored : reversed(stored);
+    }
+
+    double nodeRadius(int node) const { return graph_.nodeRadiusMm[static_cast<std::size_t>(node)]; }
+
+    /// Nodes by connected piece, that with the greatest length of vessels first.
+    std::vector<std::vector<int>> pieces() const
+    {
+        std::vector<std::vector<int>> found;
+        std::vector<double> lengths;
+        std::vector<bool> seen(graph_.nodesMm.size(), false);
+        for (int node = 0; node < static_cast<int>(seen.size()); ++node) {
+            if (seen[static_cast<std::size_t>(node)] || meeting_[static_cast<std::size_t>(node)].empty()) {
+                continue;
+            }
+            seen[static_cast<std::size_t>(node)] = true;
+            std::vector<int> piece{node};
+            double length = 0.0;
+            for (std::size_t n = 0; n < piece.size(); ++n) {
+                for (const std::size_t e : meeting_[static_cast<std::size_t>(piece[n])]) {
+                    const VesselEdge& edge = graph_.edges[e];
+                    length += 0.5 * edge.lengthMm();
+                    const int other = edge.startNode == piece[n] ? edge.endNode : edge.startNode;
+                    if (!seen[static_cast<std::size_t>(other)]) {
+                        seen[static_cast<std::size_t>(other)] = true;
+                        piece.push_back(other);
+                    }
+                }
+            }
+            found.push_back(std::move(piece));
+            lengths.push_back(length);
+        }
+        std::vector<std::size_t> order(found.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::size_t a, std::size_t b) { return lengths[a] > lengths[b]; });
+        std::vector<std::vector<int>> sorted;
+        for (const std::size_t p : order) {
+            sorted.push_back(std::move(found[p]));
+        }
+        return sorted;
+    }
+
+    int rootOf(const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm) const
+    {
+        int best = -1;
+        double bestWorth = -std::numeric_limits<double>::infinity();
+        for (const int node : nodes) {
+            const std::vector<std::size_t>& edges = meeting_[static_cast<std::size_t>(node)];
+            if (edges.size() != 1) {
+                continue;
+            }
+            const double worth = rootMm ? -(graph_.nodesMm[static_cast<std::size_t>(node)] - *rootMm).norm()
+                                        : departureOf(leaving(edges.front(), node), nodeRadius(node)).radiusMm;
+            if (worth > bestWorth + 1e-9) {
+                bestWorth = worth;
+                best = node;
+            }
+        }
+        return best;
+    }
+
+    void followAll()
+    {
+        while (!starts_.empty()) {
+            const Start start = starts_.front();
+            starts_.pop_front();
+            if (!used_[start.edge]) {
+                follow(start);
+            }
+        }
+    }
+
+    void follow(const Start& start)
+    {
+        const int index = static_cast<int>(paths_.size());
+        BranchPath path{start.parent, start.generation, {}, {}};
+        std::size_t edge = start.edge;
+        int node = start.node;
+        for (bool goesOn = true; goesOn;) {
+            const VesselEdge way = leaving(edge, node);
+            used_[edge] = true;
+            const std::ptrdiff_t skip = path.pointsMm.empty() ? 0 : 1;   // the node is there already
+            path.pointsMm.insert(path.pointsMm.end(), way.pointsMm.begin() + skip, way.pointsMm.end());
+            path.radiusMm.insert(path.radiusMm.end(), way.radiusMm.begin() + skip, way.radiusMm.end());
+            node = way.endNode;
+            goesOn = false;
+            const std::size_t next = continuation(way);
+            for (const std::size_t e : meeting_[static_cast<std::size_t>(node)]) {
+                if (e == next) {
+                    goesOn = true;
+                } else if (!used_[e]) {
+                    starts_.push_back({e, node, index, start.generation + 1});
+                }
+            }
+            edge = next;
+        }
+        paths_.push_back(std::move(path));
+    }
+
+    /// The edge in which the vessel that arrives by `way` goes on; the number of edges when it ends.
+    std::size_t continuation(const VesselEdge& way) const
+    {
+        const Departure arriving = departureOf(reversed(way), nodeRadius(way.endNode));
+        std::size_t best = graph_.edges.size();
+        double bestWorth = -std::numeric_limits<double>::infinity();
+        for (const std::size_t e : meeting_[static_cast<std::size_t>(way.endNode)]) {
+            if (used_[e]) {
+                continue;
+            }
+            const Departure departure = departureOf(leaving(e, way.endNode), nodeRadius(way.endNode));
+            const double worth = std::min(1.0, departure.radiusMm / arriving.radiusMm) -
+                                 directionWorth * departure.direction.dot(arriving.direction);
+            if (worth > bestWorth + 1e-9) {
+                bestWorth = worth;
+                best = e;
+            }
+        }
+        return best;
+    }
+
+    const VesselGraph& graph_;
+    std::vector<std::vector<std::size_t>> meeting_;   ///< edges by node
+    std::vector<bool> used_;
+    std::deque<Start> starts_;
+    std::vector<BranchPath> paths_;
+};
+
+}   // namespace
+
+std::vector<BranchPath> branchPaths(const VesselGraph& graph, const std::optional<Eigen::Vector3d>& rootMm)
+{
+    return Gatherer(graph).run(rootMm);
+}
+
+}   // namespace core

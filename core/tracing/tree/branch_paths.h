@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/tracing/tree/vessel_graph.h"
+
+#include <optional>
+#include <vector>
+
+namespace core {
+
+/// A vessel from where it leaves its parent to its end, over all the nodes it passes.
+struct BranchPath {
+    int parent = -1;   ///< index among the paths; -1: begins at a root
+    int generation = 0;   ///< 0 for roots
+    std::vector<Eigen::Vector3d> pointsMm;   ///< the first lies at the node in the parent
+    std::vector<double> radiusMm;
+};
+
+/// The graph, free of loops, as vessels from the root: at each node the vessel goes on in the edge that agrees best in
+/// width and direction, the others leave it. Parents come before their children, the first generation first, along the
+/// parent. The root of each piece is its end nearest to `rootMm`, or its thickest end; the piece with the greatest
+/// length comes first.
+std::vector<BranchPath> branchPaths(const VesselGraph& graph, const std::optional<Eigen::Vector3d>& rootMm);
+
+}   // namespace core

@@ -1,0 +1,97 @@
+#include "core/tracing/tree/lumen_tree.h"
+
+#include "core/support/parallel_for.h"
+#include "core/tracing/tree/branch_paths.h"
+#include "core/tracing/tree/open_loops.h"
+#include "core/tracing/tree/prune_spurs.h"
+#include "core/tracing/tree/vessel_curve.h"
+#include "core/tracing/tree/vessel_graph.h"
+#include "core/tracing/volume/distance_map.h"
+#include "core/tracing/volume/thin_volume.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+namespace {
+
+std::optional<Eigen::Vector3d> onGrid(const std::optional<Eigen::Vector3d>& inPatient, const VolumeGeometry& grid)
+{
+    if (!inPatient) {
+        return std::nullopt;
+    }
+    const Eigen::Vector3d voxel = grid.patientFromVoxel().inverse() * *inPatient;
+    return grid.spacingMm.cwiseProduct(voxel);
+}
+
+VesselGraph prunedGraph(const VoxelMask& lumen, const VesselTracingOptions& options, TracingProgress& progress,
+                        int& openedLoops)
+{
+    progress.enter("thinning", 0.7, 0.8);
+    const DistanceMap distances = distanceMap(lumen, threadCount(options.threads), progress);
+    const std::vector<std::size_t> skeleton = thinned(lumen, progress);
+    if (progress.isStopped()) {
+        return {};
+    }
+    progress.enter("branches", 0.8, 1.0);
+    VesselGraph graph = vesselGraph(skeleton, distances);
+    openedLoops = openLoops(graph);
+    pruneSpurs(graph, {.minLengthMm = options.minBranchLengthMm, .minRadiusMm = options.minBranchRadiusMm});
+    return graph;
+}
+
+VesselBranch branchOf(const VesselCurve& curve, int id, int generation, const VolumeGeometry& grid)
+{
+    VesselBranch branch;
+    branch.id = id;
+    branch.generation = generation;
+    branch.radiusMm = curve.radiusMm;
+    for (const Eigen::Vector3d& point : curve.pointsMm) {
+        branch.pointsInPatient.emplace_back(grid.originInPatient + grid.direction * point);
+    }
+    return branch;
+}
+
+}   // namespace
+
+LumenTree lumenTree(const VoxelMask& lumen, const BloodFill& fill, const VesselTracingOptions& options,
+                    TracingProgress& progress)
+{
+    LumenTree result;
+    const VolumeGeometry& grid = lumen.geometry;
+    const VesselGraph graph = prunedGraph(lumen, options, progress, result.openedLoops);
+    const std::vector<BranchPath> paths = branchPaths(graph, onGrid(options.rootInPatient, grid));
+    const CurveSettings settings{grid.spacingMm.minCoeff(), options.pointSpacingMm, Eigen::Vector3d::Zero(),
+                                 grid.spacingMm.cwiseProduct((grid.size.array() - 1).cast<double>().matrix())};
+    std::vector<VesselCurve> curves;
+    for (const BranchPath& path : paths) {
+        const VesselCurve* parent = path.parent >= 0 ? &curves[static_cast<std::size_t>(path.parent)] : nullptr;
+        curves.push_back(vesselCurve(path, parent, fill, settings));
+        result.tree.branches.push_back(branchOf(curves.back(), static_cast<int>(curves.size()), path.generation, grid));
+        if (!progress.advance(static_cast<double>(curves.size()) / static_cast<double>(paths.size()))) {
+            return {};
+        }
+    }
+    return result;
+}
+
+BloodFill fillOf(const VoxelMask& mask)
+{
+    return [&mask](const Eigen::Vector3d& pointMm) {
+        const VolumeGeometry& grid = mask.geometry;
+        const Eigen::Vector3d voxel = pointMm.cwiseQuotient(grid.spacingMm);
+        const Eigen::Vector3d low = voxel.array().floor();
+        const Eigen::Vector3d share = voxel - low;
+        double sum = 0.0;
+        for (int corner = 0; corner < 8; ++corner) {
+            const Eigen::Vector3i step(corner & 1, corner >> 1 & 1, corner >> 2);
+            // Beyond the rim a vessel goes on as it left.
+            const Eigen::Vector3i at = (low.cast<int>() + step).cwiseMax(0).cwiseMin((grid.size.array() - 1).matrix());
+            const Eigen::Vector3d weight = (step.array() != 0).select(share.array(), 1.0 - share.array());
+            sum += weight.prod() * (mask.at(at.x(), at.y(), at.z()) != 0 ? 1.0 : 0.0);
+        }
+        return sum;
+    };
+}
+
+}   // namespace core

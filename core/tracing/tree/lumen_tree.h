@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/imaging/volume.h"
+#include "core/tracing/tree/cross_section.h"
+#include "core/tracing/volume/trace_vessels.h"
+#include "core/tracing/volume/tracing_progress.h"
+
+namespace core {
+
+struct LumenTree {
+    VesselTree tree;   ///< patient LPS
+    int openedLoops = 0;
+};
+
+/// Thinning → graph → tree → smooth centrelines with radii. `lumen` has patient axis order; `fill` tells where its wall
+/// lies below the voxel. No branches when nothing is long enough, or when stopped.
+LumenTree lumenTree(const VoxelMask& lumen, const BloodFill& fill, const VesselTracingOptions& options,
+                    TracingProgress& progress);
+
+/// Linear interpolation between the voxels of a mask: one half at its wall.
+BloodFill fillOf(const VoxelMask& mask);
+
+}   // namespace core

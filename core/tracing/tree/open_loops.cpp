@@ -1,0 +1,105 @@
+#include "core/tracing/tree/open_loops.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace core {
+namespace {
+
+/// Of the thinnest points inside the edge the one nearest to its middle.
+std::size_t thinnestPoint(const VesselEdge& edge)
+{
+    const std::size_t middle = edge.radiusMm.size() / 2;
+    const auto fromMiddle = [&](std::size_t i) { return i > middle ? i - middle : middle - i; };
+    std::size_t best = middle;
+    for (std::size_t i = 1; i + 1 < edge.radiusMm.size(); ++i) {
+        const double difference = edge.radiusMm[i] - edge.radiusMm[best];
+        if (difference < -1e-9 || (difference < 1e-9 && fromMiddle(i) < fromMiddle(best))) {
+            best = i;
+        }
+    }
+    return best;
+}
+
+double relativeWidth(const VesselGraph& graph, const VesselEdge& edge)
+{
+    const double atNodes = std::min(graph.nodeRadiusMm[static_cast<std::size_t>(edge.startNode)],
+                                    graph.nodeRadiusMm[static_cast<std::size_t>(edge.endNode)]);
+    return *std::min_element(edge.radiusMm.begin(), edge.radiusMm.end()) / atNodes;
+}
+
+int representative(std::vector<int>& above, int node)
+{
+    while (above[static_cast<std::size_t>(node)] != node) {
+        int& up = above[static_cast<std::size_t>(node)];
+        up = above[static_cast<std::size_t>(up)];
+        node = up;
+    }
+    return node;
+}
+
+int addEnd(VesselGraph& graph, const VesselEdge& edge, std::size_t point)
+{
+    graph.nodesMm.push_back(edge.pointsMm[point]);
+    graph.nodeRadiusMm.push_back(edge.radiusMm[point]);
+    return static_cast<int>(graph.nodesMm.size()) - 1;
+}
+
+/// Both halves of an edge without the point between them; halves of one point are none.
+void addHalves(VesselGraph& graph, const VesselEdge& edge)
+{
+    const std::size_t cut = thinnestPoint(edge);
+    const auto take = [&](std::size_t from, std::size_t to) {
+        const auto first = static_cast<std::ptrdiff_t>(from);
+        const auto last = static_cast<std::ptrdiff_t>(to);
+        VesselEdge half = edge;
+        half.pointsMm.assign(edge.pointsMm.begin() + first, edge.pointsMm.begin() + last);
+        half.radiusMm.assign(edge.radiusMm.begin() + first, edge.radiusMm.begin() + last);
+        return half;
+    };
+    if (cut >= 2) {
+        VesselEdge half = take(0, cut);
+        half.endNode = addEnd(graph, edge, cut - 1);
+        graph.edges.push_back(std::move(half));
+    }
+    if (cut + 2 < edge.pointsMm.size()) {
+        VesselEdge half = take(cut + 1, edge.pointsMm.size());
+        half.startNode = addEnd(graph, edge, cut + 1);
+        graph.edges.push_back(std::move(half));
+    }
+}
+
+}   // namespace
+
+int openLoops(VesselGraph& graph)
+{
+    std::vector<VesselEdge> edges = std::move(graph.edges);
+    graph.edges.clear();
+    std::vector<double> widths;
+    for (const VesselEdge& edge : edges) {
+        widths.push_back(relativeWidth(graph, edge));
+    }
+    std::vector<std::size_t> order(edges.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return widths[a] > widths[b]; });
+
+    std::vector<int> above(graph.nodesMm.size());
+    std::iota(above.begin(), above.end(), 0);
+    std::vector<std::size_t> closing;
+    for (const std::size_t e : order) {
+        const int start = representative(above, edges[e].startNode);
+        const int end = representative(above, edges[e].endNode);
+        if (start == end) {
+            closing.push_back(e);
+        } else {
+            above[static_cast<std::size_t>(start)] = end;
+            graph.edges.push_back(edges[e]);
+        }
+    }
+    for (const std::size_t e : closing) {
+        addHalves(graph, edges[e]);
+    }
+    return static_cast<int>(closing.size());
+}
+
+}   // namespace core

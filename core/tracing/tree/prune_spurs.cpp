@@ -1,0 +1,172 @@
+#include "core/tracing/tree/prune_spurs.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace core {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/// What sticks out of the parent's wall, up to the tip.
+struct Protrusion {
+    double lengthMm = 0.0;
+    double radiusMm = 0.0;
+};
+
+Protrusion protrusionOf(const VesselEdge& fromParent, double parentRadiusMm)
+{
+    const Eigen::Vector3d& start = fromParent.pointsMm.front();
+    Protrusion result;
+    double radiusSum = 0.0;
+    std::size_t outside = 0;
+    for (std::size_t i = 1; i < fromParent.pointsMm.size(); ++i) {
+        if ((fromParent.pointsMm[i] - start).norm() > parentRadiusMm) {
+            result.lengthMm += (fromParent.pointsMm[i] - fromParent.pointsMm[i - 1]).norm();
+            radiusSum += fromParent.radiusMm[i];
+            ++outside;
+        }
+    }
+    result.lengthMm += outside > 0 ? fromParent.radiusMm.back() : 0.0;
+    result.radiusMm = outside > 0 ? radiusSum / static_cast<double>(outside) : fromParent.radiusMm.back();
+    return result;
+}
+
+/// Removes and joins edges; knows which edges meet at a node and how far each is from being kept.
+class Pruner {
+public:
+    Pruner(VesselGraph& graph, const SpurLimits& limits)
+        : graph_(graph), limits_(limits), meeting_(graph.nodesMm.size()), worths_(graph.edges.size(), never)
+    {
+        for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+            meetingAt(graph.edges[e].startNode).push_back(e);
+            meetingAt(graph.edges[e].endNode).push_back(e);
+        }
+    }
+
+    void joinAll()
+    {
+        for (int node = 0; node < static_cast<int>(graph_.nodesMm.size()); ++node) {
+            joinThrough(node);
+        }
+    }
+
+    void prune()
+    {
+        for (std::size_t e = 0; e < graph_.edges.size(); ++e) {
+            worths_[e] = isGone(e) ? never : worthOf(e);
+        }
+        while (!worths_.empty()) {
+            const auto least = std::min_element(worths_.begin(), worths_.end());
+            if (*least >= 1.0) {
+                return;
+            }
+            remove(static_cast<std::size_t>(least - worths_.begin()));
+        }
+    }
+
+    void dropGone()
+    {
+        std::erase_if(graph_.edges, [](const VesselEdge& edge) { return edge.pointsMm.empty(); });
+    }
+
+private:
+    std::vector<std::size_t>& meetingAt(int node) { return meeting_[static_cast<std::size_t>(node)]; }
+    const std::vector<std::size_t>& meetingAt(int node) const { return meeting_[static_cast<std::size_t>(node)]; }
+    bool isGone(std::size_t e) const { return graph_.edges[e].pointsMm.empty(); }
+
+    /// Half the width of the vessel at a node: of the largest ball around, not counting those in the spur itself.
+    double widthAt(int node, std::size_t spur) const
+    {
+        const Eigen::Vector3d& centre = graph_.nodesMm[static_cast<std::size_t>(node)];
+        const double around = graph_.nodeRadiusMm[static_cast<std::size_t>(node)];
+        double radius = around;
+        for (const std::size_t e : meetingAt(node)) {
+            const VesselEdge& edge = graph_.edges[e];
+            for (std::size_t i = 0; e != spur && i < edge.pointsMm.size(); ++i) {
+                if ((edge.pointsMm[i] - centre).norm() < around) {
+                    radius = std::max(radius, edge.radiusMm[i]);
+                }
+            }
+        }
+        return radius;
+    }
+
+    /// Below 1 it goes, the lower the sooner; infinite for what is no spur.
+    double worthOf(std::size_t e) const
+    {
+        const VesselEdge& edge = graph_.edges[e];
+        const bool startsFree = meetingAt(edge.startNode).size() == 1;
+        const bool endsFree = meetingAt(edge.endNode).size() == 1;
+        if (startsFree && endsFree) {
+            return (edge.lengthMm() + edge.radiusMm.front() + edge.radiusMm.back()) / limits_.minLengthMm;
+        }
+        if (!startsFree && !endsFree) {
+            return never;
+        }
+        const VesselEdge fromParent = endsFree ? edge : reversed(edge);
+        const Protrusion out = protrusionOf(fromParent, widthAt(fromParent.startNode, e));
+        const double needed = std::max(limits_.minLengthMm, limits_.minLengthInRadii * out.radiusMm);
+        return out.radiusMm < limits_.minRadiusMm ? 0.0 : out.lengthMm / needed;
+    }
+
+    void remove(std::size_t e)
+    {
+        const int start = graph_.edges[e].startNode;
+        const int end = graph_.edges[e].endNode;
+        erase(e);
+        for (const int node : {start, end}) {
+            joinThrough(node);
+            for (const std::size_t touched : meetingAt(node)) {
+                worths_[touched] = worthOf(touched);
+            }
+        }
+    }
+
+    void erase(std::size_t e)
+    {
+        std::erase(meetingAt(graph_.edges[e].startNode), e);
+        std::erase(meetingAt(graph_.edges[e].endNode), e);
+        graph_.edges[e] = {};
+        worths_[e] = never;
+    }
+
+    /// Joins the two different edges that meet at `node`, if just two do, into the first of them.
+    void joinThrough(int node)
+    {
+        const std::vector<std::size_t> pair = meetingAt(node);
+        if (pair.size() != 2 || pair[0] == pair[1]) {
+            return;
+        }
+        VesselEdge first = graph_.edges[pair[0]];
+        VesselEdge second = graph_.edges[pair[1]];
+        erase(pair[0]);
+        erase(pair[1]);
+        first = first.endNode == node ? first : reversed(std::move(first));
+        second = second.startNode == node ? second : reversed(std::move(second));
+        first.endNode = second.endNode;
+        first.pointsMm.insert(first.pointsMm.end(), second.pointsMm.begin() + 1, second.pointsMm.end());
+        first.radiusMm.insert(first.radiusMm.end(), second.radiusMm.begin() + 1, second.radiusMm.end());
+        meetingAt(first.startNode).push_back(pair[0]);
+        meetingAt(first.endNode).push_back(pair[0]);
+        graph_.edges[pair[0]] = std::move(first);
+        worths_[pair[0]] = worthOf(pair[0]);
+    }
+
+    VesselGraph& graph_;
+    const SpurLimits& limits_;
+    std::vector<std::vector<std::size_t>> meeting_;   ///< edges by node; one from a node to itself counts twice
+    std::vector<double> worths_;
+};
+
+}   // namespace
+
+void pruneSpurs(VesselGraph& graph, const SpurLimits& limits)
+{
+    Pruner pruner(graph, limits);
+    pruner.joinAll();
+    pruner.prune();
+    pruner.dropGone();
+}
+
+}   // namespace core

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/tracing/tree/vessel_graph.h"
+
+namespace core {
+
+struct SpurLimits {
+    double minLengthMm = 6.0;   ///< beyond the wall of the vessel it leaves
+    double minRadiusMm = 0.0;   ///< on average
+    double minLengthInRadii = 1.5;   ///< of its own: a shorter one is a bulge of the wall
+};
+
+/// Removes spurs, the least first, until none is below the limits; edges that then continue each other are joined.
+/// A vessel without branches is no spur; it goes only when it is shorter than `minLengthMm` as a whole.
+void pruneSpurs(VesselGraph& graph, const SpurLimits& limits);
+
+}   // namespace core

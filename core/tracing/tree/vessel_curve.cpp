@@ -1,0 +1,181 @@
+#include "core/tracing/tree/vessel_curve.h"
+
+#include "core/tracing/smoothing_spline.h"
+#include "core/vessel/polyline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+namespace {
+
+constexpr int centringRounds = 3;
+constexpr double stationarySteps = 4.0;   ///< λ of the first smoothing, which only takes the voxel steps away
+constexpr double firmWeight = 50.0;
+
+VesselCurve evenly(const VesselCurve& curve, double spacingMm)
+{
+    const std::vector<PolylineStation> stations = evenStations<3>(curve.pointsMm, spacingMm);
+    return {interpolate(curve.pointsMm, stations), interpolate(curve.radiusMm, stations)};
+}
+
+/// Stiffness of the spline in steps of the curve: it follows bends of a radius, not the wall's unevenness.
+double stiffness(const VesselCurve& curve, double stepMm)
+{
+    std::vector<double> radii = curve.radiusMm;
+    const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+    std::nth_element(radii.begin(), middle, radii.end());
+    const double reach = std::max(2.0, 0.7 * *middle / stepMm);
+    return std::pow(reach, 4.0);
+}
+
+std::size_t nearestPoint(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& to)
+{
+    const auto nearest = std::min_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+        return (a - to).squaredNorm() < (b - to).squaredNorm();
+    });
+    return static_cast<std::size_t>(nearest - points.begin());
+}
+
+/// How many of the first points lie within the parent's lumen.
+std::size_t pointsWithin(const VesselCurve& parent, const std::vector<Eigen::Vector3d>& points)
+{
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::size_t at = nearestPoint(parent.pointsMm, points[i]);
+        if ((parent.pointsMm[at] - points[i]).norm() > parent.radiusMm[at]) {
+            return i;
+        }
+    }
+    return points.size() - 1;
+}
+
+/// Where on the parent's axis a vessel begins that leaves its wall at `exit` in `direction`: half way between the point
+/// beside the exit and the one that the backward way comes nearest to.
+Eigen::Vector3d takeoffOn(const VesselCurve& parent, const Eigen::Vector3d& exit, const Eigen::Vector3d& direction)
+{
+    const std::size_t beside = nearestPoint(parent.pointsMm, exit);
+    const double reach = 3.0 * parent.radiusMm[beside];
+    std::size_t best = beside;
+    double bestDistance = 1e300;
+    for (std::size_t i = 0; i < parent.pointsMm.size(); ++i) {
+        const Eigen::Vector3d back = exit - parent.pointsMm[i];
+        const double along = std::max(0.0, back.dot(direction));
+        const double distance = (back - along * direction).norm();
+        if ((parent.pointsMm[i] - parent.pointsMm[beside]).norm() <= reach && distance < bestDistance) {
+            bestDistance = distance;
+            best = i;
+        }
+    }
+    return parent.pointsMm[(best + beside) / 2];
+}
+
+/// The first part, within the parent, made straight from the parent's axis; its radii are those outside.
+void leaveParent(VesselCurve& curve, std::size_t inside, const VesselCurve& parent)
+{
+    const std::size_t ahead = std::min(curve.pointsMm.size() - 1, inside + 4);
+    const Eigen::Vector3d exit = curve.pointsMm[inside];
+    const Eigen::Vector3d way = curve.pointsMm[ahead] - exit;
+    const Eigen::Vector3d direction = way.norm() > 1e-9 ? way.normalized().eval() : Eigen::Vector3d::Zero().eval();
+    const Eigen::Vector3d takeoff = takeoffOn(parent, exit, direction);
+    for (std::size_t i = 0; i < inside; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(inside);
+        curve.pointsMm[i] = (1.0 - share) * takeoff + share * exit;
+    }
+    for (std::size_t i = 0; i <= std::min(inside, ahead); ++i) {
+        curve.radiusMm[i] = curve.radiusMm[ahead];
+    }
+}
+
+/// One round: every point to the centre of its section, then smoothed by how far the sections can be trusted.
+void centre(VesselCurve& curve, std::size_t inside, const BloodFill& fill, double stepMm)
+{
+    const std::size_t count = curve.pointsMm.size();
+    const std::vector<Eigen::Vector3d> tangents = polylineTangents<3>(curve.pointsMm, 3);
+    std::vector<Eigen::Vector3d> centres = curve.pointsMm;
+    std::vector<double> weights(count, 0.05);
+    std::vector<double> radii = curve.radiusMm;
+    for (std::size_t i = inside; i < count; ++i) {
+        const CrossSection section = crossSection({curve.pointsMm[i], tangents[i], curve.radiusMm[i], stepMm}, fill);
+        const double farthest = 0.7 * curve.radiusMm[i] + stepMm;
+        if (section.trust > 0.0 && (section.centreMm - curve.pointsMm[i]).norm() < farthest) {
+            centres[i] = section.centreMm;
+            radii[i] = section.radiusMm;
+            weights[i] = section.trust;
+        }
+    }
+    if (inside > 0) {
+        weights.front() = firmWeight;
+    }
+    curve.pointsMm = smoothed(centres, weights, stiffness(curve, stepMm));
+    weights.front() = std::min(weights.front(), 0.05 + (inside > 0 ? 0.0 : 1.0));
+    curve.radiusMm = smoothed(radii, weights, 0.3 * stiffness(curve, stepMm));
+    for (double& radius : curve.radiusMm) {
+        radius = std::max(radius, 0.25 * stepMm);
+    }
+}
+
+bool isBeyondRim(const Eigen::Vector3d& pointMm, const CurveSettings& settings)
+{
+    return ((pointMm - settings.lowMm).array() < 0.0).any() || ((pointMm - settings.highMm).array() > 0.0).any();
+}
+
+/// Thinning eats a vessel's end: what is missing of it, in the direction that the vessel has there.
+void extendEnd(VesselCurve& curve, const BloodFill& fill, const CurveSettings& settings)
+{
+    const std::size_t count = curve.pointsMm.size();
+    const double radius = curve.radiusMm.back();
+    const auto reach = static_cast<std::size_t>(std::ceil(std::max(2.0, radius / settings.voxelMm)));
+    const Eigen::Vector3d tip = curve.pointsMm.back();
+    const Eigen::Vector3d way = tip - curve.pointsMm[count - 1 - std::min(count - 1, reach)];
+    if (way.norm() < 1e-9) {
+        return;
+    }
+    const Eigen::Vector3d direction = way.normalized();
+    double lumenMm = 0.0;   // from the tip to the wall ahead
+    while (lumenMm < 3.0 * radius + settings.voxelMm && fill(tip + lumenMm * direction) > 0.5) {
+        lumenMm += 0.25 * settings.voxelMm;
+        if (isBeyondRim(tip + lumenMm * direction, settings)) {
+            lumenMm += radius;   // the vessel goes on beyond the rim
+            break;
+        }
+    }
+    for (double away = settings.voxelMm; away < lumenMm - radius; away += settings.voxelMm) {
+        curve.pointsMm.emplace_back(tip + away * direction);
+        curve.radiusMm.push_back(radius);
+    }
+}
+
+void turnAround(VesselCurve& curve)
+{
+    std::reverse(curve.pointsMm.begin(), curve.pointsMm.end());
+    std::reverse(curve.radiusMm.begin(), curve.radiusMm.end());
+}
+
+}   // namespace
+
+VesselCurve vesselCurve(const BranchPath& path, const VesselCurve* parent, const BloodFill& fill,
+                        const CurveSettings& settings)
+{
+    VesselCurve curve{path.pointsMm, path.radiusMm};
+    const std::vector<double> alike(curve.pointsMm.size(), 1.0);
+    curve.pointsMm = smoothed(curve.pointsMm, alike, stationarySteps);
+    if (parent == nullptr) {
+        turnAround(curve);
+        extendEnd(curve, fill, settings);
+        turnAround(curve);
+    }
+    extendEnd(curve, fill, settings);
+    curve = evenly(curve, settings.voxelMm);
+    const double stepMm =
+        polylineLength<3>(curve.pointsMm) / static_cast<double>(std::max<std::size_t>(1, curve.pointsMm.size() - 1));
+    for (int round = 0; round < centringRounds && curve.pointsMm.size() > 2; ++round) {
+        const std::size_t inside = parent != nullptr ? pointsWithin(*parent, curve.pointsMm) : 0;
+        if (parent != nullptr) {
+            leaveParent(curve, inside, *parent);
+        }
+        centre(curve, inside, fill, std::max(stepMm, 0.5 * settings.voxelMm));
+    }
+    return evenly(curve, settings.pointSpacingMm);
+}
+
+}   // namespace core

@@ -1,0 +1,217 @@
+#include "core/tracing/tree/vessel_graph.h"
+
+#include "core/vessel/polyline.h"
+
+#include <algorithm>
+
+namespace core {
+namespace {
+
+constexpr std::size_t shortestRing = 6;
+
+/// Walks the skeleton voxel by voxel. Voxels are known by their place in the skeleton's list.
+class SkeletonWalker {
+public:
+    SkeletonWalker(const std::vector<std::size_t>& skeleton, const DistanceMap& distances)
+        : skeleton_(skeleton), distances_(distances), nodeAt_(skeleton.size(), -1), seen_(skeleton.size(), false)
+    {
+        neighbours_.reserve(skeleton.size());
+        for (std::size_t v = 0; v < skeleton.size(); ++v) {
+            neighbours_.push_back(findNeighbours(v));
+        }
+    }
+
+    VesselGraph run()
+    {
+        addJunctions();
+        addEnds();
+        for (std::size_t v = 0; v < skeleton_.size(); ++v) {
+            if (nodeAt_[v] >= 0) {
+                followFrom(v);
+            }
+        }
+        addRings();
+        return std::move(graph_);
+    }
+
+private:
+    Eigen::Vector3i voxelOf(std::size_t v) const
+    {
+        const Eigen::Vector3i& size = distances_.geometry.size;
+        const auto index = static_cast<std::ptrdiff_t>(skeleton_[v]);
+        return {static_cast<int>(index % size.x()), static_cast<int>(index / size.x() % size.y()),
+                static_cast<int>(index / (static_cast<std::ptrdiff_t>(size.x()) * size.y()))};
+    }
+
+    Eigen::Vector3d pointOf(std::size_t v) const
+    {
+        return distances_.geometry.spacingMm.cwiseProduct(voxelOf(v).cast<double>());
+    }
+
+    /// The wall lies half a voxel before the centre of the first voxel outside.
+    double radiusOf(std::size_t v) const
+    {
+        const double half = 0.5 * distances_.geometry.spacingMm.minCoeff();
+        return std::max(half, distances_.mm(skeleton_[v]) - half);
+    }
+
+    std::vector<std::size_t> findNeighbours(std::size_t v) const
+    {
+        const Eigen::Vector3i voxel = voxelOf(v);
+        std::vector<std::size_t> found;
+        for (int z = -1; z <= 1; ++z) {
+            for (int y = -1; y <= 1; ++y) {
+                for (int x = -1; x <= 1; ++x) {
+                    const Eigen::Vector3i next = voxel + Eigen::Vector3i(x, y, z);
+                    if (next == voxel || !distances_.geometry.contains(next)) {
+                        continue;
+                    }
+                    const std::size_t index = distances_.geometry.index(next.x(), next.y(), next.z());
+                    const auto at = std::lower_bound(skeleton_.begin(), skeleton_.end(), index);
+                    if (at != skeleton_.end() && *at == index) {
+                        found.push_back(static_cast<std::size_t>(at - skeleton_.begin()));
+                    }
+                }
+            }
+        }
+        return found;
+    }
+
+    int addNode(const std::vector<std::size_t>& voxels)
+    {
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        double radius = 0.0;
+        const int node = static_cast<int>(graph_.nodesMm.size());
+        for (const std::size_t v : voxels) {
+            sum += pointOf(v);
+            radius = std::max(radius, radiusOf(v));
+            nodeAt_[v] = node;
+            seen_[v] = true;
+        }
+        graph_.nodesMm.push_back(sum / static_cast<double>(voxels.size()));
+        graph_.nodeRadiusMm.push_back(radius);
+        return node;
+    }
+
+    void addJunctions()
+    {
+        for (std::size_t v = 0; v < skeleton_.size(); ++v) {
+            if (nodeAt_[v] >= 0 || neighbours_[v].size() < 3) {
+                continue;
+            }
+            std::vector<std::size_t> cluster{v};
+            seen_[v] = true;
+            for (std::size_t n = 0; n < cluster.size(); ++n) {
+                for (const std::size_t next : neighbours_[cluster[n]]) {
+                    if (!seen_[next] && neighbours_[next].size() > 2) {
+                        seen_[next] = true;
+                        cluster.push_back(next);
+                    }
+                }
+            }
+            addNode(cluster);
+        }
+    }
+
+    void addEnds()
+    {
+        for (std::size_t v = 0; v < skeleton_.size(); ++v) {
+            if (nodeAt_[v] < 0 && neighbours_[v].size() == 1) {
+                addNode({v});
+            }
+        }
+    }
+
+    void followFrom(std::size_t nodeVoxel)
+    {
+        for (const std::size_t first : neighbours_[nodeVoxel]) {
+            const int start = nodeAt_[nodeVoxel];
+            const int touching = nodeAt_[first];
+            if (touching > start) {   // two nodes side by side
+                graph_.edges.push_back({start,
+                                        touching,
+                                        {nodePoint(start), nodePoint(touching)},
+                                        {nodeRadius(start), nodeRadius(touching)}});
+            } else if (touching < 0 && !seen_[first]) {
+                addEdge(nodeVoxel, first);
+            }
+        }
+    }
+
+    /// From a node over `first` to the next node. A voxel between has two neighbours, so the way is never in doubt.
+    void addEdge(std::size_t nodeVoxel, std::size_t first)
+    {
+        const int start = nodeAt_[nodeVoxel];
+        VesselEdge edge{start, start, {nodePoint(start)}, {nodeRadius(start)}};
+        std::size_t previous = nodeVoxel;
+        std::size_t current = first;
+        while (nodeAt_[current] < 0) {
+            edge.pointsMm.push_back(pointOf(current));
+            edge.radiusMm.push_back(radiusOf(current));
+            seen_[current] = true;
+            const std::vector<std::size_t>& around = neighbours_[current];
+            const std::size_t next = around[0] == previous ? around[1] : around[0];
+            previous = current;
+            current = next;
+        }
+        edge.endNode = nodeAt_[current];
+        edge.pointsMm.push_back(nodePoint(edge.endNode));
+        edge.radiusMm.push_back(nodeRadius(edge.endNode));
+        const bool isNub = edge.startNode == edge.endNode && edge.pointsMm.size() < shortestRing;
+        if (!isNub) {
+            graph_.edges.push_back(std::move(edge));
+        }
+    }
+
+    void addRings()
+    {
+        for (std::size_t v = 0; v < skeleton_.size(); ++v) {
+            if (!seen_[v] && neighbours_[v].size() == 2) {
+                addNode({v});
+                addEdge(v, neighbours_[v][0]);
+            }
+        }
+    }
+
+    const Eigen::Vector3d& nodePoint(int node) const { return graph_.nodesMm[static_cast<std::size_t>(node)]; }
+    double nodeRadius(int node) const { return graph_.nodeRadiusMm[static_cast<std::size_t>(node)]; }
+
+    const std::vector<std::size_t>& skeleton_;
+    const DistanceMap& distances_;
+    std::vector<std::vector<std::size_t>> neighbours_;
+    std::vector<int> nodeAt_;   ///< node of junction and end voxels, -1 elsewhere
+    std::vector<bool> seen_;
+    VesselGraph graph_;
+};
+
+}   // namespace
+
+double VesselEdge::lengthMm() const
+{
+    return polylineLength<3>(pointsMm);
+}
+
+std::vector<int> VesselGraph::degrees() const
+{
+    std::vector<int> result(nodesMm.size(), 0);
+    for (const VesselEdge& edge : edges) {
+        ++result[static_cast<std::size_t>(edge.startNode)];
+        ++result[static_cast<std::size_t>(edge.endNode)];
+    }
+    return result;
+}
+
+VesselGraph vesselGraph(const std::vector<std::size_t>& skeleton, const DistanceMap& distances)
+{
+    return SkeletonWalker(skeleton, distances).run();
+}
+
+VesselEdge reversed(VesselEdge edge)
+{
+    std::swap(edge.startNode, edge.endNode);
+    std::reverse(edge.pointsMm.begin(), edge.pointsMm.end());
+    std::reverse(edge.radiusMm.begin(), edge.radiusMm.end());
+    return edge;
+}
+
+}   // namespace core

@@ -1,0 +1,103 @@
+#include "core/tracing/volume/chosen_pieces.h"
+
+#include "core/tracing/volume/voxel_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <set>
+
+namespace core {
+namespace {
+
+constexpr double seedReachMm = 3.0;
+constexpr double worthMentioning = 0.05;   ///< of the voxels that are kept
+
+std::string coordinates(const Eigen::Vector3d& point)
+{
+    char text[96];
+    std::snprintf(text, sizeof text, "(%.1f, %.1f, %.1f)", point.x(), point.y(), point.z());
+    return text;
+}
+
+/// The voxel of the mask that is nearest to the seed, if there is one within reach.
+std::optional<std::uint32_t> voxelAt(const VoxelMask& mask, const Eigen::Vector3d& seedInPatient)
+{
+    const VolumeGeometry& grid = mask.geometry;
+    const Eigen::Vector3d seed = grid.patientFromVoxel().inverse() * seedInPatient;
+    const Eigen::Array3d reach = seedReachMm / grid.spacingMm.array() + 1.0;
+    const Eigen::Vector3i low = (seed.array() - reach).floor().max(0.0).cast<int>();
+    const Eigen::Vector3i high = (seed.array() + reach).ceil().min(grid.size.cast<double>().array() - 1.0).cast<int>();
+    std::optional<std::uint32_t> nearest;
+    double nearestMm = std::max(seedReachMm, grid.spacingMm.maxCoeff());
+    for (int k = low.z(); k <= high.z(); ++k) {
+        for (int j = low.y(); j <= high.y(); ++j) {
+            for (int i = low.x(); i <= high.x(); ++i) {
+                const double away = grid.spacingMm.cwiseProduct(Eigen::Vector3d(i, j, k) - seed).norm();
+                if (mask.at(i, j, k) != 0 && away <= nearestMm) {
+                    nearestMm = away;
+                    nearest = static_cast<std::uint32_t>(grid.index(i, j, k));
+                }
+            }
+        }
+    }
+    return nearest;
+}
+
+Result<std::set<std::size_t>> piecesWithSeeds(const VoxelMask& mask, const std::vector<VoxelPiece>& pieces,
+                                              const std::vector<Eigen::Vector3d>& seedsInPatient)
+{
+    std::set<std::size_t> chosen;
+    for (const Eigen::Vector3d& seed : seedsInPatient) {
+        const std::optional<std::uint32_t> voxel = voxelAt(mask, seed);
+        if (!voxel) {
+            return Error{"The seed " + coordinates(seed) +
+                         " mm (LPS) lies in no vessel. Place it inside one, or lower the threshold."};
+        }
+        for (std::size_t p = 0; p < pieces.size(); ++p) {
+            if (std::binary_search(pieces[p].begin(), pieces[p].end(), *voxel)) {
+                chosen.insert(p);
+            }
+        }
+    }
+    return chosen;
+}
+
+}   // namespace
+
+Result<std::string> keepChosenPieces(VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient)
+{
+    const std::vector<VoxelPiece> pieces = piecesOf(mask);
+    if (pieces.empty()) {
+        return Error{"There is no vessel in the volume: nothing is set. Lower the threshold, or load another file."};
+    }
+    std::set<std::size_t> chosen{0};
+    if (!seedsInPatient.empty()) {
+        auto found = piecesWithSeeds(mask, pieces, seedsInPatient);
+        if (!found) {
+            return found.error();
+        }
+        chosen = std::move(found).value();
+    }
+    std::fill(mask.voxels.begin(), mask.voxels.end(), std::uint8_t{0});
+    std::size_t kept = 0;
+    for (const std::size_t p : chosen) {
+        kept += pieces[p].size();
+        for (const std::uint32_t voxel : pieces[p]) {
+            mask.voxels[voxel] = 1;
+        }
+    }
+    std::size_t leftOut = 0;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        const bool isWorthIt = static_cast<double>(pieces[p].size()) > worthMentioning * static_cast<double>(kept);
+        leftOut += !chosen.contains(p) && isWorthIt ? 1 : 0;
+    }
+    if (leftOut == 0) {
+        return std::string();
+    }
+    return std::to_string(leftOut) + (leftOut == 1 ? " piece that does" : " pieces that do") +
+           " not connect to the traced vessels was left out. Place a seed in each that belongs to the tree.";
+}
+
+}   // namespace core

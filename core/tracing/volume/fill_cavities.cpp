@@ -1,0 +1,60 @@
+#include "core/tracing/volume/fill_cavities.h"
+
+#include <algorithm>
+
+namespace core {
+namespace {
+
+constexpr std::uint8_t enclosed = 0;   ///< until found otherwise
+constexpr std::uint8_t inside = 1;
+constexpr std::uint8_t outside = 2;
+
+/// One pass over the rows, `step` = 1 upwards or -1 downwards: what lies beside, behind or below something outside is
+/// outside.
+bool sweep(VoxelMask& mask, int step)
+{
+    const Eigen::Vector3i& size = mask.geometry.size;
+    const auto first = [step](int count) { return step > 0 ? 0 : count - 1; };
+    const auto isWithin = [](int at, int count) { return at >= 0 && at < count; };
+    const auto strideY = static_cast<std::ptrdiff_t>(size.x());
+    const auto strideZ = strideY * size.y();
+    bool changed = false;
+    for (int k = first(size.z()); isWithin(k, size.z()); k += step) {
+        for (int j = first(size.y()); isWithin(j, size.y()); j += step) {
+            std::uint8_t* row = &mask.at(0, j, k);
+            const bool isRimRow = !isWithin(j - step, size.y()) || !isWithin(k - step, size.z());
+            const std::uint8_t* behind = isRimRow ? nullptr : row - step * strideY;
+            const std::uint8_t* below = isRimRow ? nullptr : row - step * strideZ;
+            bool isOutside = true;   // what comes before the row
+            for (int i = first(size.x()); isWithin(i, size.x()); i += step) {
+                if (row[i] == enclosed && (isOutside || isRimRow || behind[i] == outside || below[i] == outside)) {
+                    row[i] = outside;
+                    changed = true;
+                }
+                isOutside = row[i] == outside;
+            }
+        }
+    }
+    return changed;
+}
+
+}   // namespace
+
+void fillCavities(VoxelMask& mask)
+{
+    if (mask.voxels.empty()) {
+        return;
+    }
+    for (std::uint8_t& voxel : mask.voxels) {
+        voxel = voxel != 0 ? inside : enclosed;
+    }
+    for (bool changed = true; changed;) {
+        changed = sweep(mask, 1);
+        changed = sweep(mask, -1) || changed;
+    }
+    for (std::uint8_t& voxel : mask.voxels) {
+        voxel = voxel == outside ? 0 : 1;
+    }
+}
+
+}   // namespace core

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/imaging/volume.h"
+#include "core/tracing/volume/tracing_progress.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace core {
+
+/// Skeleton of a mask as ascending voxel indices: one voxel thin, with the mask's pieces, loops and cavities
+/// (26-connected object, 6-connected background). Directional thinning with a queue of border voxels (Lee, Kashyap, Chu
+/// 1994). Incomplete when `progress` says stop.
+std::vector<std::size_t> thinned(const VoxelMask& mask, TracingProgress& progress);
+
+}   // namespace core

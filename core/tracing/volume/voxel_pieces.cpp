@@ -1,0 +1,78 @@
+#include "core/tracing/volume/voxel_pieces.h"
+
+#include <algorithm>
+
+namespace core {
+namespace {
+
+/// Takes the piece around `seed` out of `left`.
+VoxelPiece takePiece(VoxelMask& left, std::size_t seed)
+{
+    const VolumeGeometry& grid = left.geometry;
+    VoxelPiece piece{static_cast<std::uint32_t>(seed)};
+    left.voxels[seed] = 0;
+    for (std::size_t n = 0; n < piece.size(); ++n) {
+        const auto at = static_cast<int64_t>(piece[n]);
+        const auto i = static_cast<int>(at % grid.size.x());
+        const auto j = static_cast<int>(at / grid.size.x() % grid.size.y());
+        const auto k = static_cast<int>(at / (static_cast<int64_t>(grid.size.x()) * grid.size.y()));
+        for (int z = std::max(0, k - 1); z <= std::min(grid.size.z() - 1, k + 1); ++z) {
+            for (int y = std::max(0, j - 1); y <= std::min(grid.size.y() - 1, j + 1); ++y) {
+                for (int x = std::max(0, i - 1); x <= std::min(grid.size.x() - 1, i + 1); ++x) {
+                    const std::size_t next = grid.index(x, y, z);
+                    if (left.voxels[next] != 0) {
+                        left.voxels[next] = 0;
+                        piece.push_back(static_cast<std::uint32_t>(next));
+                    }
+                }
+            }
+        }
+    }
+    std::sort(piece.begin(), piece.end());
+    return piece;
+}
+
+}   // namespace
+
+std::vector<VoxelPiece> piecesOf(const VoxelMask& mask, std::size_t leastVoxels)
+{
+    VoxelMask left = mask;
+    std::vector<VoxelPiece> pieces;
+    for (std::size_t p = 0; p < left.voxels.size(); ++p) {
+        if (left.voxels[p] != 0) {
+            VoxelPiece piece = takePiece(left, p);
+            if (piece.size() >= leastVoxels) {
+                piece.shrink_to_fit();
+                pieces.push_back(std::move(piece));
+            }
+        }
+    }
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [](const VoxelPiece& a, const VoxelPiece& b) { return a.size() > b.size(); });
+    return pieces;
+}
+
+VoxelBox boxOf(const VoxelMask& mask)
+{
+    const VolumeGeometry& grid = mask.geometry;
+    VoxelBox box{grid.size, Eigen::Vector3i::Zero()};
+    for (int k = 0; k < grid.size.z(); ++k) {
+        for (int j = 0; j < grid.size.y(); ++j) {
+            const auto row = mask.voxels.begin() + static_cast<std::ptrdiff_t>(grid.index(0, j, k));
+            const auto isSet = [](std::uint8_t voxel) { return voxel != 0; };
+            const auto from = std::find_if(row, row + grid.size.x(), isSet);
+            if (from == row + grid.size.x()) {
+                continue;
+            }
+            auto last = row + grid.size.x() - 1;
+            while (*last == 0) {
+                --last;
+            }
+            box.low = box.low.cwiseMin(Eigen::Vector3i(static_cast<int>(from - row), j, k));
+            box.high = box.high.cwiseMax(Eigen::Vector3i(static_cast<int>(last - row) + 1, j + 1, k + 1));
+        }
+    }
+    return box;
+}
+
+}   // namespace core

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/imaging/volume.h"
+#include "core/tracing/volume/axis_order.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace core {
+
+/// Voxel indices of one connected piece, ascending.
+using VoxelPiece = std::vector<std::uint32_t>;
+
+/// The 26-connected pieces of at least `leastVoxels`, the largest first (of equal ones, that with the lowest voxel).
+std::vector<VoxelPiece> piecesOf(const VoxelMask& mask, std::size_t leastVoxels = 1);
+
+/// The smallest box that holds everything set.
+VoxelBox boxOf(const VoxelMask& mask);
+
+}   // namespace core

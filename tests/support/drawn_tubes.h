@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/imaging/volume.h"
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+namespace test {
+
+/// A straight stretch of vessel in the patient, with round ends.
+struct Tube {
+    Eigen::Vector3d fromMm;
+    Eigen::Vector3d toMm;
+    double radiusMm = 3.0;
+    double endRadiusMm = 0.0;   ///< at `toMm`; 0: as at `fromMm`
+};
+
+/// A grid along the patient's axes around `centreMm`.
+core::VolumeGeometry gridAround(const Eigen::Vector3d& centreMm, const Eigen::Vector3i& size,
+                                const Eigen::Vector3d& spacingMm);
+
+/// The same places of the patient stored in another order: axis a of the new grid is axis `order[a]` of the old one,
+/// counted backwards where `flipped[a]`.
+core::VolumeGeometry restored(const core::VolumeGeometry& grid, const std::array<int, 3>& order,
+                              const std::array<bool, 3>& flipped);
+
+/// Distance from a point to the wall of the nearest tube, negative inside.
+double distanceToWall(const std::vector<Tube>& tubes, const Eigen::Vector3d& pointMm);
+
+core::VoxelMask drawnMask(const core::VolumeGeometry& grid, const std::vector<Tube>& tubes);
+
+}   // namespace test
