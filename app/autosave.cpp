@@ -1,13 +1,11 @@
 #include "app/autosave.h"
 
-#include "app/jobs/guarded.h"
 #include "io/case_file.h"
 
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QStandardPaths>
-#include <QtConcurrentRun>
 
 #include <algorithm>
 
@@ -34,16 +32,22 @@ QString lockOf(const QString& path)
     return path + QStringLiteral(".lock");
 }
 
-core::Status write(const core::RegistrationCase& snapshot, const QString& path, const QString& original)
+core::Result<QString> write(const core::RegistrationCase& snapshot, const QString& path, const QString& original)
 {
-    auto saved = io::saveCase(snapshot, path.toStdString());
-    if (saved) {
-        QFile sidecar(sidecarOf(path));
-        if (sidecar.open(QIODevice::WriteOnly)) {
-            sidecar.write(original.toUtf8());
-        }
+    if (const auto saved = io::saveCase(snapshot, path.toStdString()); !saved) {
+        return saved.error();
     }
-    return saved;
+    QFile sidecar(sidecarOf(path));
+    if (sidecar.open(QIODevice::WriteOnly)) {
+        sidecar.write(original.toUtf8());
+    }
+    return path;
+}
+
+void removeCopy(const QString& path)
+{
+    QFile::remove(path);
+    QFile::remove(sidecarOf(path));
 }
 
 }   // namespace
@@ -55,18 +59,7 @@ Autosave::Autosave(const CaseDocument& document, QObject* parent)
     lock_->tryLock(0);
     timer_.setInterval(60s);
     connect(&timer_, &QTimer::timeout, this, &Autosave::saveSoon);
-    connect(&writer_, &QFutureWatcherBase::finished, this, [this] {
-        if (writer_.result()) {
-            lastSaved_ = QDateTime::currentDateTime();
-            emit saved();
-        }
-    });
     timer_.start();
-}
-
-Autosave::~Autosave()
-{
-    writer_.waitForFinished();
 }
 
 QString Autosave::path() const
@@ -77,23 +70,29 @@ QString Autosave::path() const
 void Autosave::saveSoon()
 {
     const int index = document_.undoStack().index();
-    if (writer_.isRunning() || document_.isEmpty() || !document_.isModified() || index == savedIndex_) {
+    if (files_.isBusy() || document_.isEmpty() || !document_.isModified() || index == savedIndex_) {
         return;
     }
     savedIndex_ = index;
-    writer_.setFuture(QtConcurrent::run(
-        [snapshot = document_.current(), path = path(), original = document_.path()]() -> core::Status {
-            return guarded<core::Done>([&] { return write(snapshot, path, original); });
-        }));
+    files_.run([snapshot = document_.current(), path = path(),
+                original = document_.path()] { return write(snapshot, path, original); },
+               [this](const core::Result<QString>& written) {
+                   if (written) {
+                       lastSaved_ = QDateTime::currentDateTime();
+                       emit saved();
+                   }
+               });
 }
 
 void Autosave::discard()
 {
-    writer_.waitForFinished();
-    QFile::remove(path());
-    QFile::remove(sidecarOf(path()));
-    lastSaved_.reset();
     savedIndex_ = -1;
+    files_.run(
+        [path = path()]() -> core::Result<QString> {
+            removeCopy(path);
+            return path;
+        },
+        [this](const core::Result<QString>&) { lastSaved_.reset(); });
 }
 
 std::vector<LeftBehind> Autosave::leftBehind()
@@ -115,8 +114,7 @@ std::vector<LeftBehind> Autosave::leftBehind()
 
 void Autosave::forget(const LeftBehind& copy)
 {
-    QFile::remove(copy.path);
-    QFile::remove(sidecarOf(copy.path));
+    removeCopy(copy.path);
 }
 
 }   // namespace app

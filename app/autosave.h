@@ -1,10 +1,9 @@
 #pragma once
 
 #include "app/case_document.h"
-#include "core/support/result.h"
+#include "app/jobs/file_queue.h"
 
 #include <QDateTime>
-#include <QFutureWatcher>
 #include <QLockFile>
 #include <QObject>
 #include <QTimer>
@@ -26,10 +25,9 @@ class Autosave : public QObject {
     Q_OBJECT
 public:
     explicit Autosave(const CaseDocument& document, QObject* parent = nullptr);
-    ~Autosave() override;
 
     void saveSoon();   ///< for the timer and for tests
-    void discard();   ///< the copy is no longer needed: saved, closed or discarded
+    void discard();   ///< the copy is no longer needed: saved, closed or discarded; goes once it is written
     std::optional<QDateTime> lastSaved() const { return lastSaved_; }
 
     /// Copies of sessions that are not alive any more, newest first.
@@ -44,10 +42,10 @@ private:
 
     const CaseDocument& document_;
     QTimer timer_;
-    QFutureWatcher<core::Status> writer_;
     std::unique_ptr<QLockFile> lock_;
     std::optional<QDateTime> lastSaved_;
     int savedIndex_ = -1;   ///< undo position that the copy holds
+    FileQueue files_;
 };
 
 }   // namespace app

@@ -3,6 +3,7 @@
 #include "app/branch_controller.h"
 #include "app/case_document.h"
 #include "app/export_controller.h"
+#include "app/jobs/file_queue.h"
 #include "app/jobs/judge_job.h"
 #include "app/open_controller.h"
 #include "app/pose_controller.h"
@@ -80,6 +81,7 @@ private:
     ReviewController review_;
     JudgeJob judge_;
     SharedJudgement judgement_;
+    FileQueue files_;   ///< makes the sample case
     QTimer noteTimer_;
     QTimer clock_;   ///< keeps "Autosaved 12 s ago" true
     enum class Closing { No, Now, AfterSaving };

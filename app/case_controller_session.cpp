@@ -78,6 +78,7 @@ void CaseController::connectFiles()
     connect(&open_, &OpenController::replacementNeedsConsent, this, &CaseController::askToReplace);
     connect(&save_, &SaveController::failed, this,
             [this](const QString& reason) { showProblem(tr("Could not save"), reason, {document_.path()}); });
+    connect(&save_, &SaveController::started, this, [this] { showNote(tr("Saving …")); });
     connect(&save_, &SaveController::saved, this, [this] {
         fillRecent();
         showNote(tr("Saved"));
@@ -86,6 +87,7 @@ void CaseController::connectFiles()
         recovering_ = true;
         open({copy.path});
     });
+    connect(&export_, &ExportController::started, this, [this] { showNote(tr("Writing …")); });
     connect(&export_, &ExportController::exported, this, [this](const QString& path) {
         exported_ = true;
         showSteps();
@@ -110,12 +112,18 @@ void CaseController::askFiles()
 
 void CaseController::openSample()
 {
-    const auto path = writeSampleCase();
-    if (path) {
-        open({path.value()});
-    } else {
-        showProblem(tr("Could not make the sample case"), QString::fromStdString(path.error().message));
+    if (files_.isBusy()) {
+        return;
     }
+    window_.strip().showBusy(tr("Making the sample case …"));
+    files_.run(writeSampleCase, [this](const core::Result<QString>& path) {
+        window_.strip().showIdle(tr("Ready"));
+        if (path) {
+            open({path.value()});
+        } else {
+            showProblem(tr("Could not make the sample case"), QString::fromStdString(path.error().message));
+        }
+    });
 }
 
 void CaseController::askToReplace()

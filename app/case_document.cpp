@@ -4,21 +4,34 @@
 
 namespace app {
 
+CaseDocument::CaseDocument(QObject* parent) : QObject(parent)
+{
+    connect(this, &CaseDocument::changed, this, [this] { ++revision_; });
+}
+
 void CaseDocument::replace(core::RegistrationCase opened, const QString& path)
 {
     case_ = std::move(opened);
     path_ = path;
+    ++caseNumber_;
     unsavedByNature_ = path.isEmpty() && !isEmpty();
     undoStack_.clear();
     emit changed();
     emit stateChanged();
 }
 
-void CaseDocument::markSaved(const QString& path)
+void CaseDocument::markSaved(const QString& path, const CaseState& written)
 {
+    if (written.caseNumber != caseNumber_) {
+        return;   // another case has been opened since
+    }
     path_ = path;
     unsavedByNature_ = false;
-    undoStack_.setClean();
+    if (written == state()) {
+        undoStack_.setClean();
+    } else {
+        undoStack_.resetClean();   // no position of the stack is known to match the file
+    }
     emit stateChanged();
 }
 

@@ -6,15 +6,24 @@
 #include <QString>
 #include <QUndoStack>
 
+#include <cstdint>
 #include <memory>
 
 namespace app {
+
+/// Which case was open, and how far it had been edited, at some moment.
+struct CaseState {
+    int caseNumber = 0;
+    std::uint64_t revision = 0;
+
+    bool operator==(const CaseState&) const = default;
+};
 
 /// Owns the open case. Views read `current()`; only undo commands write, and opening replaces it as a whole.
 class CaseDocument : public QObject {
     Q_OBJECT
 public:
-    using QObject::QObject;
+    explicit CaseDocument(QObject* parent = nullptr);
 
     const core::RegistrationCase& current() const { return case_; }
     QUndoStack& undoStack() { return undoStack_; }
@@ -25,7 +34,10 @@ public:
 
     /// Another case takes the place of the open one. Without a path it counts as unsaved.
     void replace(core::RegistrationCase opened, const QString& path);
-    void markSaved(const QString& path);
+    CaseState state() const { return {caseNumber_, revision_}; }
+
+    /// The case as it was at `written` now lies in a file; edits made since then stay unsaved.
+    void markSaved(const QString& path, const CaseState& written);
     void markUnsaved();   ///< e.g. recovered after a crash
 
     /// Applies an edit and remembers it for undo. While locked nothing happens but `editRefused`.
@@ -45,6 +57,8 @@ private:
     core::RegistrationCase case_;
     QUndoStack undoStack_;
     QString path_;
+    int caseNumber_ = 0;   ///< counts the cases opened
+    std::uint64_t revision_ = 0;   ///< counts the changes
     bool unsavedByNature_ = false;
     bool locked_ = false;
 };

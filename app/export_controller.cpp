@@ -1,6 +1,5 @@
 #include "app/export_controller.h"
 
-#include "app/jobs/guarded.h"
 #include "app/overlay_picture.h"
 #include "app/settings.h"
 #include "io/centerline2d_file.h"
@@ -23,7 +22,6 @@ ExportController::ExportController(CaseDocument& document, TargetProvider& targe
 {
 }
 
-template <class Write>
 void ExportController::askFile(const FileQuestion& question, const Write& write)
 {
     const QString base = document_.path().isEmpty() ? QString::fromStdString(document_.current().title)
@@ -33,14 +31,27 @@ void ExportController::askFile(const FileQuestion& question, const Write& write)
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(question.suffix);
-    connect(dialog, &QFileDialog::fileSelected, this, [this, write](const QString& path) {
-        if (const auto written = guarded<core::Done>([&] { return write(path); }); written) {
-            emit exported(path);
-        } else {
-            emit failed(QString::fromStdString(written.error().message));
-        }
-    });
+    connect(dialog, &QFileDialog::fileSelected, this, [this, write](const QString& path) { writeFile(path, write); });
     dialog->open();
+}
+
+void ExportController::writeFile(const QString& path, const Write& write)
+{
+    emit started();
+    files_.run(
+        [path, write]() -> core::Result<QString> {
+            if (const auto written = write(path); !written) {
+                return written.error();
+            }
+            return path;
+        },
+        [this](const core::Result<QString>& written) {
+            if (written) {
+                emit exported(written.value());
+            } else {
+                emit failed(QString::fromStdString(written.error().message));
+            }
+        });
 }
 
 void ExportController::askOverlay()
@@ -60,24 +71,29 @@ void ExportController::askOverlay()
     connect(dialog, &ui::ExportDialog::chosen, this, [this](const ui::ExportChoice& choice) {
         settings::exportWidthPx.write(choice.widthPx);
         settings::exportResiduals.write(choice.residualColors == ui::Choice::On);
-        askFile({tr("Export overlay"), tr("PNG pictures (*.png)"), QStringLiteral("png")},
-                [this, choice](const QString& path) { return writeOverlay(choice, path); });
+        askFile({tr("Export overlay"), tr("PNG pictures (*.png)"), QStringLiteral("png")}, overlayWriter(choice));
     });
     dialog->open();
 }
 
-core::Status ExportController::writeOverlay(const ui::ExportChoice& choice, const QString& path) const
+ExportController::Write ExportController::overlayWriter(const ui::ExportChoice& choice) const
 {
     const OverlayPictureOptions options{
         choice.widthPx,
         choice.residualColors == ui::Choice::On ? OverlayColoring::Residuals : OverlayColoring::Branches,
         choice.identity == ui::Choice::On ? Identity::Shown : Identity::Hidden};
-    const core::Centerline2d target = target_.current() ? *target_.current() : core::Centerline2d{};
-    auto picture = drawOverlay(document_.current(), target, options);
-    if (!picture) {
-        return picture.error();
-    }
-    return io::writePng(picture.value(), path.toStdString(), provenanceTexts(document_.current()));
+    return [snapshot = document_.current(), target = target_.current(), options](const QString& path) -> core::Status {
+        auto picture = drawOverlay(snapshot, target ? *target : core::Centerline2d{}, options);
+        if (!picture) {
+            return picture.error();
+        }
+        return io::writePng(picture.value(), path.toStdString(), provenanceTexts(snapshot));
+    };
+}
+
+void ExportController::exportOverlay(const ui::ExportChoice& choice, const QString& path)
+{
+    writeFile(path, overlayWriter(choice));
 }
 
 void ExportController::askResult()
@@ -86,16 +102,18 @@ void ExportController::askResult()
         emit failed(tr("There is no result for this pose. Register first (R)."));
         return;
     }
-    askFile({tr("Export result"), tr("Results (*.json)"), QStringLiteral("result.json")}, [this](const QString& path) {
-        return io::writeResult(document_.current(), *document_.current().result, path.toStdString());
-    });
+    askFile({tr("Export result"), tr("Results (*.json)"), QStringLiteral("result.json")},
+            [snapshot = document_.current()](const QString& path) {
+                return io::writeResult(snapshot, *snapshot.result, path.toStdString());
+            });
 }
 
 void ExportController::askPose()
 {
-    askFile({tr("Export pose"), tr("Poses (*.json *.tfm)"), QStringLiteral("pose.json")}, [this](const QString& path) {
-        return io::writePose(document_.current().cameraFromPatient, path.toStdString());
-    });
+    askFile({tr("Export pose"), tr("Poses (*.json *.tfm)"), QStringLiteral("pose.json")},
+            [pose = document_.current().cameraFromPatient](const QString& path) {
+                return io::writePose(pose, path.toStdString());
+            });
 }
 
 void ExportController::askTrace()

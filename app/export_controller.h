@@ -1,10 +1,13 @@
 #pragma once
 
 #include "app/case_document.h"
+#include "app/jobs/file_queue.h"
 #include "app/target_provider.h"
 #include "ui/dialogs/export_dialog.h"
 
 #include <QObject>
+
+#include <functional>
 
 namespace ui {
 class MainWindow;
@@ -19,12 +22,13 @@ public:
     ExportController(CaseDocument& document, TargetProvider& target, ui::MainWindow& window, QObject* parent = nullptr);
 
     void askOverlay();
-    core::Status writeOverlay(const ui::ExportChoice& choice, const QString& path) const;
+    void exportOverlay(const ui::ExportChoice& choice, const QString& path);   ///< returns at once
     void askResult();
     void askPose();
     void askTrace();
 
 signals:
+    void started();
     void exported(const QString& path);
     void failed(const QString& reason);
 
@@ -34,12 +38,16 @@ private:
         QString filter;
         QString suffix;   ///< also the end of the suggested name
     };
-    template <class Write>
+    /// Writes one file on a worker; gets all it needs by value.
+    using Write = std::function<core::Status(const QString& path)>;
+    Write overlayWriter(const ui::ExportChoice& choice) const;
     void askFile(const FileQuestion& question, const Write& write);
+    void writeFile(const QString& path, const Write& write);
 
     CaseDocument& document_;
     TargetProvider& target_;
     ui::MainWindow& window_;
+    FileQueue files_;
 };
 
 }   // namespace app

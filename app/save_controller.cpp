@@ -1,6 +1,5 @@
 #include "app/save_controller.h"
 
-#include "app/jobs/guarded.h"
 #include "app/recent_cases.h"
 #include "app/settings.h"
 #include "io/case_file.h"
@@ -35,8 +34,8 @@ void SaveController::save(std::function<void()> whenSaved)
 {
     if (document_.path().isEmpty()) {
         saveAs(std::move(whenSaved));
-    } else if (saveTo(document_.path()) && whenSaved) {
-        whenSaved();
+    } else {
+        saveTo(document_.path(), std::move(whenSaved));
     }
 }
 
@@ -46,27 +45,42 @@ void SaveController::saveAs(std::function<void()> whenSaved)
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("angiopose"));
-    connect(dialog, &QFileDialog::fileSelected, this, [this, whenSaved](const QString& path) {
-        if (saveTo(path) && whenSaved) {
-            whenSaved();
-        }
-    });
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this, whenSaved](const QString& path) { saveTo(path, whenSaved); });
     dialog->open();
 }
 
-bool SaveController::saveTo(const QString& path)
+void SaveController::saveTo(const QString& path, std::function<void()> whenSaved)
 {
-    const auto written = guarded<core::Done>([&] { return io::saveCase(document_.current(), path.toStdString()); });
-    if (!written) {
-        emit failed(QString::fromStdString(written.error().message));
-        return false;
-    }
-    document_.markSaved(path);
+    emit started();
+    files_.run(
+        [snapshot = document_.current(), path]() -> core::Result<QString> {
+            if (const auto written = io::saveCase(snapshot, path.toStdString()); !written) {
+                return written.error();
+            }
+            return path;
+        },
+        [this, path, state = document_.state(), whenSaved](const core::Result<QString>& written) {
+            if (!written) {
+                emit failed(QString::fromStdString(written.error().message));
+                return;
+            }
+            take(path, state);
+            if (whenSaved) {
+                whenSaved();
+            }
+        });
+}
+
+void SaveController::take(const QString& path, const CaseState& written)
+{
+    document_.markSaved(path, written);
     settings::lastFolder.write(QFileInfo(path).absolutePath());
     rememberCase(path);
-    autosave_.discard();
+    if (!document_.isModified()) {
+        autosave_.discard();
+    }
     emit saved();
-    return true;
 }
 
 void SaveController::offerRecovery()

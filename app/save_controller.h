@@ -2,6 +2,7 @@
 
 #include "app/autosave.h"
 #include "app/case_document.h"
+#include "app/jobs/file_queue.h"
 
 #include <QObject>
 
@@ -19,20 +20,25 @@ public:
 
     void save(std::function<void()> whenSaved = {});   ///< asks for a name where there is none
     void saveAs(std::function<void()> whenSaved = {});
-    bool saveTo(const QString& path);
+    void saveTo(const QString& path, std::function<void()> whenSaved = {});   ///< returns at once
+    bool isSaving() const { return files_.isBusy(); }
     void offerRecovery();
     void discardAutosave() { autosave_.discard(); }
     QString saveState() const;   ///< "Autosaved 12 s ago", "All changes saved", …
 
 signals:
+    void started();
     void failed(const QString& reason);
     void saved();
     void recoveryWanted(const app::LeftBehind& copy);
 
 private:
+    void take(const QString& path, const CaseState& written);
+
     CaseDocument& document_;
     QWidget& window_;
     Autosave autosave_;
+    FileQueue files_;
 };
 
 }   // namespace app

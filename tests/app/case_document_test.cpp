@@ -62,12 +62,34 @@ TEST(CaseDocument, IsModifiedOnlyWhileItDiffersFromWhatWasSaved)
     EXPECT_FALSE(document.isModified());
     document.push(showFrame(document, 4));
     EXPECT_TRUE(document.isModified());
-    document.markSaved(QStringLiteral("/tmp/a.angiopose"));
+    document.markSaved(QStringLiteral("/tmp/a.angiopose"), document.state());
     EXPECT_FALSE(document.isModified());
     document.undoStack().undo();
     EXPECT_TRUE(document.isModified());
     document.undoStack().redo();
     EXPECT_FALSE(document.isModified());
+}
+
+TEST(CaseDocument, StaysModifiedWhenEditedWhileItWasBeingSaved)
+{
+    CaseDocument document;
+    document.push(showFrame(document, 1));
+    document.markSaved(QStringLiteral("/tmp/a.angiopose"), document.state());
+    document.push(showFrame(document, 2));
+    const CaseState written = document.state();
+    document.undoStack().undo();   // back at the position that was clean, but the file holds frame 2
+    document.markSaved(QStringLiteral("/tmp/a.angiopose"), written);
+    EXPECT_TRUE(document.isModified());
+}
+
+TEST(CaseDocument, DoesNotTakeTheNameOfACaseThatIsNoLongerOpen)
+{
+    CaseDocument document;
+    document.replace({}, QStringLiteral("/tmp/first.angiopose"));
+    const CaseState written = document.state();
+    document.replace({}, QStringLiteral("/tmp/second.angiopose"));
+    document.markSaved(QStringLiteral("/tmp/first.angiopose"), written);
+    EXPECT_EQ(document.path(), QStringLiteral("/tmp/second.angiopose"));
 }
 
 }   // namespace

@@ -5,6 +5,7 @@
 #include "app/settings.h"
 
 #include <QDirIterator>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 
 namespace app {
@@ -63,7 +64,10 @@ TEST(WindowFiles, SaveAndReopenGiveTheSameCase)
         w.press(Qt::Key_Down, Qt::AltModifier);
         EXPECT_TRUE(w.controller.document().isModified());
         EXPECT_TRUE(w.window.windowTitle().contains(QLatin1Char('*')));
-        ASSERT_TRUE(w.controller.saving().saveTo(path));
+        bool isSaved = false;
+        w.controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
+        EXPECT_FALSE(isSaved);   // a worker does it
+        ASSERT_TRUE(QTest::qWaitFor([&isSaved] { return isSaved; }, test::patienceMs));
         EXPECT_FALSE(w.controller.document().isModified());
         EXPECT_FALSE(w.window.windowTitle().contains(QLatin1Char('*')));
         saved = w.current();
@@ -116,9 +120,11 @@ TEST(WindowFiles, WriteAnOverlayWithItsProvenance)
     w.openSample();
     const QString path = folder.filePath(QStringLiteral("overlay.png"));
 
-    const auto written = w.controller.exporting().writeOverlay({600, ui::Choice::On, ui::Choice::Off}, path);
+    QSignalSpy exported(&w.controller.exporting(), &ExportController::exported);
+    w.controller.exporting().exportOverlay({600, ui::Choice::On, ui::Choice::Off}, path);
+    EXPECT_TRUE(exported.isEmpty());   // a worker does it
+    ASSERT_TRUE(exported.wait(test::patienceMs));
 
-    ASSERT_TRUE(written) << written.error().message;
     const QImage picture(path);
     EXPECT_EQ(picture.width(), 600);
     EXPECT_TRUE(picture.textKeys().contains(QStringLiteral("cameraFromPatient")));

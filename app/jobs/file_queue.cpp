@@ -1,0 +1,51 @@
+#include "app/jobs/file_queue.h"
+
+#include "app/jobs/guarded.h"
+
+#include <QtConcurrentRun>
+
+#include <utility>
+
+namespace app {
+
+FileQueue::FileQueue(QObject* parent) : QObject(parent)
+{
+    connect(&watcher_, &QFutureWatcherBase::finished, this, &FileQueue::publish);
+}
+
+FileQueue::~FileQueue()
+{
+    watcher_.waitForFinished();
+    for (std::size_t i = running_ ? 1 : 0; i < tasks_.size(); ++i) {
+        (void)guarded<QString>(tasks_[i].work);
+    }
+}
+
+void FileQueue::run(Work work, Answer answer)
+{
+    tasks_.push_back({std::move(work), std::move(answer)});
+    if (!running_) {
+        startNext();
+    }
+}
+
+void FileQueue::startNext()
+{
+    running_ = !tasks_.empty();
+    if (running_) {
+        watcher_.setFuture(QtConcurrent::run([work = tasks_.front().work] { return guarded<QString>(work); }));
+    }
+}
+
+void FileQueue::publish()
+{
+    const Task done = std::move(tasks_.front());
+    tasks_.pop_front();
+    const core::Result<QString> written = watcher_.result();
+    startNext();
+    if (done.answer) {
+        done.answer(written);
+    }
+}
+
+}   // namespace app

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/support/result.h"
+
+#include <QFutureWatcher>
+#include <QObject>
+#include <QString>
+
+#include <deque>
+#include <functional>
+
+namespace app {
+
+/// Writes files off the GUI thread, one after the other in the order of asking. Work gets what it needs by value and
+/// returns the path it wrote. A destroyed queue finishes its work first, so that nothing asked for is lost.
+class FileQueue : public QObject {
+    Q_OBJECT
+public:
+    using Work = std::function<core::Result<QString>()>;
+    using Answer = std::function<void(const core::Result<QString>& written)>;
+
+    explicit FileQueue(QObject* parent = nullptr);
+    ~FileQueue() override;
+
+    void run(Work work, Answer answer);   ///< `answer` is called on this object's thread
+    bool isBusy() const { return running_; }
+
+private:
+    struct Task {
+        Work work;
+        Answer answer;
+    };
+    void startNext();
+    void publish();
+
+    std::deque<Task> tasks_;   ///< the first one is running
+    QFutureWatcher<core::Result<QString>> watcher_;
+    bool running_ = false;
+};
+
+}   // namespace app
