@@ -1,0 +1,55 @@
+#include "tests/app/session/session_check.h"
+
+#include <QFile>
+#include <QTest>
+
+namespace test {
+namespace {
+
+constexpr int patienceMs = 60000;
+
+bool save(app::CaseController& controller, const QString& path)
+{
+    bool isSaved = false;
+    controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
+    return QTest::qWaitFor([&isSaved] { return isSaved; }, patienceMs);
+}
+
+QByteArrayList linesOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll().split('\n') : QByteArrayList{};
+}
+
+}   // namespace
+
+QString differenceAfterReopening(app::CaseController& controller, const QString& folder)
+{
+    const QString first = folder + QStringLiteral("/first.angiopose");
+    const QString second = folder + QStringLiteral("/second.angiopose");
+    if (!save(controller, first)) {
+        return QStringLiteral("could not save");
+    }
+    ui::MainWindow window;
+    app::CaseController reopened(window);
+    window.show();
+    reopened.open({first});
+    if (!QTest::qWaitFor([&reopened] { return !reopened.isLoading() && !reopened.document().isEmpty(); }, patienceMs)) {
+        return QStringLiteral("could not reopen");
+    }
+    if (!save(reopened, second)) {
+        return QStringLiteral("could not save again");
+    }
+    const QByteArrayList before = linesOf(first);
+    const QByteArrayList after = linesOf(second);
+    for (qsizetype i = 0; i < std::max(before.size(), after.size()); ++i) {
+        if (before.value(i) != after.value(i)) {
+            return QStringLiteral("line %1: “%2” became “%3”")
+                .arg(i + 1)
+                .arg(QString::fromUtf8(before.value(i)), QString::fromUtf8(after.value(i)));
+        }
+    }
+    return {};
+}
+
+}   // namespace test
