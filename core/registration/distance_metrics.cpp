@@ -1,7 +1,7 @@
 #include "core/registration/distance_metrics.h"
 
 #include "core/registration/curve_distance.h"
-#include "core/registration/grid_index.h"
+#include "core/registration/feature_map.h"
 #include "core/support/quantile.h"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ std::vector<double> reverseDistancesPx(const RegistrationProblem& problem, const
     if (visible.empty()) {
         return std::vector<double>(problem.target.size(), imageDiagonalPx(problem.camera));
     }
-    const GridIndex index(std::move(visible));
+    const FeatureMap index(std::move(visible), problem.camera.width, problem.camera.height);
     std::vector<double> distances;
     distances.reserve(problem.target.size());
     for (const Eigen::Vector2d& point : problem.target.points) {

@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cstdlib>
+#include <limits>
 
 namespace core {
 namespace {
@@ -123,6 +124,28 @@ FeatureMap::FeatureMap(std::vector<Eigen::Vector2d> pointsPx, int imageWidth, in
         }
         sweep.finish(cells);
     }
+}
+
+std::size_t FeatureMap::nearestIndex(const Eigen::Vector2d& queryPx) const
+{
+    const auto cellOf = [this](double px, int count) {
+        return static_cast<int>(std::clamp((px + offsetPx_) / cellPx, 0.0, count - 1.0));
+    };
+    const int column = cellOf(queryPx.x(), columns_);
+    const int row = cellOf(queryPx.y(), rows_);
+    std::size_t best = 0;
+    double bestSquared = std::numeric_limits<double>::infinity();
+    for (int r = std::max(0, row - 1); r <= std::min(rows_ - 1, row + 1); ++r) {
+        for (int c = std::max(0, column - 1); c <= std::min(columns_ - 1, column + 1); ++c) {
+            const auto candidate = static_cast<std::size_t>(nearest_[static_cast<std::size_t>(r * columns_ + c)]);
+            const double squared = (points_[candidate] - queryPx).squaredNorm();
+            if (squared < bestSquared) {
+                bestSquared = squared;
+                best = candidate;
+            }
+        }
+    }
+    return best;
 }
 
 }   // namespace core

@@ -8,8 +8,8 @@
 namespace core {
 
 /// Nearest point by table: Euclidean feature transform (Felzenszwalb, Huttenlocher 2012) on square cells that cover the
-/// image and a margin around it. Answers for the centre of the query's cell, so the point found is farther than the
-/// nearest by at most a cell's diagonal; outside the table the border cell answers.
+/// image and a margin around it. A cell answers for its centre, so the point found is farther than the nearest by at
+/// most a cell's diagonal; outside the table the border cell answers.
 class FeatureMap final : public PointIndex {
 public:
     static constexpr int cellPx = 3;
@@ -17,9 +17,11 @@ public:
     /// `pointsPx` finite and not empty.
     FeatureMap(std::vector<Eigen::Vector2d> pointsPx, int imageWidth, int imageHeight);
 
-    std::size_t nearestIndex(const Eigen::Vector2d& queryPx) const override { return lookUp(queryPx.x(), queryPx.y()); }
+    /// The best answer of the query's cell and its neighbours: the nearest point itself where one is within a cell.
+    std::size_t nearestIndex(const Eigen::Vector2d& queryPx) const override;
     const std::vector<Eigen::Vector2d>& points() const override { return points_; }
 
+    /// The answer of the query's cell alone, for inner loops.
     std::size_t lookUp(double u, double v) const
     {
         constexpr double perPx = 1.0 / cellPx;

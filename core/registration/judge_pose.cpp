@@ -1,7 +1,6 @@
 #include "core/registration/judge_pose.h"
 
 #include "core/registration/distance_metrics.h"
-#include "core/registration/grid_index.h"
 #include "core/registration/pose_uncertainty.h"
 #include "core/registration/trust.h"
 
@@ -11,8 +10,9 @@ RegistrationResult judgePose(const RegistrationProblem& problem, const Registrat
                              const MethodSolution& solution)
 {
     const RigidTransform& pose = solution.cameraFromPatient;
-    const GridIndex target(problem.target.points);
-    const ProjectedTree projected = projectTree(problem, pose, target);
+    const auto lines = solution.targetLines ? solution.targetLines
+                                            : std::make_shared<const TargetLines>(problem.target, problem.camera);
+    const ProjectedTree projected = projectTree(problem, pose, lines->index());
     const StartPrior prior = startPrior(aboutCentroid(problem.start, problem.tree.centroid), options);
 
     RegistrationResult result;
@@ -21,8 +21,6 @@ RegistrationResult judgePose(const RegistrationProblem& problem, const Registrat
     result.iterations = solution.iterations;
     result.metrics = distanceMetrics(problem, pose, projected);
     result.branches = branchResiduals(problem.tree, projected);
-    const auto lines = solution.targetLines ? solution.targetLines
-                                            : std::make_shared<const TargetLines>(problem.target, problem.camera);
     result.uncertainty = poseUncertainty(problem, *lines, pose, prior);
     result.alternatives = solution.alternatives;
     result.time = solution.time;

@@ -38,6 +38,7 @@ public:
     }
 
     const std::vector<Line>& lines() const { return lines_; }
+    const FeatureMap& index() const { return map_; }
 
 private:
     FeatureMap map_;
