@@ -140,6 +140,7 @@ void Alignment::collectRows(const CentroidPose& pose, double scalePx, std::vecto
             const double v = visibility_[static_cast<std::size_t>(point.branchIndex)];
             row.weight = v * v * found.gate * std::exp(perSquaredScale * found.squaredDistance);
             row.residual = found.residual;
+            row.fromCentroid = found.turned;
             row.gradient = residualGradient(found);
         }
         rows.push_back(row);
@@ -168,6 +169,11 @@ double Alignment::medianDistancePx(const CentroidPose& pose, std::vector<double>
     const auto middle = scratch.begin() + static_cast<std::ptrdiff_t>(scratch.size() / 2);
     std::nth_element(scratch.begin(), middle, scratch.end());
     return std::sqrt(*middle);
+}
+
+std::size_t strideFor(std::size_t count, std::size_t wanted)
+{
+    return std::max<std::size_t>(1, (count + wanted - 1) / wanted);
 }
 
 std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, std::size_t stride)

@@ -23,6 +23,7 @@ struct Agreement {
 
 /// One point's share of the equations; weight 0 where nothing is near.
 struct ResidualRow {
+    Eigen::Vector3d fromCentroid = Eigen::Vector3d::Zero();   ///< mm, camera axes
     Vector6d gradient = Vector6d::Zero();   ///< for steps (rad, mm)
     double residual = 0.0;   ///< px across the vessel, to the same side all along a branch
     double weight = 0.0;
@@ -75,6 +76,9 @@ inline double noiseVariance(double scalePx)
 {
     return scalePx * scalePx / (scalePerNoise * scalePerNoise);
 }
+
+/// Stride that leaves at most `wanted` of `count` points.
+std::size_t strideFor(std::size_t count, std::size_t wanted);
 
 /// Every `stride`-th tree point.
 std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, std::size_t stride = 1);

@@ -12,17 +12,17 @@ namespace {
 constexpr int blockPx = 16;   // step of the shifts
 constexpr int phasePx = 4;   // resolution of the closeness image
 constexpr int phases = blockPx / phasePx;
-constexpr double stepDeg = 4.0;
 constexpr std::size_t keptPerOrientation = 3;
 constexpr std::size_t keptCandidates = 12;
 constexpr std::size_t maxPoints = 257;   // sums of bytes must fit 16 bits
 constexpr double worthTrying = 0.8;   // of the best score
 constexpr double basinPx = 24.0;
-constexpr double basinDeg = 3.0;
+constexpr double basinSteps = 0.75;   // of the turns
+constexpr double beyondReach = 1.2;   // tilts on the diagonal may be this much longer
 constexpr double radiansPerDegree = std::numbers::pi / 180.0;
 
-/// −reach … reach in equal steps of about stepDeg, 0 among them.
-std::vector<double> anglesWithin(double reachDeg)
+/// −reach … reach in equal steps of about stepDeg, 0 among them; rad.
+std::vector<double> anglesWithin(double reachDeg, double stepDeg)
 {
     const int half = static_cast<int>(std::ceil(reachDeg / stepDeg - 1e-9));
     std::vector<double> angles;
@@ -32,14 +32,20 @@ std::vector<double> anglesWithin(double reachDeg)
     return angles;
 }
 
-bool isSameBasin(const CoarseCandidate& a, const CoarseCandidate& b, double pxPerMm)
-{
-    const double shiftPx = (a.pose.centroidInCamera - b.pose.centroidInCamera).norm() * pxPerMm;
-    return shiftPx < basinPx && angleBetween(a.pose.rotation, b.pose.rotation) < basinDeg * radiansPerDegree;
-}
+/// How near two poses must be to lead to the same optimum.
+struct Basin {
+    double shiftMm;
+    double turn;   ///< rad
+
+    bool holds(const CoarseCandidate& a, const CoarseCandidate& b) const
+    {
+        return (a.pose.centroidInCamera - b.pose.centroidInCamera).norm() < shiftMm &&
+               angleBetween(a.pose.rotation, b.pose.rotation) < turn;
+    }
+};
 
 /// The best candidate of each basin, best first.
-std::vector<CoarseCandidate> distinct(std::vector<CoarseCandidate> candidates, double pxPerMm)
+std::vector<CoarseCandidate> distinct(std::vector<CoarseCandidate> candidates, const Basin& basin)
 {
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const CoarseCandidate& a, const CoarseCandidate& b) { return a.score > b.score; });
@@ -48,9 +54,8 @@ std::vector<CoarseCandidate> distinct(std::vector<CoarseCandidate> candidates, d
         if (candidate.score < worthTrying * candidates.front().score) {
             break;
         }
-        const bool isNew = std::none_of(best.begin(), best.end(), [&](const CoarseCandidate& other) {
-            return isSameBasin(candidate, other, pxPerMm);
-        });
+        const bool isNew = std::none_of(best.begin(), best.end(),
+                                        [&](const CoarseCandidate& other) { return basin.holds(candidate, other); });
         if (isNew) {
             best.push_back(candidate);
         }
@@ -72,7 +77,8 @@ struct CoarseSearch::Shifts {
     explicit Shifts(int reach) : half(reach), side(2 * reach + 1), sums(static_cast<std::size_t>(side * side)) {}
 };
 
-CoarseSearch::CoarseSearch(const ProjectionCamera& camera, const TargetLines& target) : camera_(camera)
+CoarseSearch::CoarseSearch(const ProjectionCamera& camera, const TargetLines& target, double closenessPx)
+    : camera_(camera)
 {
     margin_ = 2;
     blockColumns_ = camera.width / blockPx + 1 + 2 * margin_;
@@ -165,25 +171,27 @@ std::vector<CoarseCandidate> CoarseSearch::find(std::span<const AlignmentPoint> 
     const double pxPerMm = 1.0 / millimetresPerPixel(camera_, depthMm);
     Shifts shifts(static_cast<int>(std::ceil(reach.radiusMm * pxPerMm / blockPx)));
     std::vector<CoarseCandidate> found;
-    const std::vector<double> tilts = anglesWithin(reach.tiltDeg);
-    const std::vector<double> rolls = anglesWithin(reach.rollDeg);
-    const auto tiltCount = static_cast<double>(tilts.size() * tilts.size());
+    const std::vector<double> tilts = anglesWithin(reach.tiltDeg, reach.stepDeg);
+    const std::vector<double> rolls = anglesWithin(reach.rollDeg, reach.stepDeg);
+    const double longestTilt = beyondReach * reach.tiltDeg * radiansPerDegree;
     double tiltsDone = 0.0;
+    bool isStopped = false;
     for (const double tiltX : tilts) {
         for (const double tiltY : tilts) {
+            if (isStopped || std::hypot(tiltX, tiltY) > longestTilt) {
+                continue;
+            }
             for (const double roll : rolls) {
                 CentroidPose pose = start;
                 pose.rotation = expSo3({0.0, 0.0, roll}) * expSo3({tiltX, tiltY, 0.0}) * start.rotation;
                 scoreOrientation(points, pose, shifts);
                 keepBest(pose, points.size(), shifts, found);
             }
-            tiltsDone += 1.0;
-            if (proceed(tiltsDone / tiltCount) == Verdict::Stop) {
-                return distinct(std::move(found), pxPerMm);
-            }
         }
+        tiltsDone += 1.0;
+        isStopped = isStopped || proceed(tiltsDone / static_cast<double>(tilts.size())) == Verdict::Stop;
     }
-    return distinct(std::move(found), pxPerMm);
+    return distinct(std::move(found), {basinPx / pxPerMm, basinSteps * reach.stepDeg * radiansPerDegree});
 }
 
 }   // namespace core

@@ -9,11 +9,12 @@
 
 namespace core {
 
-/// How far around the start pose the search reaches.
+/// How far around the start pose the search reaches, and how finely it turns.
 struct SearchReach {
     double radiusMm = 60.0;
-    double tiltDeg = 10.0;
+    double tiltDeg = 10.0;   ///< of the tilt's axis-angle length
     double rollDeg = 10.0;
+    double stepDeg = 4.0;
 };
 
 struct CoarseCandidate {
@@ -25,9 +26,8 @@ struct CoarseCandidate {
 /// all shifts of one point are neighbours in memory, is summed over few tree points.
 class CoarseSearch {
 public:
-    static constexpr double closenessPx = 11.0;   ///< ALGORITHMS §6.8
-
-    CoarseSearch(const ProjectionCamera& camera, const TargetLines& target);
+    /// `closenessPx`: distance at which a tree point still counts 0.6; wider for coarser turns (ALGORITHMS §6.8: 11).
+    CoarseSearch(const ProjectionCamera& camera, const TargetLines& target, double closenessPx = 11.0);
 
     /// Best candidates, different from each other by more than a basin, best first. `proceed` is told the share done
     /// after each tilt; Stop ends the search with what it has.

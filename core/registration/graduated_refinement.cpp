@@ -6,7 +6,7 @@
 namespace core {
 namespace {
 
-constexpr double settledMm = 1e-4;   // 0.0003 px
+constexpr double settledMm = 1e-3;   // 0.003 px
 constexpr double noiseMattersPx = 5.0;   // above, the scale is wider than any noise
 constexpr double madToStd = 1.4826;
 

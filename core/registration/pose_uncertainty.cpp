@@ -10,30 +10,13 @@
 #include <numbers>
 
 namespace core {
-namespace {
-
-constexpr double matchScalePx = 1.5;   // with the cut-off of a Welsch weight, points up to 6 px away are looked at
-constexpr double scaleFactor = 3.0;   // Welsch scale at which Gaussian residuals keep nearly all their weight
-
-/// Information of the image alone about the pose.
-Matrix6d imageInformation(const Alignment& alignment, const CentroidPose& pose)
-{
-    std::vector<ResidualRow> rows;
-    alignment.collectRows(pose, matchScalePx, rows);
-    const ShapeErrors errors = shapeErrors(rows);
-    alignment.collectRows(pose, std::max(1.0, scaleFactor * std::hypot(errors.scatterPx, errors.offsetPx)), rows);
-    const NormalEquations equations = tolerantEquations(rows, errors.varianceRatio());
-    return equations.hessian / (errors.scatterPx * errors.scatterPx * errors.correlationPoints);
-}
-
-}   // namespace
 
 PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const TargetLines& target,
                                 const RigidTransform& cameraFromPatient, const StartPrior& prior)
 {
     const CentroidPose pose = aboutCentroid(cameraFromPatient, problem.tree.centroid);
     const Alignment alignment(alignmentPoints(problem.tree), problem.camera, target);
-    const Matrix6d data = imageInformation(alignment, pose);
+    const Matrix6d data = tolerantInformation(alignment, prior, pose).hessian;
     const Vector6d priorInformation = prior.std.cwiseAbs2().cwiseInverse();
 
     PoseUncertainty uncertainty;
