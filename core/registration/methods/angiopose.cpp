@@ -29,7 +29,7 @@ public:
     void searchFurther();
     void refineFinalists();
 
-    RigidTransform pose() const;
+    RigidTransform pose() const { return inPatient(bestPose()); }
     StopReason stopReason() const;
     std::vector<Hypothesis> alternatives() const;
     std::shared_ptr<const TargetLines> target() const { return target_; }
@@ -39,6 +39,7 @@ private:
     void refineRoughly(const std::vector<CentroidPose>& hypotheses);
     void search(Search reach, const CentroidPose& start, double progress);
     std::vector<CentroidPose> auxiliaryHypotheses();
+    const CentroidPose& bestPose() const;
     RigidTransform inPatient(const CentroidPose& pose) const { return cameraFromPatient(pose, problem_.tree.centroid); }
     Verdict report(std::string_view stage, double progress, double scalePx);
 
@@ -68,13 +69,12 @@ AngioPose::AngioPose(const RegistrationProblem& problem, const RegistrationOptio
 /// Always of the best pose so far.
 Verdict AngioPose::report(std::string_view stage, double progress, double scalePx)
 {
-    const CentroidPose& pose = ranking_.isEmpty() ? start_ : ranking_.best().pose;
     IterationReport report;
     report.stage = stage;
     report.progress = progress;
     report.scalePx = scalePx;
-    report.medianDistancePx = ranking_.medianDistancePx(pose);
-    report.cameraFromPatient = inPatient(pose);
+    report.medianDistancePx = ranking_.medianDistancePx(bestPose());
+    report.cameraFromPatient = inPatient(bestPose());
     return progress_.report(report);
 }
 
@@ -165,12 +165,12 @@ void AngioPose::refineFinalists()
     report("refine", 1.0, options_.finalScalePx);
 }
 
-RigidTransform AngioPose::pose() const
+const CentroidPose& AngioPose::bestPose() const
 {
     if (!refined_.empty()) {
-        return inPatient(refined_.front().pose);
+        return refined_.front().pose;
     }
-    return ranking_.isEmpty() ? problem_.start : inPatient(ranking_.best().pose);
+    return ranking_.isEmpty() ? start_ : ranking_.best().pose;
 }
 
 StopReason AngioPose::stopReason() const
