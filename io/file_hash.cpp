@@ -8,25 +8,30 @@
 
 namespace io {
 
+core::Result<std::string> sha256OfText(std::string_view text)
+{
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
+    unsigned int size = 0;
+    if (EVP_Digest(text.data(), text.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1) {
+        return core::Error{"SHA-256 cannot be computed. Check the OpenSSL installation."};
+    }
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string hex;
+    for (unsigned int i = 0; i < size; ++i) {
+        hex += digits[digest[i] >> 4];
+        hex += digits[digest[i] & 15];
+    }
+    return hex;
+}
+
 core::Result<std::string> sha256OfFile(const std::string& path)
 {
     const auto input = openInput(path);
     if (!input) {
         return input.error();
     }
-    const std::string_view content = input.value().view();
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
-    unsigned int size = 0;
-    if (EVP_Digest(content.data(), content.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1) {
-        return fileError(path, "its SHA-256 cannot be computed. Check the OpenSSL installation.");
-    }
-    constexpr std::string_view digits = "0123456789abcdef";
-    std::string text;
-    for (unsigned int i = 0; i < size; ++i) {
-        text += digits[digest[i] >> 4];
-        text += digits[digest[i] & 15];
-    }
-    return text;
+    const auto hash = sha256OfText(input.value().view());
+    return hash ? hash : fileError(path, hash.error().message);
 }
 
 }   // namespace io

@@ -83,96 +83,119 @@ ImageF imageFrom(const SampleReader& sample, const PixelLayout& layout, bool isS
     return image;
 }
 
-core::Result<std::vector<ImageF>> nativeFrames(const DicomElement& pixels, const PixelLayout& layout,
-                                               const std::string& path)
-{
-    const std::size_t frameBits = bitsPerFrame(layout);
-    const std::size_t needed = (frameBits * static_cast<std::size_t>(layout.frames) + 7) / 8;
-    if (pixels.value.size() < needed) {
-        return fileError(path, "its pixels are cut short: " + std::to_string(pixels.value.size()) + " of " +
-                                   std::to_string(needed) + " bytes are there. Copy or export it again.");
-    }
-    const bool isSubsampled = layout.samples == 3 && layout.photometric == "YBR_FULL_422";
-    std::vector<ImageF> frames;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(layout.frames); ++k) {
-        if (layout.bitsAllocated == 1) {   // frames follow each other without padding
-            frames.push_back(imageFrom(SampleReader(pixels.value, layout, pixels.encoding), layout, false,
-                                       k * layout.pixelsPerFrame()));
-        } else {
-            const std::string_view bytes = pixels.value.substr(k * frameBits / 8, frameBits / 8);
-            frames.push_back(imageFrom(SampleReader(bytes, layout, pixels.encoding), layout, isSubsampled, 0));
-        }
-    }
-    return frames;
-}
-
 bool startsStream(std::string_view fragment)
 {
     return fragment.starts_with("\xff\xd8") || fragment.starts_with("\xff\x4f") ||
            fragment.starts_with(std::string_view("\0\0\0\x0cjP", 6));
 }
 
-/// One string of bytes per frame: frames are one fragment each, or start where a stream starts.
-std::vector<std::string> framesOfFragments(const std::vector<std::string_view>& fragments, std::size_t frameCount)
+/// The fragments of each frame: one each, or from where a stream starts to the next.
+std::vector<std::vector<std::string_view>> framesOfFragments(const std::vector<std::string_view>& fragments,
+                                                             std::size_t frameCount)
 {
-    std::vector<std::string> frames;
+    std::vector<std::vector<std::string_view>> frames;
     const bool isOneEach = fragments.size() == frameCount;
     for (const std::string_view fragment : fragments) {
         if (frames.empty() || isOneEach || (frameCount > 1 && startsStream(fragment))) {
-            frames.emplace_back(fragment);
-        } else {
-            frames.back() += fragment;
+            frames.emplace_back();
         }
+        frames.back().push_back(fragment);
     }
     return frames;
 }
 
-core::Result<std::vector<ImageF>> compressedFrames(const DicomFile& file, const DicomElement& pixels,
-                                                   const PixelLayout& layout, const std::string& path)
+bool isFinite(const ImageF& frame)
 {
-    auto fragments = fragmentsOf(pixels);
-    if (!fragments || fragments->size() < 2) {
-        return fileError(path, "its compressed pixels are cut short. Copy or export it again.");
-    }
-    fragments->erase(fragments->begin());   // the offset table
-    const auto count = static_cast<std::size_t>(layout.frames);
-    const std::vector<std::string> streams = framesOfFragments(*fragments, count);
-    if (streams.size() < count) {
-        return fileError(path, "only " + std::to_string(streams.size()) + " of its " + std::to_string(count) +
-                                   " frames are there. Copy or export it again.");
-    }
-    std::vector<ImageF> frames;
-    for (std::size_t k = 0; k < count; ++k) {
-        PixelLayout decoded = layout;
-        const auto bytes = decodeFrame(streams[k], file.transferSyntax, decoded);
-        const std::size_t needed = decoded.pixelsPerFrame() * static_cast<std::size_t>(decoded.samples) *
-                                   static_cast<std::size_t>(decoded.bitsAllocated) / 8;
-        if (!bytes || bytes->size() < needed || layout.bitsAllocated < 8) {
-            return fileError(path, "frame " + std::to_string(k) + " cannot be decoded (transfer syntax " +
-                                       file.transferSyntax.substr(0, 64) +
-                                       "): damaged, cut short, or a compression this program does not read. "
-                                       "Export the run again, uncompressed if possible.");
-        }
-        const SampleReader sample({bytes->data(), bytes->size()}, decoded, DicomEncoding{true, false});
-        frames.push_back(imageFrom(sample, decoded, false, 0));
-    }
-    return frames;
+    return std::all_of(frame.pixels.begin(), frame.pixels.end(), [](float value) { return std::isfinite(value); });
 }
 
 }   // namespace
 
+FrameReader::FrameReader(PixelLayout layout, std::string path) : layout_(std::move(layout)), path_(std::move(path)) {}
+
+core::Result<FrameReader> FrameReader::open(const DicomFile& file, const PixelLayout& layout, const std::string& path)
+{
+    FrameReader reader(layout, path);
+    const DicomElement* pixels = file.dataset.find(layout.isFloat ? 0x7fe00008 : pixelDataTag);
+    reader.pixels_ = *pixels;
+    reader.transferSyntax_ = file.transferSyntax;
+    const auto count = static_cast<std::size_t>(layout.frames);
+    if (!pixels->hasUndefinedLength) {
+        const std::size_t needed = (bitsPerFrame(layout) * count + 7) / 8;
+        if (pixels->value.size() < needed) {
+            return fileError(path, "its pixels are cut short: " + std::to_string(pixels->value.size()) + " of " +
+                                       std::to_string(needed) + " bytes are there. Copy or export it again.");
+        }
+        return reader;
+    }
+    auto fragments = fragmentsOf(*pixels);
+    if (!fragments || fragments->size() < 2) {
+        return fileError(path, "its compressed pixels are cut short. Copy or export it again.");
+    }
+    fragments->erase(fragments->begin());   // the offset table
+    reader.streams_ = framesOfFragments(*fragments, count);
+    if (reader.streams_.size() < count) {
+        return fileError(path, "only " + std::to_string(reader.streams_.size()) + " of its " + std::to_string(count) +
+                                   " frames are there. Copy or export it again.");
+    }
+    return reader;
+}
+
+ImageF FrameReader::nativeFrame(std::size_t index) const
+{
+    if (layout_.bitsAllocated == 1) {   // frames follow each other without padding
+        return imageFrom(SampleReader(pixels_.value, layout_, pixels_.encoding), layout_, false,
+                         index * layout_.pixelsPerFrame());
+    }
+    const bool isSubsampled = layout_.samples == 3 && layout_.photometric == "YBR_FULL_422";
+    const std::size_t frameBytes = bitsPerFrame(layout_) / 8;
+    const std::string_view bytes = pixels_.value.substr(index * frameBytes, frameBytes);
+    return imageFrom(SampleReader(bytes, layout_, pixels_.encoding), layout_, isSubsampled, 0);
+}
+
+core::Result<ImageF> FrameReader::compressedFrame(std::size_t index) const
+{
+    std::string stream;
+    for (const std::string_view fragment : streams_[index]) {
+        stream += fragment;
+    }
+    PixelLayout decoded = layout_;
+    const auto bytes = decodeFrame(stream, transferSyntax_, decoded);
+    const std::size_t needed = decoded.pixelsPerFrame() * static_cast<std::size_t>(decoded.samples) *
+                               static_cast<std::size_t>(decoded.bitsAllocated) / 8;
+    if (!bytes || bytes->size() < needed || layout_.bitsAllocated < 8) {
+        return fileError(path_, "frame " + std::to_string(index) + " cannot be decoded (transfer syntax " +
+                                    transferSyntax_.substr(0, 64) +
+                                    "): damaged, cut short, or a compression this program does not read. "
+                                    "Export the run again, uncompressed if possible.");
+    }
+    const SampleReader sample({bytes->data(), bytes->size()}, decoded, DicomEncoding{true, false});
+    return imageFrom(sample, decoded, false, 0);
+}
+
+core::Result<ImageF> FrameReader::frame(int index) const
+{
+    auto image = pixels_.hasUndefinedLength ? compressedFrame(static_cast<std::size_t>(index))
+                                            : nativeFrame(static_cast<std::size_t>(index));
+    if (image && layout_.isFloat && !isFinite(image.value())) {
+        return fileError(path_, "a pixel is not a finite number. Export the image again.");
+    }
+    return image;
+}
+
 core::Result<std::vector<ImageF>> readFrames(const DicomFile& file, const PixelLayout& layout, const std::string& path)
 {
-    const DicomElement* pixels = file.dataset.find(layout.isFloat ? 0x7fe00008 : pixelDataTag);
-    auto frames = pixels->hasUndefinedLength ? compressedFrames(file, *pixels, layout, path)
-                                             : nativeFrames(*pixels, layout, path);
-    if (frames && layout.isFloat) {
-        for (const ImageF& frame : frames.value()) {
-            if (!std::all_of(frame.pixels.begin(), frame.pixels.end(),
-                             [](float value) { return std::isfinite(value); })) {
-                return fileError(path, "a pixel is not a finite number. Export the image again.");
-            }
+    const auto reader = FrameReader::open(file, layout, path);
+    if (!reader) {
+        return reader.error();
+    }
+    std::vector<ImageF> frames;
+    for (int k = 0; k < layout.frames; ++k) {
+        auto frame = reader.value().frame(k);
+        if (!frame) {
+            return frame.error();
         }
+        frames.push_back(std::move(frame).value());
     }
     return frames;
 }

@@ -4,10 +4,34 @@
 #include "core/support/result.h"
 #include "io/dicom/pixel_layout.h"
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 namespace io {
 
-/// Frames of a DICOM file as stored values (colour as luminance), decoded one at a time to keep memory low.
-/// Fails when pixels are missing or cannot be decoded: a part of an image is no image.
+/// Decodes the frames of a DICOM file one at a time, as stored values (colour as luminance). The file must outlive it.
+class FrameReader {
+public:
+    /// Fails when pixels are missing: a part of an image is no image.
+    static core::Result<FrameReader> open(const DicomFile& file, const PixelLayout& layout, const std::string& path);
+
+    /// Frame `index` below `layout.frames`; fails when it cannot be decoded.
+    core::Result<core::ImageF> frame(int index) const;
+
+private:
+    FrameReader(PixelLayout layout, std::string path);
+    core::ImageF nativeFrame(std::size_t index) const;
+    core::Result<core::ImageF> compressedFrame(std::size_t index) const;
+
+    PixelLayout layout_;
+    std::string path_;
+    std::string transferSyntax_;
+    DicomElement pixels_;
+    std::vector<std::vector<std::string_view>> streams_;   ///< fragments of each compressed frame
+};
+
+/// All frames of a file.
 core::Result<std::vector<core::ImageF>> readFrames(const DicomFile& file, const PixelLayout& layout,
                                                    const std::string& path);
 

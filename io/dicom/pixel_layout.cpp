@@ -49,7 +49,7 @@ std::string findUnsupported(const PixelLayout& layout)
 
 }   // namespace
 
-core::Result<PixelLayout> pixelLayoutOf(const DicomFile& file, const std::string& path)
+core::Result<PixelLayout> pixelLayoutOf(const DicomFile& file, const std::string& path, std::size_t maxPixels)
 {
     const DicomDataset& data = file.dataset;
     PixelLayout layout;
@@ -78,7 +78,7 @@ core::Result<PixelLayout> pixelLayoutOf(const DicomFile& file, const std::string
         return fileError(path, "its header gives no image size. The file is damaged; export the run again.");
     }
     if (layout.pixelsPerFrame() > maxFramePixels ||
-        layout.pixelsPerFrame() > maxRunPixels / static_cast<std::size_t>(layout.frames)) {
+        layout.pixelsPerFrame() > maxPixels / static_cast<std::size_t>(layout.frames)) {
         return fileError(path, "it declares " + std::to_string(layout.frames) + " frames of " +
                                    std::to_string(layout.columns) + " x " + std::to_string(layout.rows) +
                                    " pixels, more than this program holds. Export fewer frames.");

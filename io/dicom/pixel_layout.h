@@ -28,7 +28,8 @@ struct PixelLayout {
 inline constexpr std::size_t maxRunPixels = 220'000'000;
 inline constexpr std::size_t maxFramePixels = 8192 * 8192;
 
-/// Fails when the file holds no image, or one this program cannot show.
-core::Result<PixelLayout> pixelLayoutOf(const DicomFile& file, const std::string& path);
+/// Fails when the file holds no image, or one this program cannot show, or more than `maxPixels` in all its frames.
+core::Result<PixelLayout> pixelLayoutOf(const DicomFile& file, const std::string& path,
+                                        std::size_t maxPixels = maxRunPixels);
 
 }   // namespace io

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 namespace io {
 namespace {
@@ -31,7 +32,7 @@ bool writeAll(int file, std::string_view content)
         }
         content.remove_prefix(static_cast<std::size_t>(written));
     }
-    return ::fsync(file) == 0;
+    return true;
 }
 
 /// Permissions of the file that is replaced, or what a newly created file would get.
@@ -58,7 +59,37 @@ void flushFolder(const std::filesystem::path& folder)
 
 }   // namespace
 
-core::Status writeAtomically(const std::string& path, std::string_view content)
+AtomicFile::AtomicFile(std::string path, std::string target, std::string temporary, int file)
+    : path_(std::move(path)), target_(std::move(target)), temporary_(std::move(temporary)), file_(file)
+{
+}
+
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      target_(std::move(other.target_)),
+      temporary_(std::move(other.temporary_)),
+      file_(std::exchange(other.file_, -1))
+{
+}
+
+AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept
+{
+    std::swap(path_, other.path_);
+    std::swap(target_, other.target_);
+    std::swap(temporary_, other.temporary_);
+    std::swap(file_, other.file_);
+    return *this;
+}
+
+AtomicFile::~AtomicFile()
+{
+    if (file_ >= 0) {
+        ::close(file_);
+        ::unlink(temporary_.c_str());
+    }
+}
+
+core::Result<AtomicFile> AtomicFile::create(const std::string& path)
 {
     std::error_code unresolved;
     // Through a link: the file it points to is replaced, not the link.
@@ -71,15 +102,39 @@ core::Status writeAtomically(const std::string& path, std::string_view content)
     if (file < 0) {
         return writeError(path);
     }
-    const bool written = writeAll(file, content) && ::fchmod(file, permissionsFor(target.string())) == 0;
+    return AtomicFile(path, target.string(), std::move(temporary), file);
+}
+
+core::Status AtomicFile::write(std::string_view content)
+{
+    return writeAll(file_, content) ? core::Status(core::Done{}) : writeError(path_);
+}
+
+core::Status AtomicFile::commit()
+{
+    const int file = std::exchange(file_, -1);
+    const bool written = ::fsync(file) == 0 && ::fchmod(file, permissionsFor(target_)) == 0;
     const bool closed = ::close(file) == 0;
-    if (!written || !closed || ::rename(temporary.c_str(), target.c_str()) != 0) {
-        const core::Error error = writeError(path);
-        ::unlink(temporary.c_str());
+    if (!written || !closed || ::rename(temporary_.c_str(), target_.c_str()) != 0) {
+        const core::Error error = writeError(path_);
+        ::unlink(temporary_.c_str());
         return error;
     }
-    flushFolder(target.parent_path());
+    flushFolder(std::filesystem::path(target_).parent_path());
     return core::Done{};
+}
+
+core::Status writeAtomically(const std::string& path, std::string_view content)
+{
+    auto created = AtomicFile::create(path);
+    if (!created) {
+        return created.error();
+    }
+    AtomicFile file = std::move(created).value();
+    if (auto written = file.write(content); !written) {
+        return written;
+    }
+    return file.commit();
 }
 
 }   // namespace io

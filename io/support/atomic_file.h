@@ -7,6 +7,27 @@
 
 namespace io {
 
+/// Writes a large file piece by piece so that it is either the old or the new one, whole: a temporary file beside it
+/// that `commit` flushes and renames; without a commit nothing is left behind.
+class AtomicFile {
+public:
+    static core::Result<AtomicFile> create(const std::string& path);
+    AtomicFile(AtomicFile&& other) noexcept;
+    AtomicFile& operator=(AtomicFile&& other) noexcept;
+    ~AtomicFile();
+
+    core::Status write(std::string_view content);
+    core::Status commit();
+
+private:
+    AtomicFile(std::string path, std::string target, std::string temporary, int file);
+
+    std::string path_;   ///< as given, for messages
+    std::string target_;
+    std::string temporary_;
+    int file_ = -1;
+};
+
 /// Writes a file so that it is either the old or the new one, whole: temporary file beside it, flush, rename.
 core::Status writeAtomically(const std::string& path, std::string_view content);
 

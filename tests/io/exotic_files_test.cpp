@@ -3,6 +3,7 @@
 #include "io/centerline2d_file.h"
 #include "io/pose_file.h"
 #include "io/vessel_tree_file.h"
+#include "io/volume_file.h"
 #include "tests/support/test_data.h"
 
 #include <gtest/gtest.h>
@@ -53,6 +54,15 @@ void readWithEveryReader(const std::string& path)
     }
     if (const auto pose = io::readPose(path); !pose) {
         expectClearMessage(pose.error(), path);
+    }
+    if (const auto volume = io::readVolume(path); !volume) {
+        EXPECT_NE(volume.error().message.find(": "), std::string::npos) << volume.error().message;
+        EXPECT_TRUE(volume.error().message.ends_with(".")) << volume.error().message;
+    } else {
+        EXPECT_EQ(volume.value().volume.voxels.size(), volume.value().volume.geometry.voxelCount());
+    }
+    if (const auto labels = io::readLabels(path); !labels) {
+        EXPECT_TRUE(labels.error().message.ends_with(".")) << labels.error().message;
     }
     std::vector<std::string> warnings;
     const auto loaded = io::loadCase(path, warnings);

@@ -1,0 +1,32 @@
+#include "io/dicom/open_dicom.h"
+
+#include "io/dicom/dicom_file.h"
+#include "io/support/file_error.h"
+#include "io/support/inflate.h"
+
+namespace io {
+namespace {
+
+constexpr std::size_t maxUnpackedBytes = std::size_t{256} << 20;
+
+}   // namespace
+
+core::Result<InputBytes> openDicom(const std::string& path)
+{
+    auto input = openInput(path);
+    if (!input) {
+        return input;
+    }
+    if (looksLikeDicom(input.value().view())) {
+        return input;
+    }
+    if (input.value().view().starts_with("\x1f\x8b")) {
+        auto unpacked = inflated(input.value().view(), Packing::Gzip, maxUnpackedBytes);
+        if (unpacked && looksLikeDicom(*unpacked)) {
+            return InputBytes(std::move(*unpacked));
+        }
+    }
+    return fileError(path, "this is not a DICOM file. Choose a scan.");
+}
+
+}   // namespace io

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/support/result.h"
+#include "io/support/input_bytes.h"
+
+#include <string>
+
+namespace io {
+
+/// Opens a DICOM file, also one inside a gzip archive. Fails as `openInput` does, and on content that is not DICOM.
+core::Result<InputBytes> openDicom(const std::string& path);
+
+}   // namespace io

@@ -1,0 +1,303 @@
+#include "io/series/group_slices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace io {
+namespace {
+
+constexpr double samePlaceMm = 0.01;
+constexpr std::string_view segmentationClass = "1.2.840.10008.5.1.4.1.1.66.4";
+
+using Slices = std::vector<SliceRecord>;
+
+bool isProjection(const DicomImages& file)
+{
+    const std::string& modality = file.modality;
+    return modality == "XA" || modality == "RF" || modality == "DX" || modality == "CR" || modality == "DR";
+}
+
+/// Files with the same key can be slices of one volume.
+std::string seriesKey(const DicomImages& file)
+{
+    const core::StudyIdentity& identity = file.identity;
+    if (!identity.seriesUid.empty()) {
+        return identity.seriesUid;
+    }
+    return identity.studyUid + "|" + identity.patientId + "|" + std::to_string(file.seriesNumber) + "|" +
+           file.seriesDescription;
+}
+
+/// Size, spacing and orientation, each rounded so that noise in the header does not split a volume.
+std::vector<long> shapeKey(const SliceRecord& slice)
+{
+    std::vector<long> key{slice.size.x(), slice.size.y(), std::lround(slice.spacingMm.x() * 1e4),
+                          std::lround(slice.spacingMm.y() * 1e4), slice.position && slice.axes ? 1 : 0};
+    if (slice.axes) {
+        for (int i = 0; i < 6; ++i) {
+            key.push_back(std::lround((*slice.axes)(i % 3, i / 3) * 200.0));
+        }
+    }
+    return key;
+}
+
+/// True when the orientations agree well enough to share a volume (rounding of the key may part equals).
+bool isAlike(const SliceRecord& a, const SliceRecord& b)
+{
+    const bool isPlaced = a.position && a.axes, isOtherPlaced = b.position && b.axes;
+    if (a.size != b.size || isPlaced != isOtherPlaced || (a.spacingMm - b.spacingMm).cwiseAbs().maxCoeff() > 1e-3) {
+        return false;
+    }
+    return !isPlaced || (*a.axes - *b.axes).cwiseAbs().maxCoeff() < 5e-3;
+}
+
+std::vector<Slices> byShape(const Slices& slices)
+{
+    std::vector<Slices> groups;
+    std::map<std::vector<long>, std::size_t> groupOfKey;
+    for (const SliceRecord& slice : slices) {
+        const auto key = shapeKey(slice);
+        auto found = groupOfKey.find(key);
+        if (found == groupOfKey.end()) {
+            const auto alike = std::find_if(groups.begin(), groups.end(),
+                                            [&](const Slices& group) { return isAlike(group.front(), slice); });
+            const auto at = static_cast<std::size_t>(alike - groups.begin());
+            if (alike == groups.end()) {
+                groups.emplace_back();
+            }
+            found = groupOfKey.emplace(key, at).first;
+        }
+        groups[found->second].push_back(slice);
+    }
+    return groups;
+}
+
+/// Slices in order of place, then of recording, then of name: the same for any order of files.
+void sortAlongNormal(Slices& slices)
+{
+    const Eigen::Vector3d normal = normalOf(slices.front());
+    const auto place = [&](const SliceRecord& slice) {
+        return std::llround(normal.dot(*slice.position) / samePlaceMm);
+    };
+    std::sort(slices.begin(), slices.end(), [&](const SliceRecord& a, const SliceRecord& b) {
+        return std::tuple(place(a), a.instanceNumber, a.path, a.frame) <
+               std::tuple(place(b), b.instanceNumber, b.path, b.frame);
+    });
+}
+
+bool isSamePlace(const SliceRecord& a, const SliceRecord& b)
+{
+    return std::abs(normalOf(a).dot(*a.position - *b.position)) < samePlaceMm;
+}
+
+std::size_t placeCount(const Slices& sorted)
+{
+    std::size_t count = sorted.empty() ? 0 : 1;
+    for (std::size_t i = 1; i < sorted.size(); ++i) {
+        count += isSamePlace(sorted[i - 1], sorted[i]) ? 0 : 1;
+    }
+    return count;
+}
+
+/// Drops files that are there twice (same SOP instance and frame); returns how many.
+std::size_t dropCopies(Slices& slices)
+{
+    std::set<std::pair<std::string, int>> seen;
+    const std::size_t before = slices.size();
+    std::erase_if(slices, [&](const SliceRecord& slice) {
+        return !slice.sopInstanceUid.empty() && !seen.insert({slice.sopInstanceUid, slice.frame}).second;
+    });
+    return before - slices.size();
+}
+
+/// The volumes that one key tells apart, when it does: none of them has two slices at one place.
+std::vector<Slices> splitByKey(const Slices& slices, std::size_t key)
+{
+    std::map<std::string, Slices> parts;
+    for (const SliceRecord& slice : slices) {
+        parts[slice.phaseKeys[key]].push_back(slice);
+    }
+    std::vector<Slices> result;
+    for (auto& [value, part] : parts) {
+        if (placeCount(part) != part.size()) {
+            return {};
+        }
+        result.push_back(std::move(part));
+    }
+    return result;
+}
+
+/// Every place recorded equally often: the first recording of each, the second, …
+std::vector<Slices> splitByRepetition(const Slices& sorted, std::size_t places)
+{
+    const std::size_t count = sorted.size() / places;
+    std::vector<Slices> parts(count);
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        const bool isComplete = i % count == 0 || isSamePlace(sorted[i - 1], sorted[i]);
+        if (!isComplete) {
+            return {};
+        }
+        parts[i % count].push_back(sorted[i]);
+    }
+    return parts;
+}
+
+std::vector<Slices> splitVolumes(const Slices& sorted)
+{
+    const std::size_t places = placeCount(sorted);
+    if (places == sorted.size()) {
+        return {sorted};
+    }
+    for (std::size_t key = 0; key < phaseKeyCount; ++key) {
+        if (auto parts = splitByKey(sorted, key); parts.size() > 1) {
+            return parts;
+        }
+    }
+    if (places > 1 && sorted.size() % places == 0) {
+        if (auto parts = splitByRepetition(sorted, places); !parts.empty()) {
+            return parts;
+        }
+    }
+    return {sorted};
+}
+
+/// One slice per place: the first recorded.
+void keepFirstPerPlace(DicomSeries& series)
+{
+    const std::size_t before = series.slices.size();
+    const auto end = std::unique(series.slices.begin(), series.slices.end(), isSamePlace);
+    series.slices.erase(end, series.slices.end());
+    if (const std::size_t dropped = before - series.slices.size(); dropped > 0) {
+        series.warnings.push_back(std::to_string(dropped) + " of " + std::to_string(before) +
+                                  " slices lie where another one does; the first recorded of each is used.");
+    }
+}
+
+std::string findSeriesProblem(const DicomSeries& series, const DicomImages& head)
+{
+    const SliceRecord& first = series.slices.front();
+    if (head.sopClassUid == segmentationClass) {
+        return "it is a DICOM segmentation. Export it as a NIfTI or NRRD label image.";
+    }
+    if (!first.position || !first.axes) {
+        return "its images do not say where they lie in the patient, so they make no volume. Choose another series.";
+    }
+    return first.spacingMm.isZero()
+               ? std::string(
+                     "its images do not say how large a pixel is, so they make no volume. Choose another series.")
+               : std::string();
+}
+
+void planVolume(DicomSeries& series, const DicomImages& head)
+{
+    series.problem = findSeriesProblem(series, head);
+    if (!series.problem.empty()) {
+        return;
+    }
+    keepFirstPerPlace(series);
+    series.stack = stackOf(series.slices);
+    series.problem = series.stack.problem;
+    series.warnings.insert(series.warnings.end(), series.stack.warnings.begin(), series.stack.warnings.end());
+}
+
+DicomSeries emptySeries(const DicomImages& head)
+{
+    DicomSeries series;
+    series.id = seriesKey(head);
+    series.identity = head.identity;
+    series.description = head.seriesDescription;
+    series.number = head.seriesNumber;
+    return series;
+}
+
+std::vector<DicomSeries> volumesOf(const DicomImages& head, Slices slices, std::size_t damaged)
+{
+    std::vector<DicomSeries> volumes;
+    const std::size_t copies = dropCopies(slices);
+    const std::vector<Slices> shapes = byShape(slices);
+    for (Slices shape : shapes) {
+        const bool isPlaced = shape.front().position && shape.front().axes;
+        if (isPlaced) {
+            sortAlongNormal(shape);
+        }
+        for (Slices& part : isPlaced ? splitVolumes(shape) : std::vector<Slices>{shape}) {
+            DicomSeries series = emptySeries(head);
+            series.slices = std::move(part);
+            if (copies > 0) {
+                series.warnings.push_back(std::to_string(copies) + " files of the series are there twice.");
+            }
+            if (damaged > 0) {
+                series.warnings.push_back(std::to_string(damaged) + " files of the series are damaged at their end.");
+            }
+            if (shapes.size() > 1) {
+                series.warnings.push_back("The series mixes images of " + std::to_string(shapes.size()) +
+                                          " sizes or orientations; each is listed by itself.");
+            }
+            planVolume(series, head);
+            volumes.push_back(std::move(series));
+        }
+    }
+    return volumes;
+}
+
+/// Largest first; numbers the parts of a series.
+void order(std::vector<DicomSeries>& volumes)
+{
+    std::stable_sort(volumes.begin(), volumes.end(), [](const DicomSeries& a, const DicomSeries& b) {
+        return std::tuple(a.problem.empty(), a.slices.size()) > std::tuple(b.problem.empty(), b.slices.size());
+    });
+    for (std::size_t i = 0; i < volumes.size() && volumes.size() > 1; ++i) {
+        volumes[i].id += i == 0 ? "" : "#" + std::to_string(i + 1);
+        volumes[i].part = "part " + std::to_string(i + 1) + " of " + std::to_string(volumes.size());
+    }
+}
+
+DicomSeries runOf(const DicomImages& file)
+{
+    DicomSeries series = emptySeries(file);
+    series.id = file.identity.sopInstanceUid.empty() ? file.slices.front().path : file.identity.sopInstanceUid;
+    series.isAngiogram = true;
+    series.slices = file.slices;
+    return series;
+}
+
+}   // namespace
+
+std::vector<DicomSeries> groupSlices(std::vector<DicomImages> files)
+{
+    std::vector<DicomSeries> result;
+    std::map<std::string, std::vector<std::size_t>> filesOfSeries;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (files[i].slices.empty()) {
+            continue;
+        }
+        if (isProjection(files[i])) {
+            result.push_back(runOf(files[i]));
+        } else {
+            filesOfSeries[seriesKey(files[i])].push_back(i);
+        }
+    }
+    for (const auto& [key, members] : filesOfSeries) {
+        Slices slices;
+        std::size_t damaged = 0;
+        for (const std::size_t i : members) {
+            slices.insert(slices.end(), files[i].slices.begin(), files[i].slices.end());
+            damaged += files[i].damage.empty() ? 0 : 1;
+        }
+        std::vector<DicomSeries> volumes = volumesOf(files[members.front()], std::move(slices), damaged);
+        order(volumes);
+        std::move(volumes.begin(), volumes.end(), std::back_inserter(result));
+    }
+    std::stable_sort(result.begin(), result.end(), [](const DicomSeries& a, const DicomSeries& b) {
+        const auto rank = [](const DicomSeries& series) {
+            return std::tuple(series.problem.empty(), !series.isAngiogram, series.slices.size());
+        };
+        return rank(a) > rank(b);
+    });
+    return result;
+}
+
+}   // namespace io

@@ -1,0 +1,194 @@
+#include "io/series/slice_stack.h"
+
+#include "io/support/numbers.h"
+#include "io/volume/volume_axes.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace io {
+namespace {
+
+constexpr double slantToleranceMm = 0.05;   // less than this is rounding in the header
+constexpr double gridTolerance = 0.1;   // of a step: less is rounding in the header
+constexpr double wholeStepTolerance = 0.2;   // of a step: gaps this close to whole multiples are missing slices
+
+std::string rounded(double value, double unit = 100.0)
+{
+    return toText(std::round(value * unit) / unit);
+}
+
+std::vector<double> gapsOf(const std::vector<double>& places)
+{
+    std::vector<double> gaps;
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        gaps.push_back(places[i] - places[i - 1]);
+    }
+    return gaps;
+}
+
+double quantileOf(std::vector<double> values, double fraction)
+{
+    const auto at = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + at, values.end());
+    return values[static_cast<std::size_t>(at)];
+}
+
+/// The step of slices that lie on a grid, some perhaps missing; 0 when they do not.
+double gridStep(const std::vector<double>& places)
+{
+    const std::vector<double> gaps = gapsOf(places);
+    const double usual = quantileOf(gaps, 0.5);
+    double steps = 0.0;
+    for (const double gap : gaps) {
+        const double count = std::round(gap / usual);
+        if (count < 1.0 || std::abs(gap - count * usual) > wholeStepTolerance * usual) {
+            return 0.0;
+        }
+        steps += count;
+    }
+    const double step = (places.back() - places.front()) / steps;
+    const bool isRegular = std::all_of(places.begin(), places.end(), [&](double place) {
+        const double at = (place - places.front()) / step;
+        return std::abs(at - std::round(at)) <= gridTolerance;
+    });
+    return isRegular ? step : 0.0;
+}
+
+/// The slices on either side of each layer; `step` apart from the first slice on.
+std::vector<StackLayer> layersOf(const std::vector<double>& places, double step)
+{
+    std::vector<StackLayer> layers;
+    const auto count = static_cast<std::size_t>(std::lround((places.back() - places.front()) / step)) + 1;
+    std::size_t lower = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        const double at = places.front() + static_cast<double>(k) * step;
+        while (lower + 1 < places.size() && places[lower + 1] <= at + gridTolerance * step) {
+            ++lower;
+        }
+        const std::size_t upper = std::min(lower + 1, places.size() - 1);
+        StackLayer layer{lower, upper, 0.0};
+        if (at - places[lower] > gridTolerance * step && upper != lower) {
+            layer.upperWeight = (at - places[lower]) / (places[upper] - places[lower]);
+        }
+        layers.push_back(layer);
+    }
+    return layers;
+}
+
+/// "after slice 41": where whole slices are missing.
+std::string gapList(const std::vector<double>& places, double step)
+{
+    std::string text;
+    int named = 0;
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        if (places[i] - places[i - 1] > 1.5 * step && named++ < 3) {
+            text += (text.empty() ? "after slice " : ", ") + std::to_string(i);
+        }
+    }
+    return named > 3 ? text + " and elsewhere" : text;
+}
+
+void placeLayers(const std::vector<double>& places, SliceStack& stack, double& step)
+{
+    const std::vector<double> gaps = gapsOf(places);
+    const double regular = gridStep(places);
+    step = regular > 0.0 ? regular : quantileOf(gaps, 0.25);
+    const double layers = (places.back() - places.front()) / step;
+    if (layers > 4.0 * static_cast<double>(places.size()) + 16.0) {
+        stack.problem = "its slices lie too unevenly to make a volume of them (" + std::to_string(places.size()) +
+                        " over " + rounded(places.back() - places.front(), 1.0) +
+                        " mm). Copy all slices of the series, or choose another one.";
+        return;
+    }
+    stack.layers = layersOf(places, step);
+    if (regular > 0.0 && stack.layers.size() > places.size()) {
+        const std::size_t missing = stack.layers.size() - places.size();
+        stack.warnings.push_back(std::to_string(missing) + " of " + std::to_string(stack.layers.size()) +
+                                 (missing == 1 ? " slices is" : " slices are") + " missing (" + gapList(places, step) +
+                                 "): filled in between their neighbours. Copy the series again if you can.");
+    } else if (regular == 0.0) {
+        const auto [least, most] = std::minmax_element(gaps.begin(), gaps.end());
+        stack.warnings.push_back("The slices are unevenly spaced (" + rounded(*least) + " to " + rounded(*most) +
+                                 " mm): resampled to " + rounded(step) + " mm.");
+    }
+}
+
+/// Where each slice's first pixel lies in the plane, from that of the first slice, in mm.
+std::vector<Eigen::Vector2d> slantOf(const std::vector<SliceRecord>& slices)
+{
+    std::vector<Eigen::Vector2d> offsets;
+    for (const SliceRecord& slice : slices) {
+        offsets.emplace_back(slices.front().axes->transpose() * (*slice.position - *slices.front().position));
+    }
+    return offsets;
+}
+
+/// Widens the layers so that every slice finds room where it really lies.
+Eigen::Vector2i straighten(const std::vector<SliceRecord>& slices, double extentMm, SliceStack& stack,
+                           Eigen::Vector3d& origin)
+{
+    const SliceRecord& first = slices.front();
+    const std::vector<Eigen::Vector2d> offsets = slantOf(slices);
+    Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d& offset : offsets) {
+        low = low.cwiseMin(offset);
+        high = high.cwiseMax(offset);
+    }
+    if ((high - low).maxCoeff() < slantToleranceMm) {
+        stack.shiftVoxels.assign(slices.size(), Eigen::Vector2d::Zero());
+        return first.size;
+    }
+    for (const Eigen::Vector2d& offset : offsets) {
+        stack.shiftVoxels.emplace_back((offset - low).cwiseQuotient(first.spacingMm));
+    }
+    origin += *first.axes * low;
+    const double slantDeg = std::atan2((high - low).norm(), extentMm) * 180.0 / std::numbers::pi;
+    stack.warnings.push_back("The slices are not stacked upright (" + rounded(slantDeg, 10.0) +
+                             "° off, as with a tilted gantry): shifted within their planes to where they lie.");
+    return first.size + (high - low).cwiseQuotient(first.spacingMm).array().ceil().matrix().cast<int>();
+}
+
+}   // namespace
+
+Eigen::Vector3d normalOf(const SliceRecord& slice)
+{
+    return slice.axes->col(0).cross(slice.axes->col(1));
+}
+
+SliceStack stackOf(const std::vector<SliceRecord>& slices)
+{
+    SliceStack stack;
+    if (slices.size() < 2) {
+        stack.problem = "it is a single slice, not a volume. Copy all slices of the series, or choose another one.";
+        return stack;
+    }
+    std::vector<double> places;
+    const Eigen::Vector3d normal = normalOf(slices.front());
+    for (const SliceRecord& slice : slices) {
+        places.push_back(normal.dot(*slice.position));
+    }
+    double step = 0.0;
+    placeLayers(places, stack, step);
+    if (!stack.problem.empty()) {
+        return stack;
+    }
+    const SliceRecord& first = slices.front();
+    Eigen::Vector3d origin = *first.position;
+    const Eigen::Vector2i plane = straighten(slices, places.back() - places.front(), stack, origin);
+    if ((plane.array() > 3 * first.size.array()).any()) {
+        stack.problem = "its slices lie beside each other rather than above. Choose another series.";
+        return stack;
+    }
+    Eigen::Matrix3d steps;
+    steps << first.axes->col(0) * first.spacingMm.x(), first.axes->col(1) * first.spacingMm.y(), normal * step;
+    const AxesResult axes =
+        geometryFromSteps({plane.x(), plane.y(), static_cast<int>(stack.layers.size())}, steps, origin);
+    stack.geometry = axes.geometry;
+    stack.problem = axes.problem;
+    return stack;
+}
+
+}   // namespace io

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/support/result.h"
+#include "io/volume/stored_volume.h"
+
+#include <string>
+#include <string_view>
+
+namespace io {
+
+/// True for the first bytes of a NIfTI-1, NIfTI-2 or Analyze header (unpacked).
+bool looksLikeNifti(std::string_view head);
+
+/// Bytes of a header that `parseNifti` needs.
+inline constexpr std::size_t niftiHeadSize = 544;
+
+/// Header of a NIfTI volume (single file or .hdr/.img pair), RAS turned to LPS. `packing` is that of the header's file.
+/// The scanner's coordinates win where the file knows several; a volume without any says so in a warning.
+core::Result<StoredVolume> parseNifti(std::string_view head, StreamPacking packing, const std::string& path);
+
+/// A NIfTI-1 header of 352 bytes for 16-bit voxels (`isLabel`: unsigned).
+std::string niftiHeader(const core::VolumeGeometry& geometry, double slope, double intercept, bool isLabel);
+
+}   // namespace io

@@ -1,0 +1,363 @@
+#include "io/volume/nrrd.h"
+
+#include "io/support/file_error.h"
+#include "io/support/numbers.h"
+#include "io/volume/volume_axes.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <sstream>
+
+namespace io {
+namespace {
+
+using Fields = std::map<std::string, std::string>;
+
+std::string lowered(std::string_view text)
+{
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return result;
+}
+
+/// "key: value" lines up to the first blank one; `end` is where the data begin.
+Fields fieldsOf(std::string_view content, std::size_t& end)
+{
+    Fields fields;
+    std::size_t at = 0;
+    end = content.size();
+    while (at < content.size()) {
+        const std::size_t newline = std::min(content.find('\n', at), content.size());
+        const std::string_view line = trimmed(content.substr(at, newline - at));
+        at = std::min(newline + 1, content.size());
+        if (line.empty()) {
+            end = at;
+            break;
+        }
+        const std::size_t colon = line.find(':');
+        if (line.front() != '#' && colon != std::string_view::npos) {
+            std::string_view value = line.substr(colon + 1);
+            value.remove_prefix(value.starts_with('=') ? 1 : 0);
+            // Some writers give "byte skip" as a key/value pair (":="): taken as meant. The first mention counts.
+            fields.emplace(lowered(trimmed(line.substr(0, colon))), trimmed(value));
+        }
+    }
+    return fields;
+}
+
+std::vector<std::string> wordsOf(const std::string& text)
+{
+    std::istringstream stream(text);
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;) {
+        words.push_back(word);
+    }
+    return words;
+}
+
+/// "(1,0,0) none (0, 1,0)" → one entry per axis; nothing where it says none.
+std::optional<std::vector<std::optional<Eigen::Vector3d>>> vectorsOf(const std::string& text)
+{
+    std::vector<std::optional<Eigen::Vector3d>> vectors;
+    std::string_view rest = trimmed(text);
+    while (!rest.empty()) {
+        if (rest.starts_with("none")) {
+            vectors.emplace_back();
+            rest = trimmed(rest.substr(4));
+            continue;
+        }
+        const std::size_t close = rest.find(')');
+        if (!rest.starts_with('(') || close == std::string_view::npos) {
+            return std::nullopt;
+        }
+        Eigen::Vector3d vector;
+        std::string_view inside = rest.substr(1, close - 1);
+        for (int i = 0; i < 3; ++i) {
+            const std::size_t comma = inside.find(',');
+            const auto number = parseNumber(inside.substr(0, comma));
+            if (!number || (i < 2) != (comma != std::string_view::npos)) {
+                return std::nullopt;
+            }
+            vector[i] = *number;
+            inside.remove_prefix(comma == std::string_view::npos ? inside.size() : comma + 1);
+        }
+        vectors.emplace_back(vector);
+        rest = trimmed(rest.substr(close + 1));
+    }
+    return vectors;
+}
+
+std::optional<VoxelType> typeOf(const std::string& name)
+{
+    static const std::map<std::string, VoxelType> types = {
+        {"signed char", VoxelType::Int8},
+        {"int8", VoxelType::Int8},
+        {"int8_t", VoxelType::Int8},
+        {"uchar", VoxelType::Uint8},
+        {"unsigned char", VoxelType::Uint8},
+        {"uint8", VoxelType::Uint8},
+        {"uint8_t", VoxelType::Uint8},
+        {"short", VoxelType::Int16},
+        {"short int", VoxelType::Int16},
+        {"signed short", VoxelType::Int16},
+        {"signed short int", VoxelType::Int16},
+        {"int16", VoxelType::Int16},
+        {"int16_t", VoxelType::Int16},
+        {"ushort", VoxelType::Uint16},
+        {"unsigned short", VoxelType::Uint16},
+        {"unsigned short int", VoxelType::Uint16},
+        {"uint16", VoxelType::Uint16},
+        {"uint16_t", VoxelType::Uint16},
+        {"int", VoxelType::Int32},
+        {"signed int", VoxelType::Int32},
+        {"int32", VoxelType::Int32},
+        {"int32_t", VoxelType::Int32},
+        {"uint", VoxelType::Uint32},
+        {"unsigned int", VoxelType::Uint32},
+        {"uint32", VoxelType::Uint32},
+        {"uint32_t", VoxelType::Uint32},
+        {"longlong", VoxelType::Int64},
+        {"long long", VoxelType::Int64},
+        {"int64", VoxelType::Int64},
+        {"int64_t", VoxelType::Int64},
+        {"ulonglong", VoxelType::Uint64},
+        {"unsigned long long", VoxelType::Uint64},
+        {"uint64", VoxelType::Uint64},
+        {"uint64_t", VoxelType::Uint64},
+        {"float", VoxelType::Float32},
+        {"double", VoxelType::Float64},
+    };
+    const auto found = types.find(name);
+    return found == types.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Signs that turn the space's axes into LPS; nothing for spaces that are not of the patient.
+std::optional<Eigen::Vector3d> lpsSignsOf(const std::string& space)
+{
+    if (space == "lps" || space == "left-posterior-superior") {
+        return Eigen::Vector3d(1, 1, 1);
+    }
+    if (space == "ras" || space == "right-anterior-superior") {
+        return Eigen::Vector3d(-1, -1, 1);
+    }
+    if (space == "las" || space == "left-anterior-superior") {
+        return Eigen::Vector3d(1, -1, 1);
+    }
+    return std::nullopt;
+}
+
+double millimetresPer(const std::string& unit)
+{
+    static const std::map<std::string, double> lengths = {{"m", 1000.0},        {"meters", 1000.0}, {"cm", 10.0},
+                                                          {"\xc2\xb5m", 1e-3},  {"um", 1e-3},       {"microns", 1e-3},
+                                                          {"micrometers", 1e-3}};
+    const auto found = lengths.find(unit);
+    return found == lengths.end() ? 1.0 : found->second;
+}
+
+std::string field(const Fields& fields, const char* key)
+{
+    const auto found = fields.find(key);
+    return found == fields.end() ? std::string() : found->second;
+}
+
+/// The three axes of space among those of the array; a fourth of one element is left out.
+std::string findSizes(const Fields& fields, Eigen::Vector3i& size, std::vector<std::size_t>& axes)
+{
+    const std::vector<std::string> sizes = wordsOf(field(fields, "sizes"));
+    const std::vector<std::string> kinds = wordsOf(lowered(field(fields, "kinds")));
+    const auto directions = vectorsOf(field(fields, "space directions"));
+    if (sizes.size() < 3) {
+        return "it has " + std::to_string(sizes.size()) + " dimensions, but a volume has three. Choose the whole scan.";
+    }
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const auto count = parseInteger(sizes[i]);
+        if (!count || *count < 1) {
+            return "its sizes are no numbers. The file is damaged; export it again.";
+        }
+        const bool isList = directions && i < directions->size() && !(*directions)[i];
+        const bool isColour = i < kinds.size() && kinds[i].find("color") != std::string::npos;
+        const bool isOther = isList || isColour || (sizes.size() > 3 && *count == 1);
+        if (isOther && *count > 1) {
+            return isColour ? "its voxels are colours. Choose the scan itself, in grey values."
+                            : "it holds " + std::to_string(*count) +
+                                  " volumes, layers or values per voxel (4-D). Save the one to use and open that.";
+        }
+        if (!isOther || sizes.size() == 3) {
+            axes.push_back(i);
+        }
+    }
+    if (axes.size() != 3) {
+        return "it has " + std::to_string(sizes.size()) +
+               " dimensions (4-D or more). Save the one volume to use and open that.";
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        size[static_cast<int>(k)] = *parseInteger(sizes[axes[k]]);
+    }
+    const bool looksLikeColour = sizes.size() == 3 && size[0] <= 4 && kinds.empty() && size[1] > 16 && size[2] > 16;
+    return looksLikeColour && size[0] > 1 ? "its first axis has " + std::to_string(size[0]) +
+                                                " entries: this is a colour picture, not a volume. Choose the scan."
+                                          : std::string();
+}
+
+/// Steps as the file's space gives them, or as plain spacings.
+Eigen::Matrix3d stepsOf(const Fields& fields, const std::vector<std::size_t>& axes, std::vector<std::string>& warnings)
+{
+    const std::string space = lowered(field(fields, "space"));
+    const auto signs = lpsSignsOf(space);
+    const auto directions = vectorsOf(field(fields, "space directions"));
+    Eigen::Matrix3d steps = Eigen::Matrix3d::Identity();
+    bool hasDirections = directions && directions->size() > axes.back();
+    for (std::size_t k = 0; k < 3 && hasDirections; ++k) {
+        const auto& direction = (*directions)[axes[k]];
+        hasDirections = direction.has_value();
+        steps.col(static_cast<int>(k)) = direction.value_or(Eigen::Vector3d::Zero());
+    }
+    if (hasDirections) {
+        const std::vector<std::string> units = wordsOf(lowered(field(fields, "space units")));
+        if (!units.empty()) {
+            std::string unit = units.front();
+            std::erase(unit, '"');
+            steps *= millimetresPer(unit);
+        }
+    } else {
+        const std::vector<std::string> spacings = wordsOf(field(fields, "spacings"));
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto number = axes[k] < spacings.size() ? parseNumber(spacings[axes[k]]) : std::nullopt;
+            steps.col(static_cast<int>(k)) = Eigen::Vector3d::Unit(static_cast<int>(k)) * number.value_or(1.0);
+        }
+    }
+    if (!hasDirections || !signs) {
+        warnings.emplace_back(
+            "The header does not say how the axes lie in the patient: i to the left, j to the back and k to the head "
+            "are assumed. Check left and right.");
+    }
+    if (hasDirections && steps.isIdentity(0.0)) {
+        warnings.emplace_back("The voxel size is given as 1 x 1 x 1 mm: check that it was not lost on the way.");
+    }
+    return signs ? Eigen::Matrix3d(signs->asDiagonal() * steps) : steps;
+}
+
+Eigen::Vector3d originOf(const Fields& fields)
+{
+    const auto origin = vectorsOf(field(fields, "space origin"));
+    const auto signs = lpsSignsOf(lowered(field(fields, "space"))).value_or(Eigen::Vector3d::Ones());
+    return origin && origin->size() == 1 && origin->front() ? Eigen::Vector3d(signs.cwiseProduct(*origin->front()))
+                                                            : Eigen::Vector3d::Zero();
+}
+
+/// Where the next `count` lines of a file end.
+std::optional<std::size_t> afterLines(std::string_view content, std::size_t at, int count)
+{
+    for (; count > 0; --count) {
+        const std::size_t newline = content.find('\n', at);
+        if (newline == std::string_view::npos) {
+            return std::nullopt;
+        }
+        at = newline + 1;
+    }
+    return at;
+}
+
+std::string findEncodingProblem(const std::string& encoding)
+{
+    if (encoding == "raw" || encoding == "gzip" || encoding == "gz") {
+        return {};
+    }
+    if (encoding == "bzip2" || encoding == "bz2") {
+        return "its voxels are packed with bzip2. Save it with gzip or raw encoding.";
+    }
+    return "its voxels are written as text (" + encoding.substr(0, 16) + "). Save it with gzip or raw encoding.";
+}
+
+/// Fills in where the voxels lie; returns what is wrong.
+std::string findSource(const Fields& fields, std::string_view content, std::size_t dataStart, VoxelSource& source)
+{
+    const std::string encoding = lowered(field(fields, "encoding"));
+    if (std::string problem = findEncodingProblem(encoding); !problem.empty()) {
+        return problem;
+    }
+    source.packing = encoding == "raw" ? StreamPacking::None : StreamPacking::Deflate;
+    const int lines = parseInteger(field(fields, "line skip").empty() ? "0" : field(fields, "line skip")).value_or(-1);
+    const int bytes = parseInteger(field(fields, "byte skip").empty() ? "0" : field(fields, "byte skip")).value_or(-2);
+    if (lines < 0 || bytes < -1) {
+        return "its line skip or byte skip makes no sense. Correct the header.";
+    }
+    const std::string dataFile = field(fields, fields.contains("data file") ? "data file" : "datafile");
+    if (dataFile.starts_with("LIST") || dataFile.find('%') != std::string::npos) {
+        return "its voxels lie in several files. Save it as one file.";
+    }
+    if (!dataFile.empty()) {
+        source.path = (std::filesystem::path(source.path).parent_path() / dataFile).string();
+        source.offset = 0;
+        if (lines > 0) {
+            return "it skips lines of another file. Save header and voxels as one file.";
+        }
+    } else {
+        const auto start = afterLines(content, dataStart, lines);
+        if (!start) {
+            return "its voxels are cut short. Copy or export it again.";
+        }
+        source.offset = *start;
+    }
+    source.isAtEnd = bytes == -1;
+    source.skip = bytes > 0 ? static_cast<std::uint64_t>(bytes) : 0;
+    return {};
+}
+
+std::string vectorText(const Eigen::Vector3d& vector)
+{
+    return "(" + toText(vector.x()) + "," + toText(vector.y()) + "," + toText(vector.z()) + ")";
+}
+
+}   // namespace
+
+core::Result<StoredVolume> parseNrrd(std::string_view content, const std::string& path)
+{
+    std::size_t dataStart = 0;
+    const Fields fields = fieldsOf(content, dataStart);
+    StoredVolume stored;
+    stored.path = path;
+    stored.format = "NRRD";
+    const auto type = typeOf(lowered(field(fields, "type")));
+    if (!type) {
+        return fileError(path, "its voxel type (\"" + field(fields, "type").substr(0, 24) +
+                                   "\") is not read. Save it as 16-bit or float.");
+    }
+    stored.type = *type;
+    stored.isBigEndian = lowered(field(fields, "endian")) == "big";
+    Eigen::Vector3i size;
+    std::vector<std::size_t> axes;
+    if (const std::string problem = findSizes(fields, size, axes); !problem.empty()) {
+        return fileError(path, problem);
+    }
+    const AxesResult placed = geometryFromSteps(size, stepsOf(fields, axes, stored.warnings), originOf(fields));
+    if (!placed.problem.empty()) {
+        return fileError(path, placed.problem);
+    }
+    stored.geometry = placed.geometry;
+    stored.source.path = path;
+    if (const std::string problem = findSource(fields, content, dataStart, stored.source); !problem.empty()) {
+        return fileError(path, problem);
+    }
+    stored.isDeclaredLabels = path.ends_with(".seg.nrrd") || fields.contains("segment0_id");
+    return stored;
+}
+
+std::string nrrdHeader(const core::VolumeGeometry& geometry, std::string_view type)
+{
+    std::string header = "NRRD0004\ntype: " + std::string(type) + "\ndimension: 3\nspace: left-posterior-superior\n";
+    header += "sizes: " + std::to_string(geometry.size.x()) + " " + std::to_string(geometry.size.y()) + " " +
+              std::to_string(geometry.size.z()) + "\nspace directions:";
+    for (int axis = 0; axis < 3; ++axis) {
+        header += " " + vectorText(geometry.direction.col(axis) * geometry.spacingMm[axis]);
+    }
+    return header + "\nkinds: domain domain domain\nendian: little\nencoding: gzip\nspace origin: " +
+           vectorText(geometry.originInPatient) + "\n\n";
+}
+
+}   // namespace io

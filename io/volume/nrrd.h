@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/support/result.h"
+#include "io/volume/stored_volume.h"
+
+#include <string>
+#include <string_view>
+
+namespace io {
+
+/// Header of an NRRD volume (`content`: the whole file, or its first bytes), data attached or in one file beside it,
+/// raw or gzip; any anatomical `space` turned to LPS. A volume without orientation says so in a warning.
+core::Result<StoredVolume> parseNrrd(std::string_view content, const std::string& path);
+
+/// An NRRD header for attached gzip data, little endian. `type`: "short", "unsigned short", "float".
+std::string nrrdHeader(const core::VolumeGeometry& geometry, std::string_view type);
+
+}   // namespace io

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/imaging/volume.h"
+
+#include <Eigen/Core>
+#include <string>
+
+namespace io {
+
+/// Larger volumes than this are refused: 4 GiB of 16-bit voxels.
+inline constexpr std::size_t maxVoxels = std::size_t{1} << 31;
+
+/// A geometry from the patient vectors between neighbouring voxels, or why there is none.
+struct AxesResult {
+    core::VolumeGeometry geometry;
+    std::string problem;   ///< with the remedy; empty when the geometry holds
+};
+
+/// `steps`: columns are the LPS vectors (mm) from a voxel to its neighbour along i, j, k. Rounding (up to 0.1°) off the
+/// right angle is taken out; more is a problem, as are sizes below 2, steps of no length and numbers that are none.
+AxesResult geometryFromSteps(const Eigen::Vector3i& size, const Eigen::Matrix3d& steps,
+                             const Eigen::Vector3d& originInPatient);
+
+/// Steps and origin of a RAS file in LPS.
+inline Eigen::Matrix3d lpsFromRas(Eigen::Matrix3d steps)
+{
+    steps.topRows<2>() *= -1.0;
+    return steps;
+}
+inline Eigen::Vector3d lpsFromRas(Eigen::Vector3d point)
+{
+    point.head<2>() *= -1.0;
+    return point;
+}
+
+}   // namespace io

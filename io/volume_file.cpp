@@ -1,0 +1,162 @@
+#include "io/volume_file.h"
+
+#include "io/dicom/dicom_file.h"
+#include "io/dicom_series.h"
+#include "io/support/file_error.h"
+#include "io/support/input_bytes.h"
+#include "io/volume/open_stored.h"
+#include "io/volume/read_voxels.h"
+
+#include <algorithm>
+#include <bitset>
+#include <filesystem>
+
+namespace io {
+namespace {
+
+/// The series with this id, or the only volume there is.
+core::Result<DicomSeries> chosenSeries(std::vector<DicomSeries> all, const std::string& seriesId,
+                                       const std::string& folder)
+{
+    std::erase_if(all, [&](const DicomSeries& series) {
+        return seriesId.empty() ? series.isAngiogram || !series.problem.empty() : series.id != seriesId;
+    });
+    if (all.empty()) {
+        return fileError(folder, seriesId.empty() ? "no series in this folder makes a volume. Choose another folder."
+                                                  : "the series " + seriesId.substr(0, 80) +
+                                                        " is not in this folder. Choose the folder it is in.");
+    }
+    if (all.size() > 1) {
+        std::string names;
+        for (std::size_t i = 0; i < std::min<std::size_t>(all.size(), 4); ++i) {
+            names += (i == 0 ? "" : ", ") + (all[i].description.empty() ? "no name" : all[i].description);
+        }
+        return fileError(folder, "it holds " + std::to_string(all.size()) + " volumes (" + names +
+                                     (all.size() > 4 ? ", …" : "") +
+                                     "). Choose one by its series id; `info` lists them.");
+    }
+    return std::move(all.front());
+}
+
+core::Result<LoadedVolume> readDicomVolume(const std::string& path, const std::string& seriesId,
+                                           const ReadObserver& observe)
+{
+    core::Result<DicomSeries> series = core::Error{};
+    if (std::filesystem::is_directory(path)) {
+        auto all = listSeries(path, partOf(observe, 0.0, 0.1));
+        if (!all) {
+            return all.error();
+        }
+        series = chosenSeries(std::move(all).value(), seriesId, path);
+    } else {
+        series = seriesOfFile(path, partOf(observe, 0.0, 0.1));
+    }
+    if (!series) {
+        return series.error();
+    }
+    if (!series.value().problem.empty()) {
+        return fileError(path, series.value().problem);
+    }
+    LoadedVolume loaded;
+    loaded.format = "DICOM series";
+    loaded.identity = series.value().identity;
+    loaded.seriesId = series.value().id;
+    loaded.warnings = series.value().warnings;
+    auto volume = readSeries(series.value(), partOf(observe, 0.1, 1.0), loaded.warnings);
+    if (!volume) {
+        return volume.error();
+    }
+    loaded.volume = std::move(volume).value();
+    return loaded;
+}
+
+bool isDicomFile(const std::string& path)
+{
+    const auto input = openInput(path);
+    return input && (looksLikeDicom(input.value().view()) || extensionOf(path) == ".dcm.gz");
+}
+
+}   // namespace
+
+bool isVolumeFile(const std::string& path)
+{
+    return volumeFormatOf(path).has_value();
+}
+
+core::Result<VolumeSummary> describeVolume(const std::string& path)
+{
+    const auto stored = openStored(path);
+    if (!stored) {
+        return stored.error();
+    }
+    const StoredVolume& head = stored.value();
+    if (const auto plausible = checkVoxels(head); !plausible) {
+        return plausible.error();
+    }
+    return VolumeSummary{std::string(head.format), std::string(nameOf(head.type)), head.geometry, head.slope,
+                         head.intercept,           head.isDeclaredLabels,          head.warnings};
+}
+
+core::Result<LoadedVolume> readVolume(const std::string& path, const std::string& seriesId, const ReadObserver& observe)
+{
+    std::error_code failed;
+    if (std::filesystem::is_directory(path, failed) || isDicomFile(path)) {
+        return readDicomVolume(path, seriesId, observe);
+    }
+    auto opened = openStored(path);
+    if (!opened) {
+        return opened.error();
+    }
+    StoredVolume stored = std::move(opened).value();
+    LoadedVolume loaded;
+    loaded.format = stored.format;
+    loaded.isDeclaredLabels = stored.isDeclaredLabels;
+    loaded.warnings = stored.warnings;
+    auto volume = readVoxels(stored, observe, loaded.warnings);
+    if (!volume) {
+        return volume.error();
+    }
+    loaded.volume = std::move(volume).value();
+    return loaded;
+}
+
+core::Result<core::LabelVolume> readLabels(const std::string& path, const ReadObserver& observe)
+{
+    const auto stored = openStored(path);
+    return stored ? readLabelVoxels(stored.value(), observe) : stored.error();
+}
+
+bool looksLikeLabels(const core::Volume& volume)
+{
+    const std::size_t count = volume.voxels.size();
+    const bool isPlain = volume.slope == 1.0 && volume.intercept == std::floor(volume.intercept);
+    if (!isPlain || count == 0) {
+        return false;
+    }
+    std::bitset<65536> seen;
+    std::size_t inside = 0, inPieces = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double value = volume.value(i);
+        if (value < 0.0) {
+            return false;
+        }
+        seen.set(std::min<std::size_t>(static_cast<std::size_t>(value), 65535));
+        if (value > 0.0) {
+            ++inside;
+            inPieces += i + 1 < count && volume.voxels[i + 1] == volume.voxels[i] ? 1 : 0;
+        }
+    }
+    const bool isMask = seen.count() <= 3;
+    return seen.test(0) && (isMask || (2 * inside < count && 2 * inPieces > inside && seen.count() <= 512));
+}
+
+core::LabelVolume labelsOf(const core::Volume& volume)
+{
+    core::LabelVolume labels(volume.geometry);
+    for (std::size_t i = 0; i < volume.voxels.size(); ++i) {
+        labels.voxels[i] = static_cast<std::uint16_t>(std::clamp(volume.value(i), 0.0, 65535.0));
+    }
+    return labels;
+}
+
+}   // namespace io
