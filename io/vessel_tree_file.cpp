@@ -79,7 +79,10 @@ core::Status writeVesselTree(const core::VesselTree& tree, const std::string& pa
     if (extension == ".vtp") {
         return writeAtomically(path, vtpText(tree));
     }
-    return fileError(path, "vessel trees are written as .vtp or .csv. Change the extension.");
+    if (path.ends_with(".mrk.json")) {
+        return writeAtomically(path, markupsText(tree));
+    }
+    return fileError(path, "vessel trees are written as .vtp, .csv or .mrk.json. Change the extension.");
 }
 
 }   // namespace io

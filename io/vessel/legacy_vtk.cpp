@@ -11,6 +11,9 @@ namespace {
 
 constexpr int vtkLineType = 3;
 constexpr int vtkPolyLineType = 4;
+constexpr int vtkTriangleType = 5;
+constexpr int vtkPolygonType = 7;
+constexpr int vtkQuadType = 9;
 
 std::string upper(std::string_view text)
 {
@@ -34,6 +37,17 @@ bool appendCell(const std::vector<double>& values, std::size_t first, std::size_
     }
     cells.push_back(std::move(cell));
     return true;
+}
+
+/// Triangles of strips: every second one is turned round.
+void appendStrips(const Cells& strips, Cells& triangles)
+{
+    for (const auto& strip : strips) {
+        for (std::size_t k = 2; k < strip.size(); ++k) {
+            const bool isTurned = k % 2 == 1;
+            triangles.push_back({strip[k - 2], strip[isTurned ? k : k - 1], strip[isTurned ? k - 1 : k]});
+        }
+    }
 }
 
 /// Reads the body of one file; each method returns false when the section it reads is damaged.
@@ -64,7 +78,7 @@ private:
     VtkLines result_;
     Place place_ = Place::DataSet;
     std::size_t attributeCount_ = 0;
-    Cells vertices_, lines_, surfaces_, mixed_;
+    Cells vertices_, lines_, polygons_, strips_, mixed_;
     std::vector<double> types_;
 };
 
@@ -91,7 +105,7 @@ bool LegacyVtkParser::readSection(const std::string& keyword)
         return readCells(vertices_);
     }
     if (keyword == "POLYGONS" || keyword == "TRIANGLE_STRIPS") {
-        return readCells(surfaces_);
+        return readCells(keyword == "POLYGONS" ? polygons_ : strips_);
     }
     if (keyword == "CELLS") {
         return readCells(mixed_);
@@ -293,9 +307,14 @@ VtkLines LegacyVtkParser::finish() &&
             result_.cellOfLine.push_back(i);
         } else {
             result_.set.hasSurface |= type > vtkPolyLineType;
+            if (type == vtkTriangleType || type == vtkPolygonType || type == vtkQuadType) {
+                polygons_.push_back(std::move(mixed_[i]));
+            }
         }
     }
-    result_.set.hasSurface |= !surfaces_.empty();
+    appendStrips(strips_, polygons_);
+    result_.set.hasSurface |= !polygons_.empty();
+    result_.polygons = std::move(polygons_);
     return std::move(result_);
 }
 

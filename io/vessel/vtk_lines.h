@@ -16,6 +16,7 @@ struct VtkLines {
     std::map<std::string, std::vector<double>> pointArrays;   ///< one-component arrays by name
     std::map<std::string, std::vector<double>> cellArrays;
     std::vector<std::string> cellNames;   ///< of all cells, or empty
+    std::vector<std::vector<std::size_t>> polygons;   ///< triangles, quads and polygons: a surface
 };
 
 /// Legacy VTK (ASCII or binary, format 1 to 5.1), poly-data or unstructured grid. Own parser: it checks every declared

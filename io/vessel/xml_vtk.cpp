@@ -87,6 +87,23 @@ bool isSound(vtkCellArray* cells)
     return true;
 }
 
+bool appendPolygons(vtkCellArray* cells, VtkLines& lines)
+{
+    if (!isSound(cells)) {
+        return false;
+    }
+    const vtkNew<vtkIdList> ids;
+    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
+        cells->GetCellAtId(i, ids);
+        std::vector<std::size_t> polygon;
+        for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k) {
+            polygon.push_back(static_cast<std::size_t>(ids->GetId(k)));   // negative becomes out of range, found later
+        }
+        lines.polygons.push_back(std::move(polygon));
+    }
+    return true;
+}
+
 bool appendLines(vtkCellArray* cells, const std::vector<std::size_t>& cellOfEntry, VtkLines& lines)
 {
     const vtkNew<vtkIdList> ids;
@@ -146,7 +163,7 @@ bool collectPolyLines(vtkPolyData* data, VtkLines& lines)
         cellOfEntry[i] = static_cast<std::size_t>(data->GetNumberOfVerts()) + i;
     }
     lines.set.hasSurface = data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0;
-    return appendLines(cells, cellOfEntry, lines);
+    return appendLines(cells, cellOfEntry, lines) && appendPolygons(data->GetPolys(), lines);
 }
 
 bool collectGridLines(vtkUnstructuredGrid* grid, VtkLines& lines)

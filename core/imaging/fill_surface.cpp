@@ -1,0 +1,196 @@
+#include "core/imaging/fill_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace core {
+namespace {
+
+constexpr double usualVoxels = 5e7;
+constexpr double maxVoxels = 8e8;
+constexpr int marginVoxels = 3;
+
+/// Rays run beside the voxel centres by this part of a voxel, so that they miss the mesh's corners and edges.
+constexpr double sideStepB = 1.237e-5;
+constexpr double sideStepC = 2.713e-5;
+
+struct Box {
+    Eigen::Vector3d low, high;
+};
+
+Box boxOf(const SurfaceMesh& mesh)
+{
+    Box box{mesh.pointsInPatient.front(), mesh.pointsInPatient.front()};
+    for (const auto& triangle : mesh.triangles) {
+        for (const std::uint32_t corner : triangle) {
+            box.low = box.low.cwiseMin(mesh.pointsInPatient[corner]);
+            box.high = box.high.cwiseMax(mesh.pointsInPatient[corner]);
+        }
+    }
+    return box;
+}
+
+/// Where a ray meets the mesh, and whether it goes in (+1) or out (-1).
+struct Crossing {
+    double at;
+    int turn;
+};
+
+enum class Filling { Winding, Parity };
+
+/// Casts rays along one axis through the centres of the voxels.
+class RayCaster {
+public:
+    RayCaster(const VolumeGeometry& geometry, int axis)
+        : size_(geometry.size), a_(axis), b_((axis + 1) % 3), c_((axis + 2) % 3)
+    {
+        rows_.resize(static_cast<std::size_t>(size_[b_]) * static_cast<std::size_t>(size_[c_]));
+    }
+
+    void add(const std::array<Eigen::Vector3d, 3>& corners)
+    {
+        const Eigen::Vector3d low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
+        const Eigen::Vector3d high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+        const Eigen::Vector2d p = flat(corners[0]), q = flat(corners[1]), r = flat(corners[2]);
+        const double area = cross(q - p, r - p);
+        if (area == 0.0) {
+            return;
+        }
+        const int lastB = std::min(size_[b_] - 1, static_cast<int>(std::floor(high[b_])));
+        const int lastC = std::min(size_[c_] - 1, static_cast<int>(std::floor(high[c_])));
+        for (int c = std::max(0, static_cast<int>(std::floor(low[c_]))); c <= lastC; ++c) {
+            for (int b = std::max(0, static_cast<int>(std::floor(low[b_]))); b <= lastB; ++b) {
+                const Eigen::Vector2d ray(b + sideStepB, c + sideStepC);
+                const double u = cross(q - ray, r - ray) / area;
+                const double v = cross(r - ray, p - ray) / area;
+                const double w = 1.0 - u - v;
+                if (u > 0.0 && v > 0.0 && w > 0.0) {
+                    const double at = u * corners[0][a_] + v * corners[1][a_] + w * corners[2][a_];
+                    rows_[rowIndex(b, c)].push_back({at, area > 0.0 ? 1 : -1});
+                }
+            }
+        }
+    }
+
+    /// Adds a vote to every voxel that this axis finds inside; rays that end inside have no say.
+    void vote(Filling filling, VoxelMask& votes)
+    {
+        for (int c = 0; c < size_[c_]; ++c) {
+            for (int b = 0; b < size_[b_]; ++b) {
+                std::vector<Crossing>& row = rows_[rowIndex(b, c)];
+                int total = 0;
+                for (const Crossing& crossing : row) {
+                    total += crossing.turn;
+                }
+                if (row.empty() || (filling == Filling::Winding ? total != 0 : row.size() % 2 != 0)) {
+                    continue;
+                }
+                std::sort(row.begin(), row.end(), [](const Crossing& x, const Crossing& y) { return x.at < y.at; });
+                voteAlong(row, filling, b, c, votes);
+            }
+        }
+    }
+
+private:
+    static double cross(const Eigen::Vector2d& x, const Eigen::Vector2d& y) { return x.x() * y.y() - x.y() * y.x(); }
+    Eigen::Vector2d flat(const Eigen::Vector3d& point) const { return {point[b_], point[c_]}; }
+    std::size_t rowIndex(int b, int c) const
+    {
+        return static_cast<std::size_t>(c) * static_cast<std::size_t>(size_[b_]) + static_cast<std::size_t>(b);
+    }
+
+    void voteAlong(const std::vector<Crossing>& row, Filling filling, int b, int c, VoxelMask& votes) const
+    {
+        int depth = 0;
+        for (std::size_t k = 0; k + 1 < row.size(); ++k) {
+            depth += filling == Filling::Winding ? row[k].turn : (depth == 0 ? 1 : -1);
+            if (depth == 0) {
+                continue;
+            }
+            const int first = std::max(0, static_cast<int>(std::ceil(row[k].at)));
+            const int last = std::min(size_[a_] - 1, static_cast<int>(std::ceil(row[k + 1].at)) - 1);
+            for (int a = first; a <= last; ++a) {
+                Eigen::Vector3i voxel;
+                voxel[a_] = a;
+                voxel[b_] = b;
+                voxel[c_] = c;
+                ++votes.at(voxel.x(), voxel.y(), voxel.z());
+            }
+        }
+    }
+
+    Eigen::Vector3i size_;
+    int a_, b_, c_;
+    std::vector<std::vector<Crossing>> rows_;
+};
+
+VolumeGeometry gridAround(const Box& box, double spacingMm)
+{
+    VolumeGeometry geometry;
+    geometry.spacingMm = Eigen::Vector3d::Constant(spacingMm);
+    geometry.originInPatient = box.low - Eigen::Vector3d::Constant(marginVoxels * spacingMm);
+    geometry.size = ((box.high - box.low) / spacingMm).array().ceil().matrix().cast<int>() +
+                    Eigen::Vector3i::Constant(2 * marginVoxels + 1);
+    return geometry;
+}
+
+void castAlong(int axis, const SurfaceMesh& mesh, Filling filling, VoxelMask& votes)
+{
+    RayCaster caster(votes.geometry, axis);
+    const Eigen::Vector3d origin = votes.geometry.originInPatient;
+    const double spacing = votes.geometry.spacingMm.x();
+    for (const auto& triangle : mesh.triangles) {
+        caster.add({(mesh.pointsInPatient[triangle[0]] - origin) / spacing,
+                    (mesh.pointsInPatient[triangle[1]] - origin) / spacing,
+                    (mesh.pointsInPatient[triangle[2]] - origin) / spacing});
+    }
+    caster.vote(filling, votes);
+}
+
+}   // namespace
+
+double usualSpacingMm(const SurfaceMesh& mesh)
+{
+    if (mesh.triangles.empty()) {
+        return 1.0;
+    }
+    const Box box = boxOf(mesh);
+    const Eigen::Vector3d extent = (box.high - box.low).cwiseMax(0.1);
+    return std::clamp(std::cbrt(extent.prod() / usualVoxels), 0.1, 10.0);
+}
+
+Result<VoxelMask> fillSurface(const SurfaceMesh& mesh, double spacingMm)
+{
+    if (mesh.triangles.empty() || !(spacingMm > 0.0)) {
+        return Error{"The surface has no triangles, or the voxel size is not positive. Choose another surface."};
+    }
+    const Box box = boxOf(mesh);
+    const Eigen::Vector3d extent = box.high - box.low;
+    if (!(extent.minCoeff() > 0.0)) {
+        return Error{"The surface is flat: it bounds no inside. Choose the wall of a vessel."};
+    }
+    if (!((extent / spacingMm).prod() < maxVoxels)) {
+        return Error{"The voxel size is too fine for a surface of this extent. Choose a larger one."};
+    }
+    VoxelMask votes(gridAround(box, spacingMm));
+    const MeshCheck check = checkMesh(mesh);
+    const Filling filling = check.isOriented ? Filling::Winding : Filling::Parity;
+    const bool isSure = check.isClosed() && check.isOriented;
+    for (int axis = 0; axis < (isSure ? 1 : 3); ++axis) {
+        castAlong(axis, mesh, filling, votes);
+    }
+    std::size_t inside = 0;
+    for (std::uint8_t& voxel : votes.voxels) {
+        voxel = voxel >= (isSure ? 1 : 2) ? 1 : 0;
+        inside += voxel;
+    }
+    if (inside == 0) {
+        return Error{
+            "Nothing lies inside the surface: it is too open, or thinner than a voxel. Close its holes, or "
+            "choose a smaller voxel size."};
+    }
+    return votes;
+}
+
+}   // namespace core

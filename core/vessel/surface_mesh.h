@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace core {
+
+/// The wall of vessels as triangles, patient LPS mm.
+struct SurfaceMesh {
+    std::vector<Eigen::Vector3d> pointsInPatient;
+    std::vector<std::array<std::uint32_t, 3>> triangles;   ///< indices into the points; all within range
+};
+
+/// How well a mesh bounds an inside.
+struct MeshCheck {
+    std::size_t openEdges = 0;   ///< edges with one triangle: the rim of a hole
+    std::size_t crowdedEdges = 0;   ///< edges with more than two triangles
+    bool isOriented = false;   ///< neighbours agree on which side is outside
+
+    bool isClosed() const { return openEdges == 0 && crowdedEdges == 0; }
+};
+MeshCheck checkMesh(const SurfaceMesh& mesh);
+
+/// The same mesh with points at exactly the same place merged, and triangles without area left out.
+SurfaceMesh welded(const SurfaceMesh& mesh);
+
+}   // namespace core

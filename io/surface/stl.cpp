@@ -1,0 +1,93 @@
+#include "io/support/file_error.h"
+#include "io/support/numbers.h"
+#include "io/surface/surface_formats.h"
+
+#include <cstdint>
+#include <cstring>
+#include <optional>
+
+namespace io {
+namespace {
+
+constexpr std::size_t headSize = 84;
+constexpr std::size_t triangleSize = 50;
+
+std::uint32_t declaredTriangles(std::string_view content)
+{
+    std::uint32_t count = 0;
+    std::memcpy(&count, content.data() + 80, sizeof count);
+    return count;
+}
+
+PolygonSet parseBinary(std::string_view content)
+{
+    PolygonSet set;
+    const std::size_t count = declaredTriangles(content);
+    for (std::size_t i = 0; i < count; ++i) {
+        const char* corners = content.data() + headSize + i * triangleSize + 12;   // after the normal
+        for (int k = 0; k < 3; ++k) {
+            float point[3];
+            std::memcpy(point, corners + 12 * k, sizeof point);
+            set.points.emplace_back(point[0], point[1], point[2]);
+        }
+        set.polygons.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    return set;
+}
+
+/// The next word of `rest`, taken off it.
+std::string_view takeWord(std::string_view& rest)
+{
+    const std::size_t first = std::min(rest.find_first_not_of(" \t\r\n"), rest.size());
+    rest.remove_prefix(first);
+    const std::size_t end = std::min(rest.find_first_of(" \t\r\n"), rest.size());
+    const std::string_view word = rest.substr(0, end);
+    rest.remove_prefix(end);
+    return word;
+}
+
+/// "vertex x y z" wherever it occurs; three make a triangle. Nothing when one of them is damaged.
+std::optional<PolygonSet> parseText(std::string_view content)
+{
+    PolygonSet set;
+    for (std::string_view word = takeWord(content); !word.empty(); word = takeWord(content)) {
+        if (word != "vertex" && word != "VERTEX") {
+            continue;
+        }
+        Eigen::Vector3d point;
+        for (int k = 0; k < 3; ++k) {
+            const auto number = parseNumber(takeWord(content));
+            if (!number) {
+                return std::nullopt;
+            }
+            point[k] = *number;
+        }
+        set.points.push_back(point);
+        const std::size_t count = set.points.size();
+        if (count % 3 == 0) {
+            set.polygons.push_back({count - 3, count - 2, count - 1});
+        }
+    }
+    return set.points.size() % 3 == 0 ? std::optional(set) : std::nullopt;
+}
+
+}   // namespace
+
+bool looksLikeBinaryStl(std::string_view content)
+{
+    return content.size() >= headSize && content.size() - headSize >= declaredTriangles(content) * triangleSize &&
+           content.size() - headSize <= (declaredTriangles(content) + std::size_t{1}) * triangleSize;
+}
+
+core::Result<PolygonSet> parseStl(std::string_view content, const std::string& path)
+{
+    if (looksLikeBinaryStl(content)) {
+        return parseBinary(content);
+    }
+    const bool isText = content.substr(0, 512).find("solid") != std::string_view::npos;
+    const auto set = isText ? parseText(content) : std::nullopt;
+    return set ? core::Result<PolygonSet>(*set)
+               : fileError(path, "its triangles are damaged or cut short. Copy or export it again.");
+}
+
+}   // namespace io

@@ -1,0 +1,166 @@
+#include "io/surface_file.h"
+
+#include "io/support/atomic_file.h"
+#include "io/support/file_error.h"
+#include "io/support/input_bytes.h"
+#include "io/support/numbers.h"
+#include "io/surface/surface_formats.h"
+#include "io/vessel/vtk_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace io {
+namespace {
+
+constexpr std::size_t maxTriangles = 50'000'000;
+constexpr double smallestUsualMm = 60.0;   // across the whole surface of vessels
+constexpr double largestUsualMm = 2000.0;
+
+core::Result<PolygonSet> parseVtk(std::string_view content, const std::string& path)
+{
+    auto parsed = content.starts_with("# vtk DataFile") ? parseLegacyVtk(content, path) : parseXmlVtk(content, path);
+    if (!parsed) {
+        return parsed.error();
+    }
+    VtkLines lines = std::move(parsed).value();
+    return PolygonSet{std::move(lines.set.points), std::move(lines.polygons), lines.set.isRas};
+}
+
+core::Result<PolygonSet> parse(std::string_view content, const std::string& path)
+{
+    const std::string extension = extensionOf(path);
+    if (content.starts_with("# vtk DataFile") || content.substr(0, 4096).find("<VTKFile") != std::string_view::npos) {
+        return parseVtk(content, path);
+    }
+    if (content.starts_with("ply")) {
+        return parsePly(content, path);
+    }
+    if (extension == ".stl") {
+        return parseStl(content, path);
+    }
+    if (extension == ".obj") {
+        return parseObj(content, path);
+    }
+    const std::string_view found = describeContent(content);
+    return fileError(path, "this is " +
+                               (found.empty() ? std::string("no file this program knows") : std::string(found)) +
+                               ", not a surface. Choose a .vtp, .vtk, .stl, .ply or .obj file.");
+}
+
+/// Triangles of all polygons (fans); returns what is wrong.
+std::string appendTriangles(const PolygonSet& set, core::SurfaceMesh& mesh)
+{
+    for (const auto& polygon : set.polygons) {
+        for (const std::size_t index : polygon) {
+            if (index >= set.points.size()) {
+                return "a triangle refers to a point that does not exist. The file is damaged; export it again.";
+            }
+        }
+        for (std::size_t k = 2; k < polygon.size(); ++k) {
+            mesh.triangles.push_back({static_cast<std::uint32_t>(polygon[0]),
+                                      static_cast<std::uint32_t>(polygon[k - 1]),
+                                      static_cast<std::uint32_t>(polygon[k])});
+        }
+        if (mesh.triangles.size() > maxTriangles) {
+            return "it has more triangles than this program holds. Decimate the surface.";
+        }
+    }
+    return mesh.triangles.empty() ? "it holds no triangles. Choose the surface of a vessel." : std::string();
+}
+
+core::Result<core::SurfaceMesh> meshOf(const PolygonSet& set, double unitMm, const std::string& path)
+{
+    core::SurfaceMesh mesh;
+    for (Eigen::Vector3d point : set.points) {
+        if (!point.allFinite() || point.cwiseAbs().maxCoeff() * unitMm > 1e6) {
+            return fileError(path, "a coordinate is not a number, or beyond a kilometre. Correct or export it again.");
+        }
+        if (set.isRas) {
+            point.head<2>() *= -1.0;
+        }
+        mesh.pointsInPatient.emplace_back(point * unitMm);
+    }
+    if (const std::string problem = appendTriangles(set, mesh); !problem.empty()) {
+        return fileError(path, problem);
+    }
+    return core::welded(mesh);
+}
+
+std::vector<std::string> doubtsAbout(const core::SurfaceMesh& mesh)
+{
+    std::vector<std::string> warnings;
+    const core::MeshCheck check = core::checkMesh(mesh);
+    if (!check.isClosed()) {
+        warnings.push_back("The surface is not closed (" + std::to_string(check.openEdges) + " open and " +
+                           std::to_string(check.crowdedEdges) +
+                           " crowded edges): its inside is decided by majority. Check the result, or close the holes.");
+    } else if (!check.isOriented) {
+        warnings.emplace_back("The triangles do not agree on inside and outside; overlapping parts may cancel out.");
+    }
+    Eigen::Vector3d low = mesh.pointsInPatient.front(), high = low;
+    for (const Eigen::Vector3d& point : mesh.pointsInPatient) {
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+    }
+    const double across = (high - low).norm();
+    if (across < smallestUsualMm || across > largestUsualMm) {
+        warnings.push_back("The surface is " + toText(std::round(10.0 * across) / 10.0) +
+                           " mm across, which is unusual: if its unit is not the millimetre, give the unit.");
+    }
+    return warnings;
+}
+
+}   // namespace
+
+core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm)
+{
+    if (!std::isfinite(unitMm) || unitMm <= 0.0) {
+        return fileError(path, "the unit must be a positive length in mm.");
+    }
+    const auto input = openInput(path);
+    if (!input) {
+        return input.error();
+    }
+    auto parsed = parse(input.value().view(), path);
+    if (!parsed) {
+        return parsed.error();
+    }
+    PolygonSet set = std::move(parsed).value();
+    // Slicer notes the axes in the comment of any format.
+    set.isRas = set.isRas || input.value().view().substr(0, 1024).find("SPACE=RAS") != std::string_view::npos;
+    auto mesh = meshOf(set, unitMm, path);
+    if (!mesh) {
+        return mesh.error();
+    }
+    LoadedSurface loaded;
+    loaded.mesh = std::move(mesh).value();
+    if (loaded.mesh.triangles.empty()) {
+        return fileError(path, "none of its triangles has an area. Choose the surface of a vessel.");
+    }
+    loaded.warnings = doubtsAbout(loaded.mesh);
+    return loaded;
+}
+
+core::Status writeSurface(const core::SurfaceMesh& mesh, const std::string& path)
+{
+    if (extensionOf(path) != ".stl") {
+        return fileError(path, "surfaces are written as .stl. Change the extension.");
+    }
+    std::string content(84 + 50 * mesh.triangles.size(), '\0');
+    const std::string title = "binary STL by AngioPose, SPACE=LPS, mm";
+    std::copy(title.begin(), title.end(), content.begin());
+    const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+    std::memcpy(content.data() + 80, &count, sizeof count);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        char* corners = content.data() + 84 + 50 * i + 12;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Eigen::Vector3f point = mesh.pointsInPatient[mesh.triangles[i][k]].cast<float>();
+            std::memcpy(corners + 12 * k, point.data(), 12);
+        }
+    }
+    return writeAtomically(path, content);
+}
+
+}   // namespace io

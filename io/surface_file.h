@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/support/result.h"
+#include "core/vessel/surface_mesh.h"
+
+#include <string>
+#include <vector>
+
+namespace io {
+
+struct LoadedSurface {
+    core::SurfaceMesh mesh;   ///< welded, patient LPS
+    std::vector<std::string> warnings;   ///< holes, a suspicious size
+};
+
+/// A triangle surface from VTP, legacy VTK (poly-data, unstructured grid), STL, PLY or OBJ; lengths times `unitMm`.
+/// RAS files that say so are turned. Fails with file, problem and remedy, also when there is no triangle.
+core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm = 1.0);
+
+/// Writes binary STL, patient LPS.
+core::Status writeSurface(const core::SurfaceMesh& mesh, const std::string& path);
+
+}   // namespace io

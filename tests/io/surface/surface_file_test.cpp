@@ -1,0 +1,175 @@
+#include "io/surface_file.h"
+
+#include "core/imaging/fill_surface.h"
+#include "tests/io/scratch_folder.h"
+#include "tests/support/test_data.h"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <map>
+#include <numbers>
+
+namespace {
+
+using test::ScratchFolder;
+
+/// A box from the origin, in the words of each format, corners numbered from 0.
+constexpr std::array<std::array<int, 3>, 12> boxTriangles = {{{0, 2, 1},
+                                                              {0, 3, 2},
+                                                              {4, 5, 6},
+                                                              {4, 6, 7},
+                                                              {0, 1, 5},
+                                                              {0, 5, 4},
+                                                              {1, 2, 6},
+                                                              {1, 6, 5},
+                                                              {2, 3, 7},
+                                                              {2, 7, 6},
+                                                              {3, 0, 4},
+                                                              {3, 4, 7}}};
+
+std::array<Eigen::Vector3d, 8> boxCorners()
+{
+    return {{{0, 0, 0}, {70, 0, 0}, {70, 50, 0}, {0, 50, 0}, {0, 0, 30}, {70, 0, 30}, {70, 50, 30}, {0, 50, 30}}};
+}
+
+std::string pointLines(const std::string& prefix)
+{
+    std::string text;
+    for (const Eigen::Vector3d& corner : boxCorners()) {
+        text += prefix + std::to_string(corner.x()) + " " + std::to_string(corner.y()) + " " +
+                std::to_string(corner.z()) + "\n";
+    }
+    return text;
+}
+
+std::string triangleLines(const std::string& prefix, int first)
+{
+    std::string text;
+    for (const auto& triangle : boxTriangles) {
+        text += prefix + std::to_string(triangle[0] + first) + " " + std::to_string(triangle[1] + first) + " " +
+                std::to_string(triangle[2] + first) + "\n";
+    }
+    return text;
+}
+
+std::string stlText()
+{
+    std::string text = "solid box\n";
+    for (const auto& triangle : boxTriangles) {
+        text += "facet normal 0 0 0\nouter loop\n";
+        for (const int corner : triangle) {
+            const Eigen::Vector3d point = boxCorners()[static_cast<std::size_t>(corner)];
+            text += "vertex " + std::to_string(point.x()) + " " + std::to_string(point.y()) + " " +
+                    std::to_string(point.z()) + "\n";
+        }
+        text += "endloop\nendfacet\n";
+    }
+    return text + "endsolid box\n";
+}
+
+std::string legacyVtk(const std::string& title)
+{
+    return "# vtk DataFile Version 3.0\n" + title + "\nASCII\nDATASET POLYDATA\nPOINTS 8 float\n" + pointLines("") +
+           "POLYGONS 12 48\n" + triangleLines("3 ", 0);
+}
+
+std::string plyText()
+{
+    return "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\nelement "
+           "face "
+           "12\nproperty list uchar int vertex_indices\nend_header\n" +
+           pointLines("") + triangleLines("3 ", 0);
+}
+
+void expectBox(const core::Result<io::LoadedSurface>& surface)
+{
+    ASSERT_TRUE(surface) << surface.error().message;
+    EXPECT_EQ(surface.value().mesh.pointsInPatient.size(), 8U);
+    EXPECT_EQ(surface.value().mesh.triangles.size(), 12U);
+    EXPECT_TRUE(surface.value().warnings.empty()) << surface.value().warnings.front();
+    const auto mask = core::fillSurface(surface.value().mesh, 1.0);
+    ASSERT_TRUE(mask) << mask.error().message;
+    // Voxel centres lie on the walls here: rounding decides about these alone.
+    EXPECT_NEAR(static_cast<double>(std::count(mask.value().voxels.begin(), mask.value().voxels.end(), 1)),
+                70 * 50 * 30, 100.0);
+}
+
+}   // namespace
+
+TEST(ReadSurface, EveryFormatGivesTheSameBox)
+{
+    const ScratchFolder folder;
+    expectBox(io::readSurface(folder.write("box.stl", stlText())));
+    expectBox(io::readSurface(folder.write("box.OBJ", pointLines("v ") + triangleLines("f ", 1))));
+    expectBox(io::readSurface(folder.write("box.ply", plyText())));
+    expectBox(io::readSurface(folder.write("box.vtk", legacyVtk("a box"))));
+    const auto box = io::readSurface(folder.path("box.ply"));
+    ASSERT_TRUE(io::writeSurface(box.value().mesh, folder.path("binary.stl")));
+    expectBox(io::readSurface(folder.path("binary.stl")));
+}
+
+TEST(ReadSurface, RasIsTurnedAndUnitsAreMillimetres)
+{
+    const ScratchFolder folder;
+    const auto surface = io::readSurface(folder.write("box.vtk", legacyVtk("vtk output SPACE=RAS")), 2.0);
+    ASSERT_TRUE(surface) << surface.error().message;
+    EXPECT_EQ(surface.value().mesh.pointsInPatient[2], Eigen::Vector3d(-140, -100, 0));
+}
+
+TEST(ReadSurface, HolesAndUnusualSizesAreMentioned)
+{
+    const ScratchFolder folder;
+    const std::string whole = triangleLines("f ", 1);
+    const auto open = io::readSurface(folder.write("open.obj", pointLines("v ") + whole.substr(0, whole.size() - 8)));
+    ASSERT_TRUE(open) << open.error().message;
+    ASSERT_EQ(open.value().warnings.size(), 1U);
+    EXPECT_NE(open.value().warnings.front().find("3 open"), std::string::npos);
+    const auto small = io::readSurface(folder.write("small.obj", pointLines("v ") + whole), 0.1);
+    ASSERT_TRUE(small);
+    EXPECT_NE(small.value().warnings.front().find("9.1 mm across"), std::string::npos);
+}
+
+TEST(ReadSurface, DamagedFilesSayWhatIsWrong)
+{
+    const ScratchFolder folder;
+    const std::map<std::string, std::string> files = {
+        {"a.obj", "v 1 2\nf 1 2 3\n"},
+        {"b.obj", pointLines("v ") + "f 1 2 99\n"},
+        {"c.stl", stlText().substr(0, 900)},
+        {"d.ply", plyText().substr(0, 300)},
+        {"e.vtk", legacyVtk("x").substr(0, 200)},
+        {"f.obj", pointLines("v ")},
+        {"g.txt", "hello"},
+        {"h.obj", pointLines("v ") + "v nan 0 0\nf 1 2 9\n"},
+    };
+    for (const auto& [name, content] : files) {
+        const auto surface = io::readSurface(folder.write(name, content));
+        ASSERT_FALSE(surface) << name;
+        EXPECT_TRUE(surface.error().message.starts_with(folder.path(name))) << surface.error().message;
+        EXPECT_TRUE(surface.error().message.ends_with(".")) << surface.error().message;
+    }
+}
+
+TEST(ReadSurface, AortaInCentimetresKeepsItsVolume)
+{
+    ANGIOPOSE_NEEDS_DATA("abdominal-aorta-mesh/demo.vtp");
+    const std::string path = test::dataFile("abdominal-aorta-mesh/demo.vtp").string();
+    const auto asMillimetres = io::readSurface(path);
+    ASSERT_TRUE(asMillimetres) << asMillimetres.error().message;
+    EXPECT_FALSE(asMillimetres.value().warnings.empty()) << "34 mm of aorta";
+
+    const auto surface = io::readSurface(path, 10.0);
+
+    ASSERT_TRUE(surface);
+    EXPECT_TRUE(surface.value().warnings.empty()) << surface.value().warnings.front();
+    EXPECT_EQ(surface.value().mesh.triangles.size(), 39'124U);
+    double enclosed = 0.0;   // divergence theorem
+    for (const auto& t : surface.value().mesh.triangles) {
+        const auto& points = surface.value().mesh.pointsInPatient;
+        enclosed += points[t[0]].dot(points[t[1]].cross(points[t[2]])) / 6.0;
+    }
+    const auto mask = core::fillSurface(surface.value().mesh, 1.0);
+    ASSERT_TRUE(mask) << mask.error().message;
+    const auto inside = static_cast<double>(std::count(mask.value().voxels.begin(), mask.value().voxels.end(), 1));
+    EXPECT_NEAR(inside / std::abs(enclosed), 1.0, 0.01);
+}
