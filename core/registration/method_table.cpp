@@ -1,10 +1,16 @@
 #include "core/registration/method.h"
 #include "core/registration/methods/angiopose.h"
 #include "core/registration/methods/assembled_icp.h"
+#include "core/registration/methods/automask.h"
 #include "core/registration/methods/dt_icp.h"
 #include "core/registration/methods/dynaweight.h"
+#include "core/registration/methods/evolution.h"
+#include "core/registration/methods/gradient_matching.h"
 #include "core/registration/methods/iterative_pnp.h"
 #include "core/registration/methods/nicp.h"
+#include "core/registration/methods/ogmm.h"
+#include "core/registration/methods/particle.h"
+#include "core/registration/methods/rgbr.h"
 
 #include <algorithm>
 #include <vector>
@@ -38,6 +44,29 @@ const std::vector<Method>& table()
         {{"assembled-icp", "Assembled ICP",
           "Least squares on nearest pairs by OpenCV's SQPNP, repeated: what library parts make in an afternoon."},
          solveAssembledIcp},
+        {{"rgbr", "RGBR",
+          "Edges found along the vessel walls' normals, a pose chosen by RANSAC with gradient matching "
+          "(Markelj 2008; re-implementation, parameters ours)."},
+         solveRgbr},
+        {{"automask", "AutoMask",
+          "Rank correlation of the image with radiographs of the CTA or of tubes, Nelder–Mead "
+          "(Steininger 2012; re-implementation, parameters ours)."},
+         solveAutoMask},
+        {{"gradient-matching", "Gradient matching",
+          "Vessel walls against image gradients, Powell's method (Mitrović 2013; re-implementation, parameters ours)."},
+         solveGradientMatching},
+        {{"ogmm", "OGMM",
+          "L2 distance of oriented Gaussian mixtures of tree and traced vessels (Baka 2014; re-implementation, "
+          "parameters ours)."},
+         solveOgmm},
+        {{"particle", "Particles",
+          "Many poses at once, drawn anew by likelihood, or a walk over the out-of-plane angles (after Tian 2022; "
+          "re-implementation, parameters ours)."},
+         solveParticle},
+        {{"evolution", "Evolution",
+          "Brightness under the vessels at their own width, evolution strategy (Jomier 2006; re-implementation, "
+          "parameters ours)."},
+         solveEvolution},
     };
     return rows;
 }

@@ -36,6 +36,9 @@ struct Evaluation {
 double evaluate(unsigned count, const double* x, double* gradient, void* data)
 {
     auto& evaluation = *static_cast<Evaluation*>(data);
+    if (nlopt_get_force_stop(evaluation.optimiser) != 0) {
+        return evaluation.best.cost;   // Brent's form finishes its line search first
+    }
     const Eigen::VectorXd point = Eigen::Map<const Eigen::VectorXd>(x, count);
     evaluation.gradient.resize(gradient == nullptr ? 0 : count);
     const double cost = evaluation.cost(point, evaluation.gradient);

@@ -153,10 +153,11 @@ std::vector<OptionField> icpFields()
 std::vector<OptionField> nicpFields()
 {
     return {
-        onlyFor(nicps, choice(number<&Options::nicpImage>("nicpImage", "Attracted by", "",
-                                                          "The traced vessels, or the brightness of the image at each "
-                                                          "vessel's own width."),
-                              {"traced_vessels", "image"})),
+        onlyFor({"nicp"},
+                choice(number<&Options::nicpImage>("nicpImage", "Attracted by", "",
+                                                   "The traced vessels, or the brightness of the image at each "
+                                                   "vessel's own width."),
+                       {"traced_vessels", "image"})),
         onlyFor(nicps, choice(number<&Options::nicpStep>("nicpStep", "Step", "",
                                                          "Turns and shifts in balance, or raw radians beside "
                                                          "millimetres, which hardly shifts."),

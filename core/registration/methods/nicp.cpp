@@ -2,6 +2,8 @@
 
 #include "core/registration/alternating_search.h"
 #include "core/registration/kernel_ascent.h"
+#include "core/registration/pose_trials.h"
+#include "core/registration/vessel_brightness.h"
 #include "core/support/stopwatch.h"
 
 #include <cmath>
@@ -34,11 +36,68 @@ MethodSolution climb(const RegistrationProblem& problem, const RegistrationOptio
     return solution;
 }
 
+constexpr double widenings[] = {2.0, 1.0};   // a wider blur first reaches farther
+constexpr double firstMotionPx = 2.0;
+constexpr double settledPx = 0.01;
+
+double meanMotionPx(const RegistrationProblem& problem, const CentroidPose& pose, const Vector6d& step)
+{
+    const double depthMm = std::max(minProjectableDepthMm, pose.centroidInCamera.z());
+    const double motionMm = step.tail<3>().norm() + problem.tree.spreadMm * step.head<3>().norm();
+    return motionMm / millimetresPerPixel(problem.camera, depthMm);
+}
+
+/// Steps against the pull until they are too small to see; true when they are.
+bool settle(const RegistrationProblem& problem, const VesselBrightness& brightness, double widening, int iterations,
+            PoseTrials& search)
+{
+    double motionPx = firstMotionPx * widening;
+    for (int i = 0; i < iterations && !search.isStopped(); ++i) {
+        const CentroidPose pose = search.best();
+        const double before = search.bestCost();
+        const Vector6d direction = dampedStep(brightness.pull(pose, widening), 1e-3);
+        const double unitPx = meanMotionPx(problem, pose, direction);
+        if (!(unitPx > 0.0)) {
+            return true;
+        }
+        motionPx *= 2.0;
+        do {
+            motionPx *= 0.5;
+            const CentroidPose next = moved(pose, motionPx / unitPx * direction);
+            search.note(next, -brightness.of(next, widening));
+        } while (!(search.bestCost() < before) && motionPx > settledPx && !search.isStopped());
+        if (!(search.bestCost() < before)) {
+            return true;
+        }
+        motionPx *= 2.0;
+    }
+    return false;
+}
+
+MethodSolution climbBrightness(const RegistrationProblem& problem, const RegistrationOptions& options,
+                               ProgressLog& progress)
+{
+    Stopwatch stopwatch;
+    const VesselBrightness brightness(problem);
+    const double targetMs = stopwatch.lapMs();
+    PoseTrials search(problem, 2 * options.nicpIterations, progress);
+    bool isSettled = true;
+    for (const double widening : widenings) {
+        search.changeCost("brightness", 0.0, -brightness.of(search.best(), widening));
+        isSettled = settle(problem, brightness, widening, options.nicpIterations, search);
+    }
+    MethodSolution solution = search.solution(isSettled ? StopReason::Converged : StopReason::IterationLimit);
+    solution.time.targetMs = targetMs;
+    solution.time.solveMs = stopwatch.lapMs();
+    return solution;
+}
+
 }   // namespace
 
 MethodSolution solveNicp(const RegistrationProblem& problem, const RegistrationOptions& options, ProgressLog& progress)
 {
-    return climb(problem, options, {}, progress);
+    return options.nicpImage != 0.0 ? climbBrightness(problem, options, progress)
+                                    : climb(problem, options, {}, progress);
 }
 
 MethodSolution solveNicpAlternating(const RegistrationProblem& problem, const RegistrationOptions& options,

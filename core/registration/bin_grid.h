@@ -1,0 +1,47 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace core {
+
+/// Points of an image sorted into square cells, to visit those near a place. Filled anew without allocating once large
+/// enough.
+class BinGrid {
+public:
+    /// Points must be finite; cells of `cellPx`, the reach of `visitNear`.
+    void fill(const std::vector<Eigen::Vector2d>& pointsPx, double cellPx);
+
+    /// Calls `visit(number)` for all points in the nine cells around a place: all within `cellPx` and some more.
+    template <class Visit>
+    void visitNear(const Eigen::Vector2d& placePx, const Visit& visit) const
+    {
+        const Eigen::Vector2i cell = cellOf(placePx);
+        const int fromRow = std::max(0, cell.y() - 1);
+        const int toRow = std::min(rows_ - 1, cell.y() + 1);
+        const int fromColumn = std::max(0, cell.x() - 1);
+        const int toColumn = std::min(columns_ - 1, cell.x() + 1);
+        for (int row = fromRow; row <= toRow && fromColumn <= toColumn; ++row) {
+            const auto first = static_cast<std::size_t>(row * columns_ + fromColumn);
+            const auto last = static_cast<std::size_t>(row * columns_ + toColumn);
+            for (std::int32_t k = starts_[first]; k < starts_[last + 1]; ++k) {
+                visit(static_cast<std::size_t>(numbers_[static_cast<std::size_t>(k)]));
+            }
+        }
+    }
+
+private:
+    Eigen::Vector2i cellOf(const Eigen::Vector2d& placePx) const;
+
+    Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
+    double cellPx_ = 1.0;
+    int columns_ = 0;
+    int rows_ = 0;
+    std::vector<std::int32_t> starts_;   ///< of each cell, row by row, and the end
+    std::vector<std::int32_t> numbers_;
+};
+
+}   // namespace core

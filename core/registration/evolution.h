@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+
+namespace core {
+
+struct EvolutionOptions {
+    int population = 16;
+    int maxEvaluations = 3000;
+    double settledStep = 1e-3;   ///< ends when the search is narrower than this, in units of x
+    std::uint64_t seed = 1;
+};
+
+using EvolutionCost = std::function<double(const Eigen::VectorXd& x)>;
+using StopCheck = std::function<bool()>;
+
+/// Covariance matrix adaptation with cumulative step-size control, from the normal distribution about 0 with unit
+/// variance (Hansen, "The CMA evolution strategy: a tutorial", 2016). True when the search has narrowed, false when it
+/// ran out of evaluations or was stopped. No Debian 12 library offers it without GPL parts.
+bool evolveByCovariance(const EvolutionCost& cost, Eigen::Index dimensions, const EvolutionOptions& options,
+                        const StopCheck& isStopped);
+
+/// One parent, one child: success widens the search by 1.05, failure narrows it by its fourth root, both along the step
+/// taken (Styner et al. 2000).
+bool evolveOneByOne(const EvolutionCost& cost, Eigen::Index dimensions, const EvolutionOptions& options,
+                    const StopCheck& isStopped);
+
+}   // namespace core

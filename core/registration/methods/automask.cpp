@@ -1,0 +1,141 @@
+#include "core/registration/methods/automask.h"
+
+#include "core/imaging/image_filters.h"
+#include "core/imaging/mask_morphology.h"
+#include "core/registration/minimise.h"
+#include "core/registration/pose_parameters.h"
+#include "core/registration/pose_trials.h"
+#include "core/registration/radiograph.h"
+#include "core/registration/rank_correlation.h"
+#include "core/registration/vessel_picture.h"
+#include "core/support/random.h"
+#include "core/support/stopwatch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace core {
+namespace {
+
+// In px of half the resolution. The source has one stage; a blurred one first reaches farther. Each draws its own mask.
+struct MaskStage {
+    double blurPx = 0.0;
+    double share = 1.0;   ///< of the evaluations
+};
+constexpr std::array<MaskStage, 2> maskStages{{{8.0, 0.3}, {0.0, 0.7}}};
+constexpr std::size_t fewestPixels = 2000;
+constexpr double settled = 0.005;   // of the first simplex: 0.02°, 0.04 mm
+
+/// Numbers of the pixels that something covers, and a margin around them.
+std::vector<std::size_t> around(const ImageF& covered, double marginPx)
+{
+    Mask2d mask(covered.width, covered.height);
+    std::transform(covered.pixels.begin(), covered.pixels.end(), mask.pixels.begin(),
+                   [](float value) { return static_cast<std::uint8_t>(value > 0.0F ? 255 : 0); });
+    mask = dilated(mask, std::max(1, static_cast<int>(std::lround(marginPx))));
+    std::vector<std::size_t> pixels;
+    for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
+        if (mask.pixels[i] != 0) {
+            pixels.push_back(i);
+        }
+    }
+    return pixels;
+}
+
+/// Similarity of image and radiographs over a fixed draw of mask pixels.
+class MaskedSimilarity {
+public:
+    MaskedSimilarity(const RegistrationProblem& problem, const RegistrationOptions& options)
+        : options_(options), radiograph_(problem), picture_(halved(vesselPicture(problem)))
+    {
+    }
+
+    /// Compares blurred images from now on; the mask becomes what the vessels cover at the given poses, and a margin.
+    void beginStage(double blurPx, const std::vector<RigidTransform>& poses);
+
+    double of(const RigidTransform& pose) const
+    {
+        return rankCorrelation(drawn(blurred(radiograph_.from(pose), blurPx_)), shown_);
+    }
+
+private:
+    std::vector<float> drawn(const ImageF& image) const;
+
+    const RegistrationOptions& options_;
+    Radiograph radiograph_;
+    ImageF picture_;
+    double blurPx_ = 0.0;
+    std::vector<std::size_t> pixels_;
+    std::vector<float> shown_;
+};
+
+void MaskedSimilarity::beginStage(double blurPx, const std::vector<RigidTransform>& poses)
+{
+    blurPx_ = blurPx;
+    ImageF covered(picture_.width, picture_.height);
+    for (const RigidTransform& pose : poses) {
+        const ImageF radiograph = radiograph_.from(pose);
+        std::transform(covered.pixels.begin(), covered.pixels.end(), radiograph.pixels.begin(), covered.pixels.begin(),
+                       [](float a, float b) { return a + b; });
+    }
+    const std::vector<std::size_t> mask = around(covered, 0.5 * options_.automaskMarginPx + 2.0 * blurPx);
+    const double share = std::max(0.01 * options_.automaskSample,
+                                  static_cast<double>(fewestPixels) / static_cast<double>(mask.size() + 1));
+    pixels_.clear();
+    // Whether a pixel is drawn depends on nothing but its number: growing the mask keeps the draw.
+    const CounterRandom random(static_cast<std::uint64_t>(options_.randomSeed));
+    for (const std::size_t pixel : mask) {
+        if (random.fork(pixel).uniform() < share) {
+            pixels_.push_back(pixel);
+        }
+    }
+    shown_ = drawn(blurred(picture_, blurPx));
+}
+
+std::vector<float> MaskedSimilarity::drawn(const ImageF& image) const
+{
+    std::vector<float> values;
+    values.reserve(pixels_.size());
+    for (const std::size_t pixel : pixels_) {
+        values.push_back(image.pixels[pixel]);
+    }
+    return values;
+}
+
+}   // namespace
+
+MethodSolution solveAutoMask(const RegistrationProblem& problem, const RegistrationOptions& options,
+                             ProgressLog& progress)
+{
+    Stopwatch stopwatch;
+    MaskedSimilarity similarity(problem, options);
+    const double targetMs = stopwatch.lapMs();
+
+    PoseTrials search(problem, options.automaskEvaluations, progress);
+    MinimiseOptions simplex;
+    simplex.tolerance = settled;
+    bool isConverged = false;
+    for (const auto& [blurPx, share] : maskStages) {
+        if (search.isStopped()) {
+            break;
+        }
+        simplex.maxEvaluations = std::max(1, static_cast<int>(share * options.automaskEvaluations));
+        similarity.beginStage(blurPx, {problem.start, search.inPatient(search.best())});
+        search.changeCost("radiographs", 0.0, std::numeric_limits<double>::infinity());
+        const PoseParameters parameters(search.best(), clinicalUnits(4.0, 4.0, 8.0, 20.0));
+        const auto cost = [&](const Eigen::VectorXd& x, Eigen::VectorXd&) {
+            const CentroidPose pose = parameters.pose(x);
+            return search.note(pose, -similarity.of(search.inPatient(pose)));
+        };
+        isConverged = minimise(cost, Vector6d::Zero(), simplex, [&] { return search.isStopped(); }).isConverged;
+        simplex.firstStep *= 0.5;
+    }
+    MethodSolution solution = search.solution(isConverged ? StopReason::Converged : StopReason::IterationLimit);
+    solution.time.targetMs = targetMs;
+    solution.time.solveMs = stopwatch.lapMs();
+    return solution;
+}
+
+}   // namespace core

@@ -1,0 +1,39 @@
+#include "core/registration/methods/evolution.h"
+
+#include "core/registration/evolution.h"
+#include "core/registration/pose_parameters.h"
+#include "core/registration/pose_trials.h"
+#include "core/registration/vessel_brightness.h"
+#include "core/support/stopwatch.h"
+
+#include <limits>
+
+namespace core {
+
+MethodSolution solveEvolution(const RegistrationProblem& problem, const RegistrationOptions& options,
+                              ProgressLog& progress)
+{
+    Stopwatch stopwatch;
+    const VesselBrightness brightness(problem);
+    const double targetMs = stopwatch.lapMs();
+
+    PoseTrials search(problem, options.evolutionEvaluations, progress);
+    search.changeCost("evolution", 0.0, std::numeric_limits<double>::infinity());
+    const PoseParameters parameters(search.start(), clinicalUnits(3.0, 3.0, 10.0, 20.0));
+    const auto cost = [&](const Eigen::VectorXd& x) {
+        const CentroidPose pose = parameters.pose(x);
+        return search.note(pose, -brightness.of(pose, 1.0));
+    };
+    const EvolutionOptions evolution{options.evolutionPopulation, options.evolutionEvaluations, 1e-3,
+                                     static_cast<std::uint64_t>(options.randomSeed)};
+    const auto isStopped = [&] { return search.isStopped(); };
+    const auto evolve = options.evolutionStrategy != 0.0 ? evolveOneByOne : evolveByCovariance;
+    const bool isConverged = evolve(cost, Vector6d::SizeAtCompileTime, evolution, isStopped);
+
+    MethodSolution solution = search.solution(isConverged ? StopReason::Converged : StopReason::IterationLimit);
+    solution.time.targetMs = targetMs;
+    solution.time.solveMs = stopwatch.lapMs();
+    return solution;
+}
+
+}   // namespace core

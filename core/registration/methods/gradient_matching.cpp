@@ -1,0 +1,107 @@
+#include "core/registration/methods/gradient_matching.h"
+
+#include "core/imaging/image_filters.h"
+#include "core/registration/minimise.h"
+#include "core/registration/pose_parameters.h"
+#include "core/registration/pose_trials.h"
+#include "core/registration/vessel_picture.h"
+#include "core/support/stopwatch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+namespace {
+
+constexpr int evaluationsPerRound = 60;   // six line searches of about ten
+constexpr double leastCosine = 0.7071;   // 45°
+constexpr double unknownRadiusMm = 1.0;
+
+/// Agreement of wall directions and image gradients. Both walls of every vessel as the detector sees it.
+class WallAgreement {
+public:
+    WallAgreement(const RegistrationProblem& problem, double scalePx)
+        : problem_(problem), picture_(blurred(vesselPicture(problem), scalePx))
+    {
+    }
+
+    /// Mean over the walls, never negative.
+    double of(const RigidTransform& pose) const;
+
+private:
+    double atWall(const Eigen::Vector3d& wall, const Eigen::Vector3d& inwards) const;
+
+    const RegistrationProblem& problem_;
+    ImageF picture_;
+};
+
+double WallAgreement::of(const RigidTransform& pose) const
+{
+    const TreeSamples& tree = problem_.tree;
+    double sum = 0.0;
+    double weights = 0.0;
+    for (std::size_t i = 0; i < tree.size(); ++i) {
+        const double radiusMm = tree.radiusMm[i] > 0.0 ? tree.radiusMm[i] : unknownRadiusMm;
+        const double weight = std::clamp(radiusMm, 0.5, 3.0);
+        weights += 2.0 * weight;
+        const Eigen::Vector3d centre = pose * tree.points[i];
+        const Eigen::Vector3d across = centre.cross(pose.rotation * tree.tangents[i]);
+        if (centre.z() < minProjectableDepthMm || across.norm() < 0.1 * centre.norm()) {
+            continue;   // behind the source, or seen end-on: no walls
+        }
+        const Eigen::Vector3d normal = across.normalized();
+        sum += weight * (atWall(centre + radiusMm * normal, -normal) + atWall(centre - radiusMm * normal, normal));
+    }
+    return sum / weights;
+}
+
+/// Share of the gradient that points inwards, less as it turns away and nothing from 45° on.
+double WallAgreement::atWall(const Eigen::Vector3d& wall, const Eigen::Vector3d& inwards) const
+{
+    const auto pixel = project(problem_.camera, wall);
+    if (!pixel) {
+        return 0.0;
+    }
+    const Eigen::Vector2d direction = (projectionJacobian(problem_.camera, wall) * inwards).normalized();
+    const Eigen::Vector2d gradient = gradientAt(picture_, *pixel);
+    const double inwardsPart = direction.dot(gradient);
+    const double strength = gradient.norm();
+    if (inwardsPart < leastCosine * strength || strength <= 0.0) {
+        return 0.0;
+    }
+    const double cosine = inwardsPart / strength;
+    return inwardsPart * cosine * cosine;
+}
+
+}   // namespace
+
+MethodSolution solveGradientMatching(const RegistrationProblem& problem, const RegistrationOptions& options,
+                                     ProgressLog& progress)
+{
+    Stopwatch stopwatch;
+    const WallAgreement agreement(problem, options.gradientScalePx);
+    const double targetMs = stopwatch.lapMs();
+
+    const int budget = evaluationsPerRound * options.powellRounds;
+    PoseTrials search(problem, budget, progress);
+    search.changeCost("walls", options.gradientScalePx, std::numeric_limits<double>::infinity());
+    const PoseParameters parameters(search.start(), clinicalUnits(1.0, 2.0, 2.0, 10.0));
+    MinimiseOptions powell;
+    powell.minimiser = Minimiser::Powell;
+    powell.firstStep = 1.0;
+    powell.tolerance = 1e-3;
+    powell.maxEvaluations = budget;
+    const Minimum minimum = minimise(
+        [&](const Eigen::VectorXd& x, Eigen::VectorXd&) {
+            const CentroidPose pose = parameters.pose(x);
+            return search.note(pose, -agreement.of(search.inPatient(pose)));
+        },
+        Vector6d::Zero(), powell, [&] { return search.isStopped(); });
+
+    MethodSolution solution = search.solution(minimum.isConverged ? StopReason::Converged : StopReason::IterationLimit);
+    solution.time.targetMs = targetMs;
+    solution.time.solveMs = stopwatch.lapMs();
+    return solution;
+}
+
+}   // namespace core

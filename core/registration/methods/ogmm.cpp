@@ -1,0 +1,55 @@
+#include "core/registration/methods/ogmm.h"
+
+#include "core/registration/minimise.h"
+#include "core/registration/oriented_mixture.h"
+#include "core/registration/pose_parameters.h"
+#include "core/registration/pose_trials.h"
+#include "core/support/stopwatch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace core {
+namespace {
+
+constexpr int levels = 3;
+constexpr int evaluationsPerLevel = 300;
+constexpr double settledMm = 1e-5;
+constexpr double settledShare = 1e-9;
+
+}   // namespace
+
+MethodSolution solveOgmm(const RegistrationProblem& problem, const RegistrationOptions& options, ProgressLog& progress)
+{
+    Stopwatch stopwatch;
+    PoseTrials search(problem, levels * evaluationsPerLevel, progress);
+    MixtureOptions mixtureOptions{std::max(options.ogmmStartScalePx, options.ogmmFinalScalePx), options.ogmmOrientation,
+                                  options.ogmmSelfWeight};
+    const double ratio = std::pow(options.ogmmFinalScalePx / mixtureOptions.scalePx, 1.0 / (levels - 1));
+    MinimiseOptions lbfgs;
+    lbfgs.minimiser = Minimiser::Lbfgs;
+    lbfgs.tolerance = settledMm;
+    lbfgs.relativeTolerance = settledShare;
+    lbfgs.maxEvaluations = evaluationsPerLevel;
+    bool isConverged = true;
+    for (int level = 0; level < levels && !search.isStopped(); ++level) {
+        OrientedMixture mixture(problem, mixtureOptions);
+        search.changeCost("mixtures", mixtureOptions.scalePx, std::numeric_limits<double>::infinity());
+        const PoseParameters parameters(search.best(), metricUnits(problem.tree.spreadMm));
+        const auto cost = [&](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
+            const CentroidPose pose = parameters.pose(x);
+            Vector6d stepGradient;
+            const double distance = mixture.distance(pose, stepGradient);
+            gradient = parameters.gradient(x, stepGradient);
+            return search.note(pose, distance);
+        };
+        isConverged = minimise(cost, Vector6d::Zero(), lbfgs, [&] { return search.isStopped(); }).isConverged;
+        mixtureOptions.scalePx *= ratio;
+    }
+    MethodSolution solution = search.solution(isConverged ? StopReason::Converged : StopReason::IterationLimit);
+    solution.time.solveMs = stopwatch.lapMs();
+    return solution;
+}
+
+}   // namespace core

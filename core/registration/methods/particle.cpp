@@ -1,0 +1,224 @@
+#include "core/registration/methods/particle.h"
+
+#include "core/registration/grid_index.h"
+#include "core/registration/kernel_pnp.h"
+#include "core/registration/pose_parameters.h"
+#include "core/registration/pose_trials.h"
+#include "core/registration/sparse_kernel.h"
+#include "core/support/random.h"
+#include "core/support/stopwatch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <numbers>
+
+namespace core {
+namespace {
+
+constexpr std::size_t sparsePoints = 150;
+constexpr double likelihoodScalePx = 6.0;
+constexpr double likelihoodSharpness = 60.0;
+constexpr double spreadDecay = 0.75;
+constexpr int stepsPerSurvivor = 2;
+constexpr int cellsToEachSide = 3;
+constexpr double cellDeg = 5.0;
+constexpr int stepsPerCell = 12;
+constexpr std::size_t finalists = 3;
+constexpr int finalIterations = 30;
+
+struct Scored {
+    CentroidPose pose;
+    double agreement = 0.0;
+};
+
+void sortBestFirst(std::vector<Scored>& poses)
+{
+    std::stable_sort(poses.begin(), poses.end(),
+                     [](const Scored& a, const Scored& b) { return a.agreement > b.agreement; });
+}
+
+class ParticleSearch {
+public:
+    ParticleSearch(const RegistrationProblem& problem, const RegistrationOptions& options, ProgressLog& progress)
+        : problem_(problem), options_(options), kernel_(problem, sparsePoints), search_(problem, budget(), progress)
+    {
+    }
+
+    std::vector<Scored> filterParticles();
+    std::vector<Scored> walkOutOfPlane();
+    void refine(const std::vector<Scored>& best);
+    MethodSolution solution() const { return search_.solution(StopReason::Converged); }
+
+private:
+    int budget() const
+    {
+        constexpr int across = 2 * cellsToEachSide + 1;
+        return options_.particleSearch != 0.0 ? across * across : options_.particles * options_.particleRounds;
+    }
+    Scored scored(const CentroidPose& pose)
+    {
+        const double agreement = kernel_.agreement(pose, likelihoodScalePx);
+        search_.note(pose, -agreement);
+        return {pose, agreement};
+    }
+    std::vector<Scored> survivors(const std::vector<Scored>& particles, CounterRandom& random) const;
+    CentroidPose solvedInPlane(CentroidPose pose);
+
+    const RegistrationProblem& problem_;
+    const RegistrationOptions& options_;
+    SparseKernel kernel_;
+    PoseTrials search_;
+};
+
+/// Particles scatter, climb a little, and are drawn anew by likelihood, ever closer together.
+std::vector<Scored> ParticleSearch::filterParticles()
+{
+    CounterRandom random(static_cast<std::uint64_t>(options_.randomSeed));
+    const Vector6d spread = clinicalUnits(1.5, 2.0, 4.0, 8.0);
+    std::vector<Scored> particles(static_cast<std::size_t>(options_.particles), scored(search_.start()));
+    double width = 1.0;
+    for (int round = 0; round < options_.particleRounds && !search_.isStopped(); ++round, width *= spreadDecay) {
+        for (Scored& particle : particles) {
+            Vector6d step;
+            for (double& value : step) {
+                value = width * random.normal();
+            }
+            CentroidPose pose = moved(particle.pose, step.cwiseProduct(spread));
+            for (int k = 0; k < stepsPerSurvivor; ++k) {
+                pose = kernel_.stepped(pose, likelihoodScalePx, false);
+            }
+            particle = scored(pose);
+            if (search_.isStopped()) {
+                return {};
+            }
+        }
+        particles = survivors(particles, random);
+    }
+    sortBestFirst(particles);
+    return particles;
+}
+
+/// Systematic resampling: one draw, evenly spaced from there.
+std::vector<Scored> ParticleSearch::survivors(const std::vector<Scored>& particles, CounterRandom& random) const
+{
+    double best = 0.0;
+    for (const Scored& particle : particles) {
+        best = std::max(best, particle.agreement);
+    }
+    std::vector<double> upTo;
+    double sum = 0.0;
+    for (const Scored& particle : particles) {
+        sum += std::exp(likelihoodSharpness * (particle.agreement - best));
+        upTo.push_back(sum);
+    }
+    std::vector<Scored> drawn;
+    const double first = random.uniform();
+    const auto count = static_cast<double>(particles.size());
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        while (k + 1 < particles.size() && upTo[k] < (static_cast<double>(i) + first) / count * sum) {
+            ++k;
+        }
+        drawn.push_back(particles[k]);
+    }
+    return drawn;
+}
+
+CentroidPose ParticleSearch::solvedInPlane(CentroidPose pose)
+{
+    const double ratio = std::pow(likelihoodScalePx / 40.0, 1.0 / (stepsPerCell - 1));
+    double scalePx = 40.0;
+    for (int k = 0; k < stepsPerCell; ++k, scalePx *= ratio) {
+        pose = kernel_.stepped(pose, scalePx, true);
+    }
+    return pose;
+}
+
+/// Local optima lie mostly along the out-of-plane turns: cells over these, from the start outwards, each solved for the
+/// rest; only cells that beat all before let the walk go on to their neighbours.
+std::vector<Scored> ParticleSearch::walkOutOfPlane()
+{
+    constexpr int across = 2 * cellsToEachSide + 1;
+    constexpr double perDeg = std::numbers::pi / 180.0;
+    struct Cell {
+        int x;
+        int y;
+        CentroidPose from;
+    };
+    std::array<bool, across * across> isSeen{};
+    std::deque<Cell> waiting{{cellsToEachSide, cellsToEachSide, search_.start()}};
+    isSeen[static_cast<std::size_t>(cellsToEachSide * across + cellsToEachSide)] = true;
+    std::vector<Scored> solved;
+    double best = -1.0;
+    while (!waiting.empty() && !search_.isStopped()) {
+        const Cell cell = waiting.front();
+        waiting.pop_front();
+        solved.push_back(scored(solvedInPlane(cell.from)));
+        if (solved.back().agreement <= best) {
+            continue;
+        }
+        best = solved.back().agreement;
+        for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, 1}, {-1, 1}, {1, -1}}) {
+            const int x = cell.x + dx;
+            const int y = cell.y + dy;
+            const bool isInside = x >= 0 && y >= 0 && x < across && y < across;
+            const auto number = static_cast<std::size_t>(isInside ? y * across + x : 0);
+            if (isInside && !isSeen[number]) {
+                isSeen[number] = true;
+                Vector6d turn = Vector6d::Zero();
+                turn.head<2>() = cellDeg * perDeg * Eigen::Vector2d(dx, dy);
+                waiting.push_back({x, y, moved(solved.back().pose, turn)});
+            }
+        }
+    }
+    sortBestFirst(solved);
+    return solved;
+}
+
+/// The best few by all points, each to its end; the one that fits best stays.
+void ParticleSearch::refine(const std::vector<Scored>& best)
+{
+    std::vector<Eigen::Vector3d> points;
+    for (const Eigen::Vector3d& point : problem_.tree.points) {
+        points.emplace_back(point - problem_.tree.centroid);
+    }
+    const GridIndex target(problem_.target.points);
+    const KernelProblem full{points, problem_.camera, &target, {}};
+    KernelDistances distances;
+    const auto costOf = [&](const CentroidPose& pose) {
+        measure(full, {pose.rotation, pose.centroidInCamera}, distances);
+        return kernelLoss(distances, options_.finalScalePx);
+    };
+    search_.changeCost("refine", options_.finalScalePx, costOf(search_.best()));
+    KernelSchedule schedule;
+    schedule.maxIterations = finalIterations;
+    schedule.finalScalePx = options_.finalScalePx;
+    for (std::size_t i = 0; i < std::min(finalists, best.size()) && !search_.isStopped(); ++i) {
+        const RigidTransform start{best[i].pose.rotation, best[i].pose.centroidInCamera};
+        KernelPnp(full, {}, schedule).solve(start, [&](const KernelIteration& step) {
+            const CentroidPose pose{step.pose.rotation, step.pose.translation};
+            search_.note(pose, kernelLoss(*step.distances, options_.finalScalePx));
+            return search_.isStopped() ? Verdict::Stop : Verdict::Continue;
+        });
+    }
+}
+
+}   // namespace
+
+MethodSolution solveParticle(const RegistrationProblem& problem, const RegistrationOptions& options,
+                             ProgressLog& progress)
+{
+    Stopwatch stopwatch;
+    ParticleSearch search(problem, options, progress);
+    const double targetMs = stopwatch.lapMs();
+    search.refine(options.particleSearch != 0.0 ? search.walkOutOfPlane() : search.filterParticles());
+    MethodSolution solution = search.solution();
+    solution.time.targetMs = targetMs;
+    solution.time.solveMs = stopwatch.lapMs();
+    return solution;
+}
+
+}   // namespace core

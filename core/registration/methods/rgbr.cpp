@@ -1,0 +1,200 @@
+#include "core/registration/methods/rgbr.h"
+
+#include "core/registration/pose_trials.h"
+#include "core/registration/vessel_picture.h"
+#include "core/registration/wall_sites.h"
+#include "core/support/random.h"
+#include "core/support/stopwatch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+namespace {
+
+constexpr double blurPx = 1.0;
+constexpr double stepMm = 0.25;
+constexpr double reachDecay = 0.7;
+constexpr double shortestReachMm = 1.0;
+constexpr double settledMm = 0.01;
+constexpr std::size_t mostSites = 5000;
+constexpr std::size_t scoringSites = 600;
+constexpr double depthStdMm = 30.0;   // one view leaves the depth to this
+constexpr double lateralStdMm = 30.0;
+constexpr double rotationStd = 0.15;   // rad
+constexpr double pairStdMm = 1.0;
+constexpr int fitSteps = 3;
+
+/// A wall site and the edge found for it, both as seen in the image.
+struct Correspondence {
+    Eigen::Vector3d place;   ///< of the site, mm from the centroid, patient axes
+    Eigen::Vector2d pixel;   ///< of the edge
+};
+
+class Rgbr {
+public:
+    Rgbr(const RegistrationProblem& problem, const RegistrationOptions& options, ProgressLog& progress)
+        : options_(options),
+          spreadMm_(problem.tree.spreadMm),
+          gradients_(vesselPicture(problem), problem.camera, blurPx),
+          sites_(wallSites(problem.tree, mostSites)),
+          fewSites_(wallSites(problem.tree, scoringSites)),
+          random_(static_cast<std::uint64_t>(options.randomSeed)),
+          search_(problem, options.rgbrRounds * (1 + options.rgbrHypotheses), progress)
+    {
+    }
+
+    MethodSolution run();
+
+private:
+    std::vector<Correspondence> findEdges(const CentroidPose& pose, double reachMm) const;
+    CentroidPose chooseByRansac(const std::vector<Correspondence>& pairs, const CentroidPose& from, double reachMm);
+    CentroidPose fit(std::span<const Correspondence> pairs, const CentroidPose& from) const;
+    double distanceMm(const Correspondence& pair, const CentroidPose& pose) const;
+
+    const RegistrationOptions& options_;
+    double spreadMm_;
+    BackprojectedGradients gradients_;
+    std::vector<WallSite> sites_;
+    std::vector<WallSite> fewSites_;
+    CounterRandom random_;
+    PoseTrials search_;
+};
+
+MethodSolution Rgbr::run()
+{
+    StopReason reason = StopReason::IterationLimit;
+    CentroidPose pose = search_.start();
+    search_.changeCost("walls", 0.0, -gradients_.score(sites_, pose));
+    double reachMm = options_.rgbrReachMm;
+    for (int round = 0; round < options_.rgbrRounds && !search_.isStopped(); ++round) {
+        const std::vector<Correspondence> pairs = findEdges(pose, reachMm);
+        if (pairs.size() < 6) {
+            reason = StopReason::NoImprovement;
+            break;
+        }
+        const CentroidPose next = chooseByRansac(pairs, pose, reachMm);
+        if (search_.isStopped()) {
+            break;
+        }
+        const Vector6d motion = stepBetween(pose, next);
+        pose = next;
+        search_.note(pose, -gradients_.score(sites_, pose));
+        const bool isShort = reachMm <= shortestReachMm;
+        if (isShort && motion.tail<3>().norm() + spreadMm_ * motion.head<3>().norm() < settledMm) {
+            reason = StopReason::Converged;
+            break;
+        }
+        reachMm = std::max(shortestReachMm, reachDecay * reachMm);
+    }
+    return search_.solution(reason);
+}
+
+/// The best agreement along each site's normal, within reach.
+std::vector<Correspondence> Rgbr::findEdges(const CentroidPose& pose, double reachMm) const
+{
+    std::vector<Correspondence> pairs;
+    const int steps = static_cast<int>(reachMm / stepMm);
+    for (const WallSite& site : sites_) {
+        const Eigen::Vector3d place = pose.rotation * site.place + pose.centroidInCamera;
+        const Eigen::Vector3d normal = pose.rotation * site.normal;
+        double best = 0.0;
+        int bestStep = 0;
+        for (int k = 0; k <= 2 * steps; ++k) {
+            const int step = k % 2 == 0 ? -k / 2 : (k + 1) / 2;   // nearest first: of equals it stays
+            const double agreement = gradients_.agreement(place + stepMm * step * normal, normal);
+            if (agreement > best) {
+                best = agreement;
+                bestStep = step;
+            }
+        }
+        if (best > 0.0) {
+            pairs.push_back({site.place, *project(gradients_.camera(), place + stepMm * bestStep * normal)});
+        }
+    }
+    return pairs;
+}
+
+/// Poses of three pairs each compete by the gradients of all walls, not by the pairs; the winner's inliers refine it.
+CentroidPose Rgbr::chooseByRansac(const std::vector<Correspondence>& pairs, const CentroidPose& from, double reachMm)
+{
+    const auto inliersOf = [&](const CentroidPose& pose) {
+        std::vector<Correspondence> inliers;
+        std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(inliers),
+                     [&](const Correspondence& pair) { return distanceMm(pair, pose) < 0.5 * reachMm; });
+        return inliers;
+    };
+    CentroidPose best = from;
+    double bestScore = gradients_.score(fewSites_, from);
+    for (int h = 0; h < options_.rgbrHypotheses && !search_.isStopped(); ++h) {
+        search_.tick();
+        std::array<Correspondence, 3> three;
+        for (Correspondence& pair : three) {
+            pair = pairs[static_cast<std::size_t>(random_.index(static_cast<int>(pairs.size())))];
+        }
+        const double area = (three[1].place - three[0].place).cross(three[2].place - three[0].place).norm();
+        if (area < 0.25 * spreadMm_ * spreadMm_) {
+            continue;   // too close together, or in a line
+        }
+        const CentroidPose pose = fit(three, from);
+        const double score = gradients_.score(fewSites_, pose);
+        if (score > bestScore) {
+            best = pose;
+            bestScore = score;
+        }
+    }
+    const std::vector<Correspondence> inliers = inliersOf(best);
+    const CentroidPose refined = inliers.size() < 6 ? best : fit(inliers, best);
+    return gradients_.score(fewSites_, refined) >= bestScore ? refined : best;
+}
+
+/// Least distances to the edges' rays, held to where it comes from as far as one view leaves the pose open.
+CentroidPose Rgbr::fit(std::span<const Correspondence> pairs, const CentroidPose& from) const
+{
+    StartPrior prior{from, {}};
+    prior.std << rotationStd, rotationStd, rotationStd, lateralStdMm, lateralStdMm, depthStdMm;
+    CentroidPose pose = from;
+    for (int step = 0; step < fitSteps; ++step) {
+        NormalEquations equations;
+        for (const Correspondence& pair : pairs) {
+            const Eigen::Vector3d arm = pose.rotation * pair.place;
+            const auto pixel = project(gradients_.camera(), arm + pose.centroidInCamera);
+            if (!pixel) {
+                continue;
+            }
+            const double mmPerPx = millimetresPerPixel(gradients_.camera(), pose.centroidInCamera.z());
+            const auto jacobian = projectionJacobian(gradients_.camera(), arm + pose.centroidInCamera);
+            Eigen::Matrix<double, 2, 6> rows;
+            rows << -jacobian * skew(arm), jacobian;
+            rows *= mmPerPx;
+            equations.hessian += rows.transpose() * rows;
+            equations.gradient += rows.transpose() * (mmPerPx * (*pixel - pair.pixel));
+        }
+        prior.add(pose, pairStdMm * pairStdMm, equations);
+        pose = moved(pose, dampedStep(equations, 0.0));
+    }
+    return pose;
+}
+
+double Rgbr::distanceMm(const Correspondence& pair, const CentroidPose& pose) const
+{
+    const Eigen::Vector3d place = pose.rotation * pair.place + pose.centroidInCamera;
+    const auto pixel = project(gradients_.camera(), place);
+    return pixel ? (*pixel - pair.pixel).norm() * millimetresPerPixel(gradients_.camera(), place.z())
+                 : std::numeric_limits<double>::infinity();
+}
+
+}   // namespace
+
+MethodSolution solveRgbr(const RegistrationProblem& problem, const RegistrationOptions& options, ProgressLog& progress)
+{
+    Stopwatch stopwatch;
+    Rgbr rgbr(problem, options, progress);
+    const double targetMs = stopwatch.lapMs();
+    MethodSolution solution = rgbr.run();
+    solution.time.targetMs = targetMs;
+    solution.time.solveMs = stopwatch.lapMs();
+    return solution;
+}
+
+}   // namespace core
