@@ -6,6 +6,7 @@
 #include "core/tracing/tree/prune_spurs.h"
 #include "core/tracing/tree/vessel_curve.h"
 #include "core/tracing/tree/vessel_graph.h"
+#include "core/tracing/volume/beyond_rim.h"
 #include "core/tracing/volume/distance_map.h"
 #include "core/tracing/volume/thin_volume.h"
 
@@ -24,12 +25,31 @@ std::optional<Eigen::Vector3d> onGrid(const std::optional<Eigen::Vector3d>& inPa
     return grid.spacingMm.cwiseProduct(voxel);
 }
 
+/// Skeleton of the lumen without what lies beyond the rim.
+std::vector<std::size_t> skeletonOf(const VoxelMask& lumen, TracingProgress& progress)
+{
+    WiderMask wider = continuedBeyondRim(lumen);
+    const Eigen::Vector3i size = wider.mask.geometry.size;
+    std::vector<std::size_t> within;
+    for (const std::size_t voxel : thinnedInPlace(std::move(wider.mask), progress)) {
+        const auto at = static_cast<std::ptrdiff_t>(voxel);
+        const std::ptrdiff_t row = at / size.x();
+        const Eigen::Vector3i place = Eigen::Vector3i(static_cast<int>(at % size.x()), static_cast<int>(row % size.y()),
+                                                      static_cast<int>(row / size.y())) -
+                                      wider.offset;
+        if (lumen.geometry.contains(place)) {
+            within.push_back(lumen.geometry.index(place.x(), place.y(), place.z()));
+        }
+    }
+    return within;
+}
+
 VesselGraph prunedGraph(const VoxelMask& lumen, const VesselTracingOptions& options, TracingProgress& progress,
                         int& openedLoops)
 {
     progress.enter("thinning", 0.7, 0.8);
     const DistanceMap distances = distanceMap(lumen, threadCount(options.threads), progress);
-    const std::vector<std::size_t> skeleton = thinned(lumen, progress);
+    const std::vector<std::size_t> skeleton = skeletonOf(lumen, progress);
     if (progress.isStopped()) {
         return {};
     }

@@ -21,8 +21,57 @@ std::string coordinates(const Eigen::Vector3d& point)
     return text;
 }
 
-/// The voxel of the mask that is nearest to the seed, if there is one within reach.
-std::optional<std::uint32_t> voxelAt(const VoxelMask& mask, const Eigen::Vector3d& seedInPatient)
+Result<std::set<std::size_t>> piecesWithSeeds(const VoxelMask& mask, const std::vector<VoxelPiece>& pieces,
+                                              const std::vector<Eigen::Vector3d>& seedsInPatient)
+{
+    std::set<std::size_t> chosen;
+    for (const Eigen::Vector3d& seed : seedsInPatient) {
+        const std::optional<std::uint32_t> voxel = voxelNear(mask, seed);
+        if (!voxel) {
+            return Error{"The seed " + coordinates(seed) +
+                         " mm (LPS) lies in no vessel. Place it inside one, or lower the threshold."};
+        }
+        for (std::size_t p = 0; p < pieces.size(); ++p) {
+            if (std::binary_search(pieces[p].begin(), pieces[p].end(), *voxel)) {
+                chosen.insert(p);
+            }
+        }
+    }
+    return chosen;
+}
+
+std::size_t largestPiece(const VoxelMask& mask, const std::vector<VoxelPiece>& pieces)
+{
+    std::size_t best = 0;
+    std::ptrdiff_t mostCore = -1;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        const auto inCore = std::count_if(pieces[p].begin(), pieces[p].end(),
+                                          [&](std::uint32_t voxel) { return mask.voxels[voxel] > 1; });
+        if (inCore > mostCore) {
+            mostCore = inCore;
+            best = p;
+        }
+    }
+    return best;
+}
+
+/// Sets the chosen pieces to 1, all else to 0; how many voxels were kept.
+std::size_t keepOnly(VoxelMask& mask, const std::vector<VoxelPiece>& pieces, const std::set<std::size_t>& chosen)
+{
+    std::fill(mask.voxels.begin(), mask.voxels.end(), std::uint8_t{0});
+    std::size_t kept = 0;
+    for (const std::size_t p : chosen) {
+        kept += pieces[p].size();
+        for (const std::uint32_t voxel : pieces[p]) {
+            mask.voxels[voxel] = 1;
+        }
+    }
+    return kept;
+}
+
+}   // namespace
+
+std::optional<std::uint32_t> voxelNear(const VoxelMask& mask, const Eigen::Vector3d& seedInPatient)
 {
     const VolumeGeometry& grid = mask.geometry;
     const Eigen::Vector3d seed = grid.patientFromVoxel().inverse() * seedInPatient;
@@ -45,34 +94,13 @@ std::optional<std::uint32_t> voxelAt(const VoxelMask& mask, const Eigen::Vector3
     return nearest;
 }
 
-Result<std::set<std::size_t>> piecesWithSeeds(const VoxelMask& mask, const std::vector<VoxelPiece>& pieces,
-                                              const std::vector<Eigen::Vector3d>& seedsInPatient)
-{
-    std::set<std::size_t> chosen;
-    for (const Eigen::Vector3d& seed : seedsInPatient) {
-        const std::optional<std::uint32_t> voxel = voxelAt(mask, seed);
-        if (!voxel) {
-            return Error{"The seed " + coordinates(seed) +
-                         " mm (LPS) lies in no vessel. Place it inside one, or lower the threshold."};
-        }
-        for (std::size_t p = 0; p < pieces.size(); ++p) {
-            if (std::binary_search(pieces[p].begin(), pieces[p].end(), *voxel)) {
-                chosen.insert(p);
-            }
-        }
-    }
-    return chosen;
-}
-
-}   // namespace
-
 Result<std::string> keepChosenPieces(VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient)
 {
     const std::vector<VoxelPiece> pieces = piecesOf(mask);
     if (pieces.empty()) {
         return Error{"There is no vessel in the volume: nothing is set. Lower the threshold, or load another file."};
     }
-    std::set<std::size_t> chosen{0};
+    std::set<std::size_t> chosen{largestPiece(mask, pieces)};
     if (!seedsInPatient.empty()) {
         auto found = piecesWithSeeds(mask, pieces, seedsInPatient);
         if (!found) {
@@ -80,14 +108,7 @@ Result<std::string> keepChosenPieces(VoxelMask& mask, const std::vector<Eigen::V
         }
         chosen = std::move(found).value();
     }
-    std::fill(mask.voxels.begin(), mask.voxels.end(), std::uint8_t{0});
-    std::size_t kept = 0;
-    for (const std::size_t p : chosen) {
-        kept += pieces[p].size();
-        for (const std::uint32_t voxel : pieces[p]) {
-            mask.voxels[voxel] = 1;
-        }
-    }
+    const std::size_t kept = keepOnly(mask, pieces, chosen);
     std::size_t leftOut = 0;
     for (std::size_t p = 0; p < pieces.size(); ++p) {
         const bool isWorthIt = static_cast<double>(pieces[p].size()) > worthMentioning * static_cast<double>(kept);

@@ -4,14 +4,20 @@
 #include "core/support/result.h"
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace core {
 
+/// The set voxel that is nearest to a place in the patient (LPS mm), if there is one within 3 mm.
+std::optional<std::uint32_t> voxelNear(const VoxelMask& mask, const Eigen::Vector3d& seedInPatient);
+
 /// Leaves of a mask what is asked for: the pieces that hold the seeds (LPS mm, within 3 mm), or without seeds the
-/// largest. Returns a warning about what was left out, empty when nothing worth it was; fails, naming it, for a seed
-/// that lies in no piece, and for an empty mask.
+/// largest: that with the most voxels above 1 (cores of vessels), of equal ones that with the most voxels. Returns a
+/// warning about what was left out, empty when nothing worth it was; fails, naming it, for a seed that lies in no
+/// piece, and for an empty mask.
 Result<std::string> keepChosenPieces(VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient);
 
 }   // namespace core

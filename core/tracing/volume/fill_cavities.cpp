@@ -8,6 +8,8 @@ namespace {
 constexpr std::uint8_t enclosed = 0;   ///< until found otherwise
 constexpr std::uint8_t inside = 1;
 constexpr std::uint8_t outside = 2;
+constexpr std::uint8_t filled = 2;
+constexpr int mostOfTheNeighbours = 17;   ///< of 26; beside a flat wall 9 are set, in a blunt corner 15
 
 /// One pass over the rows, `step` = 1 upwards or -1 downwards: what lies beside, behind or below something outside is
 /// outside.
@@ -53,7 +55,41 @@ void fillCavities(VoxelMask& mask)
         changed = sweep(mask, -1) || changed;
     }
     for (std::uint8_t& voxel : mask.voxels) {
-        voxel = voxel == outside ? 0 : 1;
+        voxel = voxel == outside ? std::uint8_t{0} : voxel == inside ? inside : filled;
+    }
+}
+
+void fillHoles(VoxelMask& mask, int rounds)
+{
+    const Eigen::Vector3i& size = mask.geometry.size;
+    const auto strideY = static_cast<std::ptrdiff_t>(size.x());
+    const auto strideZ = strideY * size.y();
+    for (int round = 0; round < rounds; ++round) {
+        std::vector<std::size_t> found;
+        for (int k = 1; k + 1 < size.z(); ++k) {
+            for (int j = 1; j + 1 < size.y(); ++j) {
+                for (int i = 1; i + 1 < size.x(); ++i) {
+                    const std::uint8_t* voxel = &mask.at(i, j, k);
+                    if (*voxel != 0 || (voxel[-1] == 0 && voxel[1] == 0)) {
+                        continue;
+                    }
+                    int set = 0;
+                    for (std::ptrdiff_t z = -strideZ; z <= strideZ; z += strideZ) {
+                        for (std::ptrdiff_t y = -strideY; y <= strideY; y += strideY) {
+                            for (std::ptrdiff_t x = -1; x <= 1; ++x) {
+                                set += voxel[z + y + x] != 0 ? 1 : 0;
+                            }
+                        }
+                    }
+                    if (set >= mostOfTheNeighbours) {
+                        found.push_back(mask.geometry.index(i, j, k));
+                    }
+                }
+            }
+        }
+        for (const std::size_t voxel : found) {
+            mask.voxels[voxel] = filled;
+        }
     }
 }
 

@@ -97,24 +97,16 @@ bool isDeletable(unsigned neighbourhood)
     return !isEndOfLine(neighbourhood) && isSimple(neighbourhood);
 }
 
-/// The mask with a clear rim, so that every voxel has all its neighbours, and its border voxels in ascending order.
+/// Works on a mask with a clear rim, so that every voxel has all its neighbours; knows its border voxels in ascending
+/// order.
 class Peeler {
 public:
-    explicit Peeler(const VoxelMask& mask)
-        : size_(mask.geometry.size),
-          strideY_(size_.x() + 2),
-          strideZ_(strideY_ * (size_.y() + 2)),
-          state_(static_cast<std::size_t>(strideZ_) * static_cast<std::size_t>(size_.z() + 2), clear),
+    explicit Peeler(VoxelMask rimmed)
+        : strideY_(rimmed.geometry.size.x()),
+          strideZ_(strideY_ * rimmed.geometry.size.y()),
+          state_(std::move(rimmed.voxels)),
           sides_{-strideY_, strideY_, 1, -1, strideZ_, -strideZ_}
     {
-        for (int k = 0; k < size_.z(); ++k) {
-            for (int j = 0; j < size_.y(); ++j) {
-                const std::uint8_t* row = &mask.voxels[mask.geometry.index(0, j, k)];
-                std::uint8_t* rimmed = &state_[rimmedIndex(0, j, k)];
-                std::transform(row, row + size_.x(), rimmed,
-                               [](std::uint8_t voxel) { return voxel != 0 ? inside : clear; });
-            }
-        }
         findBorder();
     }
 
@@ -134,29 +126,12 @@ public:
         }
     }
 
-    std::vector<std::size_t> remaining(const VolumeGeometry& geometry) const
-    {
-        std::vector<std::size_t> voxels;
-        for (const std::size_t p : border_) {
-            if (state_[p] != clear) {
-                const auto at = static_cast<std::ptrdiff_t>(p);
-                voxels.push_back(geometry.index(static_cast<int>(at % strideY_) - 1,
-                                                static_cast<int>(at % strideZ_ / strideY_) - 1,
-                                                static_cast<int>(at / strideZ_) - 1));
-            }
-        }
-        return voxels;
-    }
+    const std::vector<std::size_t>& remaining() const { return border_; }
 
 private:
     static constexpr int longestBite = 6;
 
     enum : std::uint8_t { clear = 0, inside = 1, atBorder = 2 };
-
-    std::size_t rimmedIndex(int i, int j, int k) const
-    {
-        return static_cast<std::size_t>((k + 1) * strideZ_ + (j + 1) * strideY_ + i + 1);
-    }
 
     std::uint8_t stateBeside(std::size_t p, std::ptrdiff_t step) const
     {
@@ -165,6 +140,9 @@ private:
 
     void findBorder()
     {
+        for (std::size_t p = 0; p < state_.size(); ++p) {
+            state_[p] = state_[p] != clear ? inside : clear;
+        }
         for (std::size_t p = 0; p < state_.size(); ++p) {
             if (state_[p] != clear && std::any_of(sides_.begin(), sides_.end(),
                                                   [&](std::ptrdiff_t side) { return stateBeside(p, side) == clear; })) {
@@ -258,7 +236,6 @@ private:
         std::inplace_merge(border_.begin(), border_.begin() + middle, border_.end());
     }
 
-    Eigen::Vector3i size_;
     std::ptrdiff_t strideY_;
     std::ptrdiff_t strideZ_;
     std::vector<std::uint8_t> state_;
@@ -269,11 +246,33 @@ private:
 
 }   // namespace
 
+std::vector<std::size_t> thinnedInPlace(VoxelMask rimmed, TracingProgress& progress)
+{
+    Peeler peeler(std::move(rimmed));
+    peeler.run(progress);
+    return peeler.remaining();
+}
+
 std::vector<std::size_t> thinned(const VoxelMask& mask, TracingProgress& progress)
 {
-    Peeler peeler(mask);
-    peeler.run(progress);
-    return peeler.remaining(mask.geometry);
+    const Eigen::Vector3i& size = mask.geometry.size;
+    VolumeGeometry rimmedGrid;
+    rimmedGrid.size = size.array() + 2;
+    VoxelMask rimmed(rimmedGrid);
+    for (int k = 0; k < size.z(); ++k) {
+        for (int j = 0; j < size.y() && size.x() > 0; ++j) {
+            std::copy_n(&mask.at(0, j, k), size.x(), &rimmed.at(1, j + 1, k + 1));
+        }
+    }
+    std::vector<std::size_t> skeleton = thinnedInPlace(std::move(rimmed), progress);
+    for (std::size_t& voxel : skeleton) {
+        const auto at = static_cast<std::ptrdiff_t>(voxel);
+        const std::ptrdiff_t row = at / rimmedGrid.size.x();
+        voxel = mask.geometry.index(static_cast<int>(at % rimmedGrid.size.x()) - 1,
+                                    static_cast<int>(row % rimmedGrid.size.y()) - 1,
+                                    static_cast<int>(row / rimmedGrid.size.y()) - 1);
+    }
+    return skeleton;
 }
 
 }   // namespace core

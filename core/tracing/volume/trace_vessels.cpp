@@ -1,9 +1,13 @@
 #include "core/tracing/volume/trace_vessels.h"
 
+#include "core/support/parallel_for.h"
 #include "core/tracing/tree/lumen_tree.h"
 #include "core/tracing/volume/axis_order.h"
+#include "core/tracing/volume/blood_level.h"
 #include "core/tracing/volume/chosen_pieces.h"
 #include "core/tracing/volume/fill_cavities.h"
+#include "core/tracing/volume/segment_lumen.h"
+#include "core/tracing/volume/split_by_seeds.h"
 #include "core/tracing/volume/tracing_progress.h"
 #include "core/tracing/volume/voxel_pieces.h"
 
@@ -13,6 +17,8 @@
 
 namespace core {
 namespace {
+
+constexpr int holeRounds = 4;
 
 Error stopped()
 {
@@ -59,7 +65,7 @@ VoxelMask asStored(const VoxelMask& part, const VoxelBox& box, const VolumeGeome
     for (int k = 0; k < part.geometry.size.z(); ++k) {
         for (int j = 0; j < part.geometry.size.y(); ++j) {
             for (int i = 0; i < part.geometry.size.x(); ++i, ++voxel) {
-                whole.voxels[order.stored(i, j, k)] = part.voxels[voxel];
+                whole.voxels[order.stored(i, j, k)] = part.voxels[voxel] != 0 ? 1 : 0;
             }
         }
     }
@@ -86,21 +92,38 @@ std::string loopWarning(int loops)
            " opened at the thinnest place: look there for vessels that only touch.";
 }
 
-/// From the lumen in patient axis order to the tree.
-Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, const VesselTracingOptions& options,
-                                 TracingProgress& progress)
+/// The lumen that is to be traced, cropped.
+struct ChosenLumen {
+    VoxelMask lumen;
+    VoxelBox box;   ///< where it lies in the whole, patient axis order
+    std::string warning;
+};
+
+Result<ChosenLumen> chosenLumen(VoxelMask whole, const VesselTracingOptions& options, TracingProgress& progress)
 {
-    TracedVessels traced;
-    traced.threshold = 0.5;
-    const auto leftOut = keepChosenPieces(whole, options.seedsInPatient);
+    if (!options.avoidInPatient.empty() && options.seedsInPatient.empty()) {
+        return Error{"There are places to avoid, but no seed. Place at least one seed in the vessels."};
+    }
+    auto leftOut = keepChosenPieces(whole, options.seedsInPatient);
     if (!leftOut) {
         return leftOut.error();
     }
-    const VoxelBox box = grown(boxOf(whole), 1, whole.geometry);
-    VoxelMask lumen = croppedMask(whole, box);
+    ChosenLumen chosen;
+    chosen.warning = std::move(leftOut).value();
+    chosen.box = grown(boxOf(whole), 1, whole.geometry);
+    chosen.lumen = croppedMask(whole, chosen.box);
     whole = {};
-    fillCavities(lumen);
-    LumenTree found = lumenTree(lumen, fillOf(lumen), options, progress);
+    if (!options.avoidInPatient.empty()) {
+        splitBySeeds(chosen.lumen, options.seedsInPatient, options.avoidInPatient, threadCount(options.threads),
+                     progress);
+    }
+    return chosen;
+}
+
+Result<TracedVessels> treeOf(const ChosenLumen& chosen, const BloodFill& fill, const VolumeGeometry& stored,
+                             const VesselTracingOptions& options, TracingProgress& progress)
+{
+    LumenTree found = lumenTree(chosen.lumen, fill, options, progress);
     if (progress.isStopped()) {
         return stopped();
     }
@@ -109,15 +132,30 @@ Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, 
             "Nothing in the volume is like a vessel: no branch is long enough. Lower the threshold or the "
             "shortest branch length."};
     }
+    TracedVessels traced;
     traced.tree = std::move(found.tree);
-    traced.lumen = asStored(lumen, box, stored);
-    if (!leftOut.value().empty()) {
-        traced.warnings.push_back(leftOut.value());
+    traced.lumen = asStored(chosen.lumen, chosen.box, stored);
+    traced.threshold = 0.5;
+    if (!chosen.warning.empty()) {
+        traced.warnings.push_back(chosen.warning);
     }
     if (found.openedLoops > 0) {
         traced.warnings.push_back(loopWarning(found.openedLoops));
     }
     return traced;
+}
+
+/// A mask in patient axis order, taken as it is.
+Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, const VesselTracingOptions& options,
+                                 TracingProgress& progress)
+{
+    auto chosen = chosenLumen(std::move(whole), options, progress);
+    if (!chosen) {
+        return chosen.error();
+    }
+    ChosenLumen lumen = std::move(chosen).value();
+    fillCavities(lumen.lumen);
+    return treeOf(lumen, fillOf(lumen.lumen), stored, options, progress);
 }
 
 }   // namespace
@@ -144,6 +182,41 @@ Result<TracedVessels> traceLabels(const LabelVolume& image, const std::vector<in
     const std::set<int> asked(labels.begin(), labels.end());
     const auto isAsked = [&](std::uint16_t label) { return asked.empty() ? label != 0 : asked.contains(label); };
     return traceLumen(maskOf(image, isAsked), image.geometry, options, progress);
+}
+
+Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOptions& options,
+                                   const TracingObserver& observe)
+{
+    if (const std::string problem = problemWith(volume.geometry, volume.voxels.size()); !problem.empty()) {
+        return Error{problem};
+    }
+    TracingProgress progress(observe);
+    progress.enter("blood", 0.0, 0.05);
+    const AxisOrder order = patientAxisOrder(volume.geometry);
+    const auto level = findBloodLevel(volume, order, options.threshold);
+    if (!level) {
+        return level.error();
+    }
+    progress.enter("vessels", 0.05, 0.7);
+    VoxelMask candidates = segmentLumen(volume, order, level.value(), threadCount(options.threads), progress);
+    if (progress.isStopped()) {
+        return stopped();
+    }
+    auto chosen = chosenLumen(std::move(candidates), options, progress);
+    if (!chosen) {
+        return chosen.error();
+    }
+    ChosenLumen lumen = std::move(chosen).value();
+    fillHoles(lumen.lumen, holeRounds);
+    fillCavities(lumen.lumen);
+    const AxisOrder part = cropped(order, lumen.box);
+    auto traced = treeOf(lumen, fillOf(volume, part, level.value(), lumen.lumen), volume.geometry, options, progress);
+    if (!traced) {
+        return traced.error();
+    }
+    TracedVessels vessels = std::move(traced).value();
+    vessels.threshold = level.value().threshold;
+    return vessels;
 }
 
 }   // namespace core

@@ -20,6 +20,8 @@ struct VesselTracingOptions {
         std::nullopt;   ///< lumen begins at this value (HU for CT); absent: found from the blood
     std::vector<Eigen::Vector3d> seedsInPatient =
         {};   ///< LPS mm; only vessels connected to one of them; none: the largest
+    std::vector<Eigen::Vector3d> avoidInPatient = {};   ///< LPS mm; what is reached from these on wider ways than from
+                                                        ///< the seeds is no vessel: heart, vein, bone
     std::optional<Eigen::Vector3d> rootInPatient =
         std::nullopt;   ///< LPS mm; the end nearest to it is the root; absent: the thickest
     double minBranchLengthMm = 6.0;   ///< branches that leave their parent's wall by less are removed

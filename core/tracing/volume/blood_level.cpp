@@ -1,0 +1,214 @@
+#include "core/tracing/volume/blood_level.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace core {
+namespace {
+
+constexpr std::size_t binCount = 300;
+constexpr int coarseStep = 3;   ///< voxels between two looked at, along each axis
+constexpr double airHu = -500.0;   ///< values below this: a CT in HU
+constexpr double leastContrastHu = 150.0;   ///< of blood to tissue in CT; less is an organ or the marrow of bone
+constexpr double leastBloodMl = 0.03;
+constexpr double shareOfGreatest = 0.01;   ///< of the mass of the heaviest peak, to be a peak at all
+constexpr double unchanged = 0.04;   ///< of the range of values: around a voxel "nothing changes"
+
+/// Smoothed histogram of the voxels around which nothing changes.
+struct Histogram {
+    double low = 0.0;
+    double binWidth = 1.0;
+    std::vector<double> ml = std::vector<double>(binCount, 0.0);
+
+    double valueOf(std::size_t bin) const { return low + binWidth * (static_cast<double>(bin) + 0.5); }
+};
+
+/// Reads values at places of the patient's axis order.
+class Reader {
+public:
+    Reader(const Volume& volume, const AxisOrder& order) : volume_(volume), order_(order) {}
+
+    double at(int i, int j, int k) const { return volume_.value(order_.stored(i, j, k)); }
+
+    /// Over a voxel and its six neighbours: less noise.
+    double mean(int i, int j, int k) const
+    {
+        return (at(i, j, k) + at(i - 1, j, k) + at(i + 1, j, k) + at(i, j - 1, k) + at(i, j + 1, k) + at(i, j, k - 1) +
+                at(i, j, k + 1)) /
+               7.0;
+    }
+
+    /// The greatest difference to the surroundings two voxels away.
+    double change(int i, int j, int k, double centre) const
+    {
+        double greatest = 0.0;
+        for (const int step : {-2, 2}) {
+            greatest = std::max({greatest, std::abs(mean(i + step, j, k) - centre),
+                                 std::abs(mean(i, j + step, k) - centre), std::abs(mean(i, j, k + step) - centre)});
+        }
+        return greatest;
+    }
+
+    template <class Visit>
+    void visit(int rim, int step, const Visit& visitor) const
+    {
+        const Eigen::Vector3i& size = order_.geometry.size;
+        for (int k = rim; k < size.z() - rim; k += step) {
+            for (int j = rim; j < size.y() - rim; j += step) {
+                for (int i = rim; i < size.x() - rim; i += step) {
+                    visitor(i, j, k);
+                }
+            }
+        }
+    }
+
+    double voxelMl() const { return order_.geometry.spacingMm.prod() / 1000.0; }
+
+private:
+    const Volume& volume_;
+    const AxisOrder& order_;
+};
+
+struct Range {
+    double low = 0.0;
+    double high = 0.0;   ///< all but a few per thousand lie below
+};
+
+Range rangeOf(const Reader& reader)
+{
+    std::vector<float> values;
+    reader.visit(0, coarseStep, [&](int i, int j, int k) { values.push_back(static_cast<float>(reader.at(i, j, k))); });
+    if (values.empty()) {
+        return {};
+    }
+    const auto top = values.begin() + static_cast<std::ptrdiff_t>(0.998 * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), top, values.end());
+    const double high = *top;
+    return {*std::min_element(values.begin(), values.end()), high};
+}
+
+/// Of the voxels above a value, with every `step`-th along each axis.
+Histogram histogramOf(const Reader& reader, const Range& range, double above, int step)
+{
+    Histogram histogram;
+    histogram.low = range.low;
+    histogram.binWidth = (1.5 * (range.high - range.low)) / binCount;   // blood may be rare: look beyond
+    reader.visit(3, step, [&](int i, int j, int k) {
+        if (reader.at(i, j, k) <= above) {
+            return;
+        }
+        const double centre = reader.mean(i, j, k);
+        const double bin = (centre - histogram.low) / histogram.binWidth;
+        if (bin >= 0.0 && bin < binCount && reader.change(i, j, k, centre) < unchanged * (range.high - range.low)) {
+            histogram.ml[static_cast<std::size_t>(bin)] += reader.voxelMl() * step * step * step;
+        }
+    });
+    for (int round = 0; round < 3; ++round) {   // nearly a Gaussian of 2.4 bins
+        std::vector<double> smooth(binCount, 0.0);
+        for (std::size_t b = 0; b < binCount; ++b) {
+            for (std::size_t n = b < 2 ? 0 : b - 2; n <= std::min(binCount - 1, b + 2); ++n) {
+                smooth[b] += histogram.ml[n] / 5.0;
+            }
+        }
+        histogram.ml = std::move(smooth);
+    }
+    return histogram;
+}
+
+struct Peak {
+    std::size_t bin = 0;
+    double ml = 0.0;   ///< between the valleys on both sides
+};
+
+std::vector<Peak> peaksOf(const Histogram& histogram, double above)
+{
+    std::vector<Peak> peaks;
+    for (std::size_t b = 3; b + 3 < binCount; ++b) {
+        const auto around = histogram.ml.begin() + static_cast<std::ptrdiff_t>(b);
+        const bool isPeak = *around > 0.0 && *around >= *std::max_element(around - 3, around + 4);
+        if (!isPeak || histogram.valueOf(b) < above || (!peaks.empty() && peaks.back().bin + 3 >= b)) {
+            continue;
+        }
+        Peak peak{b, histogram.ml[b]};
+        for (std::size_t n = b; n-- > 0 && histogram.ml[n] <= histogram.ml[n + 1];) {
+            peak.ml += histogram.ml[n];
+        }
+        for (std::size_t n = b + 1; n < binCount && histogram.ml[n] <= histogram.ml[n - 1]; ++n) {
+            peak.ml += histogram.ml[n];
+        }
+        peaks.push_back(peak);
+    }
+    return peaks;
+}
+
+/// In CT the highest peak of muscle and organs; in other values the highest of all.
+double tissueValue(const Histogram& histogram, bool isHu)
+{
+    std::size_t best = 0;
+    for (std::size_t b = 0; b < binCount; ++b) {
+        const bool isCandidate = !isHu || (histogram.valueOf(b) > 0.0 && histogram.valueOf(b) < 130.0);
+        if (isCandidate && (histogram.ml[b] > histogram.ml[best] || best == 0)) {
+            best = b;
+        }
+    }
+    return histogram.valueOf(best);
+}
+
+/// Median of what lies above the threshold.
+double typicalAbove(const Reader& reader, double threshold)
+{
+    std::vector<float> values;
+    reader.visit(0, coarseStep, [&](int i, int j, int k) {
+        if (const double value = reader.at(i, j, k); value > threshold) {
+            values.push_back(static_cast<float>(value));
+        }
+    });
+    if (values.empty()) {
+        return threshold;
+    }
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+}   // namespace
+
+Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, std::optional<double> threshold)
+{
+    const Reader reader(volume, order);
+    const Range range = rangeOf(reader);
+    if (!(range.high > range.low)) {
+        return Error{"The volume is of one value: there is nothing to trace. Choose another series or file."};
+    }
+    const bool isHu = range.low < airHu;
+    BloodLevel level;
+    level.tissue = tissueValue(histogramOf(reader, range, range.low - 1.0, coarseStep), isHu);
+    const double leastBlood =
+        threshold ? *threshold : level.tissue + (isHu ? leastContrastHu : 0.1 * (range.high - level.tissue));
+    // Blood may be rare, so that every voxel counts.
+    const Histogram histogram = histogramOf(reader, range, leastBlood, 1);
+    const std::vector<Peak> peaks = peaksOf(histogram, leastBlood);
+    double greatest = leastBloodMl;
+    for (const Peak& peak : peaks) {
+        greatest = std::max(greatest, peak.ml);
+    }
+    const auto found = std::find_if(peaks.rbegin(), peaks.rend(), [&](const Peak& peak) {
+        return peak.ml >= std::max(leastBloodMl, shareOfGreatest * greatest);
+    });
+    if (found == peaks.rend() && !threshold) {
+        return Error{
+            "No contrast-filled blood stands out in the volume. If it shows vessels, give the threshold at "
+            "which they begin."};
+    }
+    level.blood = found != peaks.rend() ? histogram.valueOf(found->bin) : typicalAbove(reader, *threshold);
+    level.threshold = threshold ? *threshold : 0.5 * (level.tissue + level.blood);
+    if (threshold) {
+        level.blood = std::max(level.blood, *threshold + 1e-6);
+        level.tissue = 2.0 * *threshold - level.blood;
+    }
+    return level;
+}
+
+}   // namespace core

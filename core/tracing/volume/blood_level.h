@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/imaging/volume.h"
+#include "core/support/result.h"
+#include "core/tracing/volume/axis_order.h"
+
+#include <optional>
+
+namespace core {
+
+/// What the values of a scan mean, in its own values (HU for CT).
+struct BloodLevel {
+    double tissue = 0.0;   ///< of what surrounds the vessels
+    double blood = 1.0;   ///< of contrast-filled lumen where it is wide
+    double threshold = 0.5;   ///< half way: there lies the wall, unmoved by blurring
+
+    double contrast() const { return blood - tissue; }
+};
+
+/// Finds the peaks of soft tissue and of contrast-filled blood in the histogram of the voxels around which nothing
+/// changes: inside organs and wide vessels, not at walls nor in bone. A given threshold is kept, and the tissue follows
+/// from it. Fails when no blood stands out.
+Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, std::optional<double> threshold);
+
+}   // namespace core

@@ -1,0 +1,187 @@
+#include "core/tracing/volume/segment_lumen.h"
+
+#include "core/support/parallel_for.h"
+#include "core/tracing/volume/mark_tubes.h"
+#include "core/tracing/volume/voxel_pieces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace core {
+namespace {
+
+constexpr TubeBits bits;
+constexpr std::uint8_t core = 4;   ///< evenly as bright as blood
+constexpr std::uint8_t tooBright = 8;
+
+constexpr double leastTubeFill = 0.3;   ///< share of blood in a voxel of a thin vessel
+constexpr double leastCoreFill = 0.55;
+constexpr double mostFill = 1.6;   ///< brighter: bone, metal, contrast before it has mixed
+constexpr double mostUneven = 0.18;   ///< standard deviation within a core
+constexpr double mostBrightMl = 0.1;   ///< of pieces brighter than blood: calcifications are smaller
+constexpr int coreReach = 2;   ///< voxels from a core to its wall
+
+class Segmenter {
+public:
+    Segmenter(const Volume& volume, const AxisOrder& order, const BloodLevel& level, int threads)
+        : volume_(volume),
+          order_(order),
+          level_(level),
+          size_(order.geometry.size),
+          threads_(threads),
+          flags_(order.geometry)
+    {
+    }
+
+    VoxelMask run(TracingProgress& progress)
+    {
+        markTooBright();
+        eachSlice(progress, [&](int k) { markCores(k); });
+        markTubes(volume_, order_, level_, leastTubeFill, flags_, bits, threads_, progress);
+        VoxelMask lumen(order_.geometry);
+        eachSlice(progress, [&](int k) { choose(lumen, k); });
+        return lumen;
+    }
+
+private:
+    template <class Work>
+    void eachSlice(TracingProgress& progress, const Work& work)
+    {
+        parallelFor(
+            static_cast<std::size_t>(size_.z()), threads_, [&](std::size_t k) { work(static_cast<int>(k)); },
+            [&](double) { return progress.advance(0.0); });
+    }
+
+    template <class Work>
+    void eachVoxel(VoxelMask& mask, int k, const Work& work)
+    {
+        for (int j = 0; j < size_.y(); ++j) {
+            for (int i = 0; i < size_.x(); ++i) {
+                work(i, j, mask.at(i, j, k));
+            }
+        }
+    }
+
+    double fillAt(int i, int j, int k) const
+    {
+        return (volume_.value(order_.stored(i, j, k)) - level_.tissue) / level_.contrast();
+    }
+
+    /// Large pieces that are brighter than blood: bone and metal.
+    void markTooBright()
+    {
+        for (int k = 0; k < size_.z(); ++k) {
+            eachVoxel(flags_, k, [&](int i, int j, std::uint8_t& flag) { flag = fillAt(i, j, k) > mostFill ? 1 : 0; });
+        }
+        const double voxelMl = order_.geometry.spacingMm.prod() / 1000.0;
+        const auto pieces = piecesOf(flags_, static_cast<std::size_t>(std::ceil(mostBrightMl / voxelMl)));
+        std::fill(flags_.voxels.begin(), flags_.voxels.end(), std::uint8_t{0});
+        for (const VoxelPiece& piece : pieces) {
+            for (const std::uint32_t voxel : piece) {
+                flags_.voxels[voxel] = tooBright;
+            }
+        }
+    }
+
+    void markCores(int k)
+    {
+        eachVoxel(flags_, k, [&](int i, int j, std::uint8_t& flag) {
+            if (flag == 0 && isEven(i, j, k)) {
+                flag = core;
+            }
+        });
+    }
+
+    /// As bright as blood here and two voxels away to all six sides; beyond the rim the scan goes on as it ends.
+    bool isEven(int i, int j, int k) const
+    {
+        constexpr std::array<std::array<int, 3>, 7> steps{
+            {{0, 0, 0}, {2, 0, 0}, {-2, 0, 0}, {0, 2, 0}, {0, -2, 0}, {0, 0, 2}, {0, 0, -2}}};
+        double sum = 0.0;
+        double squares = 0.0;
+        for (const auto& step : steps) {
+            const double fill =
+                fillAt(std::clamp(i + step[0], 0, size_.x() - 1), std::clamp(j + step[1], 0, size_.y() - 1),
+                       std::clamp(k + step[2], 0, size_.z() - 1));
+            if (fill < leastCoreFill || fill > mostFill) {
+                return false;
+            }
+            sum += fill;
+            squares += fill * fill;
+        }
+        const double mean = sum / steps.size();
+        return squares / steps.size() - mean * mean < mostUneven * mostUneven;
+    }
+
+    bool isNear(int i, int j, int k, int reach, std::uint8_t what) const
+    {
+        for (int z = std::max(0, k - reach); z <= std::min(size_.z() - 1, k + reach); ++z) {
+            for (int y = std::max(0, j - reach); y <= std::min(size_.y() - 1, j + reach); ++y) {
+                for (int x = std::max(0, i - reach); x <= std::min(size_.x() - 1, i + reach); ++x) {
+                    if ((flags_.at(x, y, z) & what) != 0) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    /// Cores, what is bright around them, and tubes with what is bright beside them; but no rim of bone or metal, which
+    /// blurring makes look like blood.
+    void choose(VoxelMask& lumen, int k) const
+    {
+        for (int j = 0; j < size_.y(); ++j) {
+            for (int i = 0; i < size_.x(); ++i) {
+                const std::uint8_t flag = flags_.at(i, j, k);
+                if ((flag & core) != 0) {
+                    lumen.at(i, j, k) = 2;
+                } else if (flag != 0 && !isNear(i, j, k, 1, tooBright)) {
+                    const bool isIn =
+                        (flag & bits.tube) != 0 || isNear(i, j, k, 1, bits.tube) || isNear(i, j, k, coreReach, core);
+                    lumen.at(i, j, k) = isIn ? 1 : 0;
+                }
+            }
+        }
+    }
+
+    const Volume& volume_;
+    const AxisOrder& order_;
+    const BloodLevel& level_;
+    Eigen::Vector3i size_;
+    int threads_;
+    VoxelMask flags_;
+};
+
+}   // namespace
+
+VoxelMask segmentLumen(const Volume& volume, const AxisOrder& order, const BloodLevel& level, int threads,
+                       TracingProgress& progress)
+{
+    return Segmenter(volume, order, level, threads).run(progress);
+}
+
+BloodFill fillOf(const Volume& volume, const AxisOrder& order, const BloodLevel& level, const VoxelMask& lumen)
+{
+    return [&volume, order, level, &lumen](const Eigen::Vector3d& pointMm) {
+        const VolumeGeometry& grid = order.geometry;
+        const Eigen::Vector3d voxel = pointMm.cwiseQuotient(grid.spacingMm);
+        const Eigen::Vector3d low = voxel.array().floor();
+        const Eigen::Vector3d share = voxel - low;
+        double sum = 0.0;
+        for (int corner = 0; corner < 8; ++corner) {
+            const Eigen::Vector3i step(corner & 1, corner >> 1 & 1, corner >> 2);
+            // Beyond the rim a vessel goes on as it left.
+            const Eigen::Vector3i at = (low.cast<int>() + step).cwiseMax(0).cwiseMin((grid.size.array() - 1).matrix());
+            const Eigen::Vector3d weight = (step.array() != 0).select(share.array(), 1.0 - share.array());
+            double fill = (volume.value(order.stored(at.x(), at.y(), at.z())) - level.tissue) / level.contrast();
+            const std::uint8_t kind = lumen.at(at.x(), at.y(), at.z());
+            fill = kind == 2 ? 1.0 : fill >= 0.5 && kind == 0 ? 0.0 : std::clamp(fill, -1.0, 1.0);
+            sum += weight.prod() * fill;
+        }
+        return sum;
+    };
+}
+
+}   // namespace core

@@ -1,0 +1,188 @@
+#include "core/simulation/simulate_cta.h"
+#include "core/tracing/volume/trace_vessels.h"
+#include "core/vessel/polyline.h"
+#include "tests/support/drawn_tubes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+namespace {
+
+using core::TracedVessels;
+using core::Volume;
+using test::Tube;
+
+const core::SimulatedCta& smallCta()
+{
+    static const core::SimulatedCta cta =
+        core::simulateCta(3, {.branchCount = 6, .rootRadiusMm = 4.0},
+                          {.size = {112, 112, 96}, .spacingMm = {1.0, 1.0, 1.0}, .calcificationCount = 4});
+    return cta;
+}
+
+double distanceTo(const core::VesselTree& tree, const Eigen::Vector3d& point)
+{
+    double nearest = std::numeric_limits<double>::max();
+    for (const core::VesselBranch& branch : tree.branches) {
+        for (const Eigen::Vector3d& other : branch.pointsInPatient) {
+            nearest = std::min(nearest, (other - point).norm());
+        }
+    }
+    return nearest;
+}
+
+/// Share of `tree`'s points within `reachMm` of `other`.
+double shareNear(const core::VesselTree& tree, const core::VesselTree& other, double reachMm)
+{
+    double near = 0.0;
+    for (const core::VesselBranch& branch : tree.branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            near += distanceTo(other, point) <= reachMm ? 1.0 : 0.0;
+        }
+    }
+    return near / static_cast<double>(tree.pointCount());
+}
+
+/// Tubes of blood in soft tissue, in HU, without noise.
+Volume tubesInTissue(const core::VolumeGeometry& grid, const std::vector<Tube>& tubes)
+{
+    Volume volume(grid);
+    std::size_t voxel = 0;
+    for (int k = 0; k < grid.size.z(); ++k) {
+        for (int j = 0; j < grid.size.y(); ++j) {
+            for (int i = 0; i < grid.size.x(); ++i, ++voxel) {
+                const double wall = test::distanceToWall(tubes, grid.patientFromVoxel() * Eigen::Vector3d(i, j, k));
+                const double share = std::clamp(0.5 - wall, 0.0, 1.0);
+                const bool isAir = i < 3;
+                volume.voxels[voxel] = static_cast<std::int16_t>(isAir ? -1000 : std::lround(50 + 350 * share));
+            }
+        }
+    }
+    return volume;
+}
+
+TEST(TraceVolume, FindsTheVesselsOfASimulatedScanAndNothingElse)
+{
+    const auto traced = core::traceVessels(smallCta().volume);
+    ASSERT_TRUE(traced) << traced.error().message;
+    EXPECT_GT(shareNear(smallCta().tree, traced.value().tree, 2.0), 0.93);
+    EXPECT_GT(shareNear(traced.value().tree, smallCta().tree, 2.0), 0.95);
+    EXPECT_NEAR(traced.value().threshold, 0.5 * (45 + 380), 30.0);
+    EXPECT_TRUE(core::findProblem(traced.value().tree).empty());
+    EXPECT_EQ(traced.value().lumen.voxels.size(), smallCta().volume.voxels.size());
+}
+
+TEST(TraceVolume, IsTheSameForAnyNumberOfThreadsAndAxisOrder)
+{
+    const Volume& volume = smallCta().volume;
+    const auto one = core::traceVessels(volume, {.threads = 1});
+    const auto three = core::traceVessels(volume, {.threads = 3});
+    ASSERT_TRUE(one && three);
+    // Stored as sagittal slices from the right, feet first.
+    Volume turned(test::restored(volume.geometry, {1, 2, 0}, {true, false, true}));
+    const Eigen::Vector3i& size = volume.geometry.size;
+    for (int k = 0; k < size.z(); ++k) {
+        for (int j = 0; j < size.y(); ++j) {
+            for (int i = 0; i < size.x(); ++i) {
+                turned.at(size.y() - 1 - j, k, size.x() - 1 - i) = volume.at(i, j, k);
+            }
+        }
+    }
+    const auto other = core::traceVessels(turned);
+    ASSERT_TRUE(other);
+    ASSERT_EQ(one.value().tree.branches.size(), three.value().tree.branches.size());
+    ASSERT_EQ(one.value().tree.branches.size(), other.value().tree.branches.size());
+    for (std::size_t b = 0; b < one.value().tree.branches.size(); ++b) {
+        const core::VesselBranch& expected = one.value().tree.branches[b];
+        EXPECT_EQ(expected.pointsInPatient, three.value().tree.branches[b].pointsInPatient);
+        EXPECT_EQ(expected.radiusMm, three.value().tree.branches[b].radiusMm);
+        const core::VesselBranch& found = other.value().tree.branches[b];
+        ASSERT_EQ(found.pointsInPatient.size(), expected.pointsInPatient.size());
+        for (std::size_t n = 0; n < found.pointsInPatient.size(); ++n) {
+            EXPECT_LT((found.pointsInPatient[n] - expected.pointsInPatient[n]).norm(), 1e-6);
+        }
+    }
+}
+
+TEST(TraceVolume, TakesAGivenThresholdAndSeeds)
+{
+    const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {48, 40, 60}, {1.0, 1.0, 1.0});
+    const Tube wide{{-8, 0, -24}, {-8, 2, 24}, 5.0};
+    const Tube thin{{10, 0, -24}, {10, -3, 24}, 3.0};
+    const Volume volume = tubesInTissue(grid, {wide, thin});
+    const auto chosen = core::traceVessels(volume, {.threshold = 200.0, .seedsInPatient = {{10, -1, 0}}});
+    ASSERT_TRUE(chosen) << chosen.error().message;
+    EXPECT_EQ(chosen.value().threshold, 200.0);
+    ASSERT_EQ(chosen.value().tree.branches.size(), 1U);
+    const core::VesselBranch& branch = chosen.value().tree.branches.front();
+    EXPECT_NEAR(branch.radiusMm[branch.radiusMm.size() / 2], 3.0, 0.2);
+    EXPECT_FALSE(core::traceVessels(volume, {.seedsInPatient = {{0, 15, 0}}}));
+}
+
+TEST(TraceVolume, PartsAtTheNarrowestPlaceFromWhatIsAvoided)
+{
+    const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {64, 40, 60}, {1.0, 1.0, 1.0});
+    const Volume volume = tubesInTissue(
+        grid, {{{-9, 0, -25}, {-9, 0, 25}, 5.0}, {{10, 0, -20}, {10, 0, 20}, 8.0}, {{-9, 0, 3}, {10, 0, 3}, 2.0}});
+    const auto whole = core::traceVessels(volume, {.seedsInPatient = {{-9, 0, -10}}});
+    const auto parted =
+        core::traceVessels(volume, {.seedsInPatient = {{-9, 0, -10}}, .avoidInPatient = {{10, 0, -10}}});
+    ASSERT_TRUE(whole && parted);
+    EXPECT_GT(whole.value().tree.branches.size(), 1U);
+    for (const core::VesselBranch& branch : parted.value().tree.branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            EXPECT_LT(point.x(), 4.0);
+        }
+    }
+    EXPECT_FALSE(core::traceVessels(volume, {.avoidInPatient = {{10, 0, -10}}}));
+}
+
+TEST(TraceVolume, RefusesWhatShowsNoContrast)
+{
+    const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {30, 30, 30}, {1.0, 1.0, 1.0});
+    EXPECT_FALSE(core::traceVessels(Volume{}));
+    EXPECT_FALSE(core::traceVessels(Volume(grid, 40)));
+    const auto traced = core::traceVessels(tubesInTissue(grid, {{{90, 0, 0}, {91, 0, 0}, 1.0}}));
+    ASSERT_FALSE(traced);
+    EXPECT_NE(traced.error().message.find("threshold"), std::string::npos);
+}
+
+TEST(TraceVolume, StopsAtOnceInEachStage)
+{
+    for (const std::string_view stage : {"blood", "vessels", "thinning", "branches"}) {
+        bool isAsked = false;
+        int later = 0;
+        const auto traced = core::traceVessels(smallCta().volume, {}, [&](const core::TracingReport& report) {
+            later += isAsked ? 1 : 0;
+            isAsked = isAsked || report.stage == stage;
+            return isAsked ? core::Verdict::Stop : core::Verdict::Continue;
+        });
+        ASSERT_FALSE(traced) << stage;
+        EXPECT_NE(traced.error().message.find("stopped"), std::string::npos) << traced.error().message;
+        EXPECT_EQ(later, 0);
+    }
+}
+
+TEST(SimulateCta, IsTheSameForTheSameSeed)
+{
+    const core::CtaOptions tiny{.size = {40, 40, 30}, .spacingMm = {2.0, 2.0, 2.0}};
+    EXPECT_EQ(core::simulateCta(7, {.branchCount = 3}, tiny).volume.voxels,
+              core::simulateCta(7, {.branchCount = 3}, tiny).volume.voxels);
+    EXPECT_NE(core::simulateCta(7, {.branchCount = 3}, tiny).volume.voxels,
+              core::simulateCta(8, {.branchCount = 3}, tiny).volume.voxels);
+}
+
+TEST(SimulateCta, IsBrightInTheVesselsAndDarkOutsideTheBody)
+{
+    const Volume& volume = smallCta().volume;
+    const core::VesselBranch& trunk = smallCta().tree.branches.front();
+    const Eigen::Vector3d middle = trunk.pointsInPatient[trunk.pointsInPatient.size() / 2];
+    const Eigen::Vector3i voxel = (volume.geometry.patientFromVoxel().inverse() * middle).array().round().cast<int>();
+    EXPECT_NEAR(volume.value(volume.geometry.index(voxel.x(), voxel.y(), voxel.z())), 380.0, 120.0);
+    EXPECT_LT(volume.value(0), -850.0);
+}
+
+}   // namespace
