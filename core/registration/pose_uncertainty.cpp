@@ -16,7 +16,11 @@ PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const Target
 {
     const CentroidPose pose = aboutCentroid(cameraFromPatient, problem.tree.centroid);
     const Alignment alignment(alignmentPoints(problem.tree), problem.camera, target);
-    const Matrix6d data = tolerantInformation(alignment, prior, pose).hessian;
+    return poseUncertainty(tolerantInformation(alignment, prior, pose).hessian, prior, problem.tree.spreadMm);
+}
+
+PoseUncertainty poseUncertainty(const Matrix6d& data, const StartPrior& prior, double spreadMm)
+{
     const Vector6d priorInformation = prior.std.cwiseAbs2().cwiseInverse();
 
     PoseUncertainty uncertainty;
@@ -33,7 +37,7 @@ PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const Target
     uncertainty.depthMm = std[5];
 
     Vector6d inMm = Vector6d::Ones();
-    inMm.head<3>().setConstant(problem.tree.spreadMm);
+    inMm.head<3>().setConstant(spreadMm);
     const Eigen::SelfAdjointEigenSolver<Matrix6d> axes(inMm.asDiagonal() * uncertainty.covariance * inMm.asDiagonal());
     uncertainty.weakestDirection = axes.eigenvectors().col(5);
     return uncertainty;

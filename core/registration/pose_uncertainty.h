@@ -11,4 +11,7 @@ namespace core {
 PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const TargetLines& target,
                                 const RigidTransform& cameraFromPatient, const StartPrior& prior);
 
+/// The same from what images tell about a pose: information for steps (rad, mm) about the centroid in camera axes.
+PoseUncertainty poseUncertainty(const Matrix6d& imageInformation, const StartPrior& prior, double spreadMm);
+
 }   // namespace core

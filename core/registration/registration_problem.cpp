@@ -151,7 +151,7 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
     const bool isEven = options.resample != 0.0;
     problem.tree = samplesOf(isEven ? resampled(tree, options.pointSpacingMm) : tree);
     markNodes(tree, problem.tree);
-    problem.target = samplesOf(isEven ? resampled(input.target, options.targetSpacingPx) : input.target);
+    problem.target = sampledTarget(input.target, options);
     for (const VesselBranch& branch : tree.branches) {
         const auto& points = branch.pointsInPatient;
         problem.givenTreePoints.insert(problem.givenTreePoints.end(), points.begin(), points.end());
@@ -165,6 +165,11 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
     problem.polarity = input.polarity;
     problem.volume = input.volume;
     return problem;
+}
+
+TargetSamples sampledTarget(const Centerline2d& target, const RegistrationOptions& options)
+{
+    return samplesOf(options.resample != 0.0 ? resampled(target, options.targetSpacingPx) : target);
 }
 
 }   // namespace core

@@ -50,4 +50,7 @@ struct RegistrationProblem {
 /// or that puts the whole tree behind the source, an unknown branch, an image that the camera does not take.
 Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const RegistrationOptions& options);
 
+/// A target that is free of problems, as methods see it; for the next frame of a run.
+TargetSamples sampledTarget(const Centerline2d& target, const RegistrationOptions& options);
+
 }   // namespace core

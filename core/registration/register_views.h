@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/registration/registration.h"
+
+#include <span>
+
+namespace core {
+
+/// How well the geometry between two views is known: their headers are rounded, the gantries sag (ALGORITHMS §5.5).
+struct MultiViewOptions {
+    double relativeRotationStdDeg = 0.5;   ///< 1-σ per axis
+    double relativeShiftStdMm = 1.5;   ///< 1-σ per axis, of the tree's centroid
+};
+
+/// One rigid tree in several views.
+struct MultiViewResult {
+    std::vector<RegistrationResult> views;   ///< each judged at its joint pose, in the order given
+    /// How far each view's geometry turned out to be from its header, relative to the first view: turn about the
+    /// tree's centroid (rad) and shift (mm) in that view's camera axes. Zero for the first.
+    std::vector<Vector6d> corrections;
+    PoseUncertainty uncertainty;   ///< of the first view's pose, from all views
+    bool trustworthy = false;   ///< every view is, and no correction is implausible
+    std::vector<std::string> warnings;
+};
+
+/// Registers one tree to two or more views of the same moment (bi-plane), or to frames between which the gantry turned
+/// (ALGORITHMS §6.12). The start poses tell the geometry: startOfB ∘ startOfA⁻¹ leads from camera to camera, up to the
+/// small corrections that `multiView` allows. One view's depth is another's shift, so the depth becomes as certain as
+/// the shift. Fails like registerVessels, naming the view, and when the views show different trees.
+Result<MultiViewResult> registerViews(std::span<const RegistrationInput> views, const RegistrationOptions& options = {},
+                                      const MultiViewOptions& multiView = {}, const IterationObserver& observe = {});
+
+}   // namespace core

@@ -1,0 +1,100 @@
+#include "core/registration/track_frames.h"
+
+#include "core/registration/pose_ranking.h"
+#include "core/registration/pose_search.h"
+#include "core/support/quantile.h"
+#include "core/support/stopwatch.h"
+
+namespace core {
+namespace {
+
+constexpr std::size_t usedPoints = 500;
+constexpr std::size_t rememberedScores = 15;
+constexpr double fitsLikeBefore = 0.8;   // of the median score of the last frames
+constexpr double fitsAtAll = 0.25;   // below, a score says nothing (see PoseRanking)
+constexpr RefinementSchedule fromPrediction{6.0, 1.0, 0.55, 2, 4, 16};
+
+}   // namespace
+
+FrameTracker::FrameTracker(RegistrationProblem first, const RegistrationOptions& options,
+                           const MotionModel::Noise& noise)
+    : problem_(std::move(first)),
+      options_(options),
+      motion_(aboutCentroid(problem_.start, problem_.tree.centroid), problem_.tree.spreadMm, noise),
+      points_(alignmentPoints(problem_.tree, strideFor(problem_.tree.size(), usedPoints)))
+{
+}
+
+double FrameTracker::medianScore() const
+{
+    return scores_.empty() ? 0.0 : quantile({scores_.begin(), scores_.end()}, 0.5);
+}
+
+bool FrameTracker::isFit(double score) const
+{
+    return score >= std::max(fitsAtAll, fitsLikeBefore * medianScore());
+}
+
+Result<TrackedFrame> FrameTracker::next(const Centerline2d& target)
+{
+    if (std::string problem = findProblem(target); !problem.empty()) {
+        return Error{std::move(problem)};
+    }
+    Stopwatch stopwatch;
+    problem_.target = sampledTarget(target, options_);
+    const TargetLines lines(problem_.target, problem_.camera);
+    TrackedFrame frame;
+    frame.time.targetMs = stopwatch.lapMs();
+
+    const StartPrior prediction = motion_.predict();
+    AgreementScore agreement(problem_, lines);
+    Alignment alignment(points_, problem_.camera, lines);
+    CentroidPose pose = refine(alignment, prediction, prediction.start, fromPrediction).pose;
+    frame.score = agreement.of(pose);
+    frame.time.solveMs = stopwatch.lapMs();
+
+    if (!isFit(frame.score)) {
+        frame.searched = true;
+        pose = searchAround(lines, prediction.start, pose);
+        frame.score = agreement.of(pose);
+        frame.time.searchMs = stopwatch.lapMs();
+    }
+    frame.isTrustworthy = isFit(frame.score);
+    learnFrom(frame, pose);
+    frame.cameraFromPatient = cameraFromPatient(frame.isTrustworthy ? pose : prediction.start, problem_.tree.centroid);
+    frame.time.totalMs = frame.time.targetMs + frame.time.solveMs + frame.time.searchMs;
+    return frame;
+}
+
+CentroidPose FrameTracker::searchAround(const TargetLines& lines, const CentroidPose& prediction,
+                                        const CentroidPose& refined) const
+{
+    const StartPrior anywhereNear = startPrior(prediction, options_);
+    PoseRanking ranking(problem_, lines, anywhereNear);
+    ranking.add(refined);
+    const PoseSearch search(problem_, lines, options_);
+    for (const CentroidPose& found : search.nearby(prediction, [](double) { return Verdict::Continue; })) {
+        ranking.add(found);
+    }
+    Alignment alignment(points_, problem_.camera, lines);
+    return refine(alignment, anywhereNear, ranking.best().pose, fromPrediction).pose;
+}
+
+void FrameTracker::learnFrom(const TrackedFrame& frame, const CentroidPose& pose)
+{
+    if (!frame.isTrustworthy) {
+        motion_.advance({});
+        return;
+    }
+    if (frame.searched) {
+        motion_.jumpTo(pose);
+    } else {
+        motion_.advance(pose);
+    }
+    scores_.push_back(frame.score);
+    if (scores_.size() > rememberedScores) {
+        scores_.pop_front();
+    }
+}
+
+}   // namespace core

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/registration/alignment.h"
+#include "core/registration/motion_model.h"
+#include "core/registration/target_lines.h"
+
+#include <deque>
+
+namespace core {
+
+/// One frame of a run.
+struct TrackedFrame {
+    RigidTransform cameraFromPatient;
+    double score = 0.0;   ///< agreement both ways, 0…1
+    bool searched = false;   ///< the prediction did not fit and the surroundings were searched
+    bool isTrustworthy = false;   ///< false: nothing near explains the frame, the pose is the prediction
+    StageTimes time;
+};
+
+/// Follows the vessels from frame to frame of one run (ALGORITHMS §6.11). Every frame starts from the pose that the
+/// motion so far predicts, with the prediction as prior, and needs no search while it explains the frame about as well
+/// as its predecessors.
+class FrameTracker {
+public:
+    /// `first`: a checked problem whose start is the registered pose of the frame before the first one tracked.
+    FrameTracker(RegistrationProblem first, const RegistrationOptions& options, const MotionModel::Noise& noise = {});
+
+    /// Fails when the target is empty or not finite; the tracker then stays as it was.
+    Result<TrackedFrame> next(const Centerline2d& target);
+
+private:
+    bool isFit(double score) const;
+    double medianScore() const;
+    CentroidPose searchAround(const TargetLines& lines, const CentroidPose& prediction,
+                              const CentroidPose& refined) const;
+    void learnFrom(const TrackedFrame& frame, const CentroidPose& pose);
+
+    RegistrationProblem problem_;
+    RegistrationOptions options_;
+    MotionModel motion_;
+    std::vector<AlignmentPoint> points_;
+    std::deque<double> scores_;   ///< of frames that fitted, newest last
+};
+
+}   // namespace core

@@ -1,0 +1,168 @@
+#include "core/registration/register_views.h"
+
+#include "core/evaluation/projection_error.h"
+#include "core/registration/joint_alignment.h"
+#include "tests/support/clean_case.h"
+
+#include <gtest/gtest.h>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace core {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+/// A tree in two views, the second one turned by 70° about the tree; targets of noisy points.
+struct TwoViews {
+    TwoViews()
+    {
+        const Eigen::Vector3d centroid = centroidInPatient(clean.tree);
+        truth[0] = clean.truth;
+        truth[1].rotation = expSo3({0.0, 70.0 * degree, 0.0}) * clean.truth.rotation;
+        truth[1].translation = Eigen::Vector3d(-3.0, 5.0, 780.0) - truth[1].rotation * centroid;
+        for (std::size_t k = 0; k < 2; ++k) {
+            inputs[k] = clean.from(truth[k]);
+            inputs[k].target = noisy(projectTree(clean.tree, clean.camera, truth[k]));
+        }
+    }
+
+    /// Starts that keep the views' geometry but are off by `step` in the first view (about its centroid).
+    void startOff(const Vector6d& step)
+    {
+        const Eigen::Vector3d centroid = centroidInPatient(clean.tree);
+        const RigidTransform off = cameraFromPatient(moved(aboutCentroid(truth[0], centroid), step), centroid);
+        inputs[0].initialCameraFromPatient = off;
+        inputs[1].initialCameraFromPatient = truth[1] * truth[0].inverse() * off;
+    }
+
+    PoseError error(const RigidTransform& pose, std::size_t view) const
+    {
+        return poseError(centroidInPatient(clean.tree), {pose, truth[view]});
+    }
+
+    Centerline2d noisy(Centerline2d target)
+    {
+        for (Curve2d& curve : target.curves) {
+            for (Eigen::Vector2d& point : curve.pointsPx) {
+                point.x() += 0.5 * random.normal();
+                point.y() += 0.5 * random.normal();
+            }
+        }
+        return target;
+    }
+
+    CounterRandom random{5};
+    test::CleanCase clean{3};
+    std::array<RigidTransform, 2> truth;
+    std::array<RegistrationInput, 2> inputs;
+};
+
+Vector6d typicalStep()
+{
+    Vector6d step;
+    step << 3.0 * degree, -2.0 * degree, 2.0 * degree, 8.0, -6.0, 20.0;
+    return step;
+}
+
+TEST(JointAlignment, StackedGradientIsThatOfTheSum)
+{
+    const TwoViews two;
+    const Eigen::Vector3d centroid = centroidInPatient(two.clean.tree);
+    const std::array<ViewGeometry, 2> geometry{ViewGeometry{{}, two.clean.camera},
+                                               {two.truth[1] * two.truth[0].inverse(), two.clean.camera}};
+    Vector6d correction;
+    correction << 0.02, -0.03, 0.01, 2.0, 1.0, -3.0;
+    const JointPose joint{aboutCentroid(two.truth[0], centroid), {Vector6d::Zero(), correction}};
+
+    // Views that wish to be somewhere else: cost |W (pose ⊖ wish)|² has gradient W² step at the pose itself.
+    const auto costAt = [&](const JointPose& at, std::vector<NormalEquations>& perView) {
+        double cost = 0.0;
+        perView.clear();
+        for (std::size_t k = 0; k < 2; ++k) {
+            const CentroidPose wish = moved(poseInView(joint, geometry, k), (k == 0 ? 0.01 : 0.02) * Vector6d::Ones());
+            const Vector6d step = stepBetween(wish, poseInView(at, geometry, k));
+            cost += step.squaredNorm();
+            NormalEquations equations;
+            equations.hessian.setIdentity();
+            equations.gradient = step;
+            perView.push_back(equations);
+        }
+        return cost;
+    };
+    std::vector<NormalEquations> perView;
+    costAt(joint, perView);
+    const JointEquations sum = stacked(perView, joint, geometry);
+    std::vector<NormalEquations> ignored;
+    for (int i = 0; i < 12; ++i) {
+        Eigen::VectorXd step = Eigen::VectorXd::Zero(12);
+        step[i] = 1e-5;
+        const double difference = (costAt(moved(joint, step), ignored) - costAt(moved(joint, -step), ignored)) / 4e-5;
+        EXPECT_NEAR(sum.gradient[i], difference, 1e-3 * sum.gradient.norm()) << "parameter " << i;
+    }
+}
+
+TEST(RegisterViews, DepthBecomesAsCertainAsTheShift)
+{
+    TwoViews two;
+    two.startOff(typicalStep());
+    const auto alone = registerVessels(two.inputs[0]);
+    const auto both = registerViews(two.inputs, {}, {0.05, 0.05});
+    ASSERT_TRUE(alone && both);
+    EXPECT_TRUE(both.value().trustworthy);
+    EXPECT_LT(both.value().uncertainty.depthMm, 0.3 * alone.value().uncertainty.depthMm);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const PoseError error = two.error(both.value().views[k].cameraFromPatient, k);
+        EXPECT_LT(std::abs(error.centroidDepthMm), 0.15) << "view " << k + 1;
+        EXPECT_LT(error.angleDeg, 0.1) << "view " << k + 1;
+    }
+}
+
+TEST(RegisterViews, FindsTheErrorOfTheGeometry)
+{
+    TwoViews two;
+    two.startOff(typicalStep());
+    const Eigen::Vector3d centroid = centroidInPatient(two.clean.tree);
+    Vector6d sag;
+    sag << 0.4 * degree, -0.3 * degree, 0.5 * degree, 1.0, -0.8, 0.5;
+    const CentroidPose second = aboutCentroid(two.inputs[1].initialCameraFromPatient, centroid);
+    two.inputs[1].initialCameraFromPatient = cameraFromPatient(moved(second, -sag), centroid);
+    const auto result = registerViews(two.inputs);
+    ASSERT_TRUE(result);
+    EXPECT_TRUE(result.value().trustworthy);
+    const Vector6d found = result.value().corrections[1];
+    EXPECT_LT((found - sag).head<3>().norm(), 0.15 * degree);
+    EXPECT_LT((found - sag).segment<2>(3).norm(), 0.7);   // shared with the depth in the first view
+    EXPECT_EQ(result.value().corrections[0].norm(), 0.0);
+}
+
+TEST(RegisterViews, DoubtsViewsThatCannotBelongTogether)
+{
+    TwoViews two;
+    two.startOff(Vector6d::Zero());
+    two.inputs[1].initialCameraFromPatient.rotation =
+        expSo3({0.0, 5.0 * degree, 0.0}) * two.inputs[1].initialCameraFromPatient.rotation;
+    const auto result = registerViews(two.inputs);
+    ASSERT_TRUE(result);
+    EXPECT_FALSE(result.value().trustworthy);
+    EXPECT_FALSE(result.value().warnings.empty());
+}
+
+TEST(RegisterViews, NamesWhatIsWrong)
+{
+    TwoViews two;
+    EXPECT_FALSE(registerViews({two.inputs.data(), 1}));
+    two.inputs[1].excludedBranchIds = {two.clean.tree.branches.front().id};
+    const auto other = registerViews(two.inputs);
+    ASSERT_FALSE(other);
+    EXPECT_NE(other.error().message.find("View 2"), std::string::npos);
+    two.inputs[1].excludedBranchIds.clear();
+    two.inputs[1].target.curves.clear();
+    const auto empty = registerViews(two.inputs);
+    ASSERT_FALSE(empty);
+    EXPECT_NE(empty.error().message.find("View 2"), std::string::npos);
+}
+
+}   // namespace
+}   // namespace core
