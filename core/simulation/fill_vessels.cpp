@@ -104,9 +104,10 @@ void addExtras(FilledVessels& vessels, double share, int firstId, CounterRandom&
 /// Contrast medium runs through the catheter before it reaches the inlet.
 void addCatheter(FilledVessels& vessels, const VesselBranch& trunk, CounterRandom& random)
 {
-    const VesselBranch catheter = layCatheter(trunk, random);
+    VesselBranch catheter = layCatheter(trunk, random);
     const double opacity = random.uniform(0.5, 1.0);
     vessels.paths.push_back(pathAlong(catheter, opacity, {opacity, -catheter.lengthMm()}));
+    vessels.catheter.branches.push_back(std::move(catheter));
 }
 
 }   // namespace

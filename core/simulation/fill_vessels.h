@@ -12,6 +12,7 @@ struct FilledVessels {
     std::vector<ContrastPath> paths;   ///< filled branches, extra vessels, catheter
     std::vector<int> missingBranchIds;   ///< not filled, and none of their children is
     VesselTree visible;   ///< filled branches and extra vessels; these have ids above the tree's
+    VesselTree catheter;   ///< one branch, or none
     double longestPathMm = 0.0;
 };
 

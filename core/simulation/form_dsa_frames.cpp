@@ -101,6 +101,25 @@ Eigen::Vector2d motionAt(double share, double largestPx, CounterRandom random)
     return sizePx * (0.4 + 0.35 * share + breathing) * Eigen::Vector2d(std::cos(direction), std::sin(direction));
 }
 
+ImageF withContrast(ImageF attenuation, const ImageF& thicknessMm)
+{
+    for (std::size_t i = 0; i < attenuation.pixels.size(); ++i) {
+        attenuation.pixels[i] += static_cast<float>(attenuationPerMm) * thicknessMm.pixels[i];
+    }
+    return attenuation;
+}
+
+/// What the contrast medium alone does to the grey values of a subtracted frame.
+ImageF noiselessContrast(const ImageF& attenuation, const ImageF& thicknessMm, double photonCount)
+{
+    ImageF contrast = blurred(expectedCounts(attenuation, photonCount), screenSigmaPx);
+    const ImageF filled = blurred(expectedCounts(withContrast(attenuation, thicknessMm), photonCount), screenSigmaPx);
+    for (std::size_t i = 0; i < contrast.pixels.size(); ++i) {
+        contrast.pixels[i] = static_cast<float>(greyPerAttenuation) * std::log(contrast.pixels[i] / filled.pixels[i]);
+    }
+    return contrast;
+}
+
 ImageF subtracted(const ImageF& logMask, const ImageF& logFrame, const Mask2d& open)
 {
     ImageF result(logMask.width, logMask.height);
@@ -129,22 +148,26 @@ DsaRun formDsaFrames(const DsaScene& scene, const DsaOptions& options, const Cou
     DsaRun run;
     run.frameTimeMs = options.frameCount > 1 ? std::round(1000.0 * runS / options.frameCount) : 0.0;
     double fullest = -1.0;
+    ImageF fullestThicknessMm;
+    ImageF fullestAttenuation;   // of the body alone
     for (int k = 0; k < options.frameCount; ++k) {
         const double share = (k + 0.5) / options.frameCount;
         const ImageF thicknessMm =
             contrastThicknessMm(scene.paths, bolus, share * runS, scene.camera, scene.cameraFromPatient);
-        ImageF attenuation = shiftedBody(body, motionAt(share, options.maskMotionPx, random.fork(MotionStream)));
-        for (std::size_t i = 0; i < attenuation.pixels.size(); ++i) {
-            attenuation.pixels[i] += static_cast<float>(attenuationPerMm) * thicknessMm.pixels[i];
-        }
+        const ImageF attenuation = shiftedBody(body, motionAt(share, options.maskMotionPx, random.fork(MotionStream)));
         const double contrast = std::accumulate(thicknessMm.pixels.begin(), thicknessMm.pixels.end(), 0.0);
         if (contrast > fullest) {
             fullest = contrast;
             run.fullestFrame = k;
+            fullestThicknessMm = thicknessMm;
+            fullestAttenuation = attenuation;
         }
-        const ImageF logFrame = logDetected(expectedCounts(attenuation, options.photonCount), 1,
-                                            random.fork(FirstFrameStream + static_cast<std::uint64_t>(k)));
+        const ImageF logFrame = logDetected(expectedCounts(withContrast(attenuation, thicknessMm), options.photonCount),
+                                            1, random.fork(FirstFrameStream + static_cast<std::uint64_t>(k)));
         run.frames.push_back(subtracted(logMask, logFrame, open));
+    }
+    if (!run.frames.empty()) {
+        run.trueContrast = noiselessContrast(fullestAttenuation, fullestThicknessMm, options.photonCount);
     }
     return run;
 }

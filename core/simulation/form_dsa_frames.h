@@ -21,6 +21,7 @@ struct DsaRun {
     std::vector<ImageF> frames;
     double frameTimeMs = 0.0;   ///< 0 for a single frame
     int fullestFrame = 0;   ///< most contrast medium in the field
+    ImageF trueContrast;   ///< of that frame: grey values by which the contrast medium darkens it, free of noise
 };
 
 /// Image formation of ALGORITHMS §4.4: Beer–Lambert, scatter, blur, quantum noise, log subtraction of a mask that no

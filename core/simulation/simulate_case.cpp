@@ -152,9 +152,12 @@ SimulatedCase simulateCase(std::uint64_t seed, const TreeOptions& tree, const Ds
                                 : geometry.trueCameraFromPatient;
     result.missingBranchIds = vessels.missingBranchIds;
     result.trueTarget = projectTree(vessels.visible, geometry.camera, geometry.trueCameraFromPatient);
+    result.trueCatheter = projectTree(vessels.catheter, geometry.camera, geometry.trueCameraFromPatient);
     const DsaScene scene{std::move(vessels.paths), vessels.longestPathMm, geometry.camera,
                          geometry.trueCameraFromPatient};
-    result.angiogram = asAngiogram(formDsaFrames(scene, dsa, random.fork(ImageStream)), geometry.header, seed);
+    DsaRun run = formDsaFrames(scene, dsa, random.fork(ImageStream));
+    result.trueContrast = std::move(run.trueContrast);
+    result.angiogram = asAngiogram(std::move(run), geometry.header, seed);
     return result;
 }
 

@@ -44,6 +44,8 @@ struct SimulatedCase {
     RigidTransform initialCameraFromPatient;   ///< DICOM-like: angles ±1°, isocentre off by lateral 15 mm, depth 30 mm
     std::vector<int> missingBranchIds;   ///< not filled in the image
     Centerline2d trueTarget;   ///< exact projections of the filled branches and the extra vessels
+    Centerline2d trueCatheter;   ///< one curve, or none without a catheter
+    ImageF trueContrast;   ///< of the suggested frame: grey values by which contrast medium darkens it, without noise
 };
 
 /// Tree, clinical C-arm pose, DSA frames. Everything follows from the seed.
