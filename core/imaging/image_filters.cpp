@@ -35,6 +35,15 @@ void addWeighted(float* target, const float* a, const float* b, float weight, in
     }
 }
 
+/// target = max(target, values), element by element.
+ANGIOPOSE_WIDE_VECTORS
+void raiseTo(float* target, const float* values, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        target[i] = target[i] > values[i] ? target[i] : values[i];
+    }
+}
+
 void blurRow(const float* source, float* target, int width, const std::vector<float>& kernel,
              std::vector<float>& padded)
 {
@@ -83,6 +92,24 @@ ImageF blurred(const ImageF& image, double sigmaPx)
         blurColumns(rows, y, &result.at(0, y), kernel);
     }
     return result;
+}
+
+ImageF largestAround(const ImageF& image, int radiusPx)
+{
+    ImageF columns = image;
+    for (int y = 0; y < image.height; ++y) {
+        for (int near = std::max(0, y - radiusPx); near <= std::min(image.height - 1, y + radiusPx); ++near) {
+            raiseTo(&columns.at(0, y), &image.at(0, near), image.width);
+        }
+    }
+    ImageF largest = columns;
+    for (int y = 0; y < image.height; ++y) {
+        for (int shift = 1; shift <= std::min(radiusPx, image.width - 1); ++shift) {
+            raiseTo(&largest.at(shift, y), &columns.at(0, y), image.width - shift);
+            raiseTo(&largest.at(0, y), &columns.at(shift, y), image.width - shift);
+        }
+    }
+    return largest;
 }
 
 ImageF halved(const ImageF& image)

@@ -7,6 +7,9 @@ namespace core {
 /// Gaussian smoothing; the image goes on as its edge pixels. `sigmaPx` ≤ 0 returns the image itself.
 ImageF blurred(const ImageF& image, double sigmaPx);
 
+/// The largest value in the square of side 2·`radiusPx` + 1 around each pixel, as far as it lies in the image.
+ImageF largestAround(const ImageF& image, int radiusPx);
+
 /// Means of 2×2 pixels: pixel (i, j) lies at (2i + 0.5, 2j + 0.5) of the source. Odd last rows and columns repeat.
 ImageF halved(const ImageF& image);
 

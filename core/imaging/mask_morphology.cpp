@@ -68,63 +68,63 @@ Region smallRegion(const Mask2d& mask, const Mask2d& open, std::size_t seed, std
     return region;
 }
 
-enum class Target { Clear, Set };
-
-/// Where pixels of the kind `sought` occur within ±radius along a row of `mask`, into the same row of `result`.
-void spreadRow(const Mask2d& mask, int y, int radius, Target sought, Mask2d& result)
+void unite(std::uint8_t* target, const std::uint8_t* pixels, int count)
 {
-    const bool wanted = sought == Target::Set;
-    int until = -1;
-    for (int x = -radius; x < mask.width; ++x) {
-        const int ahead = x + radius;
-        if (ahead < mask.width && (mask.at(ahead, y) != 0) == wanted) {
-            until = ahead + radius;
-        }
-        if (x >= 0) {
-            result.at(x, y) = (until >= x) == wanted ? 255 : 0;
-        }
+    for (int i = 0; i < count; ++i) {
+        target[i] |= pixels[i];
     }
 }
 
-/// The same along all columns at once, row after row.
-Mask2d spreadColumns(const Mask2d& mask, int radius, Target sought)
+/// Each pixel together with those `step` to its left and right, or the last ones of its row.
+Mask2d unitedAlongRows(const Mask2d& mask, int step)
 {
-    const bool wanted = sought == Target::Set;
-    std::vector<int> until(static_cast<std::size_t>(mask.width), -1);
-    Mask2d result(mask.width, mask.height);
-    for (int y = -radius; y < mask.height; ++y) {
-        const int ahead = y + radius;
-        for (int x = 0; x < mask.width && ahead < mask.height; ++x) {
-            if ((mask.at(x, ahead) != 0) == wanted) {
-                until[static_cast<std::size_t>(x)] = ahead + radius;
-            }
-        }
-        for (int x = 0; x < mask.width && y >= 0; ++x) {
-            result.at(x, y) = (until[static_cast<std::size_t>(x)] >= y) == wanted ? 255 : 0;
-        }
-    }
-    return result;
-}
-
-Mask2d spread(const Mask2d& mask, int radius, Target sought)
-{
-    Mask2d rows(mask.width, mask.height);
+    Mask2d united = mask;
+    const int inside = std::max(0, mask.width - step);
     for (int y = 0; y < mask.height; ++y) {
-        spreadRow(mask, y, radius, sought, rows);
+        unite(&united.at(mask.width - inside, y), &mask.at(0, y), inside);
+        unite(&united.at(0, y), &mask.at(mask.width - inside, y), inside);
+        for (int k = 0; k < mask.width - inside; ++k) {
+            united.at(k, y) |= mask.at(0, y);
+            united.at(inside + k, y) |= mask.at(mask.width - 1, y);
+        }
     }
-    return spreadColumns(rows, radius, sought);
+    return united;
+}
+
+Mask2d unitedAlongColumns(const Mask2d& mask, int step)
+{
+    Mask2d united = mask;
+    for (int y = 0; y < mask.height; ++y) {
+        unite(&united.at(0, y), &mask.at(0, std::max(0, y - step)), mask.width);
+        unite(&united.at(0, y), &mask.at(0, std::min(mask.height - 1, y + step)), mask.width);
+    }
+    return united;
+}
+
+Mask2d inverted(const Mask2d& mask)
+{
+    Mask2d result(mask.width, mask.height);
+    std::transform(mask.pixels.begin(), mask.pixels.end(), result.pixels.begin(),
+                   [](std::uint8_t value) { return value != 0 ? std::uint8_t{0} : std::uint8_t{255}; });
+    return result;
 }
 
 }   // namespace
 
 Mask2d eroded(const Mask2d& mask, int radiusPx)
 {
-    return mask.isEmpty() ? mask : spread(mask, radiusPx, Target::Clear);
+    return inverted(dilated(inverted(mask), radiusPx));
 }
 
 Mask2d dilated(const Mask2d& mask, int radiusPx)
 {
-    return mask.isEmpty() ? mask : spread(mask, radiusPx, Target::Set);
+    Mask2d grown = inverted(inverted(mask));
+    for (int reach = 0; reach < radiusPx && !mask.isEmpty();) {
+        const int step = std::min(2 * reach + 1, radiusPx - reach);   // three such windows leave no gap
+        grown = unitedAlongColumns(unitedAlongRows(grown, step), step);
+        reach += step;
+    }
+    return grown;
 }
 
 Mask2d connectedToEdge(const Mask2d& mask)

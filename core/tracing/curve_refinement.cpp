@@ -16,6 +16,7 @@ constexpr double profileMarginPx = 3.0;
 constexpr double skeletonLambda = 4.0;
 constexpr double finalLambda = 10.0;
 constexpr double unsureWeight = 0.05;
+constexpr double leastRadiusAtEnd = 0.6;   // times the usual one
 constexpr int tangentReach = 4;
 // A round tube absorbs along its chord 2√(r² − x²), which halves at x = r √3/2.
 constexpr double halfDepthPerRadius = 0.8660254;
@@ -87,15 +88,37 @@ std::size_t pointsBeyondEnd(const Curve2d& curve, const ImageF& opacity, std::si
     return beyond;
 }
 
-void trimEnds(Curve2d& curve, const ImageF& opacity, double maxRadiusPx)
+double usualRadius(const Curve2d& curve)
 {
-    const auto most = static_cast<std::size_t>(std::ceil(maxRadiusPx));
+    constexpr std::size_t sample = 40;
+    const auto last = curve.radiusPx.begin() + static_cast<std::ptrdiff_t>(std::min(sample, curve.radiusPx.size()));
+    return quantile({curve.radiusPx.begin(), last}, 0.5);
+}
+
+/// Points at one end to be cut: beyond the vessel, or where skeletons hook aside and no walls are found. A wide
+/// vessel's ridge runs on farther than a thin one's.
+std::size_t pointsToCut(const Curve2d& curve, const std::vector<bool>& hasWalls, const ImageF& opacity)
+{
+    const double radius = usualRadius(curve);
+    const auto mostBeyond = static_cast<std::size_t>(std::ceil(3.0 * radius)) + 4;
+    const auto mostHooked = std::min(static_cast<std::size_t>(std::ceil(radius)) + 1, hasWalls.size() / 3);
+    std::size_t hooked = 0;
+    while (hooked < mostHooked && (!hasWalls[hooked] || curve.radiusPx[hooked] < leastRadiusAtEnd * radius)) {
+        ++hooked;
+    }
+    return std::max(pointsBeyondEnd(curve, opacity, mostBeyond), hooked);
+}
+
+void trimEnds(Curve2d& curve, std::vector<bool> hasWalls, const ImageF& opacity)
+{
     for (int end = 0; end < 2; ++end) {
-        const auto beyond = static_cast<std::ptrdiff_t>(pointsBeyondEnd(curve, opacity, most));
-        curve.pointsPx.erase(curve.pointsPx.begin(), curve.pointsPx.begin() + beyond);
-        curve.radiusPx.erase(curve.radiusPx.begin(), curve.radiusPx.begin() + beyond);
+        const auto cut = static_cast<std::ptrdiff_t>(pointsToCut(curve, hasWalls, opacity));
+        curve.pointsPx.erase(curve.pointsPx.begin(), curve.pointsPx.begin() + cut);
+        curve.radiusPx.erase(curve.radiusPx.begin(), curve.radiusPx.begin() + cut);
+        hasWalls.erase(hasWalls.begin(), hasWalls.begin() + cut);
         std::reverse(curve.pointsPx.begin(), curve.pointsPx.end());
         std::reverse(curve.radiusPx.begin(), curve.radiusPx.end());
+        std::reverse(hasWalls.begin(), hasWalls.end());
     }
 }
 
@@ -110,12 +133,14 @@ Curve2d smoothCurve(const std::vector<Eigen::Vector2d>& pathPx, int id)
 Curve2d centredCurve(const std::vector<Eigen::Vector2d>& pathPx, int id, const ImageF& opacity, double maxRadiusPx)
 {
     Curve2d curve = smoothCurve(pathPx, id);
+    std::vector<bool> hasWalls(curve.pointsPx.size());
     for (int round = 0; round < 2; ++round) {
         const std::vector<Eigen::Vector2d> normals = normalsOf(curve.pointsPx);
         const auto walls = findWalls(curve.pointsPx, normals, opacity, maxRadiusPx + profileMarginPx);
         std::vector<double> weights(curve.pointsPx.size(), unsureWeight);
         std::vector<double> radii(curve.pointsPx.size(), -1.0);
         for (std::size_t i = 0; i < curve.pointsPx.size(); ++i) {
+            hasWalls[i] = walls[i].has_value();
             if (walls[i]) {
                 curve.pointsPx[i] += walls[i]->middlePx * normals[i];
                 radii[i] = walls[i]->halfWidthPx / halfDepthPerRadius;
@@ -125,7 +150,7 @@ Curve2d centredCurve(const std::vector<Eigen::Vector2d>& pathPx, int id, const I
         curve.pointsPx = smoothed(curve.pointsPx, weights, finalLambda);
         curve.radiusPx = filledRadii(radii);
     }
-    trimEnds(curve, opacity, maxRadiusPx);
+    trimEnds(curve, std::move(hasWalls), opacity);
     return curve;
 }
 

@@ -3,6 +3,7 @@
 #include "core/imaging/grey_statistics.h"
 #include "core/imaging/mask_morphology.h"
 #include "core/tracing/bridge_gaps.h"
+#include "core/tracing/clutter_level.h"
 #include "core/tracing/curve_refinement.h"
 #include "core/tracing/field_mask.h"
 #include "core/tracing/flatten_background.h"
@@ -81,8 +82,12 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
     trace.fieldMask = findField(vesselsDark, 2.0 * options.maxVesselRadiusPx);
     const ImageF opacity =
         flattenBackground(vesselsDark, trace.fieldMask, surroundingsInRadii * options.maxVesselRadiusPx);
-    trace.vesselness = normalised(ridgeStrength(opacity, options.minVesselRadiusPx, options.maxVesselRadiusPx));
-    const ImageF evidence = vesselEvidence(trace.vesselness, trace.fieldMask, options.sensitivity);
+    ImageF ridges = ridgeStrength(opacity, options.minVesselRadiusPx, options.maxVesselRadiusPx);
+    const double clutter =
+        clutterLevel(opacity, ridges, trace.fieldMask, options.minVesselRadiusPx, options.maxVesselRadiusPx);
+    ridges = withoutStars(std::move(ridges), opacity);
+    const ImageF evidence = vesselEvidence(ridges, trace.fieldMask, clutter, options.sensitivity);
+    trace.vesselness = normalised(std::move(ridges));
     trace.vesselMask = wholeVessels(vesselPixels(evidence), evidence, options);
     const SkeletonGraph branches = vesselBranches(trace.vesselMask, evidence, trace.fieldMask, options);
     for (const auto& path : orderedCurves(branches, crossingInRadii * options.maxVesselRadiusPx)) {

@@ -15,7 +15,7 @@ struct TraceOptions {
     double maxVesselRadiusPx = 8.0;   ///< widest vessel looked for
     int minBranchLengthPx = 10;   ///< shorter spurs are removed
     int minComponentLengthPx = 30;   ///< shorter isolated pieces are removed
-    double sensitivity = 1.0;   ///< above 1: fainter vessels too; scales Otsu's threshold by 1/sensitivity
+    double sensitivity = 1.0;   ///< above 1: fainter vessels too; scales the threshold by 1/sensitivity
 
     bool operator==(const TraceOptions&) const = default;
 };
@@ -28,8 +28,8 @@ struct AngiogramTrace {
     Mask2d fieldMask;   ///< where the image is exposed: inside shutter and border
 };
 
-/// Vesselness → Otsu → thinning → ordered, smoothed curves with width (ALGORITHMS §4.4 "actual pipeline").
-/// Fails when the frame is empty, flat, not finite, or shows nothing vessel-like.
+/// Vesselness → threshold above the frame's own clutter → thinning → ordered, smoothed curves with width (ALGORITHMS
+/// §4.4 "actual pipeline"). Fails when the frame is empty, flat, not finite, or shows nothing vessel-like.
 Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& options = {});
 
 /// Curves of a drawn mask (e.g. a PNG): thinning and ordering only.

@@ -17,7 +17,7 @@ namespace {
 constexpr double leastEvidence = 0.5;
 constexpr double leastWorth = 4.5;
 constexpr double weakPart = 0.2;
-constexpr double leastWorthOfPiece = 8.0;   // which stands alone and so needs more
+constexpr double leastWorthOfPiece = 11.0;   // which stands alone and so needs more
 // Filters see half of the picture there: what mostly keeps this close to the rim of the field is an artefact of it.
 constexpr int rimPx = 6;
 constexpr double mostAlongRim = 0.6;

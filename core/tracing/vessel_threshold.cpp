@@ -1,6 +1,7 @@
 #include "core/tracing/vessel_threshold.h"
 
 #include "core/imaging/grey_statistics.h"
+#include "core/imaging/image_filters.h"
 #include "core/imaging/mask_morphology.h"
 
 #include <algorithm>
@@ -9,9 +10,17 @@ namespace core {
 namespace {
 
 constexpr float lowEvidence = 0.9F;
-constexpr float highEvidence = 1.5F;
+constexpr float highEvidence = 1.9F;
+constexpr int flankReachPx = 3;
+constexpr float flankShare = 0.35F;
+constexpr double opacitySigmaPx = 1.2;
+constexpr float leastOpacityPerRidge = 0.3F;   // a round vessel's opacity is a few times its ridge
 constexpr std::size_t sampleSize = 200000;
 constexpr double noiseMultiple = 4.0;
+constexpr double clutterMultiple = 1.9;
+// In pictures without noise: below this share of the strongest ridges there are only traces of the filters.
+constexpr double leastShare = 0.02;
+constexpr double strongestRank = 0.999;
 
 }   // namespace
 
@@ -20,17 +29,11 @@ double ridgeNoiseLimit(const std::vector<float>& ridges)
     return ridges.empty() ? 0.0 : noiseMultiple * ranked(ridges, 0.5);
 }
 
-ImageF vesselEvidence(const ImageF& ridges, const Mask2d& field, double sensitivity)
+ImageF vesselEvidence(const ImageF& ridges, const Mask2d& field, double clutter, double sensitivity)
 {
-    std::vector<float> exposed;
-    for (std::size_t i = 0; i < ridges.pixels.size(); ++i) {
-        if (field.pixels[i] != 0) {
-            exposed.push_back(ridges.pixels[i]);
-        }
-    }
-    exposed = evenSample(exposed, sampleSize);
+    const double strongest = ranked(evenSample(ridges.pixels, sampleSize), strongestRank);
+    const double threshold = std::max(clutterMultiple * clutter, leastShare * strongest) / sensitivity;
     ImageF evidence(ridges.width, ridges.height);
-    const double threshold = std::max<double>(otsuThreshold(exposed), ridgeNoiseLimit(exposed)) / sensitivity;
     if (!(threshold > 0.0)) {
         return evidence;
     }
@@ -40,11 +43,22 @@ ImageF vesselEvidence(const ImageF& ridges, const Mask2d& field, double sensitiv
     return evidence;
 }
 
+ImageF withoutStars(ImageF ridges, const ImageF& opacity)
+{
+    const ImageF smooth = blurred(opacity, opacitySigmaPx);
+    for (std::size_t i = 0; i < ridges.pixels.size(); ++i) {
+        ridges.pixels[i] = smooth.pixels[i] < leastOpacityPerRidge * ridges.pixels[i] ? 0.0F : ridges.pixels[i];
+    }
+    return ridges;
+}
+
 Mask2d vesselPixels(const ImageF& evidence)
 {
+    const ImageF strongest = largestAround(evidence, flankReachPx);
     Mask2d vessels(evidence.width, evidence.height);
     for (std::size_t i = 0; i < evidence.pixels.size(); ++i) {
-        vessels.pixels[i] = evidence.pixels[i] > lowEvidence ? 255 : 0;
+        const float least = std::max(lowEvidence, flankShare * strongest.pixels[i]);
+        vessels.pixels[i] = evidence.pixels[i] > least ? 255 : 0;
     }
     for (const std::vector<std::size_t>& component : componentsOf(vessels)) {
         const bool isSure = std::any_of(component.begin(), component.end(),

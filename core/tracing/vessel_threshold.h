@@ -10,11 +10,16 @@ namespace core {
 /// shows no vessel, so the middle ridge strength is that of noise.
 double ridgeNoiseLimit(const std::vector<float>& ridges);
 
-/// Ridge strength in units of what makes a vessel: 1 is Otsu's threshold inside the field (or the noise limit, if
-/// higher) divided by `sensitivity`. 0 outside the field, and everywhere if there is no ridge.
-ImageF vesselEvidence(const ImageF& ridges, const Mask2d& field, double sensitivity);
+/// Ridge strength in units of what makes a vessel: 1 is well above `clutter` (see `clutterLevel`) and above a small
+/// share of the strongest ridges, divided by `sensitivity`. 0 outside the field, and everywhere if there is no ridge.
+ImageF vesselEvidence(const ImageF& ridges, const Mask2d& field, double clutter, double sensitivity);
 
-/// Pixels taken for vessel: evidence just below 1 that goes on to evidence well above it (hysteresis).
+/// The ridges without those in the star around the end of a strong vessel: there filters still see the vessel, but
+/// `opacity` is hardly above the surroundings.
+ImageF withoutStars(ImageF ridges, const ImageF& opacity);
+
+/// Pixels taken for vessel: evidence just below 1 that goes on to evidence well above it (hysteresis), unless it is the
+/// flank of something much stronger close by.
 Mask2d vesselPixels(const ImageF& evidence);
 
 }   // namespace core

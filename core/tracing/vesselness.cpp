@@ -20,7 +20,8 @@ constexpr double finestSigmaPx = 0.8;
 // Scales above this are filtered on a halved image, where they cost a quarter.
 constexpr double coarsestSigmaOnGrid = 1.7;
 constexpr double lineReachInSigmas = 2.5;
-constexpr std::size_t tapCount = 5;   // 1.25 σ apart, which the smoothness at scale σ allows
+constexpr double shortestLineReachPx = 4.0;   // the finest scales alone would not average enough noise
+constexpr std::size_t tapCount = 5;   // mostly 1.25 σ apart, which the smoothness at scale σ allows
 constexpr float slopeWeight = 0.85F;
 // Where the ridge goes on to one side only, as at blobs, it counts less by this share of the difference.
 constexpr float oneSidedPenalty = 0.5F;
@@ -83,13 +84,18 @@ struct LineTaps {
     std::array<float, tapCount> weights{};
 };
 
-LineTaps lineTaps(double angle, double sigmaPx)
+double lineReachPx(double sigmaPx)
+{
+    return std::max(shortestLineReachPx, lineReachInSigmas * sigmaPx);
+}
+
+LineTaps lineTaps(double angle, double reachPx)
 {
     LineTaps taps;
     float sum = 0.0F;
     for (std::size_t i = 0; i < tapCount; ++i) {
         const double place = static_cast<double>(i) / (tapCount / 2) - 1.0;   // -1 … 1
-        const double along = place * lineReachInSigmas * sigmaPx;
+        const double along = place * reachPx;
         taps.dx[i] = static_cast<int>(std::lround(along * std::cos(angle)));
         taps.dy[i] = static_cast<int>(std::lround(along * std::sin(angle)));
         taps.weights[i] = static_cast<float>(std::exp(-0.5 * std::pow(1.5 * place, 2)));
@@ -152,7 +158,7 @@ void raiseToLineMean(float* strongest, int width, const std::array<const float*,
 void raiseToRidges(const ImageF& image, double sigmaPx, ImageF& best)
 {
     const ImageF smooth = blurred(image, sigmaPx);
-    const int margin = static_cast<int>(std::ceil(lineReachInSigmas * sigmaPx)) + 1;
+    const int margin = static_cast<int>(std::ceil(lineReachPx(sigmaPx))) + 1;
     const ImageF strip(image.width, rowsPerStrip + 2 * margin);
     Derivatives d{strip, strip, strip, strip, strip};
     ImageF ridges(image.width + 2 * margin, strip.height);
@@ -162,7 +168,7 @@ void raiseToRidges(const ImageF& image, double sigmaPx, ImageF& best)
         for (int k = 0; k < directionCount; ++k) {
             const double angle = std::numbers::pi * k / directionCount;
             fillRidges(d, angle, margin, ridges);
-            const LineTaps taps = lineTaps(angle, sigmaPx);
+            const LineTaps taps = lineTaps(angle, lineReachPx(sigmaPx));
             for (int row = 0; row < rowCount; ++row) {
                 std::array<const float*, tapCount> rows{};
                 for (std::size_t i = 0; i < tapCount; ++i) {

@@ -60,7 +60,8 @@ TEST_P(TubeOfRadius, IsCentredMeasuredAndFoundInFullLength)
     const Centerline2d& found = trace.value().centerline;
     ASSERT_EQ(found.curves.size(), 1U);
     EXPECT_LT(meanDistance(found, longer(path)), 0.2);
-    EXPECT_NEAR(totalLength(found), 189.2, GetParam() + 3.0);
+    EXPECT_GT(totalLength(found), 189.2 - GetParam() - 3.0);
+    EXPECT_LT(totalLength(found), 189.2 + 2.0 * GetParam() + 3.0) << "longer than the tube with its round caps";
     const Curve2d& curve = found.curves.front();
     ASSERT_EQ(curve.radiusPx.size(), curve.pointsPx.size());
     EXPECT_NEAR(curve.radiusPx[curve.radiusPx.size() / 2], GetParam(), 0.15 * GetParam() + 0.4);
@@ -83,6 +84,29 @@ TEST(TraceAngiogram, CurvesBiasIsBelowAFifthOfAPixel)
     EXPECT_NEAR(totalLength(trace.value().centerline), 377.0, 8.0);
 }
 
+TEST(TraceAngiogram, FindsAFaintBranchBesideAStrongTrunk)
+{
+    const Path trunk = test::line({30, 20}, {170, 230});
+    const Path branch = test::line({100, 125}, {230, 60});
+    ImageF frame = test::drawnFrame(256, 256, {trunk}, 5.0, {.depth = 90.0F});
+    const ImageF faint = test::drawnFrame(256, 256, {branch}, 1.5, {.depth = 9.0F});
+    for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
+        frame.pixels[i] += faint.pixels[i] - 120.0F;
+    }
+    test::addNoise(frame, 3.0, 5);   // a third of the branch's depth
+    const Result<AngiogramTrace> trace = core::traceAngiogram(frame, Polarity::VesselsDark);
+    ASSERT_TRUE(trace) << trace.error().message;
+    const Path apart = test::line({120, 115}, {225, 62.5});
+    for (int k = 0; k <= 10; ++k) {
+        const Eigen::Vector2d point = apart.front() + 0.1 * k * (apart.back() - apart.front());
+        double nearest = 1e9;
+        for (const Curve2d& curve : trace.value().centerline.curves) {
+            nearest = std::min(nearest, test::distanceTo(curve.pointsPx, point));
+        }
+        EXPECT_LT(nearest, 1.5) << k;
+    }
+}
+
 TEST(TraceAngiogram, CrossingVesselsStayTwoStraightCurves)
 {
     const Path rising = test::line({20, 150}, {180, 50});
@@ -95,7 +119,7 @@ TEST(TraceAngiogram, CrossingVesselsStayTwoStraightCurves)
         EXPECT_GT(curve.lengthPx(), 175.0);
         const bool rises = (curve.pointsPx.front() - curve.pointsPx.back()).prod() < 0.0;
         for (const Eigen::Vector2d& point : curve.pointsPx) {
-            EXPECT_LT(test::distanceTo(longer(rises ? rising : falling), point), 1.0);
+            EXPECT_LT(test::distanceTo(longer(rises ? rising : falling), point), 1.5);   // least sure in the round caps
         }
     }
 }
