@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+namespace core {
+
+struct Interval {
+    double low = 0.0;
+    double high = 1.0;
+};
+
+/// Wilson's score interval of a share, 95 % by default (Wilson 1927); [0, 1] when nothing was counted.
+Interval wilsonInterval(int successes, int count, double z = 1.959963984540054);
+
+/// Holm's adjustment of p values for as many comparisons as there are values (Holm 1979), in their order.
+std::vector<double> holmAdjusted(const std::vector<double>& pValues);
+
+}   // namespace core

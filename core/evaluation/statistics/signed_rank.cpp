@@ -1,0 +1,132 @@
+#include "core/evaluation/statistics/signed_rank.h"
+
+#include "core/support/quantile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+namespace core {
+namespace {
+
+constexpr std::size_t largestExactCount = 50;
+
+/// Twice the mid-ranks by absolute size, whole numbers also where sizes are equal.
+std::vector<int> doubledRanks(const std::vector<double>& differences)
+{
+    std::vector<std::size_t> order(differences.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return std::abs(differences[a]) < std::abs(differences[b]); });
+    std::vector<int> ranks(differences.size());
+    for (std::size_t from = 0; from < order.size();) {
+        std::size_t to = from;
+        while (to < order.size() && std::abs(differences[order[to]]) == std::abs(differences[order[from]])) {
+            ++to;
+        }
+        for (std::size_t k = from; k < to; ++k) {
+            ranks[order[k]] = static_cast<int>(from + 1 + to);   // (from + 1) … to, their mean doubled
+        }
+        from = to;
+    }
+    return ranks;
+}
+
+/// P(sum of the ranks that get a plus ≤ s) for every s, all sign patterns alike.
+std::vector<double> exactDistribution(const std::vector<int>& ranks)
+{
+    std::vector<double> share(static_cast<std::size_t>(std::accumulate(ranks.begin(), ranks.end(), 0)) + 1, 0.0);
+    share[0] = 1.0;
+    for (const int rank : ranks) {
+        for (std::size_t s = share.size(); s-- > 0;) {
+            const double withPlus = s >= static_cast<std::size_t>(rank) ? share[s - static_cast<std::size_t>(rank)] : 0;
+            share[s] = 0.5 * (share[s] + withPlus);
+        }
+    }
+    std::partial_sum(share.begin(), share.end(), share.begin());
+    return share;
+}
+
+double normalBelow(double z)
+{
+    return 0.5 * std::erfc(-z / std::numbers::sqrt2);
+}
+
+/// Tail probabilities of the doubled rank sum.
+struct Tails {
+    double below = 1.0;   ///< P(this or smaller)
+    double above = 1.0;   ///< P(this or larger)
+};
+
+Tails exactTails(const std::vector<int>& ranks, int doubledSum)
+{
+    const std::vector<double> below = exactDistribution(ranks);
+    const auto s = static_cast<std::size_t>(doubledSum);
+    return {below[s], s == 0 ? 1.0 : 1.0 - below[s - 1]};
+}
+
+Tails normalTails(const std::vector<int>& ranks, int doubledSum)
+{
+    double mean = 0.0;
+    double variance = 0.0;   // of the sum of independent rank × {0, 1}: ties are in the ranks already
+    for (const int rank : ranks) {
+        mean += 0.25 * rank;
+        variance += rank * rank / 16.0;
+    }
+    const double sum = 0.5 * doubledSum;
+    const double std = std::sqrt(variance);
+    return {normalBelow((sum + 0.5 - mean) / std), normalBelow((mean - sum + 0.5) / std)};
+}
+
+}   // namespace
+
+double normalQuantile(double p)
+{
+    double low = -40.0;
+    double high = 40.0;
+    for (int halving = 0; halving < 100; ++halving) {
+        const double middle = 0.5 * (low + high);
+        (normalBelow(middle) < p ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+SignedRankTest signedRankTest(const std::vector<double>& differences)
+{
+    std::vector<double> values;
+    std::copy_if(differences.begin(), differences.end(), std::back_inserter(values), [](double d) { return d != 0.0; });
+    SignedRankTest test;
+    test.count = static_cast<int>(values.size());
+    if (values.empty()) {
+        return test;
+    }
+    const std::vector<int> ranks = doubledRanks(values);
+    int doubledSum = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        doubledSum += values[i] > 0.0 ? ranks[i] : 0;
+    }
+    const Tails tails =
+        values.size() <= largestExactCount ? exactTails(ranks, doubledSum) : normalTails(ranks, doubledSum);
+    test.rankSum = 0.5 * doubledSum;
+    test.pLess = tails.below;
+    test.pTwoSided = std::min(1.0, 2.0 * std::min(tails.below, tails.above));
+    const double clipped = std::clamp(test.pLess, 1e-300, 1.0 - 1e-15);
+    test.effectSize = -normalQuantile(clipped) / std::sqrt(static_cast<double>(test.count));
+    return test;
+}
+
+double hodgesLehmann(const std::vector<double>& differences)
+{
+    std::vector<double> means;
+    means.reserve(differences.size() * (differences.size() + 1) / 2);
+    for (std::size_t i = 0; i < differences.size(); ++i) {
+        for (std::size_t k = i; k < differences.size(); ++k) {
+            means.push_back(0.5 * (differences[i] + differences[k]));
+        }
+    }
+    return quantile(std::move(means), 0.5);
+}
+
+}   // namespace core
