@@ -1,11 +1,7 @@
 #include "app/cli/case_input.h"
 
 #include "app/cli/console.h"
-#include "app/number_text.h"
 #include "io/case_file.h"
-
-#include <algorithm>
-#include <charconv>
 
 namespace app {
 
@@ -25,25 +21,6 @@ core::Result<core::RegistrationCase> loadCaseForCommand(const std::string& path,
     }
     registrationCase.frame = *frame;
     return registrationCase;
-}
-
-core::Result<double> optionValue(const core::OptionField& field, const std::string& text)
-{
-    const auto choice = std::find(field.choices.begin(), field.choices.end(), text);
-    if (choice != field.choices.end()) {
-        return static_cast<double>(choice - field.choices.begin());
-    }
-    double value = 0.0;
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size()) {
-        return core::Error{"Option '" + std::string(field.key) + "' needs a value, not '" + text + "'."};
-    }
-    if (!(value >= field.min && value <= field.max)) {
-        return core::Error{"Option '" + std::string(field.key) + "' must lie between " +
-                           fixedText(field.min, field.decimals) + " and " + fixedText(field.max, field.decimals) +
-                           ", not " + text + "."};
-    }
-    return value;
 }
 
 }   // namespace app

@@ -2,6 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/number_text.h"
 #include "app/overlay_picture.h"
+#include "core/registration/option_text.h"
 #include "core/registration/registration.h"
 #include "io/image_file.h"
 #include "io/pose_file.h"
@@ -15,32 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-core::Status setOption(core::RegistrationOptions& options, const std::string& assignment)
-{
-    const std::size_t equals = assignment.find('=');
-    const std::string key = assignment.substr(0, equals);
-    for (const core::OptionField& field : core::optionFields()) {
-        if (field.key != key) {
-            continue;
-        }
-        const std::string text = equals == std::string::npos ? "" : assignment.substr(equals + 1);
-        const auto value = optionValue(field, text);
-        if (!value) {
-            return value.error();
-        }
-        field.write(options, value.value());
-        return core::Done{};
-    }
-    return core::Error{"Option '" + key + "' is unknown. See the options in: angiopose-cli register --help"};
-}
-
 core::Status applyArguments(core::RegistrationCase& registrationCase, const RegisterArguments& arguments)
 {
     if (!arguments.method.empty()) {
         registrationCase.options.method = arguments.method;
     }
     for (const std::string& assignment : arguments.options) {
-        if (const auto status = setOption(registrationCase.options, assignment); !status) {
+        if (const auto status = core::setOption(registrationCase.options, assignment); !status) {
             return status;
         }
     }

@@ -131,8 +131,14 @@ Angiogram asAngiogram(DsaRun run, const CArm& header, std::uint64_t seed)
 
 SimulatedCase simulateCase(std::uint64_t seed, const TreeOptions& tree, const DsaOptions& dsa)
 {
-    const CounterRandom random(seed);
-    const GrownTree grown = growTree(seed, tree);
+    return simulateView(seed, seed, tree, dsa);
+}
+
+SimulatedCase simulateView(std::uint64_t treeSeed, std::uint64_t viewSeed, const TreeOptions& tree,
+                           const DsaOptions& dsa)
+{
+    const CounterRandom random(viewSeed);
+    const GrownTree grown = growTree(treeSeed, tree);
     const Geometry geometry = drawGeometry(centroidInPatient(grown.tree), tree, dsa, random.fork(GeometryStream));
 
     GrownTree bent = grown;
@@ -157,7 +163,7 @@ SimulatedCase simulateCase(std::uint64_t seed, const TreeOptions& tree, const Ds
                          geometry.trueCameraFromPatient};
     DsaRun run = formDsaFrames(scene, dsa, random.fork(ImageStream));
     result.trueContrast = std::move(run.trueContrast);
-    result.angiogram = asAngiogram(std::move(run), geometry.header, seed);
+    result.angiogram = asAngiogram(std::move(run), geometry.header, viewSeed);
     return result;
 }
 

@@ -51,6 +51,10 @@ struct SimulatedCase {
 /// Tree, clinical C-arm pose, DSA frames. Everything follows from the seed.
 SimulatedCase simulateCase(std::uint64_t seed, const TreeOptions& tree = {}, const DsaOptions& dsa = {});
 
+/// Another view of the tree of `treeSeed`: pose, filling and image follow from `viewSeed`.
+SimulatedCase simulateView(std::uint64_t treeSeed, std::uint64_t viewSeed, const TreeOptions& tree = {},
+                           const DsaOptions& dsa = {});
+
 /// Pose noise conventions of ALGORITHMS §4.2, never mixed in one table.
 /// OBJ: rotation about the tree's centroid, then shift. CAM: twist applied in the camera frame (rotates about the
 /// source).

@@ -1,34 +1,28 @@
-#include "tests/benchmark/degraded_target.h"
+#include "core/simulation/degrade_target.h"
 
 #include <cmath>
 #include <numbers>
 #include <set>
 #include <utility>
 
-namespace benchmarks {
+namespace core {
 namespace {
 
-using core::Centerline2d;
-using core::CounterRandom;
-using core::Curve2d;
-
 constexpr double missingShare = 0.2;
-constexpr double jitterPx = 0.7;
-constexpr double jitterPoints = 5.0;   ///< correlation length
 constexpr double clutterLengthPx = 500.0;
 
 /// AR(1) noise on both coordinates.
 void jitter(Curve2d& curve, CounterRandom& random)
 {
-    const double kept = std::exp(-1.0 / jitterPoints);
-    const double fresh = jitterPx * std::sqrt(1.0 - kept * kept);
+    const double kept = std::exp(-1.0 / degradedCorrelationPoints);
+    const double fresh = degradedJitterPx * std::sqrt(1.0 - kept * kept);
     Eigen::Vector2d noise = Eigen::Vector2d::Zero();
     bool isFirst = true;
     for (Eigen::Vector2d& point : curve.pointsPx) {
         const double x = random.normal();
         const double y = random.normal();
         const Eigen::Vector2d white(x, y);
-        noise = isFirst ? (jitterPx * white).eval() : (kept * noise + fresh * white).eval();
+        noise = isFirst ? (degradedJitterPx * white).eval() : (kept * noise + fresh * white).eval();
         isFirst = false;
         point += noise;
     }
@@ -49,7 +43,7 @@ Curve2d rasterized(const Curve2d& curve, std::set<std::pair<int, int>>& taken)
 }
 
 /// A smooth wandering line such as a wire or the edge of a bone.
-Curve2d drawClutter(const core::ProjectionCamera& camera, CounterRandom& random)
+Curve2d drawClutter(const ProjectionCamera& camera, CounterRandom& random)
 {
     Curve2d curve{-1, {}, {}};
     Eigen::Vector2d point(random.uniform(0.2, 0.8) * camera.width, random.uniform(0.2, 0.8) * camera.height);
@@ -66,11 +60,11 @@ Curve2d drawClutter(const core::ProjectionCamera& camera, CounterRandom& random)
 
 }   // namespace
 
-Centerline2d degraded(const Centerline2d& exact, const core::ProjectionCamera& camera, CounterRandom random)
+Centerline2d degraded(const Centerline2d& exact, const ProjectionCamera& camera, CounterRandom random)
 {
     Centerline2d result;
     std::set<std::pair<int, int>> taken;
-    for (Curve2d curve : core::resampled(exact, 1.0).curves) {
+    for (Curve2d curve : resampled(exact, 1.0).curves) {
         const bool isMissing = random.uniform() < missingShare;
         jitter(curve, random);
         Curve2d pixels = rasterized(curve, taken);
@@ -82,4 +76,4 @@ Centerline2d degraded(const Centerline2d& exact, const core::ProjectionCamera& c
     return result;
 }
 
-}   // namespace benchmarks
+}   // namespace core

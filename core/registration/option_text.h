@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/registration/registration_options.h"
+#include "core/support/result.h"
+
+#include <string>
+
+namespace core {
+
+/// Value of an option given as text: a number in its range, or one of its choices by name.
+Result<double> optionValue(const OptionField& field, const std::string& text);
+
+/// Sets one option from "key=value"; fails naming the unknown key or the impossible value.
+Status setOption(RegistrationOptions& options, const std::string& assignment);
+
+}   // namespace core
