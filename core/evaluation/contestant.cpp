@@ -1,0 +1,134 @@
+#include "core/evaluation/contestant.h"
+
+#include "core/registration/option_text.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace core {
+namespace {
+
+const std::string ownMethod = "angiopose";
+
+std::vector<std::string> split(const std::string& text, char separator)
+{
+    std::istringstream stream(text);
+    std::vector<std::string> parts;
+    for (std::string part; std::getline(stream, part, separator);) {
+        parts.push_back(part);
+    }
+    return parts;
+}
+
+bool appliesTo(const OptionField& field, const std::string& method)
+{
+    return field.methods.empty() ||
+           std::find(field.methods.begin(), field.methods.end(), method) != field.methods.end();
+}
+
+/// "preset=seed_mean" for "seed_mean": the one option of the method with a choice of this name.
+Result<std::string> assignmentOf(const std::string& setting, const std::string& method)
+{
+    std::vector<std::string> found;
+    for (const OptionField& field : optionFields()) {
+        if (appliesTo(field, method) &&
+            std::find(field.choices.begin(), field.choices.end(), setting) != field.choices.end()) {
+            found.push_back(std::string(field.key) + "=" + setting);
+        }
+    }
+    if (found.size() == 1) {
+        return found.front();
+    }
+    return Error{"Method '" + method + "' has " + (found.empty() ? "no" : "more than one") +
+                 " option with the choice '" + setting + "'. Write it as option=value."};
+}
+
+std::vector<std::string> allMethods()
+{
+    std::vector<std::string> requests;
+    for (const MethodInfo& info : methodInfos()) {
+        requests.emplace_back(info.id);
+    }
+    return requests;
+}
+
+std::vector<std::string> ablation()
+{
+    std::vector<std::string> requests;
+    for (const std::string preset : {"seed_sum", "seed_mean", "seed_metric", "seed_noprior"}) {
+        for (const std::string rotationFirst : {"off", "on"}) {
+            for (const std::string alternation : {"off", "on"}) {
+                requests.push_back("dynaweight:" + preset + ":rotationFirst=" + rotationFirst +
+                                   ":alternation=" + alternation);
+            }
+        }
+    }
+    return requests;
+}
+
+std::vector<std::string> expanded(const std::string& request)
+{
+    if (request == "all") {
+        return allMethods();
+    }
+    return request == "ablation" ? ablation() : std::vector<std::string>{request};
+}
+
+}   // namespace
+
+Result<Contestant> contestantFrom(const std::string& request)
+{
+    const std::vector<std::string> parts = split(request, ':');
+    Contestant contestant{request, {}, false};
+    contestant.options.method = parts.empty() ? "" : parts.front();
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+        std::string assignment = parts[i];
+        if (assignment.find('=') == std::string::npos) {
+            const auto named = assignmentOf(assignment, contestant.options.method);
+            if (!named) {
+                return named.error();
+            }
+            assignment = named.value();
+        }
+        if (const auto status = setOption(contestant.options, assignment); !status) {
+            return status.error();
+        }
+        contestant.choosesSpacing |= assignment.starts_with("resample=");
+    }
+    if (std::string problem = findProblem(contestant.options); !problem.empty()) {
+        return Error{std::move(problem)};
+    }
+    return contestant;
+}
+
+Result<std::vector<Contestant>> contestantsFrom(const std::string& requests)
+{
+    std::vector<Contestant> contestants;
+    for (const std::string& group : split(requests, ',')) {
+        for (const std::string& request : expanded(group)) {
+            auto contestant = contestantFrom(request);
+            if (!contestant) {
+                return contestant.error();
+            }
+            const auto isSame = [&](const Contestant& other) { return other.label == request; };
+            if (std::none_of(contestants.begin(), contestants.end(), isSame)) {
+                contestants.push_back(std::move(contestant).value());
+            }
+        }
+    }
+    if (contestants.empty()) {
+        return Error{"No method is named. See the methods in: angiopose-cli evaluate --help"};
+    }
+    return contestants;
+}
+
+RegistrationOptions optionsFor(const Contestant& contestant, bool targetIsExact)
+{
+    RegistrationOptions options = contestant.options;
+    if (targetIsExact && !contestant.choosesSpacing && options.method != ownMethod) {
+        options.resample = 0;
+    }
+    return options;
+}
+
+}   // namespace core

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/geometry/projection_camera.h"
+#include "core/geometry/rigid_transform.h"
+#include "core/vessel/centerline2d.h"
+#include "core/vessel/vessel_tree.h"
+
+namespace core {
+
+/// Noise of traced points, each coordinate alike, points 1 px apart along the curves.
+struct TracingNoise {
+    double jitterPx = 0.0;   ///< σ
+    double correlationPoints = 0.0;   ///< noise of points this far apart has correlation 1/e
+    bool isRasterized = false;   ///< rounded to whole pixels afterwards
+};
+
+/// Smallest covariance of any unbiased pose estimate from the curves' normal distances (ALGORITHMS §6.10): rotation
+/// (rad) and shift (mm) about the tree's centroid in camera axes. `visible` are the tree's branches in the target.
+Matrix6d cramerRaoBound(const VesselTree& tree, const VesselTree& visible, const ProjectionCamera& camera,
+                        const RigidTransform& cameraFromPatient, const TracingNoise& noise);
+
+/// Root mean square projection distance over the tree's points for a pose error of this covariance, to first order.
+double rmsProjectionPx(const VesselTree& tree, const ProjectionCamera& camera, const RigidTransform& cameraFromPatient,
+                       const Matrix6d& covariance);
+
+}   // namespace core

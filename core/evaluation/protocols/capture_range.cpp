@@ -1,0 +1,134 @@
+#include "core/evaluation/protocols/capture_range.h"
+
+#include "core/evaluation/projection_error.h"
+#include "core/evaluation/protocols/phantoms.h"
+#include "core/evaluation/protocols/protocol_rows.h"
+#include "core/support/format_number.h"
+
+#include <numbers>
+
+namespace core {
+namespace {
+
+constexpr int anatomies = 6;
+constexpr double radiansPerDegree = std::numbers::pi / 180.0;
+constexpr double rotationStdDeg = 2.0;   // with the next, what one unit of displacement is
+constexpr double shiftStdMm = 5.0;
+
+struct Setting {
+    Condition condition;
+    bool isDegraded = false;
+    double fromMm = 0.0;
+    double toMm = 0.0;
+};
+
+std::vector<Setting> makeSettings()
+{
+    std::vector<Setting> rows;
+    for (const bool isDegraded : {false, true}) {
+        double from = 0.0;
+        for (const double to : captureBinEdgesMm()) {
+            const std::string range = plainText(from) + "-" + plainText(to);
+            rows.push_back({{(isDegraded ? "degraded-" : "clean-") + range,
+                             "start " + plainText(from) + "–" + plainText(to) + " mm, " +
+                                 (isDegraded ? "degraded target" : "exact target"),
+                             !isDegraded},
+                            isDegraded,
+                            from,
+                            to});
+            from = to;
+        }
+    }
+    return rows;
+}
+
+const std::vector<Setting>& settings()
+{
+    static const std::vector<Setting> rows = makeSettings();
+    return rows;
+}
+
+/// A displacement about the centroid (OBJ) that can be made larger and smaller.
+struct Displacement {
+    Eigen::Vector3d omega;
+    Eigen::Vector3d shift;
+
+    RigidTransform applied(const RigidTransform& truth, const Eigen::Vector3d& centroid, double scale) const
+    {
+        const Eigen::Matrix3d rotation = expSo3(scale * omega) * truth.rotation;
+        return {rotation, truth * centroid + scale * shift - rotation * centroid};
+    }
+};
+
+Displacement drawDisplacement(CounterRandom& random)
+{
+    Displacement unit;
+    for (int k = 0; k < 3; ++k) {
+        unit.omega[k] = rotationStdDeg * radiansPerDegree * random.normal();
+    }
+    for (int k = 0; k < 3; ++k) {
+        unit.shift[k] = shiftStdMm * random.normal();
+    }
+    return unit;
+}
+
+/// The start along the drawn displacement whose mTRE is `wantedMm`: both grow together, so halving finds it.
+RigidTransform startAt(double wantedMm, const SharedPhantom& phantom, const Displacement& unit)
+{
+    const RigidTransform& truth = phantom.scene.trueCameraFromPatient;
+    const std::vector<Eigen::Vector3d> targets = targetsOf(*phantom.tree);
+    double low = 0.0;
+    double high = std::numbers::pi / unit.omega.norm();   // half a turn
+    for (int halving = 0; halving < 50; ++halving) {
+        const double scale = 0.5 * (low + high);
+        const RigidTransform pose = unit.applied(truth, phantom.centroid, scale);
+        (targetError(targets, {pose, truth}).mtreMm < wantedMm ? low : high) = scale;
+    }
+    return unit.applied(truth, phantom.centroid, high);
+}
+
+TrialMaker prepare(std::size_t condition, std::uint64_t seed)
+{
+    return [phantoms = makePhantoms(seed, anatomies), setting = settings()[condition], seed](std::uint64_t number) {
+        const CounterRandom random = trialRandom(captureRangeNumber, seed, number);
+        const SharedPhantom& phantom = (*phantoms)[number % anatomies];
+        Trial trial = phantom.makeTrial();
+        if (setting.isDegraded) {
+            degradeTarget(phantom, random.fork(1), trial);
+        }
+        CounterRandom start = random.fork(0);
+        const double wantedMm = start.uniform(setting.fromMm, setting.toMm);
+        trial.input.initialCameraFromPatient = startAt(wantedMm, phantom, drawDisplacement(start));
+        return trial;
+    };
+}
+
+}   // namespace
+
+const std::vector<double>& captureBinEdgesMm()
+{
+    static const std::vector<double> edges = [] {
+        std::vector<double> values;
+        for (int mm = 1; mm <= 20; ++mm) {
+            values.push_back(mm);
+        }
+        for (int mm = 25; mm <= 100; mm += 5) {
+            values.push_back(mm);
+        }
+        return values;
+    }();
+    return edges;
+}
+
+Protocol captureRangeProtocol()
+{
+    return {"capture-range",
+            "Start poses in bins of their mean target error: how far off may the start be (ALGORITHMS 4.5).",
+            60,
+            anatomies,
+            Success::RayDistanceWithin2Mm,
+            conditionsOf(settings()),
+            prepare};
+}
+
+}   // namespace core

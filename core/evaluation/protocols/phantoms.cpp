@@ -1,0 +1,80 @@
+#include "core/evaluation/protocols/phantoms.h"
+
+#include "core/evaluation/cramer_rao_bound.h"
+#include "core/simulation/degrade_target.h"
+
+#include <algorithm>
+
+namespace core {
+namespace {
+
+constexpr int pointCount = 2000;
+constexpr std::uint64_t seedsPerExperiment = 1000;
+
+/// The branches that have a curve in the target.
+VesselTree visibleBranches(const VesselTree& tree, const Centerline2d& target)
+{
+    VesselTree visible;
+    for (const VesselBranch& branch : tree.branches) {
+        if (std::any_of(target.curves.begin(), target.curves.end(),
+                        [&](const Curve2d& curve) { return curve.id == branch.id; })) {
+            visible.branches.push_back(branch);
+        }
+    }
+    return visible;
+}
+
+}   // namespace
+
+SharedPhantom::SharedPhantom(Phantom phantom)
+    : scene(std::move(phantom)),
+      tree(std::make_shared<const VesselTree>(scene.tree)),
+      centroid(centroidInPatient(scene.tree))
+{
+}
+
+Trial SharedPhantom::makeTrial() const
+{
+    Trial trial;
+    trial.input.tree = scene.tree;
+    trial.input.target = scene.exactTarget;
+    trial.input.camera = scene.camera;
+    trial.input.initialCameraFromPatient = scene.trueCameraFromPatient;
+    trial.tree = tree;
+    trial.trueCameraFromPatient = scene.trueCameraFromPatient;
+    trial.targetIsExact = true;
+    return trial;
+}
+
+Phantoms makePhantoms(std::uint64_t seed, int count)
+{
+    auto phantoms = std::make_shared<std::vector<SharedPhantom>>();
+    for (int k = 0; k < count; ++k) {
+        phantoms->emplace_back(makePhantom(seed * seedsPerExperiment + static_cast<std::uint64_t>(k), pointCount));
+    }
+    return phantoms;
+}
+
+CounterRandom trialRandom(std::uint64_t protocolNumber, std::uint64_t seed, std::uint64_t trial)
+{
+    return CounterRandom(seed).fork(protocolNumber).fork(trial);
+}
+
+void degradeTarget(const SharedPhantom& phantom, const CounterRandom& random, Trial& trial)
+{
+    trial.input.target = degraded(phantom.scene.exactTarget, phantom.scene.camera, random);
+    trial.targetIsExact = false;
+    trial.errorBound =
+        cramerRaoBound(*phantom.tree, visibleBranches(*phantom.tree, trial.input.target), phantom.scene.camera,
+                       phantom.scene.trueCameraFromPatient, {degradedJitterPx, degradedCorrelationPoints, true});
+}
+
+Eigen::Vector3d randomDirection(double length, CounterRandom& random)
+{
+    const double x = random.normal();
+    const double y = random.normal();
+    const double z = random.normal();
+    return length * Eigen::Vector3d(x, y, z).normalized();
+}
+
+}   // namespace core

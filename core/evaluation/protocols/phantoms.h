@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/evaluation/trial.h"
+#include "core/simulation/phantom.h"
+#include "core/support/random.h"
+
+#include <memory>
+#include <vector>
+
+namespace core {
+
+/// A phantom whose tree trials can share.
+struct SharedPhantom {
+    explicit SharedPhantom(Phantom phantom);
+
+    /// A trial on the exact target, starting from the true pose.
+    Trial makeTrial() const;
+
+    Phantom scene;
+    std::shared_ptr<const VesselTree> tree;
+    Eigen::Vector3d centroid;
+};
+
+using Phantoms = std::shared_ptr<const std::vector<SharedPhantom>>;
+
+/// Trees P1, P2, … of one experiment, about 2000 points each.
+Phantoms makePhantoms(std::uint64_t seed, int count);
+
+/// What trial number `trial` of a protocol draws from: the same for every condition, so that these compare.
+CounterRandom trialRandom(std::uint64_t protocolNumber, std::uint64_t seed, std::uint64_t trial);
+
+/// Replaces the exact target by a degraded one and says what it allows.
+void degradeTarget(const SharedPhantom& phantom, const CounterRandom& random, Trial& trial);
+
+/// A vector of the given length in a random direction.
+Eigen::Vector3d randomDirection(double length, CounterRandom& random);
+
+}   // namespace core

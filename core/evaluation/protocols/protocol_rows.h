@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/evaluation/protocol.h"
+
+namespace core {
+
+/// Streams of an experiment's generator: what one protocol draws never shifts another's draws.
+enum ProtocolNumber : std::uint64_t {
+    toyNumber = 1,
+    simulationNumber,
+    robustnessNumber,
+    clinicalNumber,
+    captureRangeNumber
+};
+
+Protocol toyProtocol();
+Protocol simulationProtocol();
+Protocol robustnessProtocol();
+Protocol clinicalProtocol();
+Protocol captureRangeProtocol();
+
+template <class Setting>
+std::vector<Condition> conditionsOf(const std::vector<Setting>& settings)
+{
+    std::vector<Condition> conditions;
+    for (const Setting& setting : settings) {
+        conditions.push_back(setting.condition);
+    }
+    return conditions;
+}
+
+}   // namespace core

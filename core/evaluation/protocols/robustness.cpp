@@ -1,0 +1,125 @@
+#include "core/evaluation/protocols/phantoms.h"
+#include "core/evaluation/protocols/protocol_rows.h"
+#include "core/simulation/prune_tree.h"
+#include "core/simulation/simulated_case.h"
+#include "core/support/format_number.h"
+
+#include <numbers>
+
+namespace core {
+namespace {
+
+constexpr int anatomies = 6;
+constexpr int prunedLeaves = 5;
+constexpr double radiansPerDegree = std::numbers::pi / 180.0;
+
+enum class Pruning { None, Target, BothSides };
+enum class Direction { Lateral, Isotropic };   ///< of the shift
+
+struct Setting {
+    Condition condition;
+    Pruning pruning = Pruning::None;
+    Direction direction = Direction::Lateral;
+    double shiftMm = 0.0;
+    double rotationDeg = 0.0;
+};
+
+struct Named {
+    std::string id;
+    std::string title;
+};
+
+Named named(Pruning pruning)
+{
+    switch (pruning) {
+        case Pruning::None:
+            return {"full", "no pruning"};
+        case Pruning::Target:
+            return {"pruned", "5 leaves missing in the image"};
+        case Pruning::BothSides:
+            return {"both", "5 leaves missing in the image, 5 others in the tree"};
+    }
+    return {};
+}
+
+Setting makeSetting(Pruning pruning, Direction direction, double shiftMm, double rotationDeg)
+{
+    const bool isLateral = direction == Direction::Lateral;
+    const Named name = named(pruning);
+    const std::string mm = plainText(shiftMm);
+    const std::string deg = plainText(rotationDeg);
+    return {{(isLateral ? "" : "isotropic-") + name.id + "-" + mm + "-" + deg,
+             mm + " mm " + (isLateral ? "lateral" : "any direction") + ", " + deg + "°, " + name.title, isLateral},
+            pruning,
+            direction,
+            shiftMm,
+            rotationDeg};
+}
+
+std::vector<Setting> makeSettings()
+{
+    std::vector<Setting> rows;
+    for (const Direction direction : {Direction::Lateral, Direction::Isotropic}) {
+        for (const Pruning pruning : {Pruning::None, Pruning::Target, Pruning::BothSides}) {
+            for (const auto& [mm, deg] : {std::pair(5.0, 2.0), {8.0, 3.0}, {10.0, 5.0}}) {
+                rows.push_back(makeSetting(pruning, direction, mm, deg));
+            }
+        }
+    }
+    return rows;
+}
+
+const std::vector<Setting>& settings()
+{
+    static const std::vector<Setting> rows = makeSettings();
+    return rows;
+}
+
+/// A twist of fixed norms, in the camera frame.
+RigidTransform disturbance(const Setting& setting, CounterRandom random)
+{
+    Vector6d twist;
+    twist.head<3>() = randomDirection(setting.rotationDeg * radiansPerDegree, random);
+    Eigen::Vector3d shift = randomDirection(setting.shiftMm, random);
+    if (setting.direction == Direction::Lateral) {
+        shift.z() = 0.0;
+        shift *= setting.shiftMm / shift.norm();
+    }
+    twist.tail<3>() = shift;
+    return expSe3(twist);
+}
+
+TrialMaker prepare(std::size_t condition, std::uint64_t seed)
+{
+    return [phantoms = makePhantoms(seed, anatomies), setting = settings()[condition], seed](std::uint64_t number) {
+        const CounterRandom random = trialRandom(robustnessNumber, seed, number);
+        const SharedPhantom& phantom = (*phantoms)[number % anatomies];
+        Trial trial = phantom.makeTrial();
+        if (setting.pruning != Pruning::None) {
+            CounterRandom imageSide = random.fork(1);
+            trial.input.target = projectTree(pruned(*phantom.tree, prunedLeaves, imageSide), phantom.scene.camera,
+                                             phantom.scene.trueCameraFromPatient);
+        }
+        if (setting.pruning == Pruning::BothSides) {
+            CounterRandom treeSide = random.fork(2);
+            trial.input.tree = pruned(*phantom.tree, prunedLeaves, treeSide);
+        }
+        trial.input.initialCameraFromPatient = disturbance(setting, random.fork(0)) * trial.trueCameraFromPatient;
+        return trial;
+    };
+}
+
+}   // namespace
+
+Protocol robustnessProtocol()
+{
+    return {"robustness",
+            "Six trees, start poses of fixed distance, with and without missing leaves (ALGORITHMS 4.3).",
+            600,
+            anatomies,
+            Success::ProjectionWithin5Px,
+            conditionsOf(settings()),
+            prepare};
+}
+
+}   // namespace core

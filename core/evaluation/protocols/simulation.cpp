@@ -1,0 +1,79 @@
+#include "core/evaluation/protocols/phantoms.h"
+#include "core/evaluation/protocols/protocol_rows.h"
+#include "core/simulation/simulated_case.h"
+
+namespace core {
+namespace {
+
+constexpr int anatomies = 10;
+
+enum class Pivot { Centroid, Source };   ///< OBJ and CAM of ALGORITHMS §4.2
+enum class Target { Exact, Degraded };
+
+struct Setting {
+    Condition condition;
+    Pivot pivot = Pivot::Centroid;
+    double rotationStdDeg = 0.0;   ///< per axis
+    double translationStdMm = 0.0;   ///< per axis
+    Target target = Target::Exact;
+    double depthStdMm = 0.0;   ///< besides
+};
+
+const std::vector<Setting>& settings()
+{
+    static const std::vector<Setting> rows{
+        {{"cam-2-5", "2°/5 mm about the source (CAM), exact target", true}, Pivot::Source, 2, 5, Target::Exact},
+        {{"obj-2-5", "2°/5 mm about the centroid (OBJ), exact target", true}, Pivot::Centroid, 2, 5, Target::Exact},
+        {{"degraded-cam-2-5", "CAM 2°/5 mm, degraded target", true}, Pivot::Source, 2, 5, Target::Degraded},
+        {{"degraded-obj-2-5", "OBJ 2°/5 mm, degraded target", true}, Pivot::Centroid, 2, 5, Target::Degraded},
+        {{"cam-3-8", "CAM 3°/8 mm, exact target", false}, Pivot::Source, 3, 8, Target::Exact},
+        {{"cam-5-10", "CAM 5°/10 mm, exact target", false}, Pivot::Source, 5, 10, Target::Exact},
+        {{"degraded-cam-5-10", "CAM 5°/10 mm, degraded target", false}, Pivot::Source, 5, 10, Target::Degraded},
+        {{"obj-5-10", "OBJ 5°/10 mm, exact target", false}, Pivot::Centroid, 5, 10, Target::Exact},
+        {{"obj-10-20", "OBJ 10°/20 mm, exact target", false}, Pivot::Centroid, 10, 20, Target::Exact},
+        {{"obj-15-30", "OBJ 15°/30 mm, exact target", false}, Pivot::Centroid, 15, 30, Target::Exact},
+        {{"depth-20", "OBJ 2°/5 mm, depth ±20 mm, exact target", false}, Pivot::Centroid, 2, 5, Target::Exact, 20},
+        {{"depth-60", "OBJ 2°/5 mm, depth ±60 mm, exact target", false}, Pivot::Centroid, 2, 5, Target::Exact, 60},
+    };
+    return rows;
+}
+
+RigidTransform startPose(const SharedPhantom& phantom, const Setting& setting, CounterRandom random)
+{
+    const RigidTransform& truth = phantom.scene.trueCameraFromPatient;
+    RigidTransform start =
+        setting.pivot == Pivot::Centroid
+            ? perturbedAboutCentroid(truth, phantom.centroid, setting.rotationStdDeg, setting.translationStdMm, random)
+            : perturbedAboutSource(truth, setting.rotationStdDeg, setting.translationStdMm, random);
+    start.translation.z() += setting.depthStdMm * random.normal();
+    return start;
+}
+
+TrialMaker prepare(std::size_t condition, std::uint64_t seed)
+{
+    return [phantoms = makePhantoms(seed, anatomies), setting = settings()[condition], seed](std::uint64_t number) {
+        const CounterRandom random = trialRandom(simulationNumber, seed, number);
+        const SharedPhantom& phantom = (*phantoms)[number % anatomies];
+        Trial trial = phantom.makeTrial();
+        if (setting.target == Target::Degraded) {
+            degradeTarget(phantom, random.fork(1), trial);
+        }
+        trial.input.initialCameraFromPatient = startPose(phantom, setting, random.fork(0));
+        return trial;
+    };
+}
+
+}   // namespace
+
+Protocol simulationProtocol()
+{
+    return {"simulation",
+            "Generated trees, Gaussian start poses, exact or degraded projections (ALGORITHMS 4.2, 4.4).",
+            1000,
+            anatomies,
+            Success::ProjectionWithin5Px,
+            conditionsOf(settings()),
+            prepare};
+}
+
+}   // namespace core

@@ -1,0 +1,99 @@
+#include "core/evaluation/protocols/phantoms.h"
+#include "core/evaluation/protocols/protocol_rows.h"
+#include "core/simulation/simulated_case.h"
+
+#include <array>
+#include <numbers>
+
+namespace core {
+namespace {
+
+constexpr double radiansPerDegree = std::numbers::pi / 180.0;
+constexpr double tiltDeg = 30.0;
+constexpr double shiftMm = 1.0;
+const Eigen::Vector3d middle(7.5, 0.0, 12.5);
+
+struct Setting {
+    Condition condition;
+    int segmentsPerEdge = 0;
+    double rotationDeg = 0.0;   ///< of the start pose, about the source
+};
+
+std::vector<Setting> makeSettings()
+{
+    std::vector<Setting> rows;
+    for (const double rotationDeg : {0.0, 1.0}) {
+        for (const int segments : {2, 11, 21, 31, 41}) {
+            const std::string points = std::to_string(4 * segments);
+            rows.push_back({{(rotationDeg > 0.0 ? "b2-" : "b1-") + points,
+                             points + " points, shift 1" + (rotationDeg > 0.0 ? " and 1°" : ""), true},
+                            segments,
+                            rotationDeg});
+        }
+    }
+    return rows;
+}
+
+const std::vector<Setting>& settings()
+{
+    static const std::vector<Setting> rows = makeSettings();
+    return rows;
+}
+
+/// The published square: four edges of 5 in the plane y = 0. Neighbouring edges share their corner.
+VesselTree makeSquare(int segmentsPerEdge)
+{
+    const std::array<Eigen::Vector3d, 4> corners{Eigen::Vector3d(5, 0, 10), {10, 0, 10}, {10, 0, 15}, {5, 0, 15}};
+    VesselTree square;
+    for (std::size_t edge = 0; edge < corners.size(); ++edge) {
+        VesselBranch branch{static_cast<int>(edge), "", {}, {}};
+        for (int k = 0; k <= segmentsPerEdge; ++k) {
+            const double share = static_cast<double>(k) / segmentsPerEdge;
+            branch.pointsInPatient.emplace_back((1.0 - share) * corners[edge] + share * corners[(edge + 1) % 4]);
+        }
+        square.branches.push_back(std::move(branch));
+    }
+    return square;
+}
+
+/// Variant T-B of ALGORITHMS §4.1: tilted out of the line that the printed pose shows.
+Phantom makeToy(int segmentsPerEdge)
+{
+    Phantom toy;
+    toy.tree = makeSquare(segmentsPerEdge);
+    toy.camera = {520.0, 520.0, 512.0, 512.0, 1024, 1024};
+    toy.trueCameraFromPatient.rotation = expSo3(Eigen::Vector3d(tiltDeg * radiansPerDegree, 0.0, 0.0));
+    toy.trueCameraFromPatient.translation =
+        Eigen::Vector3d(0.0, 0.0, middle.z()) - toy.trueCameraFromPatient.rotation * middle;
+    toy.exactTarget = projectTree(toy.tree, toy.camera, toy.trueCameraFromPatient);
+    return toy;
+}
+
+TrialMaker prepare(std::size_t condition, std::uint64_t seed)
+{
+    const Setting& setting = settings()[condition];
+    const auto toy = std::make_shared<const SharedPhantom>(makeToy(setting.segmentsPerEdge));
+    return [toy, rotationDeg = setting.rotationDeg, seed](std::uint64_t number) {
+        CounterRandom random = trialRandom(toyNumber, seed, number);
+        const Eigen::Vector3d shift = randomDirection(shiftMm, random);
+        const RigidTransform disturbance{expSo3(randomDirection(rotationDeg * radiansPerDegree, random)), shift};
+        Trial trial = toy->makeTrial();
+        trial.input.initialCameraFromPatient = disturbance * trial.trueCameraFromPatient;
+        return trial;
+    };
+}
+
+}   // namespace
+
+Protocol toyProtocol()
+{
+    return {"toy",
+            "A tilted square of equally spaced points, shifted by 1 in a random direction (ALGORITHMS 4.1).",
+            100,
+            1,
+            Success::ProjectionWithin1Px,
+            conditionsOf(settings()),
+            prepare};
+}
+
+}   // namespace core

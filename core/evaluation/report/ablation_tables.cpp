@@ -1,0 +1,87 @@
+#include "core/evaluation/contestant.h"
+#include "core/evaluation/report/table_parts.h"
+#include "core/support/format_number.h"
+
+#include <algorithm>
+
+namespace core {
+namespace {
+
+constexpr std::size_t fewestSettings = 4;   // fewer are a comparison, no ablation
+
+/// A DynaWeightPnP contestant by its three settings.
+struct Setting {
+    std::string label;
+    int preset = 0;
+    bool rotationFirst = false;
+    bool alternation = false;
+};
+
+std::vector<Setting> settingsOf(const RunGroups& groups)
+{
+    std::vector<Setting> settings;
+    for (const std::string& label : groups.methods()) {
+        const auto contestant = contestantFrom(label);
+        if (contestant && contestant.value().options.method == "dynaweight") {
+            const RegistrationOptions& options = contestant.value().options;
+            settings.push_back(
+                {label, static_cast<int>(options.preset), options.rotationFirst != 0.0, options.alternation != 0.0});
+        }
+    }
+    return settings;
+}
+
+std::string presetName(int preset)
+{
+    for (const OptionField& field : optionFields()) {
+        if (field.key == "preset") {
+            return std::string(field.choices[static_cast<std::size_t>(preset)]);
+        }
+    }
+    return "";
+}
+
+std::string cellOf(const RunGroup& group)
+{
+    return group.count() == 0 ? "–"
+                              : fixedText(100.0 * group.countIf(isGrossPx) / group.count(), 1) + " / " +
+                                    significantText(group.median(&RunRecord::meanPx)) + " / " +
+                                    significantText(group.median(&RunRecord::angleDeg)) + " / " +
+                                    fixedText(group.median(&RunRecord::seedDistanceMm), 2);
+}
+
+ResultTable tableOf(const RunGroups& groups, const Condition& condition, const std::vector<Setting>& settings)
+{
+    ResultTable table;
+    table.id = std::string(groups.protocol().id) + "-" + condition.id + "-ablation";
+    table.title = "Ablation of DynaWeightPnP: " + condition.title + " (GFR % / median PR px / angle ° / Dist mm)";
+    table.columns = {"prior", "neither", "alternation", "rotation first", "both"};
+    for (int preset = 0; preset < 4; ++preset) {
+        ResultTable::Row row{{presetName(preset), "–", "–", "–", "–"}, false};
+        for (const Setting& setting : settings) {
+            if (setting.preset == preset) {
+                const std::size_t column = 1 + (setting.alternation ? 1 : 0) + (setting.rotationFirst ? 2 : 0);
+                row.cells[column] = cellOf(groups.of(condition, setting.label));
+            }
+        }
+        table.rows.push_back(std::move(row));
+    }
+    table.notes = {"The pull towards the start pose ties Dist to the start's; the alternation frees it."};
+    return table;
+}
+
+}   // namespace
+
+std::vector<ResultTable> ablationTables(const RunGroups& groups)
+{
+    const std::vector<Setting> settings = settingsOf(groups);
+    std::vector<ResultTable> tables;
+    if (settings.size() >= fewestSettings) {
+        for (const Condition& condition : groups.conditions()) {
+            tables.push_back(tableOf(groups, condition, settings));
+        }
+    }
+    return tables;
+}
+
+}   // namespace core

@@ -1,0 +1,76 @@
+#include "core/evaluation/report/published_results.h"
+#include "core/evaluation/report/table_parts.h"
+#include "core/support/format_number.h"
+
+namespace core {
+namespace {
+
+std::string successCell(const RunGroup& group, double limitMm)
+{
+    return shareCell(group.countIf([limitMm](const RunRecord& run) { return run.mrpdMm < limitMm; }), group.count());
+}
+
+std::vector<std::string> cellsOf(const std::string& method, const RunGroup& group)
+{
+    const auto isFlagged = [](const RunRecord& run) { return run.trustworthy == 0.0; };
+    const RunGroup gross = group.where(isGrossMm);
+    const RunGroup failures = group.where([](const RunRecord& run) { return !(run.mrpdMm < successfulMrpdMm); });
+    const RunGroup successes = group.where([](const RunRecord& run) { return run.mrpdMm < successfulMrpdMm; });
+    return {method,
+            shareCell(gross.count(), group.count()),
+            fixedText(group.median(&RunRecord::meanMm), 2),
+            fixedText(group.quantile(&RunRecord::meanMm, 0.75), 2),
+            fixedText(group.quantile(&RunRecord::meanMm, 0.95), 2),
+            successCell(group, successfulMrpdMm),
+            successCell(group, 1.0),
+            successCell(group, 5.0),
+            fixedText(group.median(&RunRecord::mrpdMm), 2),
+            fixedText(group.median(&RunRecord::mtreMm), 1),
+            percentCell(gross.countIf(isFlagged), gross.count()),
+            percentCell(failures.countIf(isFlagged), failures.count()),
+            percentCell(successes.countIf(isFlagged), successes.count()),
+            fixedText(successes.mean(&RunRecord::nees), 1)};
+}
+
+ResultTable tableOf(const RunGroups& groups, const Condition& condition)
+{
+    ResultTable table;
+    table.id = "clinical-" + condition.id;
+    table.title = "Clinical protocol: " + condition.title;
+    table.columns = {"method",       "GFR %",    "median mm", "p75 mm",  "p95 mm",        "mRPD < 2 mm %",
+                     "< 1 mm %",     "< 5 mm %", "mRPD mm",   "mTRE mm", "gross flagged", "failures flagged",
+                     "false alarms", "NEES"};
+    for (std::size_t k = 0; k < groups.methods().size(); ++k) {
+        const std::string& method = groups.methods()[k];
+        if (groups.of(condition, method).count() == 0) {
+            continue;
+        }
+        table.rows.push_back({cellsOf(method, groups.of(condition, method)), false});
+        const auto published = publishedInVivo(methodIdOf(method));
+        if (published && isLastOfItsMethod(groups.methods(), k)) {
+            table.rows.push_back(publishedRow(table, methodIdOf(method) + " in vivo",
+                                              {fixedText(published->grossPercent, 0), fixedText(published->medianMm, 2),
+                                               fixedText(published->p75Mm, 2), fixedText(published->p95Mm, 2)}));
+        }
+    }
+    table.notes = {
+        "Distances to the true partners under the best rigid pose (PR), mm; GFR: PR above 5 mm; mRPD: mean distance of "
+        "the true points to the rays of the found ones. Shares with their 95 % Wilson intervals.",
+        "gross flagged, failures flagged: share of those with PR above 5 mm, and with mRPD of 2 mm and more, that the "
+        "method does not call trustworthy; false alarms: share of the successes that it does not.",
+        "The published figures come from other images, and their GFR does not fit their quantiles."};
+    return table;
+}
+
+}   // namespace
+
+std::vector<ResultTable> clinicalTables(const RunGroups& groups)
+{
+    std::vector<ResultTable> tables;
+    for (const Condition& condition : groups.conditions()) {
+        tables.push_back(tableOf(groups, condition));
+    }
+    return tables;
+}
+
+}   // namespace core

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/evaluation/run_record.h"
+#include "core/evaluation/statistics/proportion.h"
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace core {
+
+struct PlotAxis {
+    std::string label;
+    double min = 0.0;
+    double max = 1.0;
+    bool isLogarithmic = false;   ///< base 10; min and max are above 0
+};
+
+/// One line of a plot; points outside the axes are cut off.
+struct PlotSeries {
+    std::string name;
+    std::vector<Eigen::Vector2d> points;   ///< by x
+    std::vector<Interval> bands;   ///< one per point, or empty
+};
+
+/// A line plot; io draws it as SVG.
+struct Plot {
+    std::string id;   ///< file name without ending
+    std::string title;
+    PlotAxis x;
+    PlotAxis y;
+    std::vector<PlotSeries> series;
+};
+
+/// Cumulative error, success over the start's error, and convergence, wherever the runs allow them.
+std::vector<Plot> plotsOf(const RunSet& runs);
+
+}   // namespace core

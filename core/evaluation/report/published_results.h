@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace core {
+
+// What the paper prints (DynaWeightPnP, Song and Ghaffari), labels corrected (ALGORITHMS §2, decisions 5–7 and §4).
+// NaN where it prints nothing usable.
+
+struct PublishedErrors {
+    double grossPercent, meanMm, p75Mm, p95Mm, timeMs;
+};
+std::optional<PublishedErrors> publishedSimulation(std::string_view methodId);
+
+struct PublishedInVivo {
+    double grossPercent, medianMm, p75Mm, p95Mm, timeMs;
+};
+std::optional<PublishedInVivo> publishedInVivo(std::string_view methodId);
+
+/// Means over P1–P6.
+struct PublishedRobustness {
+    double closestMedianPx, angleDeg, seedDistanceMm;
+};
+std::optional<PublishedRobustness> publishedRobustness(std::string_view conditionId, std::string_view methodId);
+
+struct PublishedToy {
+    double closestPx, angleDeg, seedDistance;
+};
+std::optional<PublishedToy> publishedToy(int points, std::string_view methodId);
+
+}   // namespace core

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/evaluation/run_record.h"
+
+#include <string>
+#include <vector>
+
+namespace core {
+
+/// A table as people read it; io writes it as Markdown and LaTeX.
+struct ResultTable {
+    struct Row {
+        std::vector<std::string> cells;   ///< one per column
+        bool isPublished = false;   ///< figures of the paper, under our own of the same method
+    };
+    std::string id;   ///< file name without ending
+    std::string title;
+    std::vector<std::string> columns;
+    std::vector<Row> rows;
+    std::vector<std::string> notes;   ///< one sentence each
+};
+
+/// Every table that the runs allow: errors by condition in the paper's layout, statistics, ablation, times.
+std::vector<ResultTable> tablesOf(const RunSet& runs);
+
+}   // namespace core

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/evaluation/protocol.h"
+#include "core/evaluation/run_record.h"
+
+#include <functional>
+#include <map>
+
+namespace core {
+
+using RunValue = double RunRecord::*;
+
+/// Mean projection distances above these are gross failures: 5 px in simulations, 5 mm in clinical images.
+inline constexpr double grossFailurePx = 5.0;
+inline constexpr double grossFailureMm = 5.0;
+inline constexpr double successfulMrpdMm = 2.0;
+
+/// Runs of one method under one condition, by trial.
+class RunGroup {
+public:
+    void add(const RunRecord& run) { runs_.push_back(&run); }
+
+    int count() const { return static_cast<int>(runs_.size()); }
+    const std::vector<const RunRecord*>& runs() const { return runs_; }
+    /// Values that are known; infinite ones among them.
+    std::vector<double> values(RunValue value) const;
+    double quantile(RunValue value, double fraction) const;
+    double median(RunValue value) const { return quantile(value, 0.5); }
+    double mean(RunValue value) const;
+    int countIf(const std::function<bool(const RunRecord&)>& holds) const;
+    RunGroup where(const std::function<bool(const RunRecord&)>& holds) const;
+    RunGroup ofAnatomy(int anatomy) const;
+
+private:
+    std::vector<const RunRecord*> runs_;
+};
+
+/// A run set sorted for tables and plots; it must outlive this.
+class RunGroups {
+public:
+    explicit RunGroups(const RunSet& runs);
+
+    const Protocol& protocol() const { return *protocol_; }
+    const std::vector<Condition>& conditions() const { return conditions_; }   ///< that occur, in the protocol's order
+    const std::vector<std::string>& methods() const { return methods_; }   ///< in order of appearance
+    const RunGroup& of(const Condition& condition, const std::string& method) const;
+
+private:
+    const Protocol* protocol_ = nullptr;
+    std::vector<Condition> conditions_;
+    std::vector<std::string> methods_;
+    std::map<std::pair<std::string, std::string>, RunGroup> groups_;
+};
+
+bool isGrossPx(const RunRecord& run);
+bool isGrossMm(const RunRecord& run);
+
+/// By the protocol's own rule.
+bool isSuccess(Success rule, const RunRecord& run);
+std::string_view toText(Success rule);   ///< "mean projection distance at most 5 px", …
+
+}   // namespace core

@@ -1,0 +1,92 @@
+#include "core/evaluation/report/published_results.h"
+#include "core/evaluation/report/table_parts.h"
+#include "core/support/format_number.h"
+
+#include <cmath>
+
+namespace core {
+namespace {
+
+/// Root mean square error over what the Cramér–Rao bound allows, of the runs that are not gross.
+std::string boundRatioCell(const RunGroup& group)
+{
+    double squares = 0.0;
+    double boundSquares = 0.0;
+    for (const RunRecord* run : group.runs()) {
+        if (!isGrossPx(*run) && !std::isnan(run->boundRmsPx)) {
+            squares += run->rmsPx * run->rmsPx;
+            boundSquares += run->boundRmsPx * run->boundRmsPx;
+        }
+    }
+    return boundSquares > 0.0 ? fixedText(std::sqrt(squares / boundSquares), 2) : "–";
+}
+
+std::vector<std::string> cellsOf(const std::string& method, const RunGroup& group)
+{
+    const RunGroup good = group.where([](const RunRecord& run) { return !isGrossPx(run); });
+    const RunGroup gross = group.where(isGrossPx);
+    const auto flagged = [](const RunRecord& run) { return run.trustworthy == 0.0; };
+    return {method,
+            shareCell(gross.count(), group.count()),
+            significantText(group.mean(&RunRecord::meanMm)),
+            significantText(group.quantile(&RunRecord::meanMm, 0.75)),
+            significantText(group.quantile(&RunRecord::meanMm, 0.95)),
+            significantText(good.mean(&RunRecord::meanMm)),
+            significantText(group.median(&RunRecord::meanPx)),
+            significantText(group.quantile(&RunRecord::meanPx, 0.95)),
+            fixedText(100.0 * group.countIf(isGrossMm) / group.count(), 1),
+            fixedText(100.0 * group.mean(&RunRecord::shareAbove5Px), 1),
+            significantText(group.median(&RunRecord::angleDeg)),
+            significantText(group.median(&RunRecord::centroidInPlaneMm)),
+            significantText(medianDepthMm(group)),
+            percentCell(gross.countIf(flagged), gross.count()),
+            percentCell(good.countIf(flagged), good.count()),
+            fixedText(good.mean(&RunRecord::nees), 1),
+            boundRatioCell(group)};
+}
+
+ResultTable tableOf(const RunGroups& groups, const Condition& condition)
+{
+    ResultTable table;
+    table.id = "simulation-" + condition.id;
+    table.title = "Simulation: " + condition.title;
+    table.columns = {
+        "method",       "GFR %",      "mean mm",         "p75 mm",  "p95 mm",      "mean mm, not gross", "median px",
+        "p95 px",       "GFR 5 mm %", "points > 5 px %", "angle °", "in plane mm", "depth mm",           "flagged",
+        "false alarms", "NEES",       "PR / CRB"};
+    for (std::size_t k = 0; k < groups.methods().size(); ++k) {
+        const std::string& method = groups.methods()[k];
+        if (groups.of(condition, method).count() == 0) {
+            continue;
+        }
+        table.rows.push_back({cellsOf(method, groups.of(condition, method)), false});
+        const auto published = publishedSimulation(methodIdOf(method));
+        if (published && condition.id == "cam-2-5" && isLastOfItsMethod(groups.methods(), k)) {
+            table.rows.push_back(publishedRow(table, methodIdOf(method),
+                                              {fixedText(published->grossPercent, 0), fixedText(published->meanMm, 2),
+                                               fixedText(published->p75Mm, 2), fixedText(published->p95Mm, 2)}));
+        }
+    }
+    table.notes = {
+        "Distances are means over the tree's points to their true partners (PR), summarised over registrations; mm at "
+        "the depth of the tree's centroid.",
+        "GFR: share of registrations with PR above 5 px (first) or 5 mm, with its 95 % Wilson interval; flagged: share "
+        "of the gross ones not called trustworthy; false alarms: share of the others.",
+        "angle, in plane and depth are medians; NEES is the mean of the normalised squared errors of the runs that are "
+        "not gross (6 is expected of an honest covariance); PR / CRB is their rms PR over what the Cramér–Rao bound "
+        "of the drawn noise allows."};
+    return table;
+}
+
+}   // namespace
+
+std::vector<ResultTable> simulationTables(const RunGroups& groups)
+{
+    std::vector<ResultTable> tables;
+    for (const Condition& condition : groups.conditions()) {
+        tables.push_back(tableOf(groups, condition));
+    }
+    return tables;
+}
+
+}   // namespace core

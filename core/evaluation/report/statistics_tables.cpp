@@ -1,0 +1,93 @@
+#include "core/evaluation/report/table_parts.h"
+#include "core/evaluation/statistics/proportion.h"
+#include "core/evaluation/statistics/signed_rank.h"
+#include "core/support/format_number.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+namespace {
+
+constexpr double sameMm = 1e-6;   // rounding errors are no difference
+constexpr int fewestAnatomies = 6;   // with fewer, even N wins of N prove nothing at 5 %
+
+RunValue comparedValue(const Protocol& protocol)
+{
+    return protocol.success == Success::RayDistanceWithin2Mm ? &RunRecord::mrpdMm : &RunRecord::meanMm;
+}
+
+/// First minus second: by anatomy, where there are enough of them, otherwise by trial.
+std::vector<double> differences(const RunGroups& groups, const RunGroup& ours, const RunGroup& theirs)
+{
+    const RunValue value = comparedValue(groups.protocol());
+    std::vector<double> result;
+    if (groups.protocol().anatomyCount >= fewestAnatomies) {
+        for (int anatomy = 0; anatomy < groups.protocol().anatomyCount; ++anatomy) {
+            result.push_back(ours.ofAnatomy(anatomy).median(value) - theirs.ofAnatomy(anatomy).median(value));
+        }
+    } else {
+        for (std::size_t k = 0; k < std::min(ours.runs().size(), theirs.runs().size()); ++k) {
+            result.push_back(ours.runs()[k]->*value - theirs.runs()[k]->*value);
+        }
+    }
+    std::erase_if(result, [](double difference) { return std::isnan(difference); });
+    std::replace_if(
+        result.begin(), result.end(), [](double difference) { return std::abs(difference) < sameMm; }, 0.0);
+    return result;
+}
+
+std::vector<ResultTable::Row> rowsOf(const RunGroups& groups, const Condition& condition)
+{
+    std::vector<ResultTable::Row> rows;
+    std::vector<double> pValues;
+    for (std::size_t k = 1; k < groups.methods().size(); ++k) {
+        const std::vector<double> paired = differences(groups, groups.of(condition, groups.methods().front()),
+                                                       groups.of(condition, groups.methods()[k]));
+        if (paired.empty()) {
+            continue;
+        }
+        const SignedRankTest test = signedRankTest(paired);
+        pValues.push_back(test.pLess);
+        rows.push_back({{condition.id, groups.methods()[k], std::to_string(test.count), fixedText(test.rankSum, 1),
+                         significantText(test.pLess), significantText(test.pTwoSided), "",
+                         fixedText(test.effectSize, 3), significantText(hodgesLehmann(paired))},
+                        false});
+    }
+    const std::vector<double> adjusted = holmAdjusted(pValues);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        rows[k].cells[6] = significantText(adjusted[k]);
+    }
+    return rows;
+}
+
+}   // namespace
+
+std::vector<ResultTable> statisticsTables(const RunGroups& groups)
+{
+    if (groups.methods().size() < 2 || groups.protocol().id == "capture-range") {
+        return {};
+    }
+    ResultTable table;
+    table.id = std::string(groups.protocol().id) + "-statistics";
+    table.title = "Is " + groups.methods().front() + " better? Wilcoxon's signed-rank test";
+    table.columns = {"condition", "against", "N", "W", "p one-sided", "p two-sided", "p Holm", "r", "shift mm"};
+    for (const Condition& condition : groups.conditions()) {
+        for (ResultTable::Row& row : rowsOf(groups, condition)) {
+            table.rows.push_back(std::move(row));
+        }
+    }
+    const bool isByAnatomy = groups.protocol().anatomyCount >= fewestAnatomies;
+    table.notes = {
+        std::string("Paired differences (") + groups.methods().front() + " minus the other) of " +
+            (comparedValue(groups.protocol()) == &RunRecord::mrpdMm ? "mRPD" : "PR") + ", " +
+            (isByAnatomy ? "of the medians over each tree's trials" : "of each trial") +
+            "; less than a nanometre is no difference; exact up to 50 pairs. W: rank sum of the differences where " +
+            groups.methods().front() + " is worse.",
+        "p Holm: the one-sided p adjusted for all comparisons of the same condition; r = Φ⁻¹(1 − p)/√N; shift: "
+        "Hodges–Lehmann estimate, negative where " +
+            groups.methods().front() + " is better."};
+    return {table};
+}
+
+}   // namespace core

@@ -1,0 +1,56 @@
+#include "core/evaluation/report/table_parts.h"
+
+#include "core/evaluation/statistics/proportion.h"
+#include "core/support/format_number.h"
+#include "core/support/quantile.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+
+std::string methodIdOf(const std::string& label)
+{
+    return label.substr(0, label.find(':'));
+}
+
+bool isLastOfItsMethod(const std::vector<std::string>& labels, std::size_t index)
+{
+    for (std::size_t k = index + 1; k < labels.size(); ++k) {
+        if (methodIdOf(labels[k]) == methodIdOf(labels[index])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+std::string shareCell(int part, int whole)
+{
+    if (whole == 0) {
+        return "–";
+    }
+    const Interval interval = wilsonInterval(part, whole);
+    return fixedText(100.0 * part / whole, 1) + " [" + fixedText(100.0 * interval.low, 1) + ", " +
+           fixedText(100.0 * interval.high, 1) + "]";
+}
+
+std::string percentCell(int part, int whole)
+{
+    return whole == 0 ? "–" : fixedText(100.0 * part / whole, 0) + " %";
+}
+
+double medianDepthMm(const RunGroup& group)
+{
+    std::vector<double> depths = group.values(&RunRecord::centroidDepthMm);
+    std::transform(depths.begin(), depths.end(), depths.begin(), [](double depth) { return std::abs(depth); });
+    return quantile(std::move(depths), 0.5);
+}
+
+ResultTable::Row publishedRow(const ResultTable& table, const std::string& label, std::vector<std::string> cells)
+{
+    cells.insert(cells.begin(), label + ", published");
+    cells.resize(table.columns.size(), "–");
+    return {std::move(cells), true};
+}
+
+}   // namespace core

@@ -1,0 +1,101 @@
+#include "core/evaluation/report/published_results.h"
+#include "core/evaluation/report/table_parts.h"
+#include "core/support/format_number.h"
+
+#include <charconv>
+
+namespace core {
+namespace {
+
+/// "44" of "b1-44".
+int pointsOf(const Condition& condition)
+{
+    int points = 0;
+    const std::string& id = condition.id;
+    std::from_chars(id.data() + id.find('-') + 1, id.data() + id.size(), points);
+    return points;
+}
+
+std::string cellOf(double closestPx, double angleDeg, double distance)
+{
+    return fixedText(closestPx, 3) + " / " + fixedText(angleDeg, 3) + " / " + fixedText(distance, 3);
+}
+
+std::vector<Condition> conditionsOf(const RunGroups& groups, const std::string& variant)
+{
+    std::vector<Condition> conditions;
+    for (const Condition& condition : groups.conditions()) {
+        if (condition.id.starts_with(variant + "-")) {
+            conditions.push_back(condition);
+        }
+    }
+    return conditions;
+}
+
+ResultTable errorTable(const RunGroups& groups, const std::string& variant, const std::string& title)
+{
+    const std::vector<Condition> conditions = conditionsOf(groups, variant);
+    ResultTable table{"toy-" + variant, "Toy square, " + title + " (mean TRE px / angle ° / Dist)", {"method"}, {}, {}};
+    for (const Condition& condition : conditions) {
+        table.columns.push_back(std::to_string(pointsOf(condition)) + " points");
+    }
+    for (std::size_t k = 0; k < groups.methods().size(); ++k) {
+        const std::string& method = groups.methods()[k];
+        ResultTable::Row row{{method}, false};
+        std::vector<std::string> published;
+        for (const Condition& condition : conditions) {
+            const RunGroup& group = groups.of(condition, method);
+            row.cells.push_back(cellOf(group.mean(&RunRecord::closestMedianPx), group.mean(&RunRecord::angleDeg),
+                                       group.mean(&RunRecord::seedDistanceMm)));
+            if (const auto values = publishedToy(pointsOf(condition), methodIdOf(method))) {
+                published.push_back(cellOf(values->closestPx, values->angleDeg, values->seedDistance));
+            }
+        }
+        table.rows.push_back(std::move(row));
+        if (!published.empty() && isLastOfItsMethod(groups.methods(), k)) {
+            table.rows.push_back(publishedRow(table, methodIdOf(method), std::move(published)));
+        }
+    }
+    table.notes = {
+        "TRE is the median distance to the nearest target point. The published square lies in one plane with "
+        "the source; here it is tilted by 30°, which makes its pose observable."};
+    return table;
+}
+
+ResultTable failureTable(const RunGroups& groups, const std::string& variant, const std::string& title)
+{
+    const std::vector<Condition> conditions = conditionsOf(groups, variant);
+    ResultTable table{"toy-" + variant + "-failures", "Toy square, " + title + ": failures", {"method"}, {}, {}};
+    for (const Condition& condition : conditions) {
+        table.columns.push_back(std::to_string(pointsOf(condition)) + " points");
+    }
+    for (const std::string& method : groups.methods()) {
+        ResultTable::Row row{{method}, false};
+        for (const Condition& condition : conditions) {
+            const RunGroup& group = groups.of(condition, method);
+            const int failures =
+                group.countIf([&](const RunRecord& run) { return !isSuccess(groups.protocol().success, run); });
+            row.cells.push_back(std::to_string(failures) + " of " + std::to_string(group.count()));
+        }
+        table.rows.push_back(std::move(row));
+    }
+    table.notes = {"Failure: mean distance to the true partners above 1 px."};
+    return table;
+}
+
+}   // namespace
+
+std::vector<ResultTable> toyTables(const RunGroups& groups)
+{
+    std::vector<ResultTable> tables;
+    for (const auto& [variant, title] :
+         {std::pair<std::string, std::string>{"b1", "shift of 1"}, {"b2", "shift of 1 and 1° about the source"}}) {
+        if (!conditionsOf(groups, variant).empty()) {
+            tables.push_back(errorTable(groups, variant, title));
+            tables.push_back(failureTable(groups, variant, title));
+        }
+    }
+    return tables;
+}
+
+}   // namespace core

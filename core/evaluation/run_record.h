@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace core {
+
+inline constexpr double unknownMeasure = std::numeric_limits<double>::quiet_NaN();
+
+/// How one method did in one trial. Without a result the errors are those of the start pose.
+/// Lengths in px are in the image, in mm at the depth of the tree's centroid; errors as in evaluation/projection_error.
+struct RunRecord {
+    std::string condition;   ///< Condition::id
+    std::string method;   ///< Contestant::label
+    std::uint64_t trial = 0;
+    int anatomy = 0;
+
+    // Before
+    double startMeanPx = unknownMeasure;
+    double startMtreMm = unknownMeasure;
+    double startAngleDeg = unknownMeasure;
+    // What the method says
+    double hasResult = 0.0;   ///< 1 or 0
+    double trustworthy = 0.0;   ///< 1 or 0
+    double iterations = 0.0;
+    double closestMedianPx = unknownMeasure;   ///< the seed's "TRE": tree points to the nearest target point
+    double reverseMeanPx = unknownMeasure;   ///< target points to the nearest tree point
+    double coverage = unknownMeasure;
+    // What is true
+    double meanPx = unknownMeasure, rmsPx = unknownMeasure, medianPx = unknownMeasure, p75Px = unknownMeasure,
+           p95Px = unknownMeasure;   ///< projection distances to the true partners
+    double meanMm = unknownMeasure;
+    double shareAbove5Px = unknownMeasure;   ///< of the tree points
+    double mtreMm = unknownMeasure, mtreInPlaneMm = unknownMeasure, mrpdMm = unknownMeasure;
+    double angleDeg = unknownMeasure, outOfPlaneDeg = unknownMeasure, inPlaneDeg = unknownMeasure;
+    double seedDistanceMm = unknownMeasure;
+    double centroidInPlaneMm = unknownMeasure, centroidDepthMm = unknownMeasure;
+    double nees = unknownMeasure;   ///< eᵀΣ⁻¹e of the reported covariance
+    double boundRmsPx = unknownMeasure;   ///< rms projection distance at the Cramér–Rao bound
+    // Differs from run to run
+    double traceMs = unknownMeasure, targetMs = unknownMeasure, searchMs = unknownMeasure, solveMs = unknownMeasure,
+           totalMs = unknownMeasure;
+    double processorMs = unknownMeasure;   ///< of the thread that registered
+
+    std::vector<double> history;   ///< mean projection distance in px after each report; the first trials only
+};
+
+/// One number of a record: tables, files and plots loop over these.
+struct RunField {
+    std::string_view name;   ///< column in files
+    double RunRecord::*value = nullptr;
+    bool isTime = false;   ///< not repeatable, kept in a file of its own
+};
+
+std::span<const RunField> runFields();
+
+/// All runs of one protocol and seed, ordered by condition, trial and method.
+struct RunSet {
+    std::string protocol;
+    std::uint64_t seed = 1;
+    std::vector<RunRecord> runs;
+};
+
+}   // namespace core

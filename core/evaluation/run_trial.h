@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/evaluation/contestant.h"
+#include "core/evaluation/run_record.h"
+#include "core/evaluation/trial.h"
+
+#include <functional>
+#include <optional>
+
+namespace core {
+
+enum class KeepHistory { No, Yes };
+
+/// Registers one trial with one method and measures the errors; the caller fills in condition, trial and anatomy.
+/// Nothing when `isStopped` came true before the method was done.
+std::optional<RunRecord> runTrial(const Trial& trial, const Contestant& contestant, KeepHistory keepHistory,
+                                  const std::function<bool()>& isStopped);
+
+}   // namespace core

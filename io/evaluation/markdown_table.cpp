@@ -1,0 +1,42 @@
+#include "io/evaluation/table_text.h"
+
+namespace io {
+namespace {
+
+std::string escaped(const std::string& text)
+{
+    std::string result;
+    for (const char c : text) {
+        result += c == '|' || c == '*' || c == '_' || c == '<' ? std::string("\\") + c : std::string(1, c);
+    }
+    return result;
+}
+
+std::string line(const std::vector<std::string>& cells, const std::string& mark)
+{
+    std::string text = "|";
+    for (const std::string& cell : cells) {
+        text += " " + mark + escaped(cell) + mark + " |";
+    }
+    return text + "\n";
+}
+
+}   // namespace
+
+std::string toMarkdown(const core::ResultTable& table)
+{
+    std::string text = "### " + escaped(table.title) + "\n\n" + line(table.columns, "");
+    for (std::size_t k = 0; k < table.columns.size(); ++k) {
+        text += k == 0 ? "|---" : "|---:";
+    }
+    text += "|\n";
+    for (const core::ResultTable::Row& row : table.rows) {
+        text += line(row.cells, row.isPublished ? "*" : "");
+    }
+    for (const std::string& note : table.notes) {
+        text += "\n" + escaped(note) + "\n";
+    }
+    return text;
+}
+
+}   // namespace io

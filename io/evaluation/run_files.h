@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/evaluation/run_record.h"
+#include "core/support/result.h"
+
+#include <string>
+
+namespace io {
+
+/// Writes runs.csv (the same bytes for any number of threads), times.csv and histories.csv into an existing folder.
+core::Status writeRuns(const core::RunSet& runs, const std::string& folder);
+
+/// Reads them back, every number as it was; times and histories may be missing. Fails naming file and line.
+core::Result<core::RunSet> readRuns(const std::string& folder);
+
+}   // namespace io

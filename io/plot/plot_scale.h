@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/evaluation/report/plot.h"
+
+#include <string>
+#include <vector>
+
+namespace io {
+
+struct PlotTick {
+    double value = 0.0;
+    std::string label;
+};
+
+/// Where a value lies along an axis of a picture, and where the marks go.
+class PlotScale {
+public:
+    /// The axis' least value lies at `from`, its largest at `to`, both px.
+    PlotScale(const core::PlotAxis& axis, double from, double to) : axis_(axis), from_(from), to_(to) {}
+
+    /// Also for values beyond the ends; the least value of a logarithmic axis stands for all below.
+    double position(double value) const;
+    /// Round values inside the axis, at most about eight; powers of ten on a logarithmic axis that spans some.
+    std::vector<PlotTick> ticks() const;
+
+private:
+    core::PlotAxis axis_;
+    double from_;
+    double to_;
+};
+
+}   // namespace io

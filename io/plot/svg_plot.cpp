@@ -1,0 +1,186 @@
+#include "io/plot/svg_plot.h"
+
+#include "core/support/format_number.h"
+#include "io/plot/plot_scale.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace io {
+namespace {
+
+constexpr double plotLeft = 74.0;
+constexpr double plotTop = 44.0;
+constexpr double plotWidth = 520.0;
+constexpr double plotHeight = 320.0;
+constexpr double bottomMargin = 56.0;
+constexpr double legendGap = 24.0;
+constexpr double legendLine = 20.0;
+constexpr double legendSample = 26.0;
+constexpr double characterWidth = 6.6;   // of the legend's font, about
+
+/// Distinct for colour-blind readers (Okabe and Ito 2008), the first for the method in question.
+constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8a6d00", "#56b4e9", "#e69f00", "#555555"};
+constexpr std::array dashes{"", "7 3", "2 3", "9 3 2 3"};   // the next one after all colours
+
+std::string number(double value)
+{
+    return core::fixedText(value, 2);
+}
+
+std::string escaped(const std::string& text)
+{
+    std::string result;
+    for (const char c : text) {
+        result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
+    }
+    return result;
+}
+
+std::string textAt(double x, double y, const std::string& attributes, const std::string& text)
+{
+    return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" " + attributes + ">" + escaped(text) + "</text>\n";
+}
+
+std::string lineFrom(double x1, double y1, double x2, double y2, const std::string& attributes)
+{
+    return "<line x1=\"" + number(x1) + "\" y1=\"" + number(y1) + "\" x2=\"" + number(x2) + "\" y2=\"" + number(y2) +
+           "\" " + attributes + "/>\n";
+}
+
+std::string strokeOf(std::size_t index)
+{
+    const std::string dash = dashes[index / colours.size() % dashes.size()];
+    return "fill=\"none\" stroke=\"" + std::string(colours[index % colours.size()]) +
+           "\" stroke-width=\"2\" stroke-linejoin=\"round\"" +
+           (dash.empty() ? "" : " stroke-dasharray=\"" + dash + "\"");
+}
+
+/// Draws one plot piece by piece.
+class SvgPlot {
+public:
+    explicit SvgPlot(const core::Plot& plot)
+        : plot_(plot), x_(plot.x, plotLeft, plotLeft + plotWidth), y_(plot.y, plotTop + plotHeight, plotTop)
+    {
+    }
+
+    std::string draw() const
+    {
+        const double height = std::max(plotTop + plotHeight + bottomMargin,
+                                       plotTop + legendLine * static_cast<double>(plot_.series.size()) + 10.0);
+        const std::string size = "width=\"" + number(widthPx()) + "\" height=\"" + number(height) + "\"";
+        return "<svg xmlns=\"http://www.w3.org/2000/svg\" " + size + " viewBox=\"0 0 " + number(widthPx()) + " " +
+               number(height) + "\" font-family=\"Inter, Helvetica, Arial, sans-serif\" font-size=\"12\">\n" +
+               "<rect " + size + " fill=\"#ffffff\"/>\n" + grid() + series() + frame() + legend() + "</svg>\n";
+    }
+
+private:
+    double widthPx() const
+    {
+        std::size_t longest = 0;
+        for (const core::PlotSeries& line : plot_.series) {
+            longest = std::max(longest, line.name.size());
+        }
+        return plotLeft + plotWidth + legendGap + legendSample + 8.0 + characterWidth * static_cast<double>(longest) +
+               12.0;
+    }
+
+    std::string grid() const
+    {
+        std::string text;
+        const std::string stroke = "stroke=\"#e3e6ea\" stroke-width=\"1\"";
+        for (const PlotTick& tick : x_.ticks()) {
+            const double x = x_.position(tick.value);
+            text += lineFrom(x, plotTop, x, plotTop + plotHeight, stroke);
+            text += textAt(x, plotTop + plotHeight + 18.0, "text-anchor=\"middle\" fill=\"#444\"", tick.label);
+        }
+        for (const PlotTick& tick : y_.ticks()) {
+            const double y = y_.position(tick.value);
+            text += lineFrom(plotLeft, y, plotLeft + plotWidth, y, stroke);
+            text += textAt(plotLeft - 8.0, y + 4.0, "text-anchor=\"end\" fill=\"#444\"", tick.label);
+        }
+        return text;
+    }
+
+    std::string series() const
+    {
+        std::string text = "<clipPath id=\"area\"><rect x=\"" + number(plotLeft) + "\" y=\"" + number(plotTop - 1.0) +
+                           "\" width=\"" + number(plotWidth) + "\" height=\"" + number(plotHeight + 2.0) +
+                           "\"/></clipPath>\n<g clip-path=\"url(#area)\">\n";
+        for (std::size_t k = 0; k < plot_.series.size(); ++k) {
+            text += band(plot_.series[k], k);
+        }
+        for (std::size_t k = plot_.series.size(); k-- > 0;) {   // the first on top
+            text += polyline(plot_.series[k], k);
+        }
+        return text + "</g>\n";
+    }
+
+    std::string point(double x, double y) const { return number(x_.position(x)) + "," + number(y_.position(y)); }
+
+    std::string polyline(const core::PlotSeries& line, std::size_t index) const
+    {
+        std::string points;
+        for (const Eigen::Vector2d& at : line.points) {
+            if (at.allFinite()) {
+                points += (points.empty() ? "" : " ") + point(at.x(), at.y());
+            }
+        }
+        return "<polyline points=\"" + points + "\" " + strokeOf(index) + "/>\n";
+    }
+
+    std::string band(const core::PlotSeries& line, std::size_t index) const
+    {
+        if (line.bands.size() != line.points.size() || line.bands.empty()) {
+            return "";
+        }
+        std::string points;
+        for (std::size_t k = 0; k < line.bands.size(); ++k) {
+            points += point(line.points[k].x(), line.bands[k].high) + " ";
+        }
+        for (std::size_t k = line.bands.size(); k-- > 0;) {
+            points += point(line.points[k].x(), line.bands[k].low) + " ";
+        }
+        return "<polygon points=\"" + points + "\" fill=\"" + std::string(colours[index % colours.size()]) +
+               "\" fill-opacity=\"0.10\"/>\n";
+    }
+
+    std::string frame() const
+    {
+        const double middleX = plotLeft + 0.5 * plotWidth;
+        const double middleY = plotTop + 0.5 * plotHeight;
+        return "<rect x=\"" + number(plotLeft) + "\" y=\"" + number(plotTop) + "\" width=\"" + number(plotWidth) +
+               "\" height=\"" + number(plotHeight) + "\" fill=\"none\" stroke=\"#8a9099\"/>\n" +
+               textAt(plotLeft, plotTop - 16.0, "font-size=\"14\" font-weight=\"600\" fill=\"#111\"", plot_.title) +
+               textAt(middleX, plotTop + plotHeight + 42.0, "text-anchor=\"middle\" fill=\"#111\"", plot_.x.label) +
+               textAt(20.0, middleY,
+                      "text-anchor=\"middle\" fill=\"#111\" transform=\"rotate(-90 20 " + number(middleY) + ")\"",
+                      plot_.y.label);
+    }
+
+    std::string legend() const
+    {
+        std::string text;
+        const double x = plotLeft + plotWidth + legendGap;
+        for (std::size_t k = 0; k < plot_.series.size(); ++k) {
+            const double y = plotTop + 10.0 + legendLine * static_cast<double>(k);
+            text += lineFrom(x, y, x + legendSample, y, strokeOf(k));
+            text += textAt(x + legendSample + 8.0, y + 4.0, "fill=\"#111\"", plot_.series[k].name);
+        }
+        return text;
+    }
+
+    const core::Plot& plot_;
+    PlotScale x_;
+    PlotScale y_;
+};
+
+}   // namespace
+
+std::string toSvg(const core::Plot& plot)
+{
+    return SvgPlot(plot).draw();
+}
+
+}   // namespace io

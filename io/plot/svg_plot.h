@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/evaluation/report/plot.h"
+
+#include <string>
+
+namespace io {
+
+/// The plot as a stand-alone SVG picture: thin grid, one colour and dash per line, bands behind, legend beside.
+std::string toSvg(const core::Plot& plot);
+
+}   // namespace io
