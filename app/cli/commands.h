@@ -49,6 +49,19 @@ struct TraceAngiogramArguments {
 };
 int runTraceAngiogram(const TraceAngiogramArguments& arguments);
 
+struct EvaluateArguments {
+    std::string protocol;
+    std::string methods = "angiopose,dynaweight:seed_noprior,dynaweight:seed_mean,iterative-pnp:seed_mean";
+    std::string conditions;   ///< empty: the standard ones
+    std::optional<std::uint64_t> trials;   ///< of each condition; the protocol's own when not given
+    std::uint64_t seed = 1;
+    std::optional<int> threads;   ///< all cores when not given
+    std::string shard = "1/1";
+    std::vector<std::string> mergedFolders;   ///< not empty: nothing runs, their runs are brought together
+    std::string outputFolder;
+};
+int runEvaluate(const EvaluateArguments& arguments);
+
 struct FileArguments {
     std::string path;
     OutputFormat format = OutputFormat::Text;

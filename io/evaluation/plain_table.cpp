@@ -44,7 +44,8 @@ std::string toPlainText(const core::ResultTable& table)
     for (const std::size_t width : widths) {
         total += width + 2;
     }
-    std::string text = table.title + "\n" + line(table.columns, widths) + std::string(total - 2, '-') + "\n";
+    std::string text = (table.title.empty() ? "" : table.title + "\n") + line(table.columns, widths) +
+                       std::string(total - 2, '-') + "\n";
     for (const core::ResultTable::Row& row : table.rows) {
         text += line(row.cells, widths);
     }

@@ -41,7 +41,8 @@ std::vector<PlotTick> linearTicks(const core::PlotAxis& axis)
 {
     const double step = roundStep(axis.max - axis.min);
     std::vector<PlotTick> ticks;
-    for (double k = std::ceil(axis.min / step - 1e-9); k * step <= axis.max + 1e-9 * step; k += 1.0) {
+    const double first = std::ceil(axis.min / step - 1e-9) + 0.0;   // not −0
+    for (double k = first; k * step <= axis.max + 1e-9 * step; k += 1.0) {
         ticks.push_back({k * step, core::plainText(k * step)});
     }
     return ticks;

@@ -1,11 +1,12 @@
 // Registers the four real views of the coronary phantom with default options and automatic tracing. The views show one
 // rigid body, so the rotation between two registered views must agree with the angles in the DICOM headers.
 
+#include "core/registration/option_text.h"
 #include "core/registration_case.h"
+#include "core/support/format_number.h"
 #include "io/case_file.h"
+#include "io/evaluation/table_text.h"
 #include "tests/benchmark/arguments.h"
-#include "tests/benchmark/simulation_trial.h"
-#include "tests/benchmark/text_table.h"
 
 #include <algorithm>
 #include <chrono>
@@ -18,6 +19,7 @@
 namespace {
 
 using namespace benchmarks;
+using core::fixedText;
 
 constexpr double largestMedianPx = 1.0;
 constexpr double largestDifferenceDeg = 1.2;
@@ -87,27 +89,32 @@ core::Result<View> registerView(const std::filesystem::path& path, const core::R
 
 std::string angleText(double deg, const char* positive, const char* negative)
 {
-    return std::string(deg < 0.0 ? negative : positive) + " " + fixed(std::abs(deg), 1) + "°";
+    return std::string(deg < 0.0 ? negative : positive) + " " + fixedText(std::abs(deg), 1) + "°";
 }
 
 void printViews(const std::vector<View>& views)
 {
-    TextTable table({"view", "primary", "secondary", "median px", "p75", "p95", "coverage", "depth mm", "trace ms",
-                     "register ms", "stop", "trustworthy"});
+    core::ResultTable table;
+    table.columns = {"view",     "primary",  "secondary", "median px",   "p75",  "p95",
+                     "coverage", "depth mm", "trace ms",  "register ms", "stop", "trustworthy"};
     for (const View& view : views) {
         const core::DistanceMetrics& m = view.result.metrics;
-        table.add({view.name, angleText(view.primaryDeg, "LAO", "RAO"), angleText(view.secondaryDeg, "CRA", "CAU"),
-                   fixed(m.medianPx, 2), fixed(m.p75Px, 2), fixed(m.p95Px, 2), fixed(100.0 * m.coverage, 0) + " %",
-                   fixed(view.depthMm, 1), fixed(view.traceMs, 0), fixed(view.result.time.totalMs, 0),
-                   std::string(core::toText(view.result.stopReason)), view.result.trustworthy ? "yes" : "no"});
+        table.rows.push_back(
+            {{view.name, angleText(view.primaryDeg, "LAO", "RAO"), angleText(view.secondaryDeg, "CRA", "CAU"),
+              fixedText(m.medianPx, 2), fixedText(m.p75Px, 2), fixedText(m.p95Px, 2),
+              fixedText(100.0 * m.coverage, 0) + " %", fixedText(view.depthMm, 1), fixedText(view.traceMs, 0),
+              fixedText(view.result.time.totalMs, 0), std::string(core::toText(view.result.stopReason)),
+              view.result.trustworthy ? "yes" : "no"},
+             false});
     }
-    std::printf("%s\n", table.toText().c_str());
+    std::printf("%s\n", io::toPlainText(table).c_str());
 }
 
 /// Prints the pairs and returns the angles between registered and expected relative rotation.
 std::vector<double> printPairs(const std::vector<View>& views)
 {
-    TextTable table({"pair", "registered", "by DICOM angles", "difference"});
+    core::ResultTable table;
+    table.columns = {"pair", "registered", "by DICOM angles", "difference"};
     std::vector<double> differencesDeg;
     for (std::size_t a = 0; a < views.size(); ++a) {
         for (std::size_t b = a + 1; b < views.size(); ++b) {
@@ -116,12 +123,14 @@ std::vector<double> printPairs(const std::vector<View>& views)
             const Eigen::Matrix3d expected = views[b].headerRotation * views[a].headerRotation.transpose();
             differencesDeg.push_back(degrees(core::angleBetween(registered, expected)));
             const Eigen::Matrix3d none = Eigen::Matrix3d::Identity();
-            table.add(
-                {views[a].name + "–" + views[b].name, fixed(degrees(core::angleBetween(registered, none)), 2) + "°",
-                 fixed(degrees(core::angleBetween(expected, none)), 2) + "°", fixed(differencesDeg.back(), 2) + "°"});
+            table.rows.push_back({{views[a].name + "–" + views[b].name,
+                                   fixedText(degrees(core::angleBetween(registered, none)), 2) + "°",
+                                   fixedText(degrees(core::angleBetween(expected, none)), 2) + "°",
+                                   fixedText(differencesDeg.back(), 2) + "°"},
+                                  false});
         }
     }
-    std::printf("%s\n", table.toText().c_str());
+    std::printf("%s\n", io::toPlainText(table).c_str());
     return differencesDeg;
 }
 
@@ -144,8 +153,8 @@ int main(int argc, char** argv)
     core::RegistrationOptions options;
     options.method = arguments.text("method", options.method);
     for (const std::string& assignment : arguments.list("set", "")) {
-        if (!setOption(options, assignment)) {
-            std::fprintf(stderr, "no such option: %s\n", assignment.c_str());
+        if (const auto status = core::setOption(options, assignment); !status) {
+            std::fprintf(stderr, "%s\n", status.error().message.c_str());
             return 2;
         }
     }

@@ -1,7 +1,8 @@
 // Time of one registration on one core: `angiopose` with its target map and search against `iterative-pnp` with
 // KD-tree.
 
-#include "tests/benchmark/simulation_trial.h"
+#include "core/evaluation/protocol.h"
+#include "core/registration/registration.h"
 
 #include <benchmark/benchmark.h>
 #include <cstdio>
@@ -11,18 +12,17 @@
 
 namespace {
 
-using namespace benchmarks;
-
 constexpr std::size_t inputCount = 20;   ///< start poses, taken in turn
 
 /// Built once; every method sees the same inputs.
 const std::vector<core::RegistrationInput>& inputs()
 {
     static const std::vector<core::RegistrationInput> all = [] {
-        const Phantom phantom = makePhantom(1000, 2000);
+        const core::Protocol& simulation = *core::findProtocol("simulation");
+        const auto makeTrial = simulation.prepare(core::conditionsFrom(simulation, "obj-2-5").value().front(), 1);
         std::vector<core::RegistrationInput> list;
-        for (std::uint64_t run = 0; run < inputCount; ++run) {
-            list.push_back(makeTrialInput(phantom, {}, run));
+        for (std::uint64_t trial = 0; trial < inputCount; ++trial) {
+            list.push_back(makeTrial(trial).input);
         }
         return list;
     }();

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/evaluation/run_experiment.h"
+#include "core/support/result.h"
+
+#include <string>
+
+namespace app {
+
+/// The part of the work that "I/N" names, I from 1 to N.
+core::Result<core::Shard> shardFrom(const std::string& text);
+
+}   // namespace app
