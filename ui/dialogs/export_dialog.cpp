@@ -25,6 +25,7 @@ ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
       aspect_(aspect),
       size_(new QComboBox),
       width_(new NumberField({64.0, 8192.0, 0, QStringLiteral("px"), 64.0})),
+      widthLabel_(roleLabel("label", tr("Width"))),
       resulting_(roleLabel("hint")),
       residuals_(new QCheckBox(tr("Residual colours with their scale"))),
       identity_(new QCheckBox(tr("Patient identity in the picture")))
@@ -40,7 +41,7 @@ ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
     form->setHorizontalSpacing(14);
     form->setVerticalSpacing(10);
     form->addRow(roleLabel("label", tr("Size")), size_);
-    form->addRow(roleLabel("label", tr("Width")), width_);
+    form->addRow(widthLabel_, width_);
     form->addRow(QString(), resulting_);
     form->addRow(QString(), residuals_);
     form->addRow(QString(), identity_);
@@ -107,7 +108,9 @@ ExportChoice ExportDialog::choice() const
 
 void ExportDialog::showSize()
 {
-    width_->setEnabled(size_->currentIndex() == CustomSize);
+    const bool isCustom = size_->currentIndex() == CustomSize;
+    width_->setVisible(isCustom);
+    widthLabel_->setVisible(isCustom);
     const int width = choice().widthPx;
     resulting_->setText(tr("%1 × %2 px").arg(width).arg(std::lround(width * aspect_)));
 }

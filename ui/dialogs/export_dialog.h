@@ -40,6 +40,7 @@ private:
     double aspect_;
     QComboBox* size_;
     NumberField* width_;
+    QLabel* widthLabel_;
     QLabel* resulting_;
     QCheckBox* residuals_;
     QCheckBox* identity_;

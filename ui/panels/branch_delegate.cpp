@@ -39,6 +39,15 @@ QColor residualTone(const QModelIndex& index)
     return toQColor(residualColor(std::clamp(residual.toDouble() / model->scaleMaximumMm(), 0.0, 1.0)));
 }
 
+/// The tone as text: deep enough to be read on the light theme's paper.
+QColor readable(const QColor& tone)
+{
+    const QColor strong = toQColor(activePalette().textStrong);
+    const double share = activeTheme() == ThemeMode::Light ? 0.55 : 0.0;
+    const auto mix = [share](int a, int b) { return static_cast<int>((1.0 - share) * a + share * b); };
+    return {mix(tone.red(), strong.red()), mix(tone.green(), strong.green()), mix(tone.blue(), strong.blue())};
+}
+
 void paintChip(QPainter& painter, const QRect& row, const QModelIndex& index)
 {
     const QRectF chip(row.left() + margin, row.center().y() - 4.0, 9.0, 9.0);
@@ -106,7 +115,7 @@ void BranchDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
         paintCross(*painter, excludeRect(row), excluded);
     }
     const QVariant residual = index.data(BranchModel::ResidualRole);
-    painter->setPen(residualTone(index));
+    painter->setPen(readable(residualTone(index)));
     painter->drawText(row.adjusted(0, 0, -margin, 0), Qt::AlignRight | Qt::AlignVCenter,
                       excluded             ? tr("out")
                       : residual.isValid() ? QString::number(residual.toDouble(), 'f', 2)

@@ -2,9 +2,8 @@
 
 namespace ui {
 
-BranchStyle branchStyle(int branchId, const BranchMarks& marks)
+BranchStyle branchStyle(int branchId, const BranchMarks& marks, const Palette& tones)
 {
-    const Palette& tones = palette(ThemeMode::Dark);   // images lie on black in every theme
     BranchStyle style{.color = mixed(tones.text, tones.accent, 0.45)};
     if (marks.excluded.contains(branchId)) {
         style = {.color = tones.label, .widthFactor = 0.8, .opacity = 0.75, .pattern = LinePattern::Dashed, .rank = -1};

@@ -20,6 +20,7 @@ struct BranchStyle {
     int rank = 0;   ///< higher ones are drawn later, on top
 };
 
-BranchStyle branchStyle(int branchId, const BranchMarks& marks);
+/// `tones` are those of the ground the branch lies on; images lie on black in every theme.
+BranchStyle branchStyle(int branchId, const BranchMarks& marks, const Palette& tones = palette(ThemeMode::Dark));
 
 }   // namespace ui

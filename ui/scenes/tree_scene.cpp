@@ -81,6 +81,9 @@ StrokeMesh TreeScene::Parts::groundStrokes(const ScreenFromPatient& toScreen) co
 {
     StrokeMesh mesh;
     addBeamStrokes(mesh, beam, toScreen, {tones, pixelScale});
+    if (tree.branches.empty()) {
+        return mesh;   // nothing to orient
+    }
     for (const PatientAxis& axis : patientAxes) {
         const Eigen::Vector3d onScreen = toScreen.turned(axis.direction);
         const bool isPositive = axis.letter == 'L' || axis.letter == 'P' || axis.letter == 'H';
@@ -96,7 +99,7 @@ StrokeMesh TreeScene::Parts::groundStrokes(const ScreenFromPatient& toScreen) co
 void TreeScene::Parts::update()
 {
     if (std::exchange(isTreeStale, false)) {
-        tubes.show(tree, marks);
+        tubes.show(tree, marks, tones);
     }
     const auto back = tones.field.unit();
     ground->SetBackground(back[0], back[1], back[2]);
@@ -173,6 +176,7 @@ void TreeScene::setMarks(const BranchMarks& marks)
 void TreeScene::setTones(const Palette& tones)
 {
     parts_->tones = tones;
+    parts_->isTreeStale = true;
 }
 
 void TreeScene::setPixelScale(double devicePxPerPx)
@@ -232,11 +236,14 @@ std::optional<int> TreeScene::branchAt(int xDevicePx, int yDevicePxFromBottom) c
 std::vector<OrientationLetter> TreeScene::orientationLetters() const
 {
     std::vector<OrientationLetter> letters;
+    if (parts_->tree.branches.empty()) {
+        return letters;
+    }
     const ScreenFromPatient toScreen = parts_->screen();
     for (const PatientAxis& axis : patientAxes) {
         const Eigen::Vector3d onScreen = toScreen.turned(axis.direction);
         const bool isPositive = axis.letter == 'L' || axis.letter == 'P' || axis.letter == 'H';
-        if (isPositive && onScreen.head<2>().norm() > 0.3) {
+        if (isPositive && onScreen.head<2>().norm() > 0.42) {
             const Eigen::Vector2d outward = onScreen.head<2>() * signArmPx + onScreen.head<2>().normalized() * 9.0;
             letters.push_back({axis.letter, parts_->signCentre() + parts_->pixelScale * outward, onScreen.z() > -0.05});
         }

@@ -69,12 +69,13 @@ void addDashes(TubeLines& lines, const std::vector<Eigen::Vector3d>& line, const
     }
 }
 
-void addBranch(TubeLines& lines, const core::VesselBranch& branch, const BranchMarks& marks, double extent)
+void addBranch(TubeLines& lines, const core::VesselBranch& branch, const BranchMarks& marks, const Palette& tones,
+               double extent)
 {
     if (branch.pointsInPatient.size() < 2) {
         return;
     }
-    const BranchStyle style = branchStyle(branch.id, marks);
+    const BranchStyle style = branchStyle(branch.id, marks, tones);
     const double thinnestMm = 0.0055 * extent;   // thinner tubes would break up into pixels
     const auto stations = core::evenStations<3>(branch.pointsInPatient, 0.008 * extent);
     const std::vector<Eigen::Vector3d> line = core::interpolate(branch.pointsInPatient, stations);
@@ -112,12 +113,12 @@ TreeTubes::TreeTubes()
     actor_->VisibilityOff();
 }
 
-void TreeTubes::show(const core::VesselTree& tree, const BranchMarks& marks)
+void TreeTubes::show(const core::VesselTree& tree, const BranchMarks& marks, const Palette& tones)
 {
     TubeLines lines;
     const double extent = extentMm(tree);
     for (const core::VesselBranch& branch : tree.branches) {
-        addBranch(lines, branch, marks, extent);
+        addBranch(lines, branch, marks, tones, extent);
     }
     lines_->SetPoints(lines.points);
     lines_->SetLines(lines.cells);

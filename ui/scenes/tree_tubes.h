@@ -14,7 +14,7 @@ namespace ui {
 class TreeTubes {
 public:
     TreeTubes();
-    void show(const core::VesselTree& tree, const BranchMarks& marks);
+    void show(const core::VesselTree& tree, const BranchMarks& marks, const Palette& tones);
     vtkActor* actor() { return actor_; }
 
 private:
