@@ -6,9 +6,31 @@
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tree_view.h"
 
+#include <QClipboard>
+#include <QGuiApplication>
+
+#include <algorithm>
+
 namespace app {
 
 using namespace std::chrono_literals;
+
+namespace {
+
+/// Four rows of four numbers, as spreadsheets and scripts take them.
+QString matrixText(const core::RigidTransform& transform)
+{
+    const Eigen::Matrix4d matrix = transform.matrix();
+    QString text;
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            text += QString::number(matrix(row, column), 'g', 12) + QLatin1Char(column < 3 ? '\t' : '\n');
+        }
+    }
+    return text;
+}
+
+}   // namespace
 
 CaseController::CaseController(ui::MainWindow& window, QObject* parent)
     : QObject(parent),
@@ -20,12 +42,15 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       open_(document_),
       save_(document_, window),
       export_(document_, target_, window),
-      review_(document_, sync_, window)
+      review_(document_, sync_, window),
+      look_(document_, sync_, window),
+      replay_(document_, sync_, window)
 {
     connectFiles();
     connectEditing();
     connectBranches();
     connectPose();
+    connectReview();
     connectGeometry();
     connectRegistration();
     connectHelp();
@@ -150,7 +175,21 @@ void CaseController::connectPose()
         judge(document_.current().cameraFromPatient);
     });
     connect(&pose_, &PoseController::refused, this, &CaseController::showNote);
-    connect(&pose_, &PoseController::locksChanged, this, [this] { window_.pose().showLocks(pose_.locks()); });
+    connect(&pose_, &PoseController::locksChanged, this, [this] {
+        window_.pose().showLocks(pose_.locks());
+        window_.registration().showLocks(static_cast<int>(std::ranges::count(pose_.locks(), true)));
+    });
+    connect(window_.actions()[ui::Command::CopyPose], &QAction::triggered, this, [this] {
+        QGuiApplication::clipboard()->setText(matrixText(document_.current().cameraFromPatient));
+        showNote(tr("Copied: camera from patient, 4 × 4, mm"));
+    });
+}
+
+void CaseController::connectReview()
+{
+    connect(&look_, &LookController::branchWanted, &branches_, [this](int branchId) { branches_.select({branchId}); });
+    connect(&replay_, &ReplayController::solutionShown, &review_, &ReviewController::stopMotion);
+    connect(&window_, &ui::MainWindow::escapePressed, &replay_, &ReplayController::showItself);
 }
 
 void CaseController::connectGeometry()

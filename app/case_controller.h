@@ -5,9 +5,11 @@
 #include "app/export_controller.h"
 #include "app/jobs/file_queue.h"
 #include "app/jobs/judge_job.h"
+#include "app/look_controller.h"
 #include "app/open_controller.h"
 #include "app/pose_controller.h"
 #include "app/registration_controller.h"
+#include "app/replay_controller.h"
 #include "app/review_controller.h"
 #include "app/save_controller.h"
 #include "app/target_provider.h"
@@ -43,6 +45,7 @@ private:
     void connectEditing();
     void connectBranches();
     void connectPose();
+    void connectReview();
     void connectGeometry();
     void connectRegistration();
     void connectHelp();
@@ -79,6 +82,8 @@ private:
     SaveController save_;
     ExportController export_;
     ReviewController review_;
+    LookController look_;
+    ReplayController replay_;
     JudgeJob judge_;
     SharedJudgement judgement_;
     FileQueue files_;   ///< makes the sample case

@@ -74,6 +74,8 @@ void CaseController::showJudgement()
     window_.result().showHistory(current.result ? current.result->history : std::vector<core::IterationReport>{});
     const auto camera = core::cameraOf(current);
     if (!judgement_ || !camera || !current.tree || registration_.isRunning()) {
+        look_.knowResiduals({}, 0.0);
+        replay_.knowUncertainty(std::nullopt);
         sync_.showJudgement(nullptr);
         if (!registration_.isRunning()) {
             window_.result().showNothing(target_.problem().isEmpty() ? tr("nothing to judge yet") : target_.problem());
@@ -85,6 +87,8 @@ void CaseController::showJudgement()
     if (!current.result && !isMovedFromStart()) {
         judged.source = ui::PoseSource::Start;
     }
+    look_.knowResiduals(judged.result.branches, judged.millimetresPerPixel);
+    replay_.knowUncertainty(judged.result.uncertainty);
     window_.result().showJudgement(judged, *current.tree);
 }
 

@@ -11,6 +11,7 @@
 #include <QDateTime>
 
 #include <algorithm>
+#include <array>
 #include <climits>
 
 namespace app {
@@ -18,7 +19,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double opacityStep = 0.1;
 constexpr double usualFrameMs = 1000.0 / 15.0;   ///< where the run does not say
 constexpr int frameBursts = 1 << 20;   ///< keeps burst numbers of frames apart from those of poses
 constexpr qint64 burstPauseMs = 1500;
@@ -28,40 +28,8 @@ constexpr qint64 burstPauseMs = 1500;
 ReviewController::ReviewController(CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent)
     : QObject(parent), document_(document), sync_(sync), window_(window)
 {
-    connectOverlay();
     connectMotion();
     connectWindow();
-}
-
-void ReviewController::connectOverlay()
-{
-    ui::WindowActions& actions = window_.actions();
-    ui::AngiogramView& view = window_.angiogramView();
-    connect(actions[ui::Command::Fit], &QAction::triggered, &view, &ui::AngiogramView::fitToWindow);
-    connect(actions[ui::Command::AutoWindow], &QAction::triggered, &view, &ui::AngiogramView::autoWindowLevel);
-    connect(actions[ui::Command::Outline], &QAction::toggled, this, &ReviewController::updateOverlayMode);
-    connect(&window_, &ui::MainWindow::hideKeyHeld, this, [this](bool held) {
-        overlayHeldHidden_ = held;
-        updateOverlayMode();
-    });
-    connect(actions[ui::Command::Invert], &QAction::toggled, &view, [&view](bool on) {
-        view.scene().setInverted(on);
-        view.update();
-    });
-    connect(actions[ui::Command::ShowTrace], &QAction::toggled, &view, [&view](bool on) {
-        view.scene().showTracedCenterline(on);
-        view.update();
-    });
-    connect(actions[ui::Command::MoreOpacity], &QAction::triggered, this, [this] { changeOpacity(opacityStep); });
-    connect(actions[ui::Command::LessOpacity], &QAction::triggered, this, [this] { changeOpacity(-opacityStep); });
-    view.scene().setOpacity(settings::overlayOpacity.read());
-
-    QAction* identity = actions[ui::Command::HideIdentity];
-    connect(identity, &QAction::toggled, this, [this](bool hidden) {
-        settings::identityHidden.write(hidden);
-        sync_.setIdentityHidden(hidden);
-    });
-    identity->setChecked(settings::identityHidden.read());
 }
 
 void ReviewController::connectMotion()
@@ -77,6 +45,16 @@ void ReviewController::connectMotion()
         }
     });
     connect(actions[ui::Command::Cine], &QAction::toggled, this, &ReviewController::setPlaying);
+    const std::array motions{ui::Command::Flicker, ui::Command::Cine, ui::Command::Replay, ui::Command::Swing};
+    for (const ui::Command motion : motions) {
+        connect(actions[motion], &QAction::triggered, this, [&actions, motion, motions](bool on) {
+            for (const ui::Command other : motions) {
+                if (on && other != motion) {
+                    actions[other]->setChecked(false);   // one motion at a time
+                }
+            }
+        });
+    }
     QAction* reduce = actions[ui::Command::ReduceMotion];
     reduce->setChecked(settings::reduceMotion.read());
     connect(reduce, &QAction::toggled, this, [](bool on) { settings::reduceMotion.write(on); });
@@ -98,14 +76,6 @@ void ReviewController::connectWindow()
         connect(actions[command], &QAction::triggered, this, [this, stored] { applyTheme(stored); });
     }
     window_.treeView().setTheme(ui::activeTheme());
-}
-
-void ReviewController::updateOverlayMode()
-{
-    const bool outline = window_.actions()[ui::Command::Outline]->isChecked();
-    const auto shown = outline ? ui::OverlayMode::Outline : ui::OverlayMode::Centerline;
-    window_.angiogramView().scene().setMode(overlayHeldHidden_ ? ui::OverlayMode::Hidden : shown);
-    window_.angiogramView().update();
 }
 
 void ReviewController::stepFrame(int step)
@@ -185,17 +155,10 @@ void ReviewController::setPlaying(bool on)
 
 void ReviewController::stopMotion()
 {
-    window_.actions()[ui::Command::Flicker]->setChecked(false);
-    window_.actions()[ui::Command::Cine]->setChecked(false);
-}
-
-void ReviewController::changeOpacity(double by)
-{
-    const double opacity = std::clamp(settings::overlayOpacity.read() + by, opacityStep, 1.0);
-    settings::overlayOpacity.write(opacity);
-    window_.angiogramView().scene().setOpacity(opacity);
-    window_.angiogramView().update();
-    window_.strip().showStatus(tr("Overlay opacity %1 %").arg(100.0 * opacity, 0, 'f', 0));
+    for (const ui::Command motion :
+         {ui::Command::Flicker, ui::Command::Cine, ui::Command::Replay, ui::Command::Swing}) {
+        window_.actions()[motion]->setChecked(false);
+    }
 }
 
 void ReviewController::applyTheme(const QString& name)

@@ -12,7 +12,7 @@ class MainWindow;
 
 namespace app {
 
-/// How the user looks at the case: overlay style, flicker, frames, theme. Nothing here changes the case but the frame.
+/// How the user looks at the case: flicker, frames, theme. Nothing here changes the case but the frame.
 class ReviewController : public QObject {
     Q_OBJECT
 public:
@@ -20,17 +20,14 @@ public:
 
     void stepFrame(int step);   ///< as AngiogramView::frameStepRequested
     void showFrame(int frame);
-    void stopMotion();   ///< ends flicker and cine
+    void stopMotion();   ///< ends whatever moves by itself
 
 private:
-    void connectOverlay();
     void connectMotion();
     void connectWindow();
-    void updateOverlayMode();
     void setFlickering(bool on);
     void flick();
     void setPlaying(bool on);
-    void changeOpacity(double by);
     void applyTheme(const QString& name);
 
     CaseDocument& document_;
@@ -39,7 +36,6 @@ private:
     QTimer flickerTimer_;
     QTimer cineTimer_;
     bool showsStart_ = false;
-    bool overlayHeldHidden_ = false;
     int frameBurst_ = 0;
     qint64 lastFrameMs_ = 0;
 };

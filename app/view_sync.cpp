@@ -9,7 +9,10 @@
 
 #include <QtConcurrentRun>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace app {
 namespace {
@@ -24,6 +27,22 @@ double depthOfTreeMm(const core::RegistrationCase& current)
 {
     const double depth = (current.cameraFromPatient * core::centroidInPatient(*current.tree)).z();
     return std::max(depth, core::minProjectableDepthMm);
+}
+
+/// Whether the tree's coordinates are the patient's. A case brings its own start pose with whatever axes its tree has:
+/// believed only while it agrees with the angles of the C-arm, which are the patient's.
+bool isOrientationKnown(const core::RegistrationCase& current)
+{
+    constexpr double farthestDeg = 45.0;
+    core::RegistrationCase byAngles = current;
+    byAngles.hasInitialPose = false;
+    const auto expected = core::startPoseOf(byAngles);
+    if (!expected) {
+        return false;
+    }
+    const Eigen::AngleAxisd turn(
+        Eigen::Matrix3d(expected.value().rotation * current.cameraFromPatient.rotation.transpose()));
+    return std::abs(turn.angle()) < farthestDeg * std::numbers::pi / 180.0;
 }
 
 /// Bar heights: the fullest frame fills its cell.
@@ -64,6 +83,7 @@ void ViewSync::refresh()
     if (!previewing_) {
         showPose(current.cameraFromPatient);
     }
+    window_.angiogramView().setOrientationKnown(shownCamera_ && isOrientationKnown(current));
     showCornerTexts();
     if (document_.isEmpty()) {
         window_.showWelcomePage();

@@ -38,6 +38,7 @@ const std::vector<ActionRow>& rows()
         {Command::Redo, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Redo"), "Ctrl+Shift+Z; Ctrl+Y"},
         {Command::Nudge, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Nudge mode"), "N", Kind::Switch},
         {Command::ResetPose, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Back to start pose"), "Backspace"},
+        {Command::CopyPose, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Copy pose as matrix"), "Ctrl+C"},
         {Command::ToggleAuxiliary, Menu::Edit,
          QT_TRANSLATE_NOOP("ui::WindowActions", "Selected branches auxiliary on or off"), "A"},
         {Command::ToggleExcluded, Menu::Edit,
@@ -49,12 +50,27 @@ const std::vector<ActionRow>& rows()
         {Command::Fit, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Fit the image to the window"), "1"},
         {Command::AutoWindow, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Automatic brightness"), "0"},
         {Command::Invert, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Invert grey values"), "I", Kind::Switch},
-        {Command::Outline, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Vessel outline instead of centreline"),
-         "O", Kind::Switch},
+        {Command::FullRange, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Brightness: every grey value"), "9"},
+        {Command::MoreContrast, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "More contrast"), "8"},
+        {Command::LessContrast, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Less contrast"), "7"},
+        {Command::Outline, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Vessels: centreline, outline, tube"),
+         "O"},
+        {Command::DepthCue, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Near vessels bright, far ones dim"),
+         "D", Kind::Switch},
+        {Command::Swipe, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Swipe, lens, off"), "S"},
+        {Command::WorstBranch, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Zoom to the worst branch, the next"),
+         "W"},
         {Command::ShowTrace, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Show traced vessels"), "T",
          Kind::Switch},
         {Command::Flicker, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Flicker start pose and pose"), "F",
          Kind::Switch},
+        {Command::Replay, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Replay the last run"), "P", Kind::Switch},
+        {Command::Swing, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Swing along what the image cannot tell"),
+         "U", Kind::Switch},
+        {Command::NextSolution, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Show the run's other solutions"),
+         "J"},
+        {Command::TakeSolution, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Take the solution shown"),
+         "Shift+J"},
         {Command::LessOpacity, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Overlay fainter"), "["},
         {Command::MoreOpacity, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Overlay stronger"), "]"},
         {Command::Cine, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Play frames"), "C", Kind::Switch},
@@ -113,20 +129,12 @@ QList<QKeySequence> shortcutsOf(const ActionRow& row)
     return QKeySequence::listFromString(QString::fromLatin1(row.keys));
 }
 
-QString sheetLine(const QString& keys, const QString& effect)
-{
-    return QStringLiteral("<tr><td style='padding-right:18px'><b>%1</b></td><td>%2</td></tr>")
-        .arg(keys.toHtmlEscaped(), effect.toHtmlEscaped());
-}
-
 template <class Notes>
-QString sheetBlock(const QString& heading, const Notes& notes)
+void addNotes(std::vector<KeyLine>& lines, const QString& heading, const Notes& notes)
 {
-    QString lines = QStringLiteral("<tr><td colspan='2'><br/><b>%1</b></td></tr>").arg(heading);
     for (const KeyNote& note : notes) {
-        lines += sheetLine(translated(note.keys), translated(note.effect));
+        lines.push_back({heading, translated(note.keys), translated(note.effect)});
     }
-    return lines;
 }
 
 bool startsGroup(Command command)
@@ -146,6 +154,7 @@ WindowActions::WindowActions(QWidget* window) : QObject(window), recent_(new QMe
         action->setCheckable(row.kind == Kind::Switch);
         action->setShortcuts(shortcutsOf(row));
         action->setAutoRepeat(row.command == Command::MoreOpacity || row.command == Command::LessOpacity ||
+                              row.command == Command::MoreContrast || row.command == Command::LessContrast ||
                               row.command == Command::Undo || row.command == Command::Redo);
         if (row.menu == Menu::Theme) {
             themes->addAction(action);
@@ -176,18 +185,20 @@ void WindowActions::fillMenus(QMenuBar* menuBar)
     menus[Menu::View]->addMenu(menus[Menu::Theme]);
 }
 
-QString WindowActions::keySheet() const
+std::vector<KeyLine> WindowActions::keySheet() const
 {
-    QString lines;
+    std::vector<KeyLine> lines;
     for (const ActionRow& row : rows()) {
         const QAction* action = actions_.at(row.command);
         if (!action->shortcuts().isEmpty()) {
-            lines +=
-                sheetLine(QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText), action->text());
+            lines.push_back({tr("In the whole window"),
+                             QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText),
+                             translated(row.text)});
         }
     }
-    return QStringLiteral("<table>") + lines + sheetBlock(tr("In nudge mode"), nudgeNotes) +
-           sheetBlock(tr("On the angiogram"), viewNotes) + QStringLiteral("</table>");
+    addNotes(lines, tr("In nudge mode"), nudgeNotes);
+    addNotes(lines, tr("On the angiogram"), viewNotes);
+    return lines;
 }
 
 }   // namespace ui

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "ui/dialogs/key_sheet.h"
+
 #include <QAction>
 #include <QObject>
 
 #include <map>
+#include <vector>
 
 class QMenu;
 class QMenuBar;
@@ -35,6 +38,17 @@ enum class Command {
     AutoWindow,
     Invert,
     Outline,
+    Swipe,
+    DepthCue,
+    WorstBranch,
+    Replay,
+    Swing,
+    NextSolution,
+    TakeSolution,
+    FullRange,
+    MoreContrast,
+    LessContrast,
+    CopyPose,
     ShowTrace,
     Flicker,
     MoreOpacity,
@@ -60,7 +74,7 @@ public:
     QAction* operator[](Command command) const { return actions_.at(command); }
     QMenu* recentMenu() const { return recent_; }
     void fillMenus(QMenuBar* menuBar);
-    QString keySheet() const;   ///< rich text: every key, and what the mouse does
+    std::vector<KeyLine> keySheet() const;   ///< every key, and what the mouse does
 
 private:
     std::map<Command, QAction*> actions_;

@@ -51,7 +51,7 @@ PosePanel::Row PosePanel::makeRow(PoseAxis axis)
     row.field->setToolTip(explanationOf(axis));
     row.label->setToolTip(explanationOf(axis));
     row.lock->setAccessibleName(tr("Lock %1").arg(labelOf(axis)));
-    row.lock->setToolTip(tr("Lock against nudging and dragging. Register still finds all six."));
+    row.lock->setToolTip(tr("Lock against nudging, dragging and typing. Register still finds all six and says so."));
     row.label->setBuddy(row.field);
     connect(row.field, &NumberField::edited, this, [this, axis](double value) { editAxis(axis, value); });
     connect(row.lock, &QAbstractButton::clicked, this, [this, axis] { toggleLock(axis); });

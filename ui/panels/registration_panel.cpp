@@ -23,7 +23,8 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
       form_(new OptionForm),
       optionSection_(new Section(tr("Method and options"), Folding::Foldable)),
       register_(new QPushButton(tr("Register  R"))),
-      stop_(new QPushButton(tr("Stop")))
+      stop_(new QPushButton(tr("Stop"))),
+      lockNote_(roleLabel("attention"))
 {
     register_->setProperty("role", "primary");
     register_->setAccessibleName(tr("Register"));
@@ -46,7 +47,9 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
     optionSection_->layout()->setContentsMargins(0, 2, 0, 0);
     optionSection_->setFolded(true);
 
+    lockNote_->setWordWrap(true);
     contentLayout()->addLayout(buttons);
+    contentLayout()->addWidget(lockNote_);
     contentLayout()->addWidget(optionSection_);
 
     connect(register_, &QPushButton::clicked, this, &RegistrationPanel::registerRequested);
@@ -54,6 +57,7 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
     connect(method_, &QComboBox::activated, this, &RegistrationPanel::chooseMethod);
     connect(form_, &OptionForm::edited, this, &RegistrationPanel::optionsEdited);
     showOptions(options_);
+    showLocks(0);
     updateButtons();
 }
 
@@ -73,6 +77,13 @@ void RegistrationPanel::showAuxiliary(int branchCount)
     const QString branches = branchCount == 1 ? tr("aux: 1 branch") : tr("aux: %1 branches").arg(branchCount);
     const QString auxiliary = branchCount == 0 ? tr("aux: nodes") : branches;
     setHint(tr("%1 · %2").arg(method_->currentText(), auxiliary));
+}
+
+void RegistrationPanel::showLocks(int count)
+{
+    lockNote_->setVisible(count > 0);
+    lockNote_->setText(count == 1 ? tr("The lock holds for your hand only: Register moves all six.")
+                                  : tr("The %1 locks hold for your hand only: Register moves all six.").arg(count));
 }
 
 void RegistrationPanel::showReady(const QString& whyNot)

@@ -18,6 +18,7 @@ public:
 
     void showOptions(const core::RegistrationOptions& options);   ///< silent
     void showAuxiliary(int branchCount);   ///< 0: the nodes
+    void showLocks(int count);   ///< degrees of freedom locked by hand, which a run does not heed
     void showReady(const QString& whyNot);   ///< empty: Register can be pressed
     void setRunning(bool running);
     QPushButton* registerButton() const { return register_; }
@@ -38,6 +39,7 @@ private:
     Section* optionSection_;
     QPushButton* register_;
     QPushButton* stop_;
+    QLabel* lockNote_;
     QString whyNot_;
     int auxiliaryCount_ = 0;
     bool running_ = false;

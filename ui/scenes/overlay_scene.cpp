@@ -59,6 +59,7 @@ struct OverlayScene::Parts {
     Interpolation interpolation = Interpolation::Smooth;
     ViewRect viewRect{-0.5, 511.5, -0.5, 511.5};
     std::uint64_t revision = 1;
+    Cutout cutout;
     Backdrop backdrop;
     Strokes strokes;
 
@@ -67,6 +68,7 @@ struct OverlayScene::Parts {
         if (std::exchange(isProjectionStale, false)) {
             content.tree =
                 core::findProblem(camera).empty() ? projectedTree(tree, camera, cameraFromPatient) : ProjectedTree{};
+            content.depthRange = depthRangeOf(content.tree);
         }
     }
     void markProjectionStale()
@@ -141,6 +143,17 @@ void OverlayScene::setMode(OverlayMode mode)
     ++parts_->revision;
 }
 
+void OverlayScene::setDepthCue(DepthCue cue)
+{
+    parts_->content.depthCue = cue;
+    ++parts_->revision;
+}
+
+void OverlayScene::setCutout(const Cutout& cutout)
+{
+    parts_->cutout = cutout;
+}
+
 void OverlayScene::setOpacity(double opacity)
 {
     parts_->content.opacity = std::clamp(opacity, 0.0, 1.0);
@@ -206,8 +219,10 @@ void OverlayScene::drawRows(Canvas canvas, int firstRow, int rowCount)
     ViewRect part = p.viewRect;
     part.top += rowHeight * firstRow;
     part.bottom = part.top + rowHeight * canvas.height;
-    std::ranges::copy(p.backdrop.of(p.frame, part, p.interpolation, canvas), canvas.pixels);
+    const std::vector<std::uint32_t>& bare = p.backdrop.of(p.frame, part, p.interpolation, canvas);
+    std::ranges::copy(bare, canvas.pixels);
     fillStrokes(p.meshFor(canvas.width, rowCount), rowCount - firstRow, canvas);
+    applyCutout(p.cutout, part, bare, canvas);
 }
 
 std::optional<int> OverlayScene::branchAt(const Eigen::Vector2d& imagePoint, double tolerancePx) const
@@ -217,6 +232,12 @@ std::optional<int> OverlayScene::branchAt(const Eigen::Vector2d& imagePoint, dou
     }
     parts_->project();
     return nearestBranch(parts_->content.tree, imagePoint, tolerancePx);
+}
+
+std::optional<ViewRect> OverlayScene::extentOf(int branchId) const
+{
+    parts_->project();
+    return ui::extentOf(parts_->content.tree, branchId);
 }
 
 bool OverlayScene::treePasses(const ViewRect& part) const

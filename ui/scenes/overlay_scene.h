@@ -6,6 +6,7 @@
 #include "core/vessel/centerline2d.h"
 #include "core/vessel/vessel_tree.h"
 #include "ui/scenes/canvas.h"
+#include "ui/scenes/cutout.h"
 #include "ui/scenes/resample_frame.h"
 #include "ui/scenes/view_rect.h"
 
@@ -27,7 +28,10 @@ struct BranchMarks {
     bool operator==(const BranchMarks&) const = default;
 };
 
-enum class OverlayMode { Centerline, Outline, Hidden };
+enum class OverlayMode { Centerline, Outline, Tube, Hidden };
+
+/// NearBright shows which vessels lie nearer to the source.
+enum class DepthCue { None, NearBright };
 
 /// The angiogram with the projected tree on it, drawn by the processor: no OpenGL, no Qt, so the same pixels come out
 /// in the window, in the exported PNG and in the tests. Setters only store and mark; `draw` does the work, and keeps
@@ -48,7 +52,9 @@ public:
     void setPose(const core::RigidTransform& cameraFromPatient);
     void setMarks(const BranchMarks& marks);
     void setMode(OverlayMode mode);
+    void setDepthCue(DepthCue cue);
     void setOpacity(double opacity);
+    void setCutout(const Cutout& cutout);
     void setLineWidthPx(double devicePixels);
     void setTracedCenterline(const core::Centerline2d& traced);   ///< thin dotted curves, hidden unless shown
     void showTracedCenterline(bool shown);
@@ -70,6 +76,9 @@ public:
 
     /// Branch whose projection passes within `tolerancePx` (image px) of an image point; the nearest one.
     std::optional<int> branchAt(const Eigen::Vector2d& imagePoint, double tolerancePx) const;
+
+    /// What a branch covers of the image as it is projected now; nothing when it is not in front of the source.
+    std::optional<ViewRect> extentOf(int branchId) const;
 
     /// True when the projected tree, as shown, passes through this part of the image.
     bool treePasses(const ViewRect& part) const;

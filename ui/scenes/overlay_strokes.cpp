@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace ui {
 namespace {
@@ -35,10 +36,21 @@ Color residualTone(double residualPx, double maximumPx)
     return residualPx > maximumPx ? residualColorAboveScale() : residualColor(residualPx / maximumPx);
 }
 
+/// Near points towards white, far points towards the canvas.
+Color withDepth(const Color& color, double depthMm, const DepthRange& range)
+{
+    const Palette& tones = palette(ThemeMode::Dark);
+    const double spanMm = std::max(1.0, range.farMm - range.nearMm);
+    const double farness = std::clamp((depthMm - range.nearMm) / spanMm, 0.0, 1.0);
+    return farness < 0.5 ? mixed(tones.textStrong, color, 0.3 + 1.4 * farness)
+                         : mixed(color, tones.canvas, 1.5 * (farness - 0.5));
+}
+
 /// Colour of every point of one branch.
 class PointColors {
 public:
-    PointColors(const OverlayContent& content, int branchId, const Color& plain) : plain_(plain)
+    PointColors(const OverlayContent& content, int branchId, const Color& plain)
+        : plain_(plain), depth_(content.depthCue == DepthCue::None ? std::nullopt : std::optional(content.depthRange))
     {
         const auto found = content.residualPx.find(branchId);
         if (content.scaleMaximumPx > 0.0 && found != content.residualPx.end()) {
@@ -46,14 +58,19 @@ public:
             maximumPx_ = content.scaleMaximumPx;
         }
     }
-    Color operator()(std::size_t index) const
+    Color operator()(const ProjectedPoint& point) const
     {
-        const bool isKnown = residualPx_ && index < residualPx_->size() && std::isfinite((*residualPx_)[index]);
-        return isKnown ? residualTone((*residualPx_)[index], maximumPx_) : plain_;
+        if (depth_) {
+            return withDepth(plain_, point.depthMm, *depth_);
+        }
+        const bool isKnown =
+            residualPx_ && point.index < residualPx_->size() && std::isfinite((*residualPx_)[point.index]);
+        return isKnown ? residualTone((*residualPx_)[point.index], maximumPx_) : plain_;
     }
 
 private:
     Color plain_;
+    std::optional<DepthRange> depth_;   ///< instead of residuals
     const std::vector<double>* residualPx_ = nullptr;
     double maximumPx_ = 0.0;
 };
@@ -63,7 +80,7 @@ StrokeLine centreOf(const std::vector<ProjectedPoint>& run, const DeviceFromImag
     StrokeLine line;
     line.reserve(run.size());
     for (const ProjectedPoint& point : run) {
-        line.push_back({device * point.px, colors(point.index)});
+        line.push_back({device * point.px, colors(point)});
     }
     return line;
 }
@@ -82,7 +99,7 @@ StrokeLine edgeOf(const std::vector<ProjectedPoint>& run, const DeviceFromImage&
     line.reserve(run.size());
     for (std::size_t i = 0; i < run.size(); ++i) {
         const Eigen::Vector2d normal(-tangents[i].y(), tangents[i].x());
-        line.push_back({device * (run[i].px + side * run[i].radiusPx * normal), colors(run[i].index)});
+        line.push_back({device * (run[i].px + side * run[i].radiusPx * normal), colors(run[i])});
     }
     return line;
 }
@@ -121,14 +138,14 @@ BranchLines linesOf(const ProjectedBranch& branch, const OverlayContent& content
     BranchLines result{branchStyle(branch.id, content.marks), {}, {}};
     const PointColors colors(content, branch.id, result.style.color);
     for (const auto& run : branch.runs) {
-        const bool asOutline = content.mode == OverlayMode::Outline && hasRadius(run);
+        const bool asOutline = content.mode != OverlayMode::Centerline && hasRadius(run);
         for (const double side : asOutline ? std::vector<double>{1.0, -1.0} : std::vector<double>{0.0}) {
             const StrokeLine line = asOutline ? edgeOf(run, device, colors, side) : centreOf(run, device, colors);
             append(result.lines, visibleParts(line, result.style.pattern, device, content.lineWidthPx));
         }
         if (result.style.hasEndDots && !asOutline) {
-            result.ends.push_back({device * run.front().px, colors(run.front().index)});
-            result.ends.push_back({device * run.back().px, colors(run.back().index)});
+            result.ends.push_back({device * run.front().px, colors(run.front())});
+            result.ends.push_back({device * run.back().px, colors(run.back())});
         }
     }
     return result;
@@ -193,6 +210,22 @@ void addCore(StrokeMesh& mesh, const BranchLines& branch, double widthPx)
     }
 }
 
+/// The vessels' insides, translucent, below all lines.
+void addTubes(StrokeMesh& mesh, const OverlayContent& content, const DeviceFromImage& device)
+{
+    constexpr double inside = 0.32;
+    for (const ProjectedBranch& branch : content.tree) {
+        const BranchStyle style = branchStyle(branch.id, content.marks);
+        const PointColors colors(content, branch.id, style.color);
+        for (const auto& run : branch.runs) {
+            if (hasRadius(run)) {
+                addRibbon(mesh, edgeOf(run, device, colors, 1.0), edgeOf(run, device, colors, -1.0),
+                          inside * style.opacity);
+            }
+        }
+    }
+}
+
 void fade(StrokeMesh& mesh, double opacity)
 {
     for (std::size_t i = 3; i < mesh.colors.size(); i += 4) {
@@ -201,6 +234,20 @@ void fade(StrokeMesh& mesh, double opacity)
 }
 
 }   // namespace
+
+DepthRange depthRangeOf(const ProjectedTree& tree)
+{
+    DepthRange range{1e30, -1e30};
+    for (const ProjectedBranch& branch : tree) {
+        for (const auto& run : branch.runs) {
+            for (const ProjectedPoint& point : run) {
+                range.nearMm = std::min(range.nearMm, point.depthMm);
+                range.farMm = std::max(range.farMm, point.depthMm);
+            }
+        }
+    }
+    return range;
+}
 
 Eigen::Vector2d DeviceFromImage::operator*(const Eigen::Vector2d& imagePoint) const
 {
@@ -219,10 +266,13 @@ StrokeMesh overlayStrokes(const OverlayContent& content, const DeviceFromImage& 
         }
         std::stable_sort(branches.begin(), branches.end(),
                          [](const BranchLines& a, const BranchLines& b) { return a.style.rank < b.style.rank; });
-        const double modeFactor = content.mode == OverlayMode::Outline ? 0.7 : 1.0;
+        const double modeFactor = content.mode == OverlayMode::Centerline ? 1.0 : 0.7;
         const auto widthOf = [&](const BranchLines& branch) {
             return modeFactor * branch.style.widthFactor * content.lineWidthPx;
         };
+        if (content.mode == OverlayMode::Tube) {
+            addTubes(mesh, content, device);
+        }
         // All dark borders first: at a bifurcation no branch may cut into its neighbour.
         for (const BranchLines& branch : branches) {
             addGlow(mesh, branch, widthOf(branch));

@@ -19,11 +19,20 @@ struct DeviceFromImage {
     double scale() const { return width / (rect.right - rect.left); }   ///< device px per image px
 };
 
+/// Nearest and farthest point of a projected tree.
+struct DepthRange {
+    double nearMm = 0.0;
+    double farMm = 0.0;
+};
+DepthRange depthRangeOf(const ProjectedTree& tree);
+
 /// What lies on the angiogram and how it looks.
 struct OverlayContent {
     ProjectedTree tree;
     BranchMarks marks;
     OverlayMode mode = OverlayMode::Centerline;
+    DepthCue depthCue = DepthCue::None;
+    DepthRange depthRange;   ///< of `tree`
     double opacity = 1.0;
     double lineWidthPx = 2.0;
     core::Centerline2d traced;

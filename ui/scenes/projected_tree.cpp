@@ -45,7 +45,8 @@ ProjectedTree projectedTree(const core::VesselTree& tree, const core::Projection
                 isOpen = true;
             }
             const double radiusMm = branch.radiusMm.empty() ? 0.0 : branch.radiusMm[i];
-            projected.runs.back().push_back({*pixel, radiusMm * std::abs(camera.fx) / pointInCamera.z(), i});
+            projected.runs.back().push_back(
+                {*pixel, radiusMm * std::abs(camera.fx) / pointInCamera.z(), pointInCamera.z(), i});
         }
         result.push_back(std::move(projected));
     }
@@ -66,6 +67,26 @@ std::optional<int> nearestBranch(const ProjectedTree& tree, const Eigen::Vector2
         }
     }
     return nearest;
+}
+
+std::optional<ViewRect> extentOf(const ProjectedTree& tree, int branchId)
+{
+    std::optional<ViewRect> box;
+    for (const ProjectedBranch& branch : tree) {
+        if (branch.id != branchId) {
+            continue;
+        }
+        for (const auto& run : branch.runs) {
+            for (const ProjectedPoint& point : run) {
+                const double u = point.px.x();
+                const double v = point.px.y();
+                box = box ? ViewRect{std::min(box->left, u), std::max(box->right, u), std::min(box->top, v),
+                                     std::max(box->bottom, v)}
+                          : ViewRect{u, u, v, v};
+            }
+        }
+    }
+    return box;
 }
 
 bool passesThrough(const ProjectedTree& tree, const ViewRect& part)

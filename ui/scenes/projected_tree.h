@@ -13,6 +13,7 @@ namespace ui {
 struct ProjectedPoint {
     Eigen::Vector2d px;
     double radiusPx = 0.0;   ///< 0 when unknown
+    double depthMm = 0.0;   ///< from the source along the central ray
     std::size_t index = 0;   ///< of the tree point
 };
 
@@ -28,6 +29,9 @@ ProjectedTree projectedTree(const core::VesselTree& tree, const core::Projection
 
 /// The branch nearest to an image point, if it is within `tolerancePx`.
 std::optional<int> nearestBranch(const ProjectedTree& tree, const Eigen::Vector2d& imagePoint, double tolerancePx);
+
+/// The box around a branch, in image px.
+std::optional<ViewRect> extentOf(const ProjectedTree& tree, int branchId);
 
 bool passesThrough(const ProjectedTree& tree, const ViewRect& part);
 

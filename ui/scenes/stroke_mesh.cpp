@@ -180,6 +180,18 @@ void addDot(StrokeMesh& mesh, const StrokePoint& centre, double radiusPx, double
     addSector(mesh, centre, 0.0, 2.0 * std::numbers::pi, profileOf({2.0 * radiusPx, opacity, 1.0}));
 }
 
+void addRibbon(StrokeMesh& mesh, const StrokeLine& left, const StrokeLine& right, double opacity)
+{
+    const std::size_t count = std::min(left.size(), right.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        addVertex(mesh, left[i].at, left[i].color, opacity);
+        const std::int32_t last = addVertex(mesh, right[i].at, left[i].color, opacity);
+        if (i > 0) {
+            mesh.triangles.insert(mesh.triangles.end(), {last - 3, last - 2, last - 1, last - 1, last - 2, last});
+        }
+    }
+}
+
 std::vector<StrokeLine> clipped(const StrokeLine& line, const Eigen::Vector2d& lower, const Eigen::Vector2d& upper)
 {
     std::vector<StrokeLine> parts;

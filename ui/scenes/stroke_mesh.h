@@ -41,6 +41,9 @@ void addLine(StrokeMesh& mesh, const StrokeLine& line, const Pen& pen);
 /// Adds a filled dot.
 void addDot(StrokeMesh& mesh, const StrokePoint& centre, double radiusPx, double opacity);
 
+/// Fills the area between two lines of the same length, point by point, with the first line's colours.
+void addRibbon(StrokeMesh& mesh, const StrokeLine& left, const StrokeLine& right, double opacity);
+
 /// The parts of the line inside `lower`…`upper`, cut at its border.
 std::vector<StrokeLine> clipped(const StrokeLine& line, const Eigen::Vector2d& lower, const Eigen::Vector2d& upper);
 

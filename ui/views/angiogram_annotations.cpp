@@ -251,6 +251,22 @@ void paintNudgeBorder(QPainter& painter, const QSizeF& size)
                      translated("Nudge: drag shifts, ring rolls, Ctrl is fine, Esc takes back"), tone);
 }
 
+/// Letters in the middle of each edge: the side of the patient that lies there.
+void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations)
+{
+    painter.setFont(sized(painter.font(), fullSizePx));
+    const auto letter = [&painter](const QPointF& centre, const std::string& text) {
+        drawShadowedText(painter, QRectF(centre - QPointF(20.0, 9.0), QSizeF(40.0, 18.0)), Qt::AlignCenter,
+                         QString::fromStdString(text), colorOf(tones().textStrong));
+    };
+    const double below = annotations.isNudging ? 34.0 : 18.0;
+    const double besideScale = annotations.scaleMaximumPx > 0.0 ? scaleBar(size).top() - 56.0 : 0.5 * size.height();
+    letter({0.5 * size.width(), below}, annotations.sides.top);
+    letter({0.5 * size.width(), size.height() - 18.0}, annotations.sides.bottom);
+    letter({20.0, 0.5 * size.height()}, annotations.sides.left);
+    letter({size.width() - 20.0, besideScale}, annotations.sides.right);
+}
+
 }   // namespace
 
 void paintAnnotations(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations,
@@ -265,6 +281,7 @@ void paintAnnotations(QPainter& painter, const QSizeF& size, const AngiogramAnno
     if (annotations.mmPerImagePx > 0.0) {
         paintRuler(painter, size, below, viewport.zoom() / annotations.mmPerImagePx);
     }
+    paintSides(painter, size, annotations);
     if (annotations.scaleMaximumPx > 0.0) {
         paintScale(painter, size, annotations);
     }

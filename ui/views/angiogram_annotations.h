@@ -3,6 +3,7 @@
 #include "core/imaging/display_range.h"
 #include "ui/scenes/overlay_scene.h"
 #include "ui/scenes/render_offscreen.h"
+#include "ui/views/image_sides.h"
 #include "ui/views/image_viewport.h"
 
 #include <QSizeF>
@@ -20,6 +21,7 @@ struct AngiogramAnnotations {
     double scaleMaximumPx = 0.0;   ///< 0: no residual scale
     double scaleMaximumMm = 0.0;
     double mmPerImagePx = 0.0;   ///< at the vessel; 0: no ruler
+    ImageSides sides;   ///< empty: nobody knows
     bool isNudging = false;
 };
 

@@ -14,6 +14,7 @@ struct AngiogramView::Interaction {
     ImageViewport viewport;
     AngiogramAnnotations annotations;
     bool hasFrame = false;
+    bool isOrientationKnown = false;
     std::pair<int, int> frameSize{0, 0};
     core::ProjectionCamera camera;
     core::RigidTransform cameraFromPatient;

@@ -114,6 +114,34 @@ void AngiogramView::setLineWidth(double px)
     update();
 }
 
+void AngiogramView::setCutout(Cutout::Shape shape)
+{
+    cutout_ = shape;
+    const QPointF mouse = mapFromGlobal(QCursor::pos());
+    placeCutout(rect().contains(mouse.toPoint()) ? mouse : QRectF(rect()).center());
+}
+
+void AngiogramView::placeCutout(const QPointF& position)
+{
+    constexpr double lensRadius = 70.0;
+    scene_.setCutout({cutout_, imageFromWidget(position), lensRadius / zoom()});
+    update();
+}
+
+void AngiogramView::setOrientationKnown(bool known)
+{
+    interaction_->isOrientationKnown = known;
+    update();
+}
+
+void AngiogramView::zoomTo(const ViewRect& part)
+{
+    const double margin = 0.25 * std::max({part.width(), part.height(), 40.0});
+    interaction_->viewport.show({part.left - margin, part.right + margin, part.top - margin, part.bottom + margin});
+    emit zoomChanged(zoom());
+    update();
+}
+
 void AngiogramView::fitToWindow()
 {
     interaction_->viewport.fit();
@@ -209,6 +237,9 @@ void AngiogramView::paintEvent(QPaintEvent*)
         return;
     }
     interaction_->annotations.mmPerImagePx = interaction_->mmPerImagePx();
+    interaction_->annotations.sides = interaction_->isOrientationKnown
+                                          ? imageSides(interaction_->camera, interaction_->cameraFromPatient)
+                                          : ImageSides{};
     painter.setFont(font());
     ui::paintAnnotations(painter, size(), interaction_->annotations, interaction_->viewport, scene_);
 }

@@ -34,7 +34,11 @@ public:
     bool isNudgeMode() const { return nudgeMode_; }
     void setResidualScale(double maximumPx, double maximumMm);   ///< 0 hides the scale
     void setLineWidth(double px);   ///< device-independent px
+    void setCutout(Cutout::Shape shape);   ///< follows the mouse
+    Cutout::Shape cutout() const { return cutout_; }
+    void setOrientationKnown(bool known);   ///< letters at the edges tell where the patient's sides are
     void fitToWindow();
+    void zoomTo(const ViewRect& part);   ///< image px; leaves room around it
     void autoWindowLevel();
     void setWindowLevel(double window, double level);
     core::DisplayRange shownRange() const;
@@ -73,6 +77,7 @@ protected:
 private:
     struct Interaction;
     void drawPicture();
+    void placeCutout(const QPointF& position);
     PoseHandleLook handleLook() const;
     QSize deviceSize() const;
     void dragBy(const QPointF& position, Qt::KeyboardModifiers modifiers);
@@ -90,6 +95,7 @@ private:
     int renderCount_ = 0;
     std::unique_ptr<Interaction> interaction_;
     bool nudgeMode_ = false;
+    Cutout::Shape cutout_ = Cutout::Shape::None;
 };
 
 }   // namespace ui

@@ -45,6 +45,9 @@ void AngiogramView::mousePressEvent(QMouseEvent* event)
 void AngiogramView::mouseMoveEvent(QMouseEvent* event)
 {
     Interaction& i = *interaction_;
+    if (cutout_ != Cutout::Shape::None) {
+        placeCutout(event->position());
+    }
     if (i.pressed == Qt::NoButton) {
         hoverAt(event->position());
         return;

@@ -35,6 +35,15 @@ void ImageViewport::fit()
     centre_ = 0.5 * Eigen::Vector2d(imageWidth_ - 1, imageHeight_ - 1);
 }
 
+void ImageViewport::show(const ViewRect& rect)
+{
+    const double zoom =
+        std::min(widgetSize_.x() / std::max(1.0, rect.width()), widgetSize_.y() / std::max(1.0, rect.height()));
+    zoom_ = std::clamp(zoom, smallestZoom, largestZoom);
+    centre_ = 0.5 * Eigen::Vector2d(rect.left + rect.right, rect.top + rect.bottom);
+    isFitted_ = false;
+}
+
 void ImageViewport::zoomAt(const Eigen::Vector2d& position, double factor)
 {
     const Eigen::Vector2d anchor = imageFromWidget(position);

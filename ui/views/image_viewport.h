@@ -10,6 +10,7 @@ public:
     void setImageSize(int width, int height);   ///< a new size fits the image
     void setWidgetSize(double width, double height);   ///< keeps a fitted image fitted
     void fit();
+    void show(const ViewRect& rect);   ///< as large as the widget allows, in its middle
     void zoomAt(const Eigen::Vector2d& position, double factor);   ///< what lies under `position` stays there
     void panBy(const Eigen::Vector2d& step);   ///< the image follows the mouse
 

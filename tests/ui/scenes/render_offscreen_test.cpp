@@ -136,6 +136,61 @@ TEST(RenderOffscreen, RefusesImpossibleSizes)
     EXPECT_NE(picture.error().message.find("choose another size"), std::string::npos);
 }
 
+/// Two parallel vessels of 3 mm radius, the upper one nearer to the source.
+core::VesselTree nearAndFar()
+{
+    core::VesselTree tree;
+    for (const double side : {-1.0, 1.0}) {
+        core::VesselBranch branch;
+        branch.id = side < 0.0 ? 1 : 2;
+        for (int i = 0; i <= 40; ++i) {
+            branch.pointsInPatient.emplace_back(-20.0 + i, 20.0 * side, 40.0 * side);
+        }
+        branch.radiusMm.assign(branch.pointsInPatient.size(), 3.0);
+        tree.branches.push_back(branch);
+    }
+    return tree;
+}
+
+double brightestIn(const core::ColorImage& picture, int firstRow, int lastRow)
+{
+    double brightest = 0.0;
+    for (int y = firstRow; y < lastRow; ++y) {
+        brightest = std::max(brightest, brightnessAt(picture, 256, y));
+    }
+    return brightest;
+}
+
+TEST(OverlayScene, ShowsNearVesselsBrighterWhenAsked)
+{
+    ui::OverlayScene scene;
+    scene.setTree(nearAndFar());
+    scene.setCamera({2400.0, 2400.0, 255.5, 255.5, 512, 512});
+    scene.setPose({Eigen::Matrix3d::Identity(), {0.0, 0.0, 750.0}});
+    const auto plain = ui::renderOffscreen(scene, 512, 512, wholeImage).value();
+    EXPECT_NEAR(brightestIn(plain, 0, 256), brightestIn(plain, 256, 512), 15.0);
+    scene.setDepthCue(ui::DepthCue::NearBright);
+    const auto cued = ui::renderOffscreen(scene, 512, 512, wholeImage).value();
+    EXPECT_GT(brightestIn(cued, 0, 256), 1.5 * brightestIn(cued, 256, 512));
+}
+
+TEST(OverlayScene, FillsTubesOnlyInTubeMode)
+{
+    ui::OverlayScene scene;
+    scene.setTree(nearAndFar());
+    scene.setCamera({2400.0, 2400.0, 255.5, 255.5, 512, 512});
+    scene.setPose({Eigen::Matrix3d::Identity(), {0.0, 0.0, 750.0}});
+    // The nearer vessel: centre at v = 255.5 − 2400 · 20 / 710 = 187.9, radius 10.1 px; 5 px beside the centre.
+    scene.setMode(ui::OverlayMode::Outline);
+    EXPECT_EQ(brightnessAt(ui::renderOffscreen(scene, 512, 512, wholeImage).value(), 256, 193), 0.0);
+    scene.setMode(ui::OverlayMode::Tube);
+    EXPECT_GT(brightnessAt(ui::renderOffscreen(scene, 512, 512, wholeImage).value(), 256, 193), 60.0);
+    const auto extent = scene.extentOf(1);
+    ASSERT_TRUE(extent);
+    EXPECT_NEAR(extent->top, 187.9, 0.1);
+    EXPECT_FALSE(scene.extentOf(99));
+}
+
 TEST(OverlayScene, FindsTheBranchUnderAPoint)
 {
     ui::OverlayScene scene;

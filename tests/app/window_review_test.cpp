@@ -1,0 +1,155 @@
+#include "tests/app/open_window.h"
+
+#include <QClipboard>
+#include <QLabel>
+#include <QLineEdit>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+using test::OpenWindow;
+
+TEST(WindowReview, ZoomsToTheWorstBranchAndSelectsIt)
+{
+    OpenWindow w;
+    w.openSample();
+    const double fitted = w.window.angiogramView().zoom();
+    const auto& branches = w.controller.judgement()->result.branches;
+    const auto worst = std::ranges::max_element(branches, {}, &core::BranchResidual::medianPx);
+
+    w.press(Qt::Key_W);
+
+    EXPECT_EQ(w.controller.branches().marks().selected, std::set<int>{worst->branchId});
+    EXPECT_NE(w.window.angiogramView().zoom(), fitted);
+    w.press(Qt::Key_W);
+    EXPECT_FALSE(w.controller.branches().marks().selected.contains(worst->branchId));
+    w.press(Qt::Key_1);
+    EXPECT_NEAR(w.window.angiogramView().zoom(), fitted, 1e-9);
+}
+
+TEST(WindowReview, ReplaysARunWithoutTouchingTheCase)
+{
+    OpenWindow w;
+    w.openSample();
+    w.press(Qt::Key_P);   // no run yet
+    EXPECT_FALSE(w.window.actions()[ui::Command::Replay]->isChecked());
+    w.press(Qt::Key_R);
+    w.waitForRun();
+    ASSERT_TRUE(w.current().result);
+    const core::RigidTransform found = w.current().cameraFromPatient;
+    const int history = w.history().count();
+
+    w.press(Qt::Key_P);
+
+    EXPECT_TRUE(w.window.actions()[ui::Command::Replay]->isChecked());
+    QAction* replay = w.window.actions()[ui::Command::Replay];
+    EXPECT_TRUE(QTest::qWaitFor([replay] { return !replay->isChecked(); }, test::patienceMs));
+    EXPECT_EQ(test::distance(w.current().cameraFromPatient, found), 0.0);
+    EXPECT_EQ(w.history().count(), history);
+}
+
+TEST(WindowReview, SwingsUntilEscapeAndEndsOtherMotions)
+{
+    OpenWindow w;
+    w.openSample();
+    w.press(Qt::Key_F);
+    w.press(Qt::Key_U);
+    EXPECT_TRUE(w.window.actions()[ui::Command::Swing]->isChecked());
+    EXPECT_FALSE(w.window.actions()[ui::Command::Flicker]->isChecked());
+    QTest::qWait(120);
+    w.press(Qt::Key_Escape);
+    EXPECT_FALSE(w.window.actions()[ui::Command::Swing]->isChecked());
+    EXPECT_EQ(w.history().count(), 0);
+}
+
+TEST(WindowReview, GoesFromSwipeToLensToNothing)
+{
+    OpenWindow w;
+    w.openSample();
+    const std::array order{ui::Cutout::Shape::RightOf, ui::Cutout::Shape::Disc, ui::Cutout::Shape::None};
+    for (const ui::Cutout::Shape shape : order) {
+        w.press(Qt::Key_S);
+        EXPECT_EQ(w.window.angiogramView().cutout(), shape);
+    }
+}
+
+TEST(WindowReview, ChangesContrastAroundTheSameLevel)
+{
+    OpenWindow w;
+    w.openSample();
+    ui::AngiogramView& view = w.window.angiogramView();
+    const core::DisplayRange before = view.shownRange();
+    w.press(Qt::Key_8);
+    EXPECT_NEAR(view.shownRange().window(), 0.5 * before.window(), 1e-9);
+    EXPECT_NEAR(view.shownRange().level(), before.level(), 1e-9);
+    w.press(Qt::Key_9);
+    const auto [low, high] = std::ranges::minmax(view.scene().frame().pixels);
+    EXPECT_NEAR(view.shownRange().low, low, 1e-3);
+    EXPECT_NEAR(view.shownRange().high, high, 1e-3);
+    w.press(Qt::Key_0);
+    EXPECT_NEAR(view.shownRange().window(), before.window(), 1e-9);
+}
+
+TEST(WindowReview, CopiesThePoseAsAMatrix)
+{
+    OpenWindow w;
+    w.openSample();
+    w.press(Qt::Key_C, Qt::ControlModifier);
+    const QStringList rows = QGuiApplication::clipboard()->text().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    ASSERT_EQ(rows.size(), 4);
+    const Eigen::Matrix4d matrix = w.current().cameraFromPatient.matrix();
+    for (int row = 0; row < 4; ++row) {
+        const QStringList cells = rows[row].split(QLatin1Char('\t'));
+        ASSERT_EQ(cells.size(), 4);
+        for (int column = 0; column < 4; ++column) {
+            EXPECT_NEAR(cells[column].toDouble(), matrix(row, column), 1e-8);
+        }
+    }
+}
+
+TEST(WindowReview, SaysThatRegisterDoesNotHeedLocks)
+{
+    OpenWindow w;
+    w.openSample();
+    const auto warns = [&w] {
+        const auto labels = w.window.registration().findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [](const QLabel* label) {
+            return label->isVisible() && label->text().contains(QStringLiteral("Register moves all six"));
+        });
+    };
+    EXPECT_FALSE(warns());
+    ui::PoseLocks locks{};
+    locks[2] = true;
+    w.controller.pose().setLocks(locks);
+    EXPECT_TRUE(warns());
+    w.controller.pose().setLocks({});
+    EXPECT_FALSE(warns());
+}
+
+TEST(WindowReview, FindsKeysByTyping)
+{
+    OpenWindow w;
+    w.press(Qt::Key_F1);
+    ASSERT_EQ(w.dialogs("keySheet").size(), 1);
+    const QDialog* sheet = w.dialogs("keySheet").front();
+    auto* search = sheet->findChild<QLineEdit*>();
+    ASSERT_TRUE(search);
+    const auto page = [sheet] {
+        QString text;
+        for (const QLabel* label : sheet->findChildren<QLabel*>()) {
+            text += label->text();
+        }
+        return text;
+    };
+    EXPECT_TRUE(page().contains(QStringLiteral("Nudge mode")));
+    QTest::keyClicks(search, QStringLiteral("worst"));
+    EXPECT_TRUE(page().contains(QStringLiteral("worst branch")));
+    EXPECT_FALSE(page().contains(QStringLiteral("Nudge mode")));
+    QTest::keyClicks(search, QStringLiteral("xyz"));
+    EXPECT_TRUE(page().contains(QStringLiteral("No key for")));
+}
+
+}   // namespace
+}   // namespace app

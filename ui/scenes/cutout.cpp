@@ -1,0 +1,54 @@
+#include "ui/scenes/cutout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+namespace {
+
+struct Span {
+    int from = 0;
+    int to = 0;
+};
+
+/// Columns of row `y` inside the cutout.
+Span spanOf(const Cutout& cutout, const Eigen::Vector2d& centre, double radius, int y, int width)
+{
+    const auto column = [width](double x) { return static_cast<int>(std::clamp(std::round(x), 0.0, 1.0 * width)); };
+    if (cutout.shape == Cutout::Shape::RightOf) {
+        return {column(centre.x()), width};
+    }
+    const double height = y + 0.5 - centre.y();
+    const double half2 = radius * radius - height * height;
+    if (half2 <= 0.0) {
+        return {};
+    }
+    return {column(centre.x() - std::sqrt(half2)), column(centre.x() + std::sqrt(half2))};
+}
+
+}   // namespace
+
+void applyCutout(const Cutout& cutout, const ViewRect& rect, const std::vector<std::uint32_t>& bare, Canvas canvas)
+{
+    if (cutout.shape == Cutout::Shape::None) {
+        return;
+    }
+    const double scale = canvas.width / rect.width();
+    const Eigen::Vector2d centre((cutout.at.x() - rect.left) * scale,
+                                 (cutout.at.y() - rect.top) * canvas.height / rect.height());
+    const std::uint32_t edge = packed(palette(ThemeMode::Dark).label);
+    for (int y = 0; y < canvas.height; ++y) {
+        const Span span = spanOf(cutout, centre, cutout.radiusPx * scale, y, canvas.width);
+        if (span.from >= span.to) {
+            continue;
+        }
+        const std::uint32_t* source = bare.data() + static_cast<std::ptrdiff_t>(y) * canvas.width;
+        std::copy(source + span.from, source + span.to, canvas.row(y) + span.from);
+        canvas.row(y)[span.from] = edge;
+        if (cutout.shape == Cutout::Shape::Disc) {
+            canvas.row(y)[span.to - 1] = edge;
+        }
+    }
+}
+
+}   // namespace ui
