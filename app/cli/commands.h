@@ -62,6 +62,13 @@ struct EvaluateArguments {
 };
 int runEvaluate(const EvaluateArguments& arguments);
 
+struct BatchArguments {
+    std::string manifestPath;
+    std::string shard = "1/1";
+    std::string outputFolder;
+};
+int runBatch(const BatchArguments& arguments);
+
 struct FileArguments {
     std::string path;
     OutputFormat format = OutputFormat::Text;

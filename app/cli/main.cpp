@@ -158,6 +158,23 @@ void addEvaluate(CLI::App& app, int& exitCode)
     command->callback([arguments, &exitCode] { exitCode = runEvaluate(*arguments); });
 }
 
+void addBatch(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("batch", "Register many cases; one that fails never stops the others");
+    auto arguments = std::make_shared<BatchArguments>();
+    command
+        ->add_option("MANIFEST", arguments->manifestPath,
+                     "CSV with the column case (paths, relative to it), and where wanted name, method, frame")
+        ->required();
+    command->add_option("--shard", arguments->shard, "Part I of N of the rows, as I/N")->capture_default_str();
+    command->add_option("--output", arguments->outputFolder, "Folder for summary.csv and a folder for each case")
+        ->required();
+    command->footer(
+        "Exit codes: 0 all done, 3 some failed, 4 some not trustworthy, 130 stopped; summary.csv says which.\n\n"
+        "Example: angiopose-cli batch cases.csv --output results");
+    command->callback([arguments, &exitCode] { exitCode = runBatch(*arguments); });
+}
+
 void addFileCommand(CLI::App& app, int& exitCode, const std::string& name, const std::string& help,
                     int (*run)(const FileArguments&))
 {
@@ -184,6 +201,7 @@ int parseAndRun(int argc, char** argv)
     addSimulate(app, exitCode);
     addTraceAngiogram(app, exitCode);
     addEvaluate(app, exitCode);
+    addBatch(app, exitCode);
     addFileCommand(app, exitCode, "info", "Say what a file holds and what follows from it", runInfo);
     addFileCommand(app, exitCode, "validate", "Check a case file and name every problem", runValidate);
     try {

@@ -1,11 +1,8 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
+#include "app/cli/register_case.h"
 #include "app/number_text.h"
-#include "app/overlay_picture.h"
-#include "core/registration/option_text.h"
 #include "core/registration/registration.h"
-#include "io/image_file.h"
-#include "io/pose_file.h"
 #include "io/result_file.h"
 
 #include <cstdio>
@@ -16,54 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-core::Status applyArguments(core::RegistrationCase& registrationCase, const RegisterArguments& arguments)
-{
-    if (!arguments.method.empty()) {
-        registrationCase.options.method = arguments.method;
-    }
-    for (const std::string& assignment : arguments.options) {
-        if (const auto status = core::setOption(registrationCase.options, assignment); !status) {
-            return status;
-        }
-    }
-    if (const std::string problem = core::findProblem(registrationCase.options); !problem.empty()) {
-        return core::Error{problem};
-    }
-    if (!arguments.auxiliaryBranchIds.empty()) {
-        registrationCase.auxiliaryBranchIds = arguments.auxiliaryBranchIds;
-    }
-    if (!arguments.excludedBranchIds.empty()) {
-        registrationCase.excludedBranchIds = arguments.excludedBranchIds;
-    }
-    return core::Done{};
-}
-
 std::string outputFolderOf(const RegisterArguments& arguments)
 {
     return arguments.outputFolder.empty() ? fs::path(arguments.casePath).stem().string() + "-registered"
                                           : arguments.outputFolder;
-}
-
-core::Status writeOutputs(const core::RegistrationCase& registrationCase, const core::Centerline2d& target,
-                          const fs::path& folder)
-{
-    std::error_code failure;
-    fs::create_directories(folder, failure);
-    if (failure) {
-        return core::Error{"The folder '" + folder.string() + "' cannot be made: " + failure.message() + "."};
-    }
-    if (auto status = io::writeResult(registrationCase, *registrationCase.result, (folder / "result.json").string());
-        !status) {
-        return status;
-    }
-    if (auto status = io::writePose(registrationCase.cameraFromPatient, (folder / "pose.tfm").string()); !status) {
-        return status;
-    }
-    const auto picture = drawOverlay(registrationCase, target);
-    if (!picture) {
-        return picture.error();
-    }
-    return io::writePng(picture.value(), (folder / "overlay.png").string(), provenanceTexts(registrationCase));
 }
 
 void printLine(const std::string& label, const std::string& text)
@@ -90,17 +43,6 @@ void printSummary(const core::RegistrationResult& result, const std::string& fol
     printLine("written", (fs::path(folder) / "overlay.png").string() + ", result.json, pose.tfm");
 }
 
-core::Result<core::RegistrationResult> registerWithProgress(const core::RegistrationInput& input,
-                                                            const core::RegistrationOptions& options)
-{
-    ProgressLine progress("registering");
-    return core::registerVessels(input, options, [&progress](const core::IterationReport& report) {
-        progress.show(report.progress,
-                      std::string(report.stage) + ", median " + fixedText(report.medianDistancePx, 2) + " px");
-        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
-    });
-}
-
 int exitCodeOf(const core::RegistrationResult& result)
 {
     if (result.stopReason == core::StopReason::StoppedByUser) {
@@ -122,31 +64,21 @@ int runRegister(const RegisterArguments& arguments)
         printMessage(status.error().message);
         return exitUsage;
     }
-    auto target = core::targetOf(registrationCase);
-    if (!target) {
-        return failInput(arguments.casePath + ": " + target.error().message);
+    const auto registered = registerCase(std::move(registrationCase), "registering");
+    if (!registered) {
+        return failInput(arguments.casePath + ": " + registered.error().message);
     }
-    const auto input = core::registrationInputOf(registrationCase, target.value());
-    if (!input) {
-        return failInput(arguments.casePath + ": " + input.error().message);
-    }
-    auto result = registerWithProgress(input.value(), registrationCase.options);
-    if (!result) {
-        return failInput(arguments.casePath + ": " + result.error().message);
-    }
-    registrationCase.cameraFromPatient = result.value().cameraFromPatient;
-    registrationCase.result = std::move(result).value();
-
     const std::string folder = outputFolderOf(arguments);
-    if (const auto status = writeOutputs(registrationCase, target.value(), folder); !status) {
+    if (const auto status = writeOutputs(registered.value(), folder); !status) {
         return failInput(status.error().message);
     }
+    const core::RegistrationResult& result = *registered.value().registrationCase.result;
     if (arguments.format == OutputFormat::Json) {
-        std::puts(io::resultJson(registrationCase, *registrationCase.result).c_str());
+        std::puts(io::resultJson(registered.value().registrationCase, result).c_str());
     } else {
-        printSummary(*registrationCase.result, folder);
+        printSummary(result, folder);
     }
-    return exitCodeOf(*registrationCase.result);
+    return exitCodeOf(result);
 }
 
 }   // namespace app

@@ -36,6 +36,8 @@ Trial makeTrial(const SimulatedCase& view)
     if (traced) {
         trial.input.target = traced.value().centerline;
     }
+    trial.input.image = std::make_shared<const ImageF>(view.angiogram.frames.front());
+    trial.input.polarity = view.angiogram.polarity;
     trial.input.tree = view.tree;
     trial.input.camera = view.camera;
     trial.input.initialCameraFromPatient = view.initialCameraFromPatient;

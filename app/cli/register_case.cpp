@@ -1,0 +1,96 @@
+#include "app/cli/register_case.h"
+
+#include "app/cli/console.h"
+#include "app/number_text.h"
+#include "app/overlay_picture.h"
+#include "core/registration/option_text.h"
+#include "io/image_file.h"
+#include "io/pose_file.h"
+#include "io/result_file.h"
+
+#include <filesystem>
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+core::Result<core::RegistrationResult> registerWithProgress(const core::RegistrationInput& input,
+                                                            const core::RegistrationOptions& options,
+                                                            const std::string& label)
+{
+    ProgressLine progress(label);
+    return core::registerVessels(input, options, [&progress](const core::IterationReport& report) {
+        progress.show(report.progress,
+                      std::string(report.stage) + ", median " + fixedText(report.medianDistancePx, 2) + " px");
+        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+    });
+}
+
+}   // namespace
+
+core::Status applyArguments(core::RegistrationCase& registrationCase, const RegisterArguments& arguments)
+{
+    if (!arguments.method.empty()) {
+        registrationCase.options.method = arguments.method;
+    }
+    for (const std::string& assignment : arguments.options) {
+        if (const auto status = core::setOption(registrationCase.options, assignment); !status) {
+            return status;
+        }
+    }
+    if (const std::string problem = core::findProblem(registrationCase.options); !problem.empty()) {
+        return core::Error{problem};
+    }
+    if (!arguments.auxiliaryBranchIds.empty()) {
+        registrationCase.auxiliaryBranchIds = arguments.auxiliaryBranchIds;
+    }
+    if (!arguments.excludedBranchIds.empty()) {
+        registrationCase.excludedBranchIds = arguments.excludedBranchIds;
+    }
+    return core::Done{};
+}
+
+core::Result<RegisteredCase> registerCase(core::RegistrationCase registrationCase, const std::string& label)
+{
+    auto target = core::targetOf(registrationCase);
+    if (!target) {
+        return target.error();
+    }
+    const auto input = core::registrationInputOf(registrationCase, target.value());
+    if (!input) {
+        return input.error();
+    }
+    auto result = registerWithProgress(input.value(), registrationCase.options, label);
+    if (!result) {
+        return result.error();
+    }
+    registrationCase.cameraFromPatient = result.value().cameraFromPatient;
+    registrationCase.result = std::move(result).value();
+    return RegisteredCase{std::move(registrationCase), std::move(target).value()};
+}
+
+core::Status writeOutputs(const RegisteredCase& registered, const std::string& folderName)
+{
+    const core::RegistrationCase& registrationCase = registered.registrationCase;
+    const fs::path folder(folderName);
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure) {
+        return core::Error{"The folder '" + folder.string() + "' cannot be made: " + failure.message() + "."};
+    }
+    if (auto status = io::writeResult(registrationCase, *registrationCase.result, (folder / "result.json").string());
+        !status) {
+        return status;
+    }
+    if (auto status = io::writePose(registrationCase.cameraFromPatient, (folder / "pose.tfm").string()); !status) {
+        return status;
+    }
+    const auto picture = drawOverlay(registrationCase, registered.target);
+    if (!picture) {
+        return picture.error();
+    }
+    return io::writePng(picture.value(), (folder / "overlay.png").string(), provenanceTexts(registrationCase));
+}
+
+}   // namespace app

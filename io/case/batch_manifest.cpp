@@ -1,0 +1,88 @@
+#include "io/case/batch_manifest.h"
+
+#include "io/support/csv_table.h"
+#include "io/support/file_error.h"
+#include "io/support/input_bytes.h"
+#include "io/support/numbers.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+namespace io {
+namespace {
+
+constexpr std::size_t rowDigits = 4;   ///< folders then sort as rows do
+
+std::string cellOf(const CsvTable& table, std::size_t row, std::string_view column)
+{
+    const auto index = table.column(column);
+    return index ? std::string(table.rows[row][*index]) : "";
+}
+
+std::string defaultName(std::size_t row, const std::string& casePath)
+{
+    const std::string number = std::to_string(row + 1);
+    return std::string(rowDigits - std::min(rowDigits, number.size()), '0') + number + "-" +
+           std::filesystem::path(casePath).stem().string();
+}
+
+core::Result<BatchEntry> parseEntry(const CsvTable& table, std::size_t row)
+{
+    const std::string line = "line " + std::to_string(table.lineOfRow[row]);
+    const std::string casePath = cellOf(table, row, "case");
+    if (casePath.empty()) {
+        return fileError(table.path, line + " names no case. Give the path of a case file.");
+    }
+    BatchEntry entry;
+    entry.row = static_cast<int>(row) + 1;
+    entry.casePath = (std::filesystem::path(table.path).parent_path() / casePath).string();
+    entry.method = cellOf(table, row, "method");
+    entry.name = cellOf(table, row, "name");
+    if (entry.name.empty()) {
+        entry.name = defaultName(row, casePath);
+    }
+    if (entry.name.find('/') != std::string::npos || entry.name == "." || entry.name == "..") {
+        return fileError(table.path, line + ": the name '" + entry.name + "' is no folder name. Use one without '/'.");
+    }
+    if (const std::string frame = cellOf(table, row, "frame"); !frame.empty()) {
+        entry.frame = parseInteger(frame);
+        if (!entry.frame) {
+            return fileError(table.path, line + ": the frame '" + frame + "' is no whole number.");
+        }
+    }
+    return entry;
+}
+
+}   // namespace
+
+core::Result<std::vector<BatchEntry>> readManifest(const std::string& path)
+{
+    const auto content = openInput(path);
+    if (!content) {
+        return content.error();
+    }
+    const auto table = parseCsv(content.value().view(), path);
+    if (!table) {
+        return table.error();
+    }
+    if (!table.value().column("case") || table.value().rows.empty()) {
+        return fileError(path, "a batch needs a header row with the column case, and a row for each case.");
+    }
+    std::vector<BatchEntry> entries;
+    std::set<std::string> names;
+    for (std::size_t row = 0; row < table.value().rows.size(); ++row) {
+        auto entry = parseEntry(table.value(), row);
+        if (!entry) {
+            return entry.error();
+        }
+        if (!names.insert(entry.value().name).second) {
+            return fileError(path, "line " + std::to_string(table.value().lineOfRow[row]) + ": the name '" +
+                                       entry.value().name + "' is taken. Give each case its own.");
+        }
+        entries.push_back(std::move(entry).value());
+    }
+    return entries;
+}
+
+}   // namespace io
