@@ -1,100 +1,124 @@
-// Time of one registration on one core: `angiopose` with its target map and search against `iterative-pnp` with
-// KD-tree.
+// Time of one registration on one core, 2000 points, 512 × 512, with target map, search and judging, against OpenCV's
+// solvers that are told the correspondences and against the other methods. Medians and their ratios from one run.
 
+#include "core/evaluation/contestant.h"
 #include "core/evaluation/protocol.h"
-#include "core/registration/registration.h"
+#include "tests/benchmark/known_partners.h"
+#include "tests/benchmark/median_reporter.h"
+#include "tests/benchmark/stage_sum.h"
 
-#include <benchmark/benchmark.h>
+#include <algorithm>
+#include <array>
 #include <cstdio>
-#include <cstdlib>
-#include <map>
-#include <string>
 
 namespace {
 
-constexpr std::size_t inputCount = 20;   ///< start poses, taken in turn
+using namespace benchmarks;
 
-/// Built once; every method sees the same inputs.
-const std::vector<core::RegistrationInput>& inputs()
+constexpr std::size_t trialCount = 20;   ///< start poses, taken in turn
+constexpr int repetitions = 5;
+constexpr std::array targets{"obj-2-5", "degraded-obj-2-5"};
+
+/// Made once for each condition; every method sees the same.
+const std::vector<core::Trial>& trialsOf(const std::string& condition)
 {
-    static const std::vector<core::RegistrationInput> all = [] {
+    static std::map<std::string, std::vector<core::Trial>> made;
+    std::vector<core::Trial>& trials = made[condition];
+    if (trials.empty()) {
         const core::Protocol& simulation = *core::findProtocol("simulation");
-        const auto makeTrial = simulation.prepare(core::conditionsFrom(simulation, "obj-2-5").value().front(), 1);
-        std::vector<core::RegistrationInput> list;
-        for (std::uint64_t trial = 0; trial < inputCount; ++trial) {
-            list.push_back(makeTrial(trial).input);
+        const auto maker = simulation.prepare(core::conditionsFrom(simulation, condition).value().front(), 1);
+        for (std::uint64_t number = 0; number < trialCount; ++number) {
+            trials.push_back(maker(number));
         }
-        return list;
-    }();
-    return all;
+    }
+    return trials;
 }
 
-void registerOnce(benchmark::State& state, const std::string& method)
+void registerOnce(benchmark::State& state, const std::string& method, const std::string& condition)
 {
-    core::RegistrationOptions options;
-    options.method = method;
-    core::StageTimes sum;
+    const std::vector<core::Trial>& trials = trialsOf(condition);
+    const core::Contestant contestant = core::contestantFrom(method).value();
+    const core::RegistrationOptions options = core::optionsFor(contestant, trials.front().targetIsExact);
+    StageSum stages;
     std::size_t next = 0;
     while (state.KeepRunning()) {
-        const auto result = core::registerVessels(inputs()[next++ % inputCount], options);
+        const auto result = core::registerVessels(trials[next++ % trialCount].input, options);
         if (!result) {
             state.SkipWithError(result.error().message.c_str());
             return;
         }
-        const core::StageTimes& time = result.value().time;
-        sum = {sum.targetMs + time.targetMs, sum.searchMs + time.searchMs, sum.solveMs + time.solveMs, 0.0};
+        stages.add(result.value().time);
     }
-    const auto mean = benchmark::Counter::kAvgIterations;
-    state.counters["target_ms"] = benchmark::Counter(sum.targetMs, mean);
-    state.counters["search_ms"] = benchmark::Counter(sum.searchMs, mean);
-    state.counters["solve_ms"] = benchmark::Counter(sum.solveMs, mean);
+    stages.report(state);
 }
 
-/// The usual print, remembering each benchmark's median processor time, which other programs disturb least.
-class MedianReporter : public benchmark::ConsoleReporter {
-public:
-    void ReportRuns(const std::vector<Run>& reports) override
-    {
-        for (const Run& run : reports) {
-            if (run.aggregate_name == "median") {
-                mediansMs_[run.run_name.function_name] = run.GetAdjustedCPUTime();
-            }
-        }
-        ConsoleReporter::ReportRuns(reports);
+void solveKnown(benchmark::State& state, FoundPose (*solve)(const KnownPartners&))
+{
+    std::vector<KnownPartners> all;
+    for (const core::Trial& trial : trialsOf(targets.front())) {
+        all.push_back(knownPartners(trial));
     }
-    double medianMs(const std::string& name) const
-    {
-        const auto found = mediansMs_.find(name);
-        return found == mediansMs_.end() ? 0.0 : found->second;
+    std::vector<FoundPose> found(trialCount);
+    std::size_t next = 0;
+    while (state.KeepRunning()) {
+        const std::size_t trial = next++ % trialCount;
+        found[trial] = solve(all[trial]);
     }
+    double worstPx = 0.0;
+    for (std::size_t trial = 0; trial < trialCount; ++trial) {
+        worstPx = std::max(worstPx, meanDistancePx(all[trial], found[trial]));
+    }
+    state.counters["worst_px"] = worstPx;
+}
 
-private:
-    std::map<std::string, double> mediansMs_;
-};
+template <class Run>
+void add(const std::string& name, const Run& run)
+{
+    benchmark::RegisterBenchmark(name.c_str(), run)
+        ->Unit(benchmark::kMillisecond)
+        ->Iterations(trialCount)
+        ->Repetitions(repetitions)
+        ->ReportAggregatesOnly(true);
+}
+
+void addAll()
+{
+    add("known/solvePnPRefineLM", [](benchmark::State& state) { solveKnown(state, refineLm); });
+    add("known/SQPNP", [](benchmark::State& state) { solveKnown(state, sqpnp); });
+    for (const std::string condition : targets) {
+        for (const core::MethodInfo& info : core::methodInfos()) {
+            add(condition + "/" + std::string(info.id),
+                [method = std::string(info.id), condition](benchmark::State& state) {
+                    registerOnce(state, method, condition);
+                });
+        }
+    }
+}
+
+void printRatio(const MedianReporter& reporter, const std::string& other, double aim)
+{
+    const double oursMs = reporter.medianMs(std::string(targets.front()) + "/angiopose");
+    const double theirsMs = reporter.medianMs(other);
+    if (oursMs > 0.0 && theirsMs > 0.0) {
+        std::printf("angiopose %.2f ms, %s %.2f ms: %.2f of it (aim: at most %.2f)\n", oursMs, other.c_str(), theirsMs,
+                    oursMs / theirsMs, aim);
+    }
+}
 
 }   // namespace
 
 int main(int argc, char** argv)
 {
-    for (const char* method : {"angiopose", "dynaweight", "iterative-pnp"}) {
-        benchmark::RegisterBenchmark(method, registerOnce, std::string(method))
-            ->Unit(benchmark::kMillisecond)
-            ->Iterations(inputCount)
-            ->Repetitions(9)
-            ->ReportAggregatesOnly(true);
-    }
+    addAll();
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
         return 2;
     }
     MedianReporter reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
-    const double oursMs = reporter.medianMs("angiopose");
-    const double theirsMs = reporter.medianMs("iterative-pnp");
-    if (oursMs > 0.0 && theirsMs > 0.0) {
-        std::printf(
-            "\nMedian per registration: angiopose %.1f ms, iterative-pnp %.1f ms: ratio 1 : %.1f (aim: 1 : 5)\n",
-            oursMs, theirsMs, theirsMs / oursMs);
-    }
+    std::printf("\nMedian processor time of one registration\n");
+    printRatio(reporter, "known/solvePnPRefineLM", 1.0);
+    printRatio(reporter, std::string(targets.front()) + "/assembled-icp", 1.0 / 3.0);
+    printRatio(reporter, std::string(targets.front()) + "/iterative-pnp", 1.0);
     return 0;
 }
