@@ -19,6 +19,7 @@ constexpr double worthTrying = 0.8;   // of the best score
 constexpr double basinPx = 24.0;
 constexpr double basinSteps = 0.75;   // of the turns
 constexpr double beyondReach = 1.2;   // tilts on the diagonal may be this much longer
+constexpr double beyondHalfImage = 0.6;   // of the image's side; farther starts are recentred first
 constexpr double radiansPerDegree = std::numbers::pi / 180.0;
 
 /// −reach … reach in equal steps of about stepDeg, 0 among them; rad.
@@ -169,7 +170,9 @@ std::vector<CoarseCandidate> CoarseSearch::find(std::span<const AlignmentPoint> 
     assert(points.size() <= maxPoints);
     const double depthMm = std::max(minProjectableDepthMm, start.centroidInCamera.z());
     const double pxPerMm = 1.0 / millimetresPerPixel(camera_, depthMm);
-    Shifts shifts(static_cast<int>(std::ceil(reach.radiusMm * pxPerMm / blockPx)));
+    const double radiusPx =
+        std::min(reach.radiusMm * pxPerMm, beyondHalfImage * std::max(camera_.width, camera_.height));
+    Shifts shifts(static_cast<int>(std::ceil(radiusPx / blockPx)));
     std::vector<CoarseCandidate> found;
     const std::vector<double> tilts = anglesWithin(reach.tiltDeg, reach.stepDeg);
     const std::vector<double> rolls = anglesWithin(reach.rollDeg, reach.stepDeg);

@@ -1,8 +1,12 @@
 #include "core/registration/judge_pose.h"
 
+#include "core/registration/agreement_score.h"
 #include "core/registration/distance_metrics.h"
+#include "core/registration/pose_shift.h"
 #include "core/registration/pose_uncertainty.h"
 #include "core/registration/trust.h"
+
+#include <algorithm>
 
 namespace core {
 
@@ -25,7 +29,14 @@ RegistrationResult judgePose(const RegistrationProblem& problem, const Registrat
     result.alternatives = solution.alternatives;
     result.time = solution.time;
 
-    Trust trust = judgeTrust({problem, projected, result});
+    Evidence evidence{problem, projected, result};
+    evidence.agreement = AgreementScore(problem, *lines).of(aboutCentroid(pose, problem.tree.centroid));
+    evidence.settlingMm = settlingShiftMm(problem, *lines, pose, options);
+    evidence.expectedErrorMm = expectedShiftMm(problem.tree, pose, result.uncertainty);
+    for (const Hypothesis& other : solution.alternatives) {
+        evidence.rivalMm = std::max(evidence.rivalMm, meanShiftMm(problem.tree, pose, other.cameraFromPatient));
+    }
+    Trust trust = judgeTrust(evidence);
     result.trustworthy = trust.isTrustworthy;
     result.warnings = solution.warnings;
     result.warnings.insert(result.warnings.end(), trust.warnings.begin(), trust.warnings.end());

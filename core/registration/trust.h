@@ -9,6 +9,10 @@ struct Evidence {
     const RegistrationProblem& problem;
     const ProjectedTree& projected;
     const RegistrationResult& result;
+    double agreement = 1.0;   ///< both ways, 0…1, see AgreementScore
+    double settlingMm = 0.0;   ///< see settlingShiftMm
+    double expectedErrorMm = 0.0;   ///< see expectedShiftMm
+    double rivalMm = 0.0;   ///< how far the farthest alternative puts the tree elsewhere
 };
 
 struct Trust {
