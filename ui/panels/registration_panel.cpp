@@ -1,10 +1,12 @@
 #include "ui/panels/registration_panel.h"
 
+#include "ui/dialogs/method_help.h"
 #include "ui/panels/option_form.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <QToolButton>
 
 namespace ui {
 namespace {
@@ -41,7 +43,7 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
         method_->setItemData(method_->count() - 1, fromView(info.summary), Qt::ToolTipRole);
     }
     summary_->setWordWrap(true);
-    optionSection_->contentLayout()->addWidget(method_);
+    optionSection_->contentLayout()->addLayout(methodRow());
     optionSection_->contentLayout()->addWidget(summary_);
     optionSection_->contentLayout()->addWidget(form_);
     optionSection_->layout()->setContentsMargins(0, 2, 0, 0);
@@ -59,6 +61,24 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
     showOptions(options_);
     showLocks(0);
     updateButtons();
+}
+
+/// The choice, and a button that tells about what is chosen.
+QHBoxLayout* RegistrationPanel::methodRow()
+{
+    auto* about = new QToolButton;
+    about->setText(QStringLiteral("?"));
+    about->setAccessibleName(tr("About this method"));
+    about->setToolTip(tr("What this method minimises, when it fails, and its source."));
+    connect(about, &QToolButton::clicked, this, [this] {
+        auto* help = new MethodHelp(method_->currentData().toString(), window());
+        help->open();
+    });
+    auto* row = new QHBoxLayout;
+    row->setSpacing(6);
+    row->addWidget(method_, 1);
+    row->addWidget(about);
+    return row;
 }
 
 void RegistrationPanel::showOptions(const core::RegistrationOptions& options)

@@ -4,6 +4,7 @@
 #include "ui/panels/section.h"
 
 class QComboBox;
+class QHBoxLayout;
 class QPushButton;
 
 namespace ui {
@@ -29,6 +30,7 @@ signals:
     void stopRequested();
 
 private:
+    QHBoxLayout* methodRow();
     void chooseMethod(int index);
     void updateButtons();
 

@@ -1,0 +1,71 @@
+#include "ui/dialogs/method_help.h"
+
+#include "core/registration/registration_options.h"
+#include "ui/panels/registration_panel.h"
+
+#include <gtest/gtest.h>
+#include <QApplication>
+#include <QTest>
+#include <QTextBrowser>
+#include <QToolButton>
+
+namespace ui {
+namespace {
+
+QString text(std::string_view view)
+{
+    return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
+}
+
+TEST(MethodHelp, EveryMethodHasAPageThatSaysWhatItShould)
+{
+    for (const core::MethodInfo& info : core::methodInfos()) {
+        const QString page = MethodHelp::page(text(info.id));
+        EXPECT_TRUE(page.startsWith(QStringLiteral("# ") + text(info.label) + QLatin1Char('\n'))) << info.id;
+        for (const char* heading : {"## What it minimises", "## When it fails", "## Source"}) {
+            EXPECT_TRUE(page.contains(QLatin1String(heading))) << info.id << ": " << heading;
+        }
+    }
+    EXPECT_TRUE(MethodHelp::page(QStringLiteral("no-such-method")).isEmpty());
+}
+
+// A page may only speak of settings that its method has, by the names that the window shows.
+TEST(MethodHelp, PagesNameSettingsAsTheWindowDoes)
+{
+    for (const core::MethodInfo& info : core::methodInfos()) {
+        const QString settings = MethodHelp::page(text(info.id))
+                                     .section(QStringLiteral("## Settings"), 1)
+                                     .section(QStringLiteral("## Source"), 0, 0);
+        const QStringList parts = settings.split(QLatin1Char('*'));
+        for (qsizetype i = 1; i < parts.size(); i += 2) {
+            bool isThere = false;
+            for (const core::OptionField& field : core::optionFields()) {
+                const bool applies = field.methods.empty() || std::find(field.methods.begin(), field.methods.end(),
+                                                                        info.id) != field.methods.end();
+                isThere = isThere || (applies && text(field.label) == parts[i]);
+            }
+            EXPECT_TRUE(isThere) << info.id << ": " << parts[i].toStdString();
+        }
+    }
+}
+
+TEST(MethodHelp, OpensForTheChosenMethod)
+{
+    RegistrationPanel panel;
+    core::RegistrationOptions options;
+    options.method = "dt-icp";
+    panel.showOptions(options);
+    panel.show();
+    for (auto* button : panel.findChildren<QToolButton*>()) {
+        if (button->accessibleName() == QStringLiteral("About this method")) {
+            button->click();
+        }
+    }
+    auto* help = panel.findChild<MethodHelp*>();
+    ASSERT_NE(help, nullptr);
+    EXPECT_TRUE(help->findChild<QTextBrowser*>()->toPlainText().startsWith(QStringLiteral("DT-ICP")));
+    help->close();
+}
+
+}   // namespace
+}   // namespace ui
