@@ -1,0 +1,242 @@
+#include "core/vessel/edit_tree.h"
+
+#include "core/tracing/smoothing_spline.h"
+#include "core/vessel/polyline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <set>
+
+namespace core {
+namespace {
+
+Error noSuchBranch(int branchId)
+{
+    return Error{"The vessel tree has no branch " + std::to_string(branchId) + "."};
+}
+
+VesselBranch* findBranch(VesselTree& tree, int branchId)
+{
+    const auto found = std::find_if(tree.branches.begin(), tree.branches.end(),
+                                    [&](const VesselBranch& branch) { return branch.id == branchId; });
+    return found == tree.branches.end() ? nullptr : &*found;
+}
+
+bool touches(const VesselBranch& branch, const Eigen::Vector3d& point)
+{
+    return std::any_of(branch.pointsInPatient.begin(), branch.pointsInPatient.end(),
+                       [&](const Eigen::Vector3d& other) { return (other - point).norm() <= touchingMm; });
+}
+
+int newId(const VesselTree& tree)
+{
+    int largest = 0;
+    for (const VesselBranch& branch : tree.branches) {
+        largest = std::max(largest, branch.id);
+    }
+    return largest + 1;
+}
+
+bool hasRadii(const VesselBranch& branch)
+{
+    return branch.radiusMm.size() == branch.pointsInPatient.size();
+}
+
+double meanRadius(const VesselBranch& branch)
+{
+    return std::accumulate(branch.radiusMm.begin(), branch.radiusMm.end(), 0.0) /
+           static_cast<double>(branch.radiusMm.size());
+}
+
+/// A branch is an end branch when no other begins on it beyond its first points.
+bool isEndBranch(const VesselTree& tree, const VesselBranch& branch)
+{
+    return std::none_of(tree.branches.begin(), tree.branches.end(), [&](const VesselBranch& other) {
+        const Eigen::Vector3d& start = other.pointsInPatient.front();
+        return other.id != branch.id && touches(branch, start) &&
+               (start - branch.pointsInPatient.front()).norm() > touchingMm;
+    });
+}
+
+/// The end branch that is farthest below the limits.
+std::optional<int> worstEndBranch(const VesselTree& tree, double minLengthMm, double minRadiusMm)
+{
+    std::optional<int> worst;
+    double shortest = 0.0;
+    for (const VesselBranch& branch : tree.branches) {
+        const double length = branch.lengthMm();
+        const bool isThin = hasRadii(branch) && meanRadius(branch) < minRadiusMm;
+        if ((length < minLengthMm || isThin) && isEndBranch(tree, branch) && (!worst || length < shortest)) {
+            worst = branch.id;
+            shortest = length;
+        }
+    }
+    return worst;
+}
+
+VesselBranch reversedBranch(VesselBranch branch)
+{
+    std::reverse(branch.pointsInPatient.begin(), branch.pointsInPatient.end());
+    std::reverse(branch.radiusMm.begin(), branch.radiusMm.end());
+    return branch;
+}
+
+/// Points on the straight way between two ends, as dense as the branch that is continued.
+void bridge(VesselBranch& branch, const Eigen::Vector3d& to, std::optional<double> radiusAtEnd)
+{
+    const Eigen::Vector3d from = branch.pointsInPatient.back();
+    const double spacing = branch.lengthMm() / static_cast<double>(branch.pointsInPatient.size() - 1);
+    const auto steps = static_cast<int>(std::floor((to - from).norm() / std::max(spacing, 1e-3)));
+    const double radius = radiusAtEnd ? branch.radiusMm.back() : 0.0;
+    for (int step = 1; step < steps; ++step) {
+        const double share = static_cast<double>(step) / steps;
+        branch.pointsInPatient.emplace_back(from + share * (to - from));
+        if (radiusAtEnd) {
+            branch.radiusMm.push_back((1.0 - share) * radius + share * *radiusAtEnd);
+        }
+    }
+}
+
+}   // namespace
+
+Result<VesselTree> withoutSubtree(const VesselTree& tree, int branchId)
+{
+    if (tree.find(branchId) == nullptr) {
+        return noSuchBranch(branchId);
+    }
+    std::set<int> gone{branchId};
+    for (bool grew = true; grew;) {
+        grew = false;
+        for (const VesselBranch& branch : tree.branches) {
+            const bool leavesGone = std::any_of(gone.begin(), gone.end(), [&](int id) {
+                const VesselBranch& parent = *tree.find(id);
+                const Eigen::Vector3d& start = branch.pointsInPatient.front();
+                return touches(parent, start) && (start - parent.pointsInPatient.front()).norm() > touchingMm;
+            });
+            if (!gone.contains(branch.id) && leavesGone) {
+                grew = gone.insert(branch.id).second;
+            }
+        }
+    }
+    if (gone.size() == tree.branches.size()) {
+        return Error{"Every branch hangs on branch " + std::to_string(branchId) + ": nothing would be left."};
+    }
+    return without(tree, {gone.begin(), gone.end()});
+}
+
+Result<VesselTree> pruned(const VesselTree& tree, double minLengthMm, double minRadiusMm)
+{
+    VesselTree result = tree;
+    while (const auto worst = worstEndBranch(result, minLengthMm, minRadiusMm)) {
+        result = without(result, {*worst});
+    }
+    if (result.branches.empty()) {
+        return Error{"Every branch is shorter or thinner than asked: nothing would be left. Lower the limits."};
+    }
+    return result;
+}
+
+Result<VesselTree> cutAt(const VesselTree& tree, int branchId, std::size_t point)
+{
+    VesselTree result = tree;
+    VesselBranch* first = findBranch(result, branchId);
+    if (first == nullptr) {
+        return noSuchBranch(branchId);
+    }
+    if (point < 1 || point + 3 > first->pointsInPatient.size()) {
+        return Error{"Branch " + std::to_string(branchId) +
+                     " cannot be cut so near to its end. Delete it instead, or "
+                     "cut farther in."};
+    }
+    const auto at = static_cast<std::ptrdiff_t>(point) + 1;
+    VesselBranch second{
+        newId(tree), "", {first->pointsInPatient.begin() + at, first->pointsInPatient.end()}, {}, first->generation};
+    first->pointsInPatient.resize(point + 1);
+    if (!first->radiusMm.empty()) {
+        second.radiusMm.assign(first->radiusMm.begin() + at, first->radiusMm.end());
+        first->radiusMm.resize(point + 1);
+    }
+    result.branches.push_back(std::move(second));
+    return result;
+}
+
+Result<VesselTree> joined(const VesselTree& tree, int firstId, int secondId)
+{
+    if (tree.find(firstId) == nullptr || tree.find(secondId) == nullptr) {
+        return noSuchBranch(tree.find(firstId) == nullptr ? firstId : secondId);
+    }
+    if (firstId == secondId) {
+        return Error{"A branch cannot be joined to itself. Choose two branches."};
+    }
+    VesselTree result = without(tree, {secondId});
+    VesselBranch& stays = *findBranch(result, firstId);
+    VesselBranch whole = stays;
+    VesselBranch other = *tree.find(secondId);
+    const auto apart = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).norm(); };
+    const double fromFront = std::min(apart(whole.pointsInPatient.front(), other.pointsInPatient.front()),
+                                      apart(whole.pointsInPatient.front(), other.pointsInPatient.back()));
+    const double fromBack = std::min(apart(whole.pointsInPatient.back(), other.pointsInPatient.front()),
+                                     apart(whole.pointsInPatient.back(), other.pointsInPatient.back()));
+    const bool isTurned = fromFront < fromBack;
+    if (isTurned) {
+        whole = reversedBranch(std::move(whole));
+    }
+    const Eigen::Vector3d end = whole.pointsInPatient.back();
+    if (apart(end, other.pointsInPatient.back()) < apart(end, other.pointsInPatient.front())) {
+        other = reversedBranch(std::move(other));
+    }
+    const bool bothHaveRadii = hasRadii(whole) && hasRadii(other);
+    if (!bothHaveRadii) {
+        whole.radiusMm.clear();
+        other.radiusMm.clear();
+    }
+    bridge(whole, other.pointsInPatient.front(),
+           bothHaveRadii ? std::optional<double>(other.radiusMm.front()) : std::nullopt);
+    const std::ptrdiff_t skip = apart(whole.pointsInPatient.back(), other.pointsInPatient.front()) < 1e-6 ? 1 : 0;
+    whole.pointsInPatient.insert(whole.pointsInPatient.end(), other.pointsInPatient.begin() + skip,
+                                 other.pointsInPatient.end());
+    if (bothHaveRadii) {
+        whole.radiusMm.insert(whole.radiusMm.end(), other.radiusMm.begin() + skip, other.radiusMm.end());
+    }
+    stays = isTurned ? reversedBranch(std::move(whole)) : std::move(whole);
+    return result;
+}
+
+Result<VesselTree> smoothedBranch(const VesselTree& tree, int branchId, double widthMm)
+{
+    VesselTree result = tree;
+    VesselBranch* branch = findBranch(result, branchId);
+    if (branch == nullptr) {
+        return noSuchBranch(branchId);
+    }
+    const std::size_t count = branch->pointsInPatient.size();
+    const double spacing = branch->lengthMm() / static_cast<double>(std::max<std::size_t>(1, count - 1));
+    if (count < 3 || !(spacing > 0.0)) {
+        return result;
+    }
+    // The spline halves a wave of length 2π λ^¼ steps.
+    const double lambda = std::pow(widthMm / (2.0 * std::numbers::pi * spacing), 4.0);
+    std::vector<double> weights(count, 1.0);
+    weights.front() = 1e6;
+    weights.back() = 1e6;
+    branch->pointsInPatient = smoothed(branch->pointsInPatient, weights, lambda);
+    branch->pointsInPatient.front() = tree.find(branchId)->pointsInPatient.front();
+    branch->pointsInPatient.back() = tree.find(branchId)->pointsInPatient.back();
+    return result;
+}
+
+Result<VesselTree> renamed(const VesselTree& tree, int branchId, const std::string& name)
+{
+    VesselTree result = tree;
+    VesselBranch* branch = findBranch(result, branchId);
+    if (branch == nullptr) {
+        return noSuchBranch(branchId);
+    }
+    branch->name = name;
+    return result;
+}
+
+}   // namespace core

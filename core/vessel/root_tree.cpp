@@ -1,0 +1,165 @@
+#include "core/vessel/root_tree.h"
+
+#include "core/vessel/edit_tree.h"
+
+#include <algorithm>
+#include <deque>
+#include <limits>
+#include <numeric>
+
+namespace core {
+namespace {
+
+constexpr std::size_t stretch = 5;   ///< points that tell how thick an end is
+
+double endRadius(const VesselBranch& branch, bool atBack)
+{
+    if (branch.radiusMm.empty()) {
+        return 0.0;
+    }
+    const std::size_t count = std::min(stretch, branch.radiusMm.size());
+    const auto first = atBack ? branch.radiusMm.end() - static_cast<std::ptrdiff_t>(count) : branch.radiusMm.begin();
+    return std::accumulate(first, first + static_cast<std::ptrdiff_t>(count), 0.0) / static_cast<double>(count);
+}
+
+void turnAround(VesselBranch& branch)
+{
+    std::reverse(branch.pointsInPatient.begin(), branch.pointsInPatient.end());
+    std::reverse(branch.radiusMm.begin(), branch.radiusMm.end());
+}
+
+/// The point of the branch that is nearest to `place`, if it is near enough to touch; else the number of points.
+std::size_t touchingPoint(const VesselBranch& branch, const Eigen::Vector3d& place)
+{
+    std::size_t best = branch.pointsInPatient.size();
+    double nearest = touchingMm;
+    for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
+        const double away = (branch.pointsInPatient[i] - place).norm();
+        if (away <= nearest) {
+            nearest = away;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/// Follows the vessels from a root and hands them out in order.
+class Walker {
+public:
+    explicit Walker(const VesselTree& tree) : left_(tree.branches.begin(), tree.branches.end())
+    {
+        for (const VesselBranch& branch : tree.branches) {
+            nextId_ = std::max(nextId_, branch.id + 1);
+        }
+    }
+
+    bool isDone() const { return left_.empty(); }
+
+    /// From the end with the greatest worth; `worth(branch, atBack)`.
+    template <class Worth>
+    void walkFromBest(const Worth& worth)
+    {
+        std::size_t best = 0;
+        bool bestAtBack = false;
+        double greatest = -std::numeric_limits<double>::infinity();
+        for (std::size_t b = 0; b < left_.size(); ++b) {
+            for (const bool atBack : {false, true}) {
+                if (const double value = worth(left_[b], atBack); value > greatest) {
+                    greatest = value;
+                    best = b;
+                    bestAtBack = atBack;
+                }
+            }
+        }
+        VesselBranch root = take(best);
+        if (bestAtBack) {
+            turnAround(root);
+        }
+        root.generation = 0;
+        const std::size_t first = result_.branches.size();
+        result_.branches.push_back(std::move(root));
+        for (std::size_t b = first; b < result_.branches.size(); ++b) {
+            gatherChildren(b);
+        }
+    }
+
+    VesselTree result() { return std::move(result_); }
+
+private:
+    VesselBranch take(std::size_t index)
+    {
+        VesselBranch branch = std::move(left_[index]);
+        left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(index));
+        return branch;
+    }
+
+    void gatherChildren(std::size_t parentIndex)
+    {
+        for (std::size_t b = 0; b < left_.size();) {
+            const VesselBranch& parent = result_.branches[parentIndex];
+            const int generation = parent.generation + 1;
+            const Eigen::Vector3d end = parent.pointsInPatient.back();
+            const bool startsHere =
+                touchingPoint(parent, left_[b].pointsInPatient.front()) < parent.pointsInPatient.size();
+            const bool endsHere =
+                touchingPoint(parent, left_[b].pointsInPatient.back()) < parent.pointsInPatient.size();
+            const std::size_t at = touchingPoint(left_[b], end);
+            const bool isEntered = at < left_[b].pointsInPatient.size();
+            if (!startsHere && !endsHere && !isEntered) {
+                ++b;
+                continue;
+            }
+            VesselBranch child = take(b);
+            if (!startsHere && endsHere) {
+                turnAround(child);
+            } else if (!startsHere && at + 1 < child.pointsInPatient.size() && at > 0) {
+                addChild(secondPart(child, at), generation);
+                turnAround(child);
+            }
+            addChild(std::move(child), generation);
+        }
+    }
+
+    void addChild(VesselBranch child, int generation)
+    {
+        child.generation = generation;
+        result_.branches.push_back(std::move(child));
+    }
+
+    /// What follows the `at`-th point, which both parts keep.
+    VesselBranch secondPart(VesselBranch& branch, std::size_t at)
+    {
+        const auto from = static_cast<std::ptrdiff_t>(at);
+        VesselBranch second{
+            nextId_++, "", {branch.pointsInPatient.begin() + from, branch.pointsInPatient.end()}, {}, -1};
+        branch.pointsInPatient.resize(at + 1);
+        if (!branch.radiusMm.empty()) {
+            second.radiusMm.assign(branch.radiusMm.begin() + from, branch.radiusMm.end());
+            branch.radiusMm.resize(at + 1);
+        }
+        return second;
+    }
+
+    std::deque<VesselBranch> left_;
+    VesselTree result_;
+    int nextId_ = 1;
+};
+
+}   // namespace
+
+VesselTree rootedAt(const VesselTree& tree, const Eigen::Vector3d& rootInPatient)
+{
+    Walker walker(tree);
+    if (!walker.isDone()) {
+        walker.walkFromBest([&](const VesselBranch& branch, bool atBack) {
+            const auto& points = branch.pointsInPatient;
+            return -((atBack ? points.back() : points.front()) - rootInPatient).norm();
+        });
+    }
+    while (!walker.isDone()) {
+        walker.walkFromBest([](const VesselBranch& branch, bool atBack) { return endRadius(branch, atBack); });
+    }
+    return walker.result();
+}
+
+}   // namespace core

@@ -1,0 +1,127 @@
+#include "core/vessel/tree_gaps.h"
+
+#include "core/vessel/edit_tree.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+
+namespace core {
+namespace {
+
+constexpr std::size_t stretch = 5;   ///< points that tell an end's direction
+
+/// For each branch the representative of the piece it belongs to.
+std::vector<std::size_t> piecesOf(const VesselTree& tree)
+{
+    const std::size_t count = tree.branches.size();
+    std::vector<std::size_t> piece(count);
+    std::iota(piece.begin(), piece.end(), 0);
+    const auto touches = [](const VesselBranch& branch, const VesselBranch& other) {
+        return std::any_of(other.pointsInPatient.begin(), other.pointsInPatient.end(), [&](const auto& point) {
+            return (point - branch.pointsInPatient.front()).norm() <= touchingMm ||
+                   (point - branch.pointsInPatient.back()).norm() <= touchingMm;
+        });
+    };
+    for (std::size_t a = 0; a < count; ++a) {
+        for (std::size_t b = 0; b < count; ++b) {
+            if (piece[a] != piece[b] && touches(tree.branches[a], tree.branches[b])) {
+                std::replace(piece.begin(), piece.end(), std::size_t{piece[b]}, std::size_t{piece[a]});
+            }
+        }
+    }
+    return piece;
+}
+
+/// Unit direction in which a branch leaves through its end.
+Eigen::Vector3d outwards(const VesselBranch& branch, bool atBack)
+{
+    const auto& points = branch.pointsInPatient;
+    const std::size_t reach = std::min(stretch, points.size() - 1);
+    const Eigen::Vector3d way =
+        atBack ? points.back() - points[points.size() - 1 - reach] : points.front() - points[reach];
+    return way.norm() > 1e-9 ? way.normalized().eval() : Eigen::Vector3d::Zero().eval();
+}
+
+/// A little distance more than makes up for a bend.
+double worthOf(const TreeGap& gap)
+{
+    return (1.5 + gap.directionAgreement) / (touchingMm + gap.distanceMm);
+}
+
+/// The best way from one end over to a branch of another piece.
+TreeGap gapBetween(const VesselBranch& from, bool atBack, const VesselBranch& to)
+{
+    TreeGap gap;
+    gap.fromBranchId = from.id;
+    gap.toBranchId = to.id;
+    gap.fromInPatient = atBack ? from.pointsInPatient.back() : from.pointsInPatient.front();
+    const auto nearest =
+        std::min_element(to.pointsInPatient.begin(), to.pointsInPatient.end(), [&](const auto& a, const auto& b) {
+            return (a - gap.fromInPatient).squaredNorm() < (b - gap.fromInPatient).squaredNorm();
+        });
+    gap.toInPatient = *nearest;
+    const bool isFront = nearest == to.pointsInPatient.begin();
+    gap.toIsEnd = isFront || nearest + 1 == to.pointsInPatient.end();
+    const Eigen::Vector3d way = gap.toInPatient - gap.fromInPatient;
+    gap.distanceMm = way.norm();
+    const Eigen::Vector3d direction = gap.distanceMm > 1e-9 ? (way / gap.distanceMm).eval() : outwards(from, atBack);
+    gap.directionAgreement = outwards(from, atBack).dot(direction);
+    if (gap.toIsEnd) {
+        gap.directionAgreement = 0.5 * (gap.directionAgreement - outwards(to, !isFront).dot(direction));
+    }
+    return gap;
+}
+
+double lengthOfPiece(const VesselTree& tree, const std::vector<std::size_t>& piece, std::size_t which)
+{
+    double length = 0.0;
+    for (std::size_t b = 0; b < piece.size(); ++b) {
+        length += piece[b] == which ? tree.branches[b].lengthMm() : 0.0;
+    }
+    return length;
+}
+
+}   // namespace
+
+std::vector<TreeGap> findGaps(const VesselTree& tree, double longestMm)
+{
+    const std::vector<std::size_t> piece = piecesOf(tree);
+    std::map<std::size_t, std::optional<TreeGap>> best;   // by piece
+    for (const std::size_t which : piece) {
+        best.try_emplace(which);
+    }
+    for (std::size_t a = 0; a < piece.size(); ++a) {
+        for (std::size_t b = 0; b < piece.size(); ++b) {
+            for (const bool atBack : {false, true}) {
+                if (piece[a] == piece[b]) {
+                    continue;
+                }
+                const TreeGap gap = gapBetween(tree.branches[a], atBack, tree.branches[b]);
+                for (const std::size_t which : {piece[a], piece[b]}) {   // a gap concerns both pieces
+                    std::optional<TreeGap>& known = best[which];
+                    if (gap.distanceMm <= longestMm && (!known || worthOf(gap) > worthOf(*known))) {
+                        known = gap;
+                    }
+                }
+            }
+        }
+    }
+    if (!best.empty()) {   // the largest piece is what the others are to be joined to
+        best.erase(std::max_element(best.begin(), best.end(), [&](const auto& a, const auto& b) {
+            return lengthOfPiece(tree, piece, a.first) < lengthOfPiece(tree, piece, b.first);
+        }));
+    }
+    std::vector<TreeGap> gaps;
+    for (const auto& [which, gap] : best) {
+        if (gap) {
+            gaps.push_back(*gap);
+        }
+    }
+    std::stable_sort(gaps.begin(), gaps.end(),
+                     [](const TreeGap& a, const TreeGap& b) { return worthOf(a) > worthOf(b); });
+    return gaps;
+}
+
+}   // namespace core

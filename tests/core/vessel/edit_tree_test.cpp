@@ -1,0 +1,214 @@
+#include "core/vessel/edit_tree.h"
+#include "core/vessel/root_tree.h"
+#include "core/vessel/tree_gaps.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using core::VesselBranch;
+using core::VesselTree;
+
+VesselBranch straight(int id, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radiusMm)
+{
+    VesselBranch branch;
+    branch.id = id;
+    const int steps = static_cast<int>(std::lround((to - from).norm()));
+    for (int n = 0; n <= steps; ++n) {
+        branch.pointsInPatient.emplace_back(from + (to - from) * n / steps);
+        branch.radiusMm.push_back(radiusMm);
+    }
+    return branch;
+}
+
+/// A trunk along z with two branches to the sides, one of which branches again.
+VesselTree smallTree()
+{
+    VesselTree tree;
+    tree.branches = {straight(1, {0, 0, 0}, {0, 0, 60}, 4.0), straight(4, {0, 0, 20}, {30, 0, 20}, 2.0),
+                     straight(6, {0, 0, 40}, {-25, 0, 40}, 1.5), straight(9, {15, 0, 20}, {15, 8, 20}, 0.8)};
+    tree.branches[0].name = "trunk";
+    const int generations[] = {0, 1, 1, 2};
+    for (std::size_t b = 0; b < 4; ++b) {
+        tree.branches[b].generation = generations[b];
+    }
+    return tree;
+}
+
+std::vector<int> idsOf(const VesselTree& tree)
+{
+    std::vector<int> ids;
+    for (const VesselBranch& branch : tree.branches) {
+        ids.push_back(branch.id);
+    }
+    return ids;
+}
+
+TEST(EditTree, DeletesABranchWithAllThatLeavesIt)
+{
+    EXPECT_EQ(idsOf(core::withoutSubtree(smallTree(), 4).value()), (std::vector<int>{1, 6}));
+    EXPECT_EQ(idsOf(core::withoutSubtree(smallTree(), 9).value()), (std::vector<int>{1, 4, 6}));
+    EXPECT_FALSE(core::withoutSubtree(smallTree(), 1));
+    EXPECT_FALSE(core::withoutSubtree(smallTree(), 2));
+}
+
+TEST(EditTree, PrunesShortAndThinEndBranches)
+{
+    EXPECT_EQ(idsOf(core::pruned(smallTree(), 10.0, 0.0).value()), (std::vector<int>{1, 4, 6}));
+    EXPECT_EQ(idsOf(core::pruned(smallTree(), 0.0, 1.8).value()), (std::vector<int>{1, 4}));
+    // Branch 4 is thin but carries branch 9 until that is gone.
+    EXPECT_EQ(idsOf(core::pruned(smallTree(), 0.0, 3.0).value()), (std::vector<int>{1}));
+    EXPECT_FALSE(core::pruned(smallTree(), 100.0, 0.0));
+    EXPECT_EQ(idsOf(core::pruned(smallTree(), 0.0, 0.0).value()), idsOf(smallTree()));
+}
+
+TEST(EditTree, CutsAndJoinsBack)
+{
+    const auto cut = core::cutAt(smallTree(), 1, 29);
+    ASSERT_TRUE(cut);
+    EXPECT_EQ(idsOf(cut.value()), (std::vector<int>{1, 4, 6, 9, 10}));
+    EXPECT_EQ(cut.value().find(1)->pointsInPatient.size(), 30U);
+    EXPECT_EQ(cut.value().find(10)->pointsInPatient.front(), Eigen::Vector3d(0, 0, 30));
+    EXPECT_EQ(cut.value().find(10)->radiusMm.size(), 31U);
+    EXPECT_EQ(cut.value().find(1)->name, "trunk");
+    const auto again = core::joined(cut.value(), 1, 10);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again.value().find(1)->pointsInPatient, smallTree().find(1)->pointsInPatient);
+    EXPECT_EQ(again.value().find(1)->radiusMm, smallTree().find(1)->radiusMm);
+    EXPECT_FALSE(core::cutAt(smallTree(), 1, 0));
+    EXPECT_FALSE(core::cutAt(smallTree(), 1, 59));
+    EXPECT_FALSE(core::cutAt(smallTree(), 1, 600));
+    EXPECT_FALSE(core::cutAt(smallTree(), 2, 5));
+}
+
+TEST(EditTree, JoinsNearestEndsWhicheverWayTheyRun)
+{
+    VesselTree tree;
+    tree.branches = {straight(1, {0, 0, 10}, {0, 0, 0}, 2.0), straight(2, {0, 0, 30}, {0, 0, 16}, 3.0)};
+    const auto joined = core::joined(tree, 1, 2);
+    ASSERT_TRUE(joined);
+    ASSERT_EQ(joined.value().branches.size(), 1U);
+    const VesselBranch& branch = joined.value().branches.front();
+    EXPECT_EQ(branch.pointsInPatient.front(), Eigen::Vector3d(0, 0, 30));
+    EXPECT_EQ(branch.pointsInPatient.back(), Eigen::Vector3d(0, 0, 0));
+    EXPECT_NEAR(branch.lengthMm(), 30.0, 1e-9);
+    ASSERT_EQ(branch.radiusMm.size(), branch.pointsInPatient.size());
+    EXPECT_GT(branch.radiusMm[17], 2.0);
+    EXPECT_LT(branch.radiusMm[17], 3.0);
+    tree.branches[1].radiusMm.clear();
+    EXPECT_TRUE(core::joined(tree, 1, 2).value().branches.front().radiusMm.empty());
+    EXPECT_FALSE(core::joined(tree, 1, 1));
+    EXPECT_FALSE(core::joined(tree, 1, 7));
+}
+
+TEST(EditTree, SmoothsNarrowBendsAndKeepsWideOnesAndEnds)
+{
+    VesselTree tree;
+    tree.branches.emplace_back();
+    tree.branches[0].id = 3;
+    for (int n = 0; n <= 100; ++n) {
+        tree.branches[0].pointsInPatient.emplace_back(std::sin(n / 16.0) * 10.0 + (n % 2 == 0 ? 0.4 : -0.4), 0.0, n);
+    }
+    const auto smooth = core::smoothedBranch(tree, 3, 8.0);
+    ASSERT_TRUE(smooth);
+    const auto& points = smooth.value().branches[0].pointsInPatient;
+    EXPECT_EQ(points.front(), tree.branches[0].pointsInPatient.front());
+    EXPECT_EQ(points.back(), tree.branches[0].pointsInPatient.back());
+    for (std::size_t n = 10; n < 90; ++n) {
+        EXPECT_NEAR(points[n].x(), std::sin(static_cast<double>(n) / 16.0) * 10.0, 0.25);
+    }
+    EXPECT_FALSE(core::smoothedBranch(tree, 4, 8.0));
+}
+
+TEST(EditTree, RenamesOneBranch)
+{
+    const auto named = core::renamed(smallTree(), 6, "left renal");
+    ASSERT_TRUE(named);
+    EXPECT_EQ(named.value().find(6)->name, "left renal");
+    EXPECT_EQ(named.value().find(1)->name, "trunk");
+    EXPECT_FALSE(core::renamed(smallTree(), 5, "x"));
+}
+
+TEST(RootTree, KeepsATreeThatHasItsRootAlready)
+{
+    const VesselTree rooted = core::rootedAt(smallTree(), {1, 0, -2});
+    EXPECT_EQ(idsOf(rooted), idsOf(smallTree()));
+    for (std::size_t b = 0; b < 4; ++b) {
+        EXPECT_EQ(rooted.branches[b].generation, smallTree().branches[b].generation);
+        EXPECT_EQ(rooted.branches[b].pointsInPatient, smallTree().branches[b].pointsInPatient);
+    }
+}
+
+TEST(RootTree, TurnsTheTrunkAroundForARootAtItsOtherEnd)
+{
+    const VesselTree rooted = core::rootedAt(smallTree(), {0, 0, 65});
+    ASSERT_EQ(rooted.branches.size(), 4U);
+    EXPECT_EQ(rooted.branches[0].id, 1);
+    EXPECT_EQ(rooted.branches[0].pointsInPatient.front(), Eigen::Vector3d(0, 0, 60));
+    EXPECT_EQ(rooted.find(9)->generation, 2);
+    EXPECT_EQ(rooted.find(9)->pointsInPatient.front(), Eigen::Vector3d(15, 0, 20));
+}
+
+TEST(RootTree, PartsTheBranchThatIsEnteredInItsMiddle)
+{
+    const VesselTree rooted = core::rootedAt(smallTree(), {32, 0, 20});
+    ASSERT_EQ(rooted.branches.size(), 5U);
+    EXPECT_EQ(rooted.branches[0].id, 4);
+    EXPECT_EQ(rooted.branches[0].pointsInPatient.front(), Eigen::Vector3d(30, 0, 20));
+    EXPECT_EQ(rooted.find(9)->generation, 1);
+    EXPECT_EQ(rooted.find(1)->generation, 1);
+    EXPECT_EQ(rooted.find(1)->pointsInPatient.front(), Eigen::Vector3d(0, 0, 20));
+    EXPECT_EQ(rooted.find(1)->pointsInPatient.back(), Eigen::Vector3d(0, 0, 0));
+    EXPECT_EQ(rooted.find(10)->pointsInPatient.back(), Eigen::Vector3d(0, 0, 60));
+    EXPECT_EQ(rooted.find(6)->generation, 2);
+    double length = 0.0;
+    double before = 0.0;
+    for (const VesselBranch& branch : rooted.branches) {
+        length += branch.lengthMm();
+    }
+    for (const VesselBranch& branch : smallTree().branches) {
+        before += branch.lengthMm();
+    }
+    EXPECT_NEAR(length, before, 1e-9);
+}
+
+TEST(RootTree, StartsOtherPiecesAtTheirThickEnd)
+{
+    VesselTree tree = smallTree();
+    tree.branches.push_back(straight(12, {100, 0, 0}, {100, 0, 20}, 1.0));
+    tree.branches.back().radiusMm.back() = 9.0;
+    const VesselTree rooted = core::rootedAt(tree, {0, 0, 0});
+    EXPECT_EQ(rooted.branches.back().id, 12);
+    EXPECT_EQ(rooted.branches.back().generation, 0);
+    EXPECT_EQ(rooted.branches.back().pointsInPatient.front(), Eigen::Vector3d(100, 0, 20));
+    EXPECT_TRUE(core::rootedAt({}, {0, 0, 0}).branches.empty());
+}
+
+TEST(TreeGaps, SeesNoneInAWholeTree)
+{
+    EXPECT_TRUE(core::findGaps(smallTree()).empty());
+    EXPECT_TRUE(core::findGaps({}).empty());
+}
+
+TEST(TreeGaps, AdvisesToMendABrokenVessel)
+{
+    VesselTree tree = smallTree();
+    tree.branches.push_back(straight(12, {36, 0.5, 20}, {50, 1, 20}, 1.8));   // goes on where branch 4 ends
+    tree.branches.push_back(straight(13, {0, 9, 50}, {0, 30, 50}, 1.0));   // left the trunk
+    tree.branches.push_back(straight(14, {0, 200, 0}, {0, 230, 0}, 1.0));   // of something else
+    const std::vector<core::TreeGap> gaps = core::findGaps(tree);
+    ASSERT_EQ(gaps.size(), 2U);
+    EXPECT_EQ(gaps[0].fromBranchId + gaps[0].toBranchId, 4 + 12);
+    EXPECT_TRUE(gaps[0].toIsEnd);
+    EXPECT_NEAR(gaps[0].distanceMm, 6.0, 0.1);
+    EXPECT_GT(gaps[0].directionAgreement, 0.95);
+    EXPECT_EQ(gaps[1].fromBranchId, 13);
+    EXPECT_EQ(gaps[1].toBranchId, 1);
+    EXPECT_FALSE(gaps[1].toIsEnd);
+    EXPECT_NEAR(gaps[1].distanceMm, 9.0, 1e-9);
+    EXPECT_TRUE(core::findGaps(tree, 3.0).empty());
+}
+
+}   // namespace
