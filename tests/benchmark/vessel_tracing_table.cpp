@@ -1,0 +1,265 @@
+// Prints how well and how fast vessels of CT angiograms are traced: simulated scans with known trees, the thoracic CTA
+// with vessel masks, the CT of a stented abdominal aorta, and a large scan for time and memory.
+
+#include "core/simulation/simulate_cta.h"
+#include "core/tracing/volume/trace_vessels.h"
+#include "io/volume_file.h"
+#include "tests/benchmark/arguments.h"
+#include "tests/benchmark/text_table.h"
+#include "tests/support/test_data.h"
+#include "tests/support/tree_agreement.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <numeric>
+#include <optional>
+
+namespace {
+
+using benchmarks::fixed;
+
+const std::string usage =
+    "Usage: vessel_tracing_table [--simulated ] [--real ] [--large ] [--seeds <n>]\n"
+    "  Without a choice all three parts are printed; --seeds: simulated scans (8).\n";
+
+/// Wall and processor time of one piece of work, s.
+struct Timing {
+    double wall = 0.0;
+    double processor = 0.0;
+};
+
+template <class Work>
+Timing timed(const Work& work)
+{
+    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t used = std::clock();
+    work();
+    return {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+            static_cast<double>(std::clock() - used) / CLOCKS_PER_SEC};
+}
+
+/// The most memory that the program has held since `forgetPeak`, MB.
+double peakMb()
+{
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;) {
+        if (word == "VmHWM:") {
+            double kb = 0.0;
+            status >> kb;
+            return kb / 1024.0;
+        }
+    }
+    return 0.0;
+}
+
+void forgetPeak()
+{
+    std::ofstream("/proc/self/clear_refs") << "5";
+}
+
+void printSimulated(int seeds)
+{
+    benchmarks::TextTable table(
+        {"seed", "found", "right", "overlap", "distance [voxel]", "radius error", "branches", "true", "wall [s]"});
+    for (int seed = 1; seed <= seeds; ++seed) {
+        const core::SimulatedCta cta = core::simulateCta(static_cast<std::uint64_t>(seed));
+        const double voxelMm = std::cbrt(cta.volume.geometry.spacingMm.prod());
+        std::optional<core::Result<core::TracedVessels>> traced;
+        const Timing time = timed([&] { traced = core::traceVessels(cta.volume); });
+        if (!*traced) {
+            table.add({std::to_string(seed), traced->error().message});
+            continue;
+        }
+        const core::VesselTree& tree = traced->value().tree;
+        const test::TreeAgreement agreement = test::agreementOf(tree, cta.tree, voxelMm);
+        table.add({std::to_string(seed), fixed(agreement.found, 3), fixed(agreement.right, 3),
+                   fixed(agreement.overlap, 3), fixed(agreement.meanDistanceMm / voxelMm, 3),
+                   fixed(agreement.radiusError, 3), std::to_string(tree.branches.size()),
+                   std::to_string(cta.tree.branches.size()), fixed(time.wall, 1)});
+    }
+    std::printf("Simulated CT angiograms, 256 x 256 x 220, defaults\n%s\n", table.toText().c_str());
+}
+
+core::Volume readScan(const std::string& relative)
+{
+    auto read = io::readVolume(test::dataFile(relative).string());
+    if (!read) {
+        std::printf("%s\n", read.error().message.c_str());
+        return {};
+    }
+    return std::move(read).value().volume;
+}
+
+/// The given arteries of the thoracic CTA as labels 1, 2, …; label 0 elsewhere.
+core::LabelVolume givenArteries()
+{
+    core::LabelVolume all;
+    std::uint16_t label = 0;
+    for (const char* name : {"aorta", "brachiocephalic_trunk", "common_carotid_artery_left", "subclavian_artery_left",
+                             "celiac_trunk", "superior_mesenteric_artery"}) {
+        const core::Volume mask = readScan(std::string("thoracic-aorta-cta/") + name + ".nii.gz");
+        if (all.voxels.empty()) {
+            all = core::LabelVolume(mask.geometry);
+        }
+        ++label;
+        for (std::size_t v = 0; v < mask.voxels.size(); ++v) {
+            all.voxels[v] = mask.voxels[v] != 0 ? label : all.voxels[v];
+        }
+    }
+    return all;
+}
+
+bool isInside(const core::LabelVolume& labels, const Eigen::Vector3d& point)
+{
+    const Eigen::Vector3i voxel = (labels.geometry.patientFromVoxel().inverse() * point).array().round().cast<int>();
+    return labels.geometry.contains(voxel) && labels.at(voxel.x(), voxel.y(), voxel.z()) != 0;
+}
+
+struct Inside {
+    double all = 0.0;   ///< of the whole tree
+    double named = 0.0;   ///< of the branches of which at least half is inside: those that the masks are about
+};
+
+Inside shareInside(const core::VesselTree& tree, const core::LabelVolume& labels)
+{
+    double inside = 0.0;
+    double points = 0.0;
+    double insideNamed = 0.0;
+    double pointsNamed = 0.0;
+    for (const core::VesselBranch& branch : core::resampled(tree, 0.5).branches) {
+        const auto count = static_cast<double>(branch.pointsInPatient.size());
+        const auto in = static_cast<double>(std::count_if(branch.pointsInPatient.begin(), branch.pointsInPatient.end(),
+                                                          [&](const auto& point) { return isInside(labels, point); }));
+        inside += in;
+        points += count;
+        insideNamed += in >= 0.5 * count ? in : 0.0;
+        pointsNamed += in >= 0.5 * count ? count : 0.0;
+    }
+    return {inside / std::max(1.0, points), insideNamed / std::max(1.0, pointsNamed)};
+}
+
+void addThoracic(benchmarks::TextTable& table, const std::string& name, const core::Result<core::TracedVessels>& traced,
+                 const core::LabelVolume& arteries, const core::VesselTree& axes)
+{
+    if (!traced) {
+        table.add({name, traced.error().message});
+        return;
+    }
+    const core::VesselTree& tree = traced.value().tree;
+    const Inside inside = shareInside(tree, arteries);
+    const double length = std::accumulate(tree.branches.begin(), tree.branches.end(), 0.0,
+                                          [](double sum, const auto& branch) { return sum + branch.lengthMm(); });
+    table.add({name, fixed(inside.all, 3), fixed(inside.named, 3), fixed(test::agreementOf(tree, axes, 1.5).found, 3),
+               std::to_string(tree.branches.size()), fixed(length, 0)});
+}
+
+void printThoracic()
+{
+    const core::Volume scan = readScan("thoracic-aorta-cta/ct_cropped.nii.gz");
+    const core::LabelVolume arteries = givenArteries();
+    const auto axes = core::traceLabels(arteries, {});
+    if (scan.voxels.empty() || !axes) {
+        return;
+    }
+    const Eigen::Affine3d patientFromVoxel = scan.geometry.patientFromVoxel();
+    const auto at = [&](int i, int j, int k) { return (patientFromVoxel * Eigen::Vector3d(i, j, k)).eval(); };
+    benchmarks::TextTable table(
+        {"thoracic CTA", "inside masks", "named branches inside", "masks covered", "branches", "length [mm]"});
+    addThoracic(table, "from the masks", axes, arteries, axes.value().tree);
+    // Clicks into the ascending aorta, and into ventricle, atria, pulmonary artery and superior vena cava.
+    core::VesselTracingOptions options;
+    options.seedsInPatient = {at(51, 48, 107)};
+    options.rootInPatient = at(52, 48, 85);
+    addThoracic(table, "one seed", core::traceVessels(scan, options), arteries, axes.value().tree);
+    options.avoidInPatient = {at(48, 73, 82), at(75, 54, 62), at(75, 45, 85), at(36, 67, 92),
+                              at(67, 28, 85), at(36, 31, 80), at(38, 47, 110)};
+    addThoracic(table, "seed, heart avoided", core::traceVessels(scan, options), arteries, axes.value().tree);
+    std::printf("%s\n", table.toText().c_str());
+}
+
+void printStent()
+{
+    const core::Volume scan = readScan("abdominal-aorta-stent-ct/stent.nrrd");
+    if (scan.voxels.empty()) {
+        return;
+    }
+    std::optional<core::Result<core::TracedVessels>> traced;
+    const Timing time = timed([&] { traced = core::traceVessels(scan); });
+    if (!*traced) {
+        std::printf("%s\n", traced->error().message.c_str());
+        return;
+    }
+    benchmarks::TextTable table(
+        {"stent CT: branch", "generation", "length [mm]", "radius [mm]", "from slice", "to slice"});
+    const Eigen::Affine3d voxelFromPatient = scan.geometry.patientFromVoxel().inverse();
+    for (const core::VesselBranch& branch : traced->value().tree.branches) {
+        std::vector<double> radii = branch.radiusMm;
+        std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());
+        if (branch.lengthMm() > 60.0) {
+            table.add({std::to_string(branch.id), std::to_string(branch.generation), fixed(branch.lengthMm(), 0),
+                       fixed(radii[radii.size() / 2], 1),
+                       fixed((voxelFromPatient * branch.pointsInPatient.front()).z(), 0),
+                       fixed((voxelFromPatient * branch.pointsInPatient.back()).z(), 0)});
+        }
+    }
+    std::printf("%s%zu branches in all, those above 60 mm are shown; no seed; %.1f s\n\n", table.toText().c_str(),
+                traced->value().tree.branches.size(), time.wall);
+}
+
+void printLarge()
+{
+    core::Volume scan;
+    {
+        core::CtaOptions large;
+        large.size = {512, 512, 300};
+        large.spacingMm = {0.7, 0.7, 1.0};
+        core::TreeOptions tree;
+        tree.branchCount = 40;
+        tree.rootRadiusMm = 9.0;
+        tree.extentMm = 260.0;
+        scan = core::simulateCta(1, tree, large).volume;
+    }
+    const double volumeMb = static_cast<double>(scan.voxels.size()) * 2.0 / (1024.0 * 1024.0);
+    forgetPeak();
+    const double before = peakMb();
+    double longestGap = 0.0;
+    auto last = std::chrono::steady_clock::now();
+    std::size_t branches = 0;
+    const Timing time = timed([&] {
+        last = std::chrono::steady_clock::now();
+        const auto traced = core::traceVessels(scan, {}, [&](const core::TracingReport&) {
+            const auto now = std::chrono::steady_clock::now();
+            longestGap = std::max(longestGap, std::chrono::duration<double>(now - last).count());
+            last = now;
+            return core::Verdict::Continue;
+        });
+        branches = traced ? traced.value().tree.branches.size() : 0;
+    });
+    std::printf(
+        "512 x 512 x 300 (%.0f MB): %zu branches, wall %.1f s, processor %.1f s, peak memory %.2f x the volume "
+        "(volume included), longest time between two chances to stop %.2f s\n",
+        volumeMb, branches, time.wall, time.processor, (peakMb() - before + volumeMb) / volumeMb, longestGap);
+}
+
+}   // namespace
+
+int main(int count, char** values)
+{
+    const benchmarks::Arguments arguments(count, values, usage);
+    const bool isAll = !arguments.isSet("simulated") && !arguments.isSet("real") && !arguments.isSet("large");
+    if (isAll || arguments.isSet("simulated")) {
+        printSimulated(static_cast<int>(arguments.number("seeds", 8)));
+    }
+    if (isAll || arguments.isSet("real")) {
+        printThoracic();
+        printStent();
+    }
+    if (isAll || arguments.isSet("large")) {
+        printLarge();
+    }
+    return 0;
+}

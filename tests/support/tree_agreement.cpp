@@ -1,0 +1,69 @@
+#include "tests/support/tree_agreement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace test {
+namespace {
+
+constexpr double spacingMm = 0.5;
+
+struct Nearest {
+    double distanceMm = std::numeric_limits<double>::max();
+    double radiusMm = 0.0;
+};
+
+Nearest nearestOn(const core::VesselTree& tree, const Eigen::Vector3d& point)
+{
+    Nearest nearest;
+    for (const core::VesselBranch& branch : tree.branches) {
+        for (std::size_t i = 0; i + 1 < branch.pointsInPatient.size(); ++i) {
+            const Eigen::Vector3d& from = branch.pointsInPatient[i];
+            const Eigen::Vector3d step = branch.pointsInPatient[i + 1] - from;
+            const double share = std::clamp((point - from).dot(step) / std::max(1e-12, step.squaredNorm()), 0.0, 1.0);
+            const double distance = (point - from - share * step).norm();
+            if (distance < nearest.distanceMm) {
+                nearest = {distance, (1.0 - share) * branch.radiusMm[i] + share * branch.radiusMm[i + 1]};
+            }
+        }
+    }
+    return nearest;
+}
+
+}   // namespace
+
+TreeAgreement agreementOf(const core::VesselTree& traced, const core::VesselTree& truth, double leastReachMm)
+{
+    TreeAgreement result;
+    double truePoints = 0.0;
+    double foundPoints = 0.0;
+    for (const core::VesselBranch& branch : core::resampled(truth, spacingMm).branches) {
+        for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
+            const double away = nearestOn(traced, branch.pointsInPatient[i]).distanceMm;
+            foundPoints += away <= std::max(leastReachMm, branch.radiusMm[i]) ? 1.0 : 0.0;
+            truePoints += 1.0;
+        }
+    }
+    double tracedPoints = 0.0;
+    double rightPoints = 0.0;
+    for (const core::VesselBranch& branch : core::resampled(traced, spacingMm).branches) {
+        for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
+            const Nearest nearest = nearestOn(truth, branch.pointsInPatient[i]);
+            tracedPoints += 1.0;
+            if (nearest.distanceMm <= std::max(leastReachMm, nearest.radiusMm)) {
+                rightPoints += 1.0;
+                result.meanDistanceMm += nearest.distanceMm;
+                result.radiusError += std::abs(branch.radiusMm[i] - nearest.radiusMm) / nearest.radiusMm;
+            }
+        }
+    }
+    result.found = foundPoints / std::max(1.0, truePoints);
+    result.right = rightPoints / std::max(1.0, tracedPoints);
+    result.overlap = (foundPoints + rightPoints) / std::max(1.0, truePoints + tracedPoints);
+    result.meanDistanceMm /= std::max(1.0, rightPoints);
+    result.radiusError /= std::max(1.0, rightPoints);
+    return result;
+}
+
+}   // namespace test
