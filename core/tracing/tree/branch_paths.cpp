@@ -10,6 +10,7 @@ namespace {
 
 constexpr double lookAheadMm = 12.0;   ///< stretch of an edge that tells its width and direction at a node
 constexpr double directionWorth = 0.8;
+constexpr double seedReachMm = 5.0;   ///< from a seed to the wall of its vessel
 
 /// Width and direction of an edge where it leaves its start node, beyond the node's own ball.
 struct Departure {
@@ -61,11 +62,13 @@ public:
         }
     }
 
-    std::vector<BranchPath> run(const std::optional<Eigen::Vector3d>& rootMm)
+    std::vector<BranchPath> run(const std::optional<Eigen::Vector3d>& rootMm,
+                                const std::vector<Eigen::Vector3d>& seedsMm)
     {
         for (const std::vector<int>& nodes : pieces()) {
+            const bool isAsked = seedsMm.empty() ? paths_.empty() : isNearOne(nodes, seedsMm);
             const int root = rootOf(nodes, rootMm);
-            if (root >= 0) {
+            if (isAsked && root >= 0) {
                 starts_.push_back({meeting_[static_cast<std::size_t>(root)].front(), root, -1, 0});
                 followAll();
             }
@@ -118,6 +121,23 @@ private:
             sorted.push_back(std::move(found[p]));
         }
         return sorted;
+    }
+
+    bool isNearOne(const std::vector<int>& nodes, const std::vector<Eigen::Vector3d>& seedsMm) const
+    {
+        for (const int node : nodes) {
+            for (const std::size_t e : meeting_[static_cast<std::size_t>(node)]) {
+                const VesselEdge& edge = graph_.edges[e];
+                for (std::size_t i = 0; i < edge.pointsMm.size(); ++i) {
+                    const double reach = seedReachMm + 1.5 * edge.radiusMm[i];
+                    if (std::any_of(seedsMm.begin(), seedsMm.end(),
+                                    [&](const auto& seed) { return (seed - edge.pointsMm[i]).norm() <= reach; })) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
     }
 
     int rootOf(const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm) const
@@ -207,9 +227,10 @@ private:
 
 }   // namespace
 
-std::vector<BranchPath> branchPaths(const VesselGraph& graph, const std::optional<Eigen::Vector3d>& rootMm)
+std::vector<BranchPath> branchPaths(const VesselGraph& graph, const std::optional<Eigen::Vector3d>& rootMm,
+                                    const std::vector<Eigen::Vector3d>& seedsMm)
 {
-    return Gatherer(graph).run(rootMm);
+    return Gatherer(graph).run(rootMm, seedsMm);
 }
 
 }   // namespace core

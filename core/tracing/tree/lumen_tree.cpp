@@ -16,13 +16,23 @@
 namespace core {
 namespace {
 
-std::optional<Eigen::Vector3d> onGrid(const std::optional<Eigen::Vector3d>& inPatient, const VolumeGeometry& grid)
+Eigen::Vector3d onGrid(const Eigen::Vector3d& inPatient, const VolumeGeometry& grid)
 {
-    if (!inPatient) {
-        return std::nullopt;
+    return grid.spacingMm.cwiseProduct(grid.patientFromVoxel().inverse() * inPatient);
+}
+
+std::vector<BranchPath> pathsIn(const VesselGraph& graph, const VesselTracingOptions& options,
+                                const VolumeGeometry& grid)
+{
+    std::optional<Eigen::Vector3d> rootMm;
+    if (options.rootInPatient) {
+        rootMm = onGrid(*options.rootInPatient, grid);
     }
-    const Eigen::Vector3d voxel = grid.patientFromVoxel().inverse() * *inPatient;
-    return grid.spacingMm.cwiseProduct(voxel);
+    std::vector<Eigen::Vector3d> seedsMm;
+    for (const Eigen::Vector3d& seed : options.seedsInPatient) {
+        seedsMm.push_back(onGrid(seed, grid));
+    }
+    return branchPaths(graph, rootMm, seedsMm);
 }
 
 /// Skeleton of the lumen without what lies beyond the rim.
@@ -80,7 +90,7 @@ LumenTree lumenTree(const VoxelMask& lumen, const BloodFill& fill, const VesselT
     LumenTree result;
     const VolumeGeometry& grid = lumen.geometry;
     const VesselGraph graph = prunedGraph(lumen, options, progress, result.openedLoops);
-    const std::vector<BranchPath> paths = branchPaths(graph, onGrid(options.rootInPatient, grid));
+    const std::vector<BranchPath> paths = pathsIn(graph, options, grid);
     const CurveSettings settings{grid.spacingMm.minCoeff(), options.pointSpacingMm, Eigen::Vector3d::Zero(),
                                  grid.spacingMm.cwiseProduct((grid.size.array() - 1).cast<double>().matrix())};
     std::vector<VesselCurve> curves;

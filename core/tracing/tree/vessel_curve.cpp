@@ -12,6 +12,7 @@ namespace {
 constexpr int centringRounds = 3;
 constexpr double stationarySteps = 4.0;   ///< λ of the first smoothing, which only takes the voxel steps away
 constexpr double firmWeight = 50.0;
+constexpr double radiusStiffness = 3.0;   ///< of that of the curve: widths change more slowly than ways
 
 VesselCurve evenly(const VesselCurve& curve, double spacingMm)
 {
@@ -108,7 +109,7 @@ void centre(VesselCurve& curve, std::size_t inside, const BloodFill& fill, doubl
     }
     curve.pointsMm = smoothed(centres, weights, stiffness(curve, stepMm));
     weights.front() = std::min(weights.front(), 0.05 + (inside > 0 ? 0.0 : 1.0));
-    curve.radiusMm = smoothed(radii, weights, 0.3 * stiffness(curve, stepMm));
+    curve.radiusMm = smoothed(radii, weights, radiusStiffness * stiffness(curve, stepMm));
     for (double& radius : curve.radiusMm) {
         radius = std::max(radius, 0.25 * stepMm);
     }
@@ -145,6 +146,23 @@ void extendEnd(VesselCurve& curve, const BloodFill& fill, const CurveSettings& s
     }
 }
 
+/// Sections at the rim are cut off, which can push a curve's end beyond it.
+void dropBeyondRim(VesselCurve& curve, const CurveSettings& settings)
+{
+    const auto isFar = [&](const Eigen::Vector3d& point) {
+        return ((settings.lowMm - point).array() > 0.5 * settings.voxelMm).any() ||
+               ((point - settings.highMm).array() > 0.5 * settings.voxelMm).any();
+    };
+    while (curve.pointsMm.size() > 2 && isFar(curve.pointsMm.back())) {
+        curve.pointsMm.pop_back();
+        curve.radiusMm.pop_back();
+    }
+    const auto first = std::find_if_not(curve.pointsMm.begin(), curve.pointsMm.end() - 2, isFar);
+    const std::ptrdiff_t outside = first - curve.pointsMm.begin();
+    curve.pointsMm.erase(curve.pointsMm.begin(), first);
+    curve.radiusMm.erase(curve.radiusMm.begin(), curve.radiusMm.begin() + outside);
+}
+
 void turnAround(VesselCurve& curve)
 {
     std::reverse(curve.pointsMm.begin(), curve.pointsMm.end());
@@ -174,6 +192,7 @@ VesselCurve vesselCurve(const BranchPath& path, const VesselCurve* parent, const
             leaveParent(curve, inside, *parent);
         }
         centre(curve, inside, fill, std::max(stepMm, 0.5 * settings.voxelMm));
+        dropBeyondRim(curve, settings);
     }
     return evenly(curve, settings.pointSpacingMm);
 }

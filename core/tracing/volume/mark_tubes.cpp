@@ -15,9 +15,9 @@ namespace {
 constexpr int blockSize = 64;
 constexpr std::array<double, 3> scalesInVoxels{0.9, 1.7, 3.0};
 constexpr double reachInSigmas = 3.0;
-constexpr float leastCurvature = 0.09F;   ///< times σ², of the blood's contrast; a vessel of radius σ has 0.3
-constexpr float leastRoundness = 0.4F;   ///< weaker over stronger curvature across: a sheet has none
-constexpr float mostAlong = 0.6F;   ///< curvature along over the weaker one across: a ball has 1
+constexpr float leastCurvature = 0.075F;   ///< times σ², of the blood's contrast; a vessel of radius σ has 0.3
+constexpr float leastRoundness = 0.33F;   ///< weaker over stronger curvature across: a sheet has none
+constexpr float mostAlong = 0.75F;   ///< curvature along over the weaker one across: a ball has 1
 
 /// Part of the scan with a margin, as share of blood.
 struct Block {

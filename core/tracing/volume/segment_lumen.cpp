@@ -14,8 +14,9 @@ namespace {
 constexpr TubeBits bits;
 constexpr std::uint8_t core = 4;   ///< evenly as bright as blood
 constexpr std::uint8_t tooBright = 8;
+constexpr std::uint8_t chalk = 16;   ///< too bright, but in a small piece
 
-constexpr double leastTubeFill = 0.3;   ///< share of blood in a voxel of a thin vessel
+constexpr double leastTubeFill = 0.25;   ///< share of blood in a voxel of a thin vessel
 constexpr double leastCoreFill = 0.55;
 constexpr double mostFill = 1.6;   ///< brighter: bone, metal, contrast before it has mixed
 constexpr double mostUneven = 0.18;   ///< standard deviation within a core
@@ -68,7 +69,7 @@ private:
         return (volume_.value(order_.stored(i, j, k)) - level_.tissue) / level_.contrast();
     }
 
-    /// Large pieces that are brighter than blood: bone and metal.
+    /// What is brighter than blood: large pieces are bone and metal, small ones chalk in the wall of a vessel.
     void markTooBright()
     {
         for (int k = 0; k < size_.z(); ++k) {
@@ -76,7 +77,9 @@ private:
         }
         const double voxelMl = order_.geometry.spacingMm.prod() / 1000.0;
         const auto pieces = piecesOf(flags_, static_cast<std::size_t>(std::ceil(mostBrightMl / voxelMl)));
-        std::fill(flags_.voxels.begin(), flags_.voxels.end(), std::uint8_t{0});
+        for (std::uint8_t& flag : flags_.voxels) {
+            flag = flag != 0 ? chalk : std::uint8_t{0};
+        }
         for (const VoxelPiece& piece : pieces) {
             for (const std::uint32_t voxel : piece) {
                 flags_.voxels[voxel] = tooBright;
@@ -177,7 +180,7 @@ BloodFill fillOf(const Volume& volume, const AxisOrder& order, const BloodLevel&
             const Eigen::Vector3d weight = (step.array() != 0).select(share.array(), 1.0 - share.array());
             double fill = (volume.value(order.stored(at.x(), at.y(), at.z())) - level.tissue) / level.contrast();
             const std::uint8_t kind = lumen.at(at.x(), at.y(), at.z());
-            fill = kind == 2 ? 1.0 : fill >= 0.5 && kind == 0 ? 0.0 : std::clamp(fill, -1.0, 1.0);
+            fill = kind == 2 ? 1.0 : fill >= 0.5 && kind == 0 ? 0.0 : std::clamp(fill, -1.0, 1.3);
             sum += weight.prod() * fill;
         }
         return sum;
