@@ -5,7 +5,6 @@
 #include "core/tracing/volume/trace_vessels.h"
 #include "io/volume_file.h"
 #include "tests/benchmark/arguments.h"
-#include "tests/benchmark/text_table.h"
 #include "tests/support/test_data.h"
 #include "tests/support/tree_agreement.h"
 
@@ -17,14 +16,49 @@
 #include <fstream>
 #include <numeric>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace {
-
-using benchmarks::fixed;
 
 const std::string usage =
     "Usage: vessel_tracing_table [--simulated ] [--real ] [--large ] [--seeds <n>]\n"
     "  Without a choice all three parts are printed; --seeds: simulated scans (8).\n";
+
+std::string fixed(double value, int decimals)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    return text;
+}
+
+/// Rows below a head, as wide as they need.
+class Table {
+public:
+    explicit Table(std::vector<std::string> head) { rows_.push_back(std::move(head)); }
+
+    void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+
+    void print() const
+    {
+        std::vector<std::size_t> widths(rows_.front().size(), 0);
+        for (const auto& row : rows_) {
+            for (std::size_t c = 0; row.size() == widths.size() && c < row.size(); ++c) {
+                widths[c] = std::max(widths[c], row[c].size());
+            }
+        }
+        for (const auto& row : rows_) {
+            for (std::size_t c = 0; c < row.size(); ++c) {
+                std::printf("%*s  ", static_cast<int>(widths[c]), row[c].c_str());
+            }
+            std::printf("\n");
+        }
+        std::printf("\n");
+    }
+
+private:
+    std::vector<std::vector<std::string>> rows_;
+};
 
 /// Wall and processor time of one piece of work, s.
 struct Timing {
@@ -63,7 +97,7 @@ void forgetPeak()
 
 void printSimulated(int seeds)
 {
-    benchmarks::TextTable table(
+    Table table(
         {"seed", "found", "right", "overlap", "distance [voxel]", "radius error", "branches", "true", "wall [s]"});
     for (int seed = 1; seed <= seeds; ++seed) {
         const core::SimulatedCta cta = core::simulateCta(static_cast<std::uint64_t>(seed));
@@ -81,7 +115,8 @@ void printSimulated(int seeds)
                    fixed(agreement.radiusError, 3), std::to_string(tree.branches.size()),
                    std::to_string(cta.tree.branches.size()), fixed(time.wall, 1)});
     }
-    std::printf("Simulated CT angiograms, 256 x 256 x 220, defaults\n%s\n", table.toText().c_str());
+    std::printf("Simulated CT angiograms, 256 x 256 x 220, defaults\n");
+    table.print();
 }
 
 core::Volume readScan(const std::string& relative)
@@ -142,7 +177,7 @@ Inside shareInside(const core::VesselTree& tree, const core::LabelVolume& labels
     return {inside / std::max(1.0, points), inside / std::max(1.0, pointsBetween)};
 }
 
-void addThoracic(benchmarks::TextTable& table, const std::string& name, const core::Result<core::TracedVessels>& traced,
+void addThoracic(Table& table, const std::string& name, const core::Result<core::TracedVessels>& traced,
                  const core::LabelVolume& arteries, const core::VesselTree& axes)
 {
     if (!traced) {
@@ -168,8 +203,7 @@ void printThoracic()
     }
     const Eigen::Affine3d patientFromVoxel = scan.geometry.patientFromVoxel();
     const auto at = [&](int i, int j, int k) { return (patientFromVoxel * Eigen::Vector3d(i, j, k)).eval(); };
-    benchmarks::TextTable table(
-        {"thoracic CTA", "inside masks", "up to the masks' ends", "masks covered", "branches", "length [mm]"});
+    Table table({"thoracic CTA", "inside masks", "up to the masks' ends", "masks covered", "branches", "length [mm]"});
     addThoracic(table, "from the masks", axes, arteries, axes.value().tree);
     // Clicks into the ascending aorta, and into ventricle, atria, pulmonary artery and superior vena cava.
     core::VesselTracingOptions options;
@@ -179,7 +213,7 @@ void printThoracic()
     options.avoidInPatient = {at(48, 73, 82), at(75, 54, 62), at(75, 45, 85), at(36, 67, 92),
                               at(67, 28, 85), at(36, 31, 80), at(38, 47, 110)};
     addThoracic(table, "seed, heart avoided", core::traceVessels(scan, options), arteries, axes.value().tree);
-    std::printf("%s\n", table.toText().c_str());
+    table.print();
 }
 
 void printStent()
@@ -194,8 +228,7 @@ void printStent()
         std::printf("%s\n", traced->error().message.c_str());
         return;
     }
-    benchmarks::TextTable table(
-        {"stent CT: branch", "generation", "length [mm]", "radius [mm]", "from slice", "to slice"});
+    Table table({"stent CT: branch", "generation", "length [mm]", "radius [mm]", "from slice", "to slice"});
     const Eigen::Affine3d voxelFromPatient = scan.geometry.patientFromVoxel().inverse();
     for (const core::VesselBranch& branch : traced->value().tree.branches) {
         std::vector<double> radii = branch.radiusMm;
@@ -207,7 +240,8 @@ void printStent()
                        fixed((voxelFromPatient * branch.pointsInPatient.back()).z(), 0)});
         }
     }
-    std::printf("%s%zu branches in all, those above 60 mm are shown; no seed; %.1f s\n\n", table.toText().c_str(),
+    table.print();
+    std::printf("%zu branches in all, those above 60 mm are shown; no seed; %.1f s\n\n",
                 traced->value().tree.branches.size(), time.wall);
 }
 
