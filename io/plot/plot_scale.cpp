@@ -3,7 +3,6 @@
 #include "core/support/format_number.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace io {
@@ -11,18 +10,11 @@ namespace {
 
 constexpr double mostTicks = 8.0;
 
-/// "10⁻⁴", but "0.01" … "1000" as they are.
+/// "1e-4", but "0.01" … "1000" as they are.
 std::string powerOfTen(int exponent)
 {
-    if (exponent >= -2 && exponent <= 3) {
-        return core::plainText(std::pow(10.0, exponent));
-    }
-    static constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string text = exponent < 0 ? "10⁻" : "10";
-    for (const char digit : std::to_string(std::abs(exponent))) {
-        text += digits[static_cast<std::size_t>(digit - '0')];
-    }
-    return text;
+    return exponent >= -2 && exponent <= 3 ? core::plainText(std::pow(10.0, exponent))
+                                           : "1e" + std::to_string(exponent);
 }
 
 /// 1, 2 or 5 times a power of ten, so that not too many fit into `range`.
@@ -65,7 +57,7 @@ std::vector<PlotTick> logarithmicTicks(const core::PlotAxis& axis)
 double PlotScale::position(double value) const
 {
     const auto along = [this](double v) { return axis_.isLogarithmic ? std::log10(v) : v; };
-    const double clipped = axis_.isLogarithmic ? std::max(value, axis_.min) : value;
+    const double clipped = std::clamp(value, axis_.min, axis_.max);
     return from_ + (to_ - from_) * (along(clipped) - along(axis_.min)) / (along(axis_.max) - along(axis_.min));
 }
 

@@ -18,7 +18,7 @@ public:
     /// The axis' least value lies at `from`, its largest at `to`, both px.
     PlotScale(const core::PlotAxis& axis, double from, double to) : axis_(axis), from_(from), to_(to) {}
 
-    /// Also for values beyond the ends; the least value of a logarithmic axis stands for all below.
+    /// Values beyond the ends stay at the ends: not every viewer of SVG clips.
     double position(double value) const;
     /// Round values inside the axis, at most about eight; powers of ten on a logarithmic axis that spans some.
     std::vector<PlotTick> ticks() const;

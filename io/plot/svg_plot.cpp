@@ -72,7 +72,7 @@ public:
         const std::string size = "width=\"" + number(widthPx()) + "\" height=\"" + number(height) + "\"";
         return "<svg xmlns=\"http://www.w3.org/2000/svg\" " + size + " viewBox=\"0 0 " + number(widthPx()) + " " +
                number(height) + "\" font-family=\"Inter, Helvetica, Arial, sans-serif\" font-size=\"12\">\n" +
-               "<rect " + size + " fill=\"#ffffff\"/>\n" + grid() + series() + frame() + legend() + "</svg>\n";
+               "<rect " + size + " fill=\"#ffffff\"/>\n" + grid() + frame() + series() + legend() + "</svg>\n";
     }
 
 private:
@@ -105,16 +105,14 @@ private:
 
     std::string series() const
     {
-        std::string text = "<clipPath id=\"area\"><rect x=\"" + number(plotLeft) + "\" y=\"" + number(plotTop - 1.0) +
-                           "\" width=\"" + number(plotWidth) + "\" height=\"" + number(plotHeight + 2.0) +
-                           "\"/></clipPath>\n<g clip-path=\"url(#area)\">\n";
+        std::string text;
         for (std::size_t k = 0; k < plot_.series.size(); ++k) {
             text += band(plot_.series[k], k);
         }
         for (std::size_t k = plot_.series.size(); k-- > 0;) {   // the first on top
             text += polyline(plot_.series[k], k);
         }
-        return text + "</g>\n";
+        return text;
     }
 
     std::string point(double x, double y) const { return number(x_.position(x)) + "," + number(y_.position(y)); }
@@ -143,7 +141,7 @@ private:
             points += point(line.points[k].x(), line.bands[k].low) + " ";
         }
         return "<polygon points=\"" + points + "\" fill=\"" + std::string(colours[index % colours.size()]) +
-               "\" fill-opacity=\"0.10\"/>\n";
+               "\" fill-opacity=\"0.08\"/>\n";
     }
 
     std::string frame() const
@@ -154,8 +152,9 @@ private:
                "\" height=\"" + number(plotHeight) + "\" fill=\"none\" stroke=\"#8a9099\"/>\n" +
                textAt(plotLeft, plotTop - 16.0, "font-size=\"14\" font-weight=\"600\" fill=\"#111\"", plot_.title) +
                textAt(middleX, plotTop + plotHeight + 42.0, "text-anchor=\"middle\" fill=\"#111\"", plot_.x.label) +
-               textAt(20.0, middleY,
-                      "text-anchor=\"middle\" fill=\"#111\" transform=\"rotate(-90 20 " + number(middleY) + ")\"",
+               textAt(0.0, 0.0,
+                      "text-anchor=\"middle\" fill=\"#111\" transform=\"translate(20 " + number(middleY) +
+                          ") rotate(-90)\"",
                       plot_.y.label);
     }
 
