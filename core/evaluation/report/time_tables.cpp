@@ -63,7 +63,8 @@ std::vector<ResultTable> timeTables(const RunGroups& groups)
     }
     table.notes = {
         "Medians over the trials. Processor time of the registering thread, target map, search and judging "
-        "included; with several --threads the wall time says little. Published times come from another "
+        "included. Target, search and solve are wall times: these say little with several --threads or on a busy "
+        "machine. Published times come from another "
         "machine: compare through dt-icp only."};
     return {table};
 }
