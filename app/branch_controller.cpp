@@ -4,6 +4,9 @@
 #include "ui/panels/result_sentences.h"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
+#include <vector>
 
 namespace app {
 namespace {
@@ -20,6 +23,13 @@ std::set<int> toggled(std::set<int> set, const std::set<int>& ids)
         }
     }
     return set;
+}
+
+double medianOf(std::vector<double> values)
+{
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
 }
 
 }   // namespace
@@ -95,6 +105,44 @@ void BranchController::toggleExcluded(const std::set<int>& branchIds)
     const QString text = (leaves ? tr("Exclude %1") : tr("Include %1")).arg(namesOf(branchIds));
     document_.push(std::make_unique<ExcludeBranches>(
         document_, ExcludeBranches::Values{{excluded.begin(), excluded.end()}, std::nullopt}, text));
+}
+
+void BranchController::setAuxiliaryInside(const std::map<int, ui::ViewRect>& extents, const ui::ViewRect& part)
+{
+    std::set<int> inside;
+    for (const auto& [branchId, extent] : extents) {
+        const bool isInside = extent.left >= part.left && extent.right <= part.right && extent.top >= part.top &&
+                              extent.bottom <= part.bottom;
+        if (isInside && !marks_.excluded.contains(branchId)) {
+            inside.insert(branchId);
+        }
+    }
+    if (inside.empty()) {
+        emit refused(tr("No branch lies wholly in view. Zoom out or move the image."));
+    } else {
+        setAuxiliary(inside);
+    }
+}
+
+void BranchController::setAuxiliaryWide()
+{
+    const auto& tree = document_.current().tree;
+    std::vector<std::pair<double, int>> radii;
+    for (const core::VesselBranch& branch : tree ? tree->branches : std::vector<core::VesselBranch>{}) {
+        if (!branch.radiusMm.empty() && !marks_.excluded.contains(branch.id)) {
+            radii.emplace_back(medianOf(branch.radiusMm), branch.id);
+        }
+    }
+    if (radii.empty()) {
+        emit refused(tr("This tree knows no radii."));
+        return;
+    }
+    std::ranges::sort(radii, std::greater{});
+    std::set<int> wide;
+    for (std::size_t i = 0; i < (radii.size() + 1) / 2; ++i) {
+        wide.insert(radii[i].second);
+    }
+    setAuxiliary(wide);
 }
 
 void BranchController::followDocument()

@@ -5,6 +5,7 @@
 
 #include <QObject>
 
+#include <map>
 #include <set>
 
 namespace app {
@@ -24,6 +25,10 @@ public:
     void toggleAuxiliary(const std::set<int>& branchIds);
     void toggleExcluded(const std::set<int>& branchIds);
     void setAuxiliary(const std::set<int>& branchIds);
+    /// Makes the branches auxiliary whose projection lies wholly in a part of the image, or whose radius is not below
+    /// the tree's median; says so where there is none.
+    void setAuxiliaryInside(const std::map<int, ui::ViewRect>& extents, const ui::ViewRect& part);
+    void setAuxiliaryWide();
     void followDocument();   ///< takes over the case's choices; forgets branches that are gone
 
 signals:

@@ -135,6 +135,18 @@ void CaseController::connectBranches()
             [this] { branches_.toggleAuxiliary(branches_.marks().selected); });
     connect(actions[ui::Command::ToggleExcluded], &QAction::triggered, this,
             [this] { branches_.toggleExcluded(branches_.marks().selected); });
+    connect(actions[ui::Command::AuxiliaryWide], &QAction::triggered, &branches_, &BranchController::setAuxiliaryWide);
+    connect(actions[ui::Command::AuxiliaryInView], &QAction::triggered, this, [this] {
+        const ui::OverlayScene& scene = window_.angiogramView().scene();
+        std::map<int, ui::ViewRect> extents;
+        for (const core::VesselBranch& branch :
+             document_.current().tree ? document_.current().tree->branches : std::vector<core::VesselBranch>{}) {
+            if (const auto extent = scene.extentOf(branch.id)) {
+                extents[branch.id] = *extent;
+            }
+        }
+        branches_.setAuxiliaryInside(extents, window_.angiogramView().visiblePart());
+    });
     connect(actions[ui::Command::SelectAll], &QAction::triggered, &branches_, &BranchController::selectAll);
 }
 
@@ -165,7 +177,7 @@ void CaseController::connectPose()
     connect(&view, &ui::AngiogramView::dragFinished, &pose_, &PoseController::finishDrag);
     connect(&view, &ui::AngiogramView::dragCancelled, &pose_, &PoseController::cancelDrag);
     connect(&pose_, &PoseController::previewed, this, [this](const core::RigidTransform& pose) {
-        sync_.showPreview(pose);
+        sync_.showPreview(pose, ResidualColors::Kept);
         window_.pose().showOffset(pose_.currentOffset());
         judge(pose);
     });
@@ -298,7 +310,7 @@ void CaseController::showProgress(const core::IterationReport& report)
     if (!registration_.isRunning()) {
         return;   // a report that was still on its way when the run ended
     }
-    sync_.showPreview(report.cameraFromPatient);
+    sync_.showPreview(report.cameraFromPatient, ResidualColors::Kept);
     window_.result().showProgress(report);
     const QString stage = QString::fromUtf8(report.stage.data(), static_cast<qsizetype>(report.stage.size()));
     window_.strip().showProgress(tr("Registering: %1 · %2 % · %3 px")

@@ -99,7 +99,7 @@ void ReplayController::showStep()
         return;
     }
     const core::IterationReport& report = result->history[step_++];
-    sync_.showPreview(report.cameraFromPatient);
+    sync_.showPreview(report.cameraFromPatient, ResidualColors::Hidden);
     window_.strip().showStatus(tr("Replay: step %1 of %2, %3 px")
                                    .arg(step_)
                                    .arg(result->history.size())
@@ -153,7 +153,8 @@ void ReplayController::showSwing()
     const double sigmas = swingSigmas * std::sin(2.0 * std::numbers::pi * phase_++ / phasesPerSwing);
     const Eigen::Vector3d centroid = core::centroidInPatient(*document_.current().tree);
     const core::CentroidPose pose = core::aboutCentroid(document_.current().cameraFromPatient, centroid);
-    sync_.showPreview(core::cameraFromPatient(core::moved(pose, sigmas * weakest->perSigma), centroid));
+    sync_.showPreview(core::cameraFromPatient(core::moved(pose, sigmas * weakest->perSigma), centroid),
+                      ResidualColors::Hidden);
     window_.strip().showStatus(tr("The image hardly tells these apart: ±%1 mm, mostly %2")
                                    .arg(swingSigmas * weakest->sigmaMm, 0, 'f', 1)
                                    .arg(weakest->words));
@@ -174,7 +175,7 @@ void ReplayController::showNextSolution()
         return;
     }
     const core::Hypothesis& other = result->alternatives[solution_++];
-    sync_.showPreview(other.cameraFromPatient);
+    sync_.showPreview(other.cameraFromPatient, ResidualColors::Hidden);
     window_.strip().showStatus(tr("Other solution %1 of %2, score %3 · Shift+J takes it")
                                    .arg(solution_)
                                    .arg(result->alternatives.size())

@@ -131,7 +131,7 @@ void ReviewController::flick()
     }
     showsStart_ = !showsStart_;
     if (showsStart_) {
-        sync_.showPreview(start.value());
+        sync_.showPreview(start.value(), ResidualColors::Hidden);
     } else {
         sync_.endPreview();
     }

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace app {
 namespace {
@@ -147,15 +148,22 @@ void ViewSync::showPose(const core::RigidTransform& cameraFromPatient)
     window_.treeView().requestRender();
 }
 
-void ViewSync::showPreview(const core::RigidTransform& cameraFromPatient)
+void ViewSync::showPreview(const core::RigidTransform& cameraFromPatient, ResidualColors colors)
 {
     previewing_ = true;
+    const bool areHidden = colors == ResidualColors::Hidden;
+    if (std::exchange(colorsHidden_, areHidden) != areHidden) {
+        showResidualColors();
+    }
     showPose(cameraFromPatient);
 }
 
 void ViewSync::endPreview()
 {
     previewing_ = false;
+    if (std::exchange(colorsHidden_, false)) {
+        showResidualColors();
+    }
     showPose(document_.current().cameraFromPatient);
 }
 
@@ -177,25 +185,35 @@ void ViewSync::showTarget(const SharedCenterline& target)
 
 void ViewSync::showJudgement(const SharedJudgement& judgement)
 {
-    ui::AngiogramView& view = window_.angiogramView();
+    judgement_ = judgement;
+    showResidualColors();
     const core::RegistrationCase& current = document_.current();
-    if (!judgement || !shownCamera_ || !current.tree) {
-        view.scene().clearResiduals();
-        view.setResidualScale(0.0, 0.0);
+    if (!judgement_ || !shownCamera_ || !current.tree) {
         window_.branches().showResiduals({}, 0.0);
-        view.update();
         return;
     }
     const double depthMm = depthOfTreeMm(current);
     const double mmPerPx = core::millimetresPerPixel(*shownCamera_, depthMm);
-    const double scalePx = residualScaleMaximumPx(*shownCamera_, depthMm);
-    view.scene().setResiduals(judgement->residualPx, scalePx);
-    view.setResidualScale(scalePx, scalePx * mmPerPx);
     std::map<int, double> residualMm;
-    for (const core::BranchResidual& branch : judgement->result.branches) {
+    for (const core::BranchResidual& branch : judgement_->result.branches) {
         residualMm[branch.branchId] = branch.medianPx * mmPerPx;
     }
-    window_.branches().showResiduals(residualMm, scalePx * mmPerPx);
+    window_.branches().showResiduals(residualMm, residualScaleMaximumPx(*shownCamera_, depthMm) * mmPerPx);
+}
+
+void ViewSync::showResidualColors()
+{
+    ui::AngiogramView& view = window_.angiogramView();
+    const core::RegistrationCase& current = document_.current();
+    if (!judgement_ || !shownCamera_ || !current.tree || colorsHidden_) {
+        view.scene().clearResiduals();
+        view.setResidualScale(0.0, 0.0);
+    } else {
+        const double depthMm = depthOfTreeMm(current);
+        const double scalePx = residualScaleMaximumPx(*shownCamera_, depthMm);
+        view.scene().setResiduals(judgement_->residualPx, scalePx);
+        view.setResidualScale(scalePx, scalePx * core::millimetresPerPixel(*shownCamera_, depthMm));
+    }
     view.update();
 }
 

@@ -16,6 +16,10 @@ class MainWindow;
 
 namespace app {
 
+/// Whether residual colours hold for a pose that is shown for a while: a drag is judged as it moves, a look at another
+/// pose is not, and colours of one pose on another would lie.
+enum class ResidualColors { Kept, Hidden };
+
 /// Keeps the window's views showing the document: redraws only what changed. Also shows poses that are not in the
 /// document yet (a drag, a running registration, the start pose while flickering).
 class ViewSync : public QObject {
@@ -24,7 +28,7 @@ public:
     ViewSync(ui::MainWindow& window, const CaseDocument& document, QObject* parent = nullptr);
 
     void refresh();
-    void showPreview(const core::RigidTransform& cameraFromPatient);
+    void showPreview(const core::RigidTransform& cameraFromPatient, ResidualColors colors);
     void endPreview();
     void showMarks(const ui::BranchMarks& marks);
     void showTarget(const SharedCenterline& target);
@@ -38,6 +42,7 @@ private:
     void showAngiogram();
     void showCamera();
     void showPose(const core::RigidTransform& cameraFromPatient);
+    void showResidualColors();
     void showCornerTexts();
     void showFrameNote();
     void measureOpacification();
@@ -49,6 +54,8 @@ private:
     std::optional<core::ProjectionCamera> shownCamera_;
     int shownFrame_ = -1;
     bool previewing_ = false;
+    SharedJudgement judgement_;
+    bool colorsHidden_ = false;
     bool identityHidden_ = false;
     QFutureWatcher<std::vector<double>> opacification_;
 };

@@ -49,6 +49,8 @@ enum class Command {
     MoreContrast,
     LessContrast,
     CopyPose,
+    AuxiliaryInView,
+    AuxiliaryWide,
     ShowTrace,
     Flicker,
     MoreOpacity,

@@ -151,5 +151,44 @@ TEST(WindowReview, FindsKeysByTyping)
     EXPECT_TRUE(page().contains(QStringLiteral("No key for")));
 }
 
+TEST(WindowReview, HidesResidualColorsOnPosesTheyDoNotBelongTo)
+{
+    OpenWindow w;
+    w.openSample();
+    const auto colored = [&w] {   // amber or orange pixels
+        QApplication::processEvents();
+        const QImage picture = w.window.angiogramView().grab().toImage();
+        int count = 0;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                const QColor pixel = picture.pixelColor(x, y);
+                count += pixel.red() > 160 && pixel.blue() < 100;
+            }
+        }
+        return count;
+    };
+    EXPECT_GT(colored(), 50);   // the start pose is far off
+    w.press(Qt::Key_F);
+    EXPECT_EQ(colored(), 0);
+    w.press(Qt::Key_F);
+    EXPECT_GT(colored(), 50);
+}
+
+TEST(WindowReview, ChoosesAuxiliaryBranchesByViewAndWidth)
+{
+    OpenWindow w;
+    w.openSample();
+    w.press(Qt::Key_V, Qt::ShiftModifier);
+    const std::size_t half = (w.current().tree->branches.size() + 1) / 2;
+    EXPECT_EQ(w.current().auxiliaryBranchIds.size(), half);
+    w.press(Qt::Key_W);   // one branch fills the view
+    w.press(Qt::Key_V);
+    EXPECT_LT(w.current().auxiliaryBranchIds.size(), w.current().tree->branches.size());
+    const std::set<int> selected = w.controller.branches().marks().selected;
+    EXPECT_TRUE(w.controller.branches().marks().auxiliary.contains(*selected.begin()));
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(w.current().auxiliaryBranchIds.size(), half);
+}
+
 }   // namespace
 }   // namespace app

@@ -168,6 +168,11 @@ core::DisplayRange AngiogramView::shownRange() const
     return interaction_->annotations.range;
 }
 
+ViewRect AngiogramView::visiblePart() const
+{
+    return interaction_->viewport.rect();
+}
+
 double AngiogramView::zoom() const
 {
     return interaction_->viewport.zoom();

@@ -42,6 +42,7 @@ public:
     void autoWindowLevel();
     void setWindowLevel(double window, double level);
     core::DisplayRange shownRange() const;
+    ViewRect visiblePart() const;   ///< of the image
     double zoom() const;   ///< device-independent px per image px
     int renderCount() const { return renderCount_; }   ///< how often it drew itself
     QSize sizeHint() const override { return {480, 360}; }
