@@ -31,7 +31,7 @@ RegistrationResult judgePose(const RegistrationProblem& problem, const Registrat
 
     Evidence evidence{problem, projected, result};
     evidence.agreement = AgreementScore(problem, *lines).of(aboutCentroid(pose, problem.tree.centroid));
-    evidence.settlingMm = settlingShiftMm(problem, *lines, pose, options);
+    evidence.settlingMm = solution.isSettled ? 0.0 : settlingShiftMm(problem, *lines, pose, options);
     evidence.expectedErrorMm = expectedShiftMm(problem.tree, pose, result.uncertainty);
     for (const Hypothesis& other : solution.alternatives) {
         evidence.rivalMm = std::max(evidence.rivalMm, meanShiftMm(problem.tree, pose, other.cameraFromPatient));

@@ -35,6 +35,19 @@ ResidualNoise collectRobustRows(const Alignment& alignment, const CentroidPose& 
     return noise;
 }
 
+NormalEquations ofIndependentRows(const std::vector<ResidualRow>& rows, double rowVariance)
+{
+    NormalEquations sum;
+    for (const ResidualRow& row : rows) {
+        if (row.weight > 0.0) {
+            const Vector6d weighted = row.weight / rowVariance * row.gradient;
+            sum.hessian += weighted * row.gradient.transpose();
+            sum.gradient += row.residual * weighted;
+        }
+    }
+    return sum;
+}
+
 /// Step of the shift alone: rows and columns of the turn drop out.
 Vector6d shiftStep(NormalEquations equations)
 {
@@ -90,8 +103,11 @@ NormalEquations tolerantInformation(const Alignment& alignment, const StartPrior
 {
     std::vector<ResidualRow> rows;
     const ResidualNoise noise = collectRobustRows(alignment, pose, rows);
+    if (!noise.hasOffsets()) {
+        return ofIndependentRows(rows, noise.rowVariance());
+    }
     ShapeField field(rows, noise.rowVariance());
-    return field.equations(noise.hasOffsets() ? field.likelyOffsetPx(priorAt(prior, pose)) : 0.0);
+    return field.equations(field.likelyOffsetPx(priorAt(prior, pose)));
 }
 
 }   // namespace core

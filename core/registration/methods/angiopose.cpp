@@ -219,6 +219,7 @@ MethodSolution solveAngioPose(const RegistrationProblem& problem, const Registra
     solution.iterations = progress.iterations();
     solution.alternatives = run.alternatives();
     solution.targetLines = run.target();
+    solution.isSettled = !progress.isStopped();
     solution.time.solveMs = stopwatch.lapMs();
     return solution;
 }
