@@ -59,37 +59,35 @@ void fillCavities(VoxelMask& mask)
     }
 }
 
-void fillHoles(VoxelMask& mask, int rounds)
+void fillHoles(VoxelMask& mask)
 {
     const Eigen::Vector3i& size = mask.geometry.size;
     const auto strideY = static_cast<std::ptrdiff_t>(size.x());
     const auto strideZ = strideY * size.y();
-    for (int round = 0; round < rounds; ++round) {
-        std::vector<std::size_t> found;
-        for (int k = 1; k + 1 < size.z(); ++k) {
-            for (int j = 1; j + 1 < size.y(); ++j) {
-                for (int i = 1; i + 1 < size.x(); ++i) {
-                    const std::uint8_t* voxel = &mask.at(i, j, k);
-                    if (*voxel != 0 || (voxel[-1] == 0 && voxel[1] == 0)) {
-                        continue;
-                    }
-                    int set = 0;
-                    for (std::ptrdiff_t z = -strideZ; z <= strideZ; z += strideZ) {
-                        for (std::ptrdiff_t y = -strideY; y <= strideY; y += strideY) {
-                            for (std::ptrdiff_t x = -1; x <= 1; ++x) {
-                                set += voxel[z + y + x] != 0 ? 1 : 0;
-                            }
+    std::vector<std::size_t> found;
+    for (int k = 1; k + 1 < size.z(); ++k) {
+        for (int j = 1; j + 1 < size.y(); ++j) {
+            for (int i = 1; i + 1 < size.x(); ++i) {
+                const std::uint8_t* voxel = &mask.at(i, j, k);
+                if (*voxel != 0 || (voxel[-1] == 0 && voxel[1] == 0)) {
+                    continue;
+                }
+                int set = 0;
+                for (std::ptrdiff_t z = -strideZ; z <= strideZ; z += strideZ) {
+                    for (std::ptrdiff_t y = -strideY; y <= strideY; y += strideY) {
+                        for (std::ptrdiff_t x = -1; x <= 1; ++x) {
+                            set += voxel[z + y + x] != 0 ? 1 : 0;
                         }
                     }
-                    if (set >= mostOfTheNeighbours) {
-                        found.push_back(mask.geometry.index(i, j, k));
-                    }
+                }
+                if (set >= mostOfTheNeighbours) {
+                    found.push_back(mask.geometry.index(i, j, k));
                 }
             }
         }
-        for (const std::size_t voxel : found) {
-            mask.voxels[voxel] = filled;
-        }
+    }
+    for (const std::size_t voxel : found) {
+        mask.voxels[voxel] = filled;
     }
 }
 

@@ -37,7 +37,7 @@ public:
 
     VoxelMask run(TracingProgress& progress)
     {
-        markTooBright();
+        markTooBright(progress);
         eachSlice(progress, [&](int k) { markCores(k); });
         markTubes(volume_, order_, level_, leastTubeFill, flags_, bits, threads_, progress);
         VoxelMask lumen(order_.geometry);
@@ -70,11 +70,11 @@ private:
     }
 
     /// What is brighter than blood: large pieces are bone and metal, small ones chalk in the wall of a vessel.
-    void markTooBright()
+    void markTooBright(TracingProgress& progress)
     {
-        for (int k = 0; k < size_.z(); ++k) {
+        eachSlice(progress, [&](int k) {
             eachVoxel(flags_, k, [&](int i, int j, std::uint8_t& flag) { flag = fillAt(i, j, k) > mostFill ? 1 : 0; });
-        }
+        });
         const double voxelMl = order_.geometry.spacingMm.prod() / 1000.0;
         const auto pieces = piecesOf(flags_, static_cast<std::size_t>(std::ceil(mostBrightMl / voxelMl)));
         for (std::uint8_t& flag : flags_.voxels) {

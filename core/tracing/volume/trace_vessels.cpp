@@ -19,6 +19,7 @@ namespace core {
 namespace {
 
 constexpr int holeRounds = 4;
+constexpr double chosenShare = 0.9;   ///< of the stage "vessels", when the lumen is known
 
 Error stopped()
 {
@@ -111,6 +112,7 @@ Result<ChosenLumen> chosenLumen(VoxelMask whole, const VesselTracingOptions& opt
     ChosenLumen chosen;
     chosen.warning = std::move(leftOut).value();
     chosen.box = grown(boxOf(whole), 1, whole.geometry);
+    progress.advance(chosenShare);
     chosen.lumen = croppedMask(whole, chosen.box);
     whole = {};
     if (!options.avoidInPatient.empty()) {
@@ -207,7 +209,12 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
         return chosen.error();
     }
     ChosenLumen lumen = std::move(chosen).value();
-    fillHoles(lumen.lumen, holeRounds);
+    for (int round = 0; round < holeRounds && progress.advance(chosenShare); ++round) {
+        fillHoles(lumen.lumen);
+    }
+    if (!progress.advance(chosenShare)) {
+        return stopped();
+    }
     fillCavities(lumen.lumen);
     const AxisOrder part = cropped(order, lumen.box);
     auto traced = treeOf(lumen, fillOf(volume, part, level.value(), lumen.lumen), volume.geometry, options, progress);

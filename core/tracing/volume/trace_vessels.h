@@ -24,7 +24,7 @@ struct VesselTracingOptions {
                                                         ///< the seeds is no vessel: heart, vein, bone
     std::optional<Eigen::Vector3d> rootInPatient =
         std::nullopt;   ///< LPS mm; the end nearest to it is the root; absent: the thickest
-    double minBranchLengthMm = 6.0;   ///< branches that leave their parent's wall by less are removed
+    double minBranchLengthMm = 4.0;   ///< branches that leave their parent's wall by less are removed
     double minBranchRadiusMm = 0.0;   ///< branches that are thinner on average are removed
     double pointSpacingMm = 1.0;   ///< along the branches
     int threads = 0;   ///< 0: as many as the processor has; the result is the same for any number
