@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/support/result.h"
+#include "core/tracing/subtract_run.h"
+
+#include <string>
+
+namespace io {
+
+/// What a DICOM run says about its subtraction: the mask frames and their sub-pixel shift (Mask Module, PS3.3
+/// C.7.6.10, first averaged mask) and the pixel relation (0028,1040). Whatever it does not say, and everything for
+/// other images, is as in an empty plan: to be chosen. Fails when the file cannot be read.
+core::Result<core::SubtractionPlan> readSubtractionPlan(const std::string& path);
+
+}   // namespace io
