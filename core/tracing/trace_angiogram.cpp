@@ -3,11 +3,13 @@
 #include "core/imaging/grey_statistics.h"
 #include "core/imaging/mask_morphology.h"
 #include "core/tracing/bridge_gaps.h"
+#include "core/tracing/burned_in_text.h"
 #include "core/tracing/clutter_level.h"
 #include "core/tracing/curve_refinement.h"
 #include "core/tracing/field_mask.h"
 #include "core/tracing/flatten_background.h"
 #include "core/tracing/skeleton_graph.h"
+#include "core/tracing/suspect_curves.h"
 #include "core/tracing/vessel_branches.h"
 #include "core/tracing/vessel_threshold.h"
 #include "core/tracing/vesselness.h"
@@ -53,6 +55,14 @@ ImageF withVesselsDark(const ImageF& frame, Polarity polarity)
     return dark;
 }
 
+Mask2d without(Mask2d mask, const Mask2d& part)
+{
+    for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
+        mask.pixels[i] = part.pixels[i] != 0 ? 0 : mask.pixels[i];
+    }
+    return mask;
+}
+
 /// 0…1: the strongest 0.1 % count as 1.
 ImageF normalised(ImageF ridges)
 {
@@ -79,7 +89,7 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
     }
     AngiogramTrace trace;
     const ImageF vesselsDark = withVesselsDark(frame, polarity);
-    trace.fieldMask = findField(vesselsDark, 2.0 * options.maxVesselRadiusPx);
+    trace.fieldMask = without(findField(vesselsDark, 2.0 * options.maxVesselRadiusPx), burnedInText(vesselsDark));
     const ImageF opacity =
         flattenBackground(vesselsDark, trace.fieldMask, surroundingsInRadii * options.maxVesselRadiusPx);
     ImageF ridges = ridgeStrength(opacity, options.minVesselRadiusPx, options.maxVesselRadiusPx);
@@ -99,6 +109,7 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
             "Nothing like a vessel was found in the angiogram frame. Choose a frame with more contrast, raise "
             "the sensitivity, or check whether vessels are dark or bright."};
     }
+    trace.suspectCurves = suspectCurves(trace.centerline, std::max(frame.width, frame.height));
     return trace;
 }
 

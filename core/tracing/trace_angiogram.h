@@ -6,6 +6,7 @@
 #include "core/vessel/centerline2d.h"
 
 #include <string>
+#include <vector>
 
 namespace core {
 
@@ -23,9 +24,10 @@ struct TraceOptions {
 /// What tracing found in one frame, with what it saw on the way.
 struct AngiogramTrace {
     Centerline2d centerline;
+    std::vector<int> suspectCurves;   ///< ids of curves that may be catheters, wires or edges of bones
     ImageF vesselness;   ///< 0…1
     Mask2d vesselMask;
-    Mask2d fieldMask;   ///< where the image is exposed: inside shutter and border
+    Mask2d fieldMask;   ///< where the image is exposed: inside shutter and border, without burned-in text
 };
 
 /// Vesselness → threshold above the frame's own clutter → thinning → ordered, smoothed curves with width (ALGORITHMS
