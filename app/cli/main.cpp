@@ -95,6 +95,18 @@ void addTraceAngiogram(CLI::App& app, int& exitCode)
     command->add_option("--mask", arguments->maskPath, "Vessel mask to write, .png");
     command->add_option("--sensitivity", arguments->sensitivity, "Above 1: fainter vessels too")
         ->check(CLI::Range(0.2, 5.0));
+    command->add_flag("--subtract", arguments->subtract, "Subtract the frames before the contrast first");
+    command->add_option("--mask-frames", arguments->maskFrames, "Frames to average and subtract, from 0")
+        ->delimiter(',');
+    command->add_option("--mask-shift", arguments->maskShiftPx, "Px right,down that they move (default: found)")
+        ->delimiter(',')
+        ->expected(2);
+    command
+        ->add_option_function<std::string>(
+            "--composite", [arguments](const std::string&) { arguments->composite = true; },
+            "Trace all frames in one: minimum (what each pixel is filled with at most)")
+        ->check(CLI::IsMember({"minimum"}))
+        ->excludes("--frame");
     command->footer("Example: angiopose-cli trace-angiogram run.dcm --frame 5 --output centreline.csv --mask mask.png");
     command->callback([arguments, &exitCode] { exitCode = runTraceAngiogram(*arguments); });
 }

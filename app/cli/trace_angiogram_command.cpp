@@ -1,43 +1,112 @@
 #include "app/cli/commands.h"
+#include "core/tracing/subtract_run.h"
 #include "core/tracing/trace_angiogram.h"
 #include "io/angiogram_file.h"
 #include "io/centerline2d_file.h"
 #include "io/image_file.h"
+#include "io/subtraction_file.h"
 
 #include <cstdio>
 
 namespace app {
+namespace {
+
+using core::Angiogram;
+
+std::string joined(const std::vector<int>& numbers)
+{
+    std::string text;
+    for (const int number : numbers) {
+        text += (text.empty() ? "" : ", ") + std::to_string(number);
+    }
+    return text;
+}
+
+/// Replaces the frames by subtracted ones where the arguments ask for it.
+core::Status subtractIfAsked(const TraceAngiogramArguments& arguments, Angiogram& angiogram)
+{
+    if (!arguments.subtract && arguments.maskFrames.empty() && arguments.maskShiftPx.empty()) {
+        return core::Done{};
+    }
+    auto plan = io::readSubtractionPlan(arguments.imagePath);
+    if (!plan) {
+        return plan.error();
+    }
+    core::SubtractionPlan chosen = std::move(plan).value();
+    if (!arguments.maskFrames.empty()) {
+        chosen.maskFrames = arguments.maskFrames;
+    }
+    if (arguments.maskShiftPx.size() == 2) {
+        chosen.maskShiftPx = Eigen::Vector2d(arguments.maskShiftPx[0], arguments.maskShiftPx[1]);
+    }
+    auto run = core::subtractRun(angiogram.frames, angiogram.polarity, chosen);
+    if (!run) {
+        return core::Error{arguments.imagePath + ": " + run.error().message};
+    }
+    std::printf("subtracted: mean of frames %s\n", joined(run.value().maskFrames).c_str());
+    angiogram.frames = std::move(run).value().frames;
+    return core::Done{};
+}
+
+/// The picture to trace, and what to call it.
+struct Picture {
+    core::ImageF frame;
+    std::string name;
+};
+
+core::Result<Picture> chosenPicture(const TraceAngiogramArguments& arguments, const Angiogram& angiogram)
+{
+    if (arguments.composite) {
+        return Picture{core::opacifiedComposite(angiogram.frames, angiogram.polarity), "all frames"};
+    }
+    const int frame = arguments.frame.value_or(angiogram.suggestedFrame);
+    if (frame < 0 || frame >= angiogram.frameCount()) {
+        return core::Error{arguments.imagePath + ": frame " + std::to_string(frame) +
+                           " does not exist. It has frames 0 to " + std::to_string(angiogram.frameCount() - 1) + "."};
+    }
+    return Picture{angiogram.frames[static_cast<std::size_t>(frame)], "frame " + std::to_string(frame)};
+}
+
+core::Status writeTrace(const core::AngiogramTrace& trace, const TraceAngiogramArguments& arguments)
+{
+    if (const auto status = io::writeCenterline2d(trace.centerline, arguments.outputPath); !status) {
+        return status;
+    }
+    return arguments.maskPath.empty() ? core::Status(core::Done{}) : io::writePng(trace.vesselMask, arguments.maskPath);
+}
+
+}   // namespace
 
 int runTraceAngiogram(const TraceAngiogramArguments& arguments)
 {
-    const auto angiogram = io::readAngiogram(arguments.imagePath);
-    if (!angiogram) {
-        return failInput(angiogram.error().message);
+    auto read = io::readAngiogram(arguments.imagePath);
+    if (!read) {
+        return failInput(read.error().message);
     }
-    printWarnings(angiogram.value().warnings);
-    const int frame = arguments.frame.value_or(angiogram.value().suggestedFrame);
-    if (frame < 0 || frame >= angiogram.value().frameCount()) {
-        return failInput(arguments.imagePath + ": frame " + std::to_string(frame) +
-                         " does not exist. It has frames 0 to " + std::to_string(angiogram.value().frameCount() - 1) +
-                         ".");
+    Angiogram angiogram = std::move(read).value();
+    printWarnings(angiogram.warnings);
+    if (const auto status = subtractIfAsked(arguments, angiogram); !status) {
+        return failInput(status.error().message);
+    }
+    const auto picture = chosenPicture(arguments, angiogram);
+    if (!picture) {
+        return failInput(picture.error().message);
     }
     core::TraceOptions options;
     options.sensitivity = arguments.sensitivity;
-    const auto trace = core::traceAngiogram(angiogram.value().frames[static_cast<std::size_t>(frame)],
-                                            angiogram.value().polarity, options);
+    const auto trace = core::traceAngiogram(picture.value().frame, angiogram.polarity, options);
     if (!trace) {
         return failInput(arguments.imagePath + ": " + trace.error().message);
     }
-    if (const auto status = io::writeCenterline2d(trace.value().centerline, arguments.outputPath); !status) {
+    if (const auto status = writeTrace(trace.value(), arguments); !status) {
         return failInput(status.error().message);
     }
-    if (!arguments.maskPath.empty()) {
-        if (const auto status = io::writePng(trace.value().vesselMask, arguments.maskPath); !status) {
-            return failInput(status.error().message);
-        }
-    }
-    std::printf("frame %d: %zu curves, %zu points\n", frame, trace.value().centerline.curves.size(),
+    std::printf("%s: %zu curves, %zu points\n", picture.value().name.c_str(), trace.value().centerline.curves.size(),
                 trace.value().centerline.pointCount());
+    if (!trace.value().suspectCurves.empty()) {
+        std::printf("may be catheter, wire or edge of a bone: curves %s\n",
+                    joined(trace.value().suspectCurves).c_str());
+    }
     return exitDone;
 }
 

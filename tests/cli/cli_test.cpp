@@ -121,6 +121,21 @@ TEST_F(CliOnSimulatedCase, TracesItsAngiogram)
         runCli({"trace-angiogram", folder_.file("demo/angiogram.dcm"), "--frame", "99", "--output", csv}).exitCode, 3);
 }
 
+TEST_F(CliOnSimulatedCase, TraceAngiogramSubtractsAndComposes)
+{
+    const std::string run = folder_.file("demo/angiogram.dcm");
+    const std::string csv = folder_.file("trace.csv");
+    const auto composed = runCli({"trace-angiogram", run, "--composite", "minimum", "--output", csv});
+    EXPECT_EQ(composed.exitCode, 0) << composed.messages;
+    EXPECT_NE(composed.output.find("all frames"), std::string::npos);
+    const auto subtracted =
+        runCli({"trace-angiogram", run, "--mask-frames", "0", "--mask-shift", "0,0", "--output", csv});
+    EXPECT_EQ(subtracted.exitCode, 0) << subtracted.messages;
+    EXPECT_NE(subtracted.output.find("mean of frames 0"), std::string::npos);
+    EXPECT_EQ(runCli({"trace-angiogram", run, "--mask-frames", "99", "--output", csv}).exitCode, 3);
+    EXPECT_EQ(runCli({"trace-angiogram", run, "--composite", "sum", "--output", csv}).exitCode, 2);
+}
+
 TEST_F(CliOnSimulatedCase, UnknownMethodsAndOptionsAreUsageErrors)
 {
     EXPECT_EQ(runCli({"register", casePath_, "--method", "magic"}).exitCode, 2);
