@@ -2,10 +2,11 @@
 // frame takes, or what of simulated runs is found and what is traced besides.
 
 #include "core/imaging/image_filters.h"
+#include "core/support/format_number.h"
 #include "core/tracing/trace_angiogram.h"
 #include "io/angiogram_file.h"
+#include "io/evaluation/table_text.h"
 #include "tests/benchmark/arguments.h"
-#include "tests/benchmark/text_table.h"
 #include "tests/support/centerline_dice.h"
 #include "tests/support/drawn_vessels.h"
 #include "tests/support/test_data.h"
@@ -20,7 +21,7 @@
 
 namespace {
 
-using benchmarks::fixed;
+using core::fixedText;
 
 constexpr int imageCount = 40;
 
@@ -84,14 +85,16 @@ void printTime(const core::ImageF& frame)
 
 std::string percent(double part, double whole)
 {
-    return whole > 0.0 ? fixed(100.0 * part / whole, 1) : "-";
+    return whole > 0.0 ? fixedText(100.0 * part / whole, 1) : "-";
 }
 
-void addRow(benchmarks::TextTable& table, const std::string& name, const test::TracingScore& score)
+void addRow(core::ResultTable& table, const std::string& name, const test::TracingScore& score)
 {
-    table.add({name, fixed(score.visiblePx, 0), percent(score.foundPx, score.visiblePx), fixed(score.tracedPx, 0),
-               percent(score.falsePx, score.tracedPx), percent(score.falseUnsuspectedPx, score.tracedPx),
-               percent(score.suspectVesselPx, score.tracedPx), fixed(score.biasPx, 3), fixed(score.curveBiasPx, 3)});
+    table.rows.push_back(
+        {{name, fixedText(score.visiblePx, 0), percent(score.foundPx, score.visiblePx), fixedText(score.tracedPx, 0),
+          percent(score.falsePx, score.tracedPx), percent(score.falseUnsuspectedPx, score.tracedPx),
+          percent(score.suspectVesselPx, score.tracedPx), fixedText(score.biasPx, 3), fixedText(score.curveBiasPx, 3)},
+         false});
 }
 
 void addTo(test::TracingScore& sum, const test::TracingScore& score, int count)
@@ -108,8 +111,9 @@ void addTo(test::TracingScore& sum, const test::TracingScore& score, int count)
 
 int printSimulated(int count, int size, int firstSeed)
 {
-    benchmarks::TextTable table({"seed", "visible px", "found %", "traced px", "false %", "not suspect %",
-                                 "vessel suspect %", "bias px", "sideways px"});
+    core::ResultTable table;
+    table.columns = {"seed",          "visible px",       "found %", "traced px",  "false %",
+                     "not suspect %", "vessel suspect %", "bias px", "sideways px"};
     test::TracingScore sum;
     core::DsaOptions dsa;
     dsa.width = size;
@@ -128,7 +132,7 @@ int printSimulated(int count, int size, int firstSeed)
         "%d simulated runs of %d x %d px, fullest frame, one set of defaults\n"
         "visible: wider than 2 px, outside other vessels, own contrast at least 2 x noise; found within 2 px;\n"
         "false: beside every filled vessel and the catheter; bias and sideways: mean over the runs\n\n%s",
-        count, size, size, table.toText().c_str());
+        count, size, size, io::toPlainText(table).c_str());
     return 0;
 }
 
