@@ -208,7 +208,7 @@ void CaseController::connectHelp()
             {tr("AngioPose %1").arg(QCoreApplication::applicationVersion()),
              tr("Finds where a 3-D vessel tree lies in a 2-D angiogram, without correspondences.\n\n"
                 "Not for clinical use: AngioPose is a research program, not a medical device.\n\n"
-                "Apache License 2.0. Built on Qt, VTK, ITK, OpenCV, Eigen and nanoflann."),
+                "Apache License 2.0. Built on Qt, VTK, ITK, OpenCV, NLopt, Eigen and nanoflann."),
              {}},
             &window_);
     });
