@@ -247,7 +247,7 @@ void ViewSync::measureOpacification()
 {
     window_.strip().showFrames({}, 0);
     opacification_.setFuture({});
-    if (shownAngiogram_) {
+    if (shownAngiogram_ && shownAngiogram_->frameCount() > 1) {
         opacification_.setFuture(QtConcurrent::run([angiogram = shownAngiogram_] {
             return core::opacificationCurve(angiogram->frames, angiogram->polarity);
         }));

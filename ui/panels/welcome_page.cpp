@@ -16,7 +16,7 @@ constexpr qsizetype shownRecent = 5;
 
 WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new QVBoxLayout)
 {
-    setProperty("role", "canvas");
+    setProperty("role", "welcome");
     setAttribute(Qt::WA_StyledBackground);
     auto* heading = roleLabel("welcome", tr("Lay a vessel tree onto its angiogram"));
     auto* hint = roleLabel("label", tr("Drop a case here, or a centreline together with an angiogram."));

@@ -24,6 +24,7 @@ namespace {
 
 constexpr double signArmPx = 19.0;   // orientation sign, at pixel scale 1
 constexpr double signMarginPx = 40.0;
+constexpr double letterRoomPx = 11.0;   // nearer letters would cover each other
 constexpr double pickTolerancePx = 7.0;
 
 struct PatientAxis {
@@ -245,7 +246,13 @@ std::vector<OrientationLetter> TreeScene::orientationLetters() const
         const bool isPositive = axis.letter == 'L' || axis.letter == 'P' || axis.letter == 'H';
         if (isPositive && onScreen.head<2>().norm() > 0.42) {
             const Eigen::Vector2d outward = onScreen.head<2>() * signArmPx + onScreen.head<2>().normalized() * 9.0;
-            letters.push_back({axis.letter, parts_->signCentre() + parts_->pixelScale * outward, onScreen.z() > -0.05});
+            const Eigen::Vector2d at = parts_->signCentre() + parts_->pixelScale * outward;
+            const bool isFree = std::ranges::all_of(letters, [&](const OrientationLetter& other) {
+                return (other.at - at).norm() > letterRoomPx * parts_->pixelScale;
+            });
+            if (isFree) {
+                letters.push_back({axis.letter, at, onScreen.z() > -0.05});
+            }
         }
     }
     return letters;
