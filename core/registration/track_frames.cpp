@@ -8,7 +8,7 @@
 namespace core {
 namespace {
 
-constexpr std::size_t usedPoints = 500;
+constexpr std::size_t usedPoints = 250;
 constexpr std::size_t rememberedScores = 15;
 constexpr double fitsLikeBefore = 0.8;   // of the median score of the last frames
 constexpr double fitsAtAll = 0.25;   // below, a score says nothing (see PoseRanking)
