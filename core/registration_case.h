@@ -2,9 +2,11 @@
 
 #include "core/geometry/c_arm.h"
 #include "core/imaging/angiogram.h"
+#include "core/imaging/volume.h"
 #include "core/registration/registration.h"
 #include "core/tracing/trace_angiogram.h"
 #include "core/vessel/centerline2d.h"
+#include "core/vessel/vessel_input.h"
 #include "core/vessel/vessel_tree.h"
 
 #include <memory>
@@ -27,7 +29,10 @@ struct InputFile {
 struct RegistrationCase {
     std::string title;
 
-    InputFile centerlineFile;
+    InputFile centerlineFile;   ///< centrelines, or what they are traced from; a folder for a DICOM series
+    VesselInput vesselInput;   ///< what that file is, and how it is traced
+    std::shared_ptr<const Volume> volume;   ///< the scan the tree was traced from, or null
+    StudyIdentity scanIdentity;   ///< of the patient in the scan, where it is DICOM
     std::shared_ptr<const VesselTree> tree;   ///< null until loaded
     std::vector<int> auxiliaryBranchIds;
     std::vector<int> excludedBranchIds;

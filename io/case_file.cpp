@@ -8,6 +8,7 @@
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/support/json_text.h"
+#include "io/vessel_input_file.h"
 
 #include <exception>
 #include <filesystem>
@@ -77,7 +78,8 @@ std::string findUnsavable(const RegistrationCase& values)
 
 }   // namespace
 
-core::Result<RegistrationCase> loadCase(const std::string& path, std::vector<std::string>& warnings)
+core::Result<RegistrationCase> loadCase(const std::string& path, std::vector<std::string>& warnings,
+                                        const ReadObserver& observe)
 {
     const auto text = readCaseText(path);
     if (!text) {
@@ -88,7 +90,7 @@ core::Result<RegistrationCase> loadCase(const std::string& path, std::vector<std
         if (!document.problems.empty()) {
             return fileError(path, document.problems.front());
         }
-        return loadInputs(std::move(document), path, warnings);
+        return loadInputs(std::move(document), path, warnings, observe);
     } catch (const std::exception&) {   // a value the schema let through
         return fileError(path, "a value in it has the wrong kind. Compare it with the published schema.");
     }
@@ -105,7 +107,9 @@ core::Result<std::vector<std::string>> validateCase(const std::string& path)
         makePathsAbsolute(document.values, path);
         for (const core::InputFile* file :
              {&document.values.centerlineFile, &document.values.imageFile, &document.values.targetFile}) {
-            if (file->path.empty()) {
+            const bool isSeries = document.values.vesselInput.kind == core::VesselInputKind::Volume &&
+                                  file == &document.values.centerlineFile && fs::is_directory(file->path);
+            if (file->path.empty() || isSeries) {
                 continue;
             }
             if (const auto input = openInput(file->path); !input) {
@@ -129,7 +133,8 @@ core::Status saveCase(const RegistrationCase& registrationCase, const std::strin
     RegistrationCase hashed = registrationCase;
     for (core::InputFile* file : {&hashed.centerlineFile, &hashed.imageFile, &hashed.targetFile}) {
         if (!file->path.empty() && file->sha256.empty()) {
-            auto hash = sha256OfFile(file->path);
+            auto hash = file == &hashed.centerlineFile ? sha256OfVesselInput(file->path, hashed.vesselInput)
+                                                       : sha256OfFile(file->path);
             file->sha256 = hash ? std::move(hash).value() : std::string();
         }
     }

@@ -1,6 +1,7 @@
 #include "io/case/case_document.h"
 #include "io/case/known_keys.h"
 #include "io/case/option_values.h"
+#include "io/case/vessel_key.h"
 #include "io/support/json_text.h"
 #include "io/support/pose_matrix.h"
 
@@ -58,23 +59,56 @@ Sourced<double> sourcedNumber(const SourcedJson& json)
                                   : Sourced<double>{};
 }
 
+Eigen::Vector3d pointFrom(const Json& json)
+{
+    return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()};
+}
+
+core::VesselTracingOptions tracingOptions(const Json& json)
+{
+    core::VesselTracingOptions options;
+    if (!json.is_object()) {
+        return options;
+    }
+    if (const Json& threshold = member(json, "threshold"); threshold.is_number()) {
+        options.threshold = threshold.get<double>();
+    }
+    for (const Json& seed : json.value("seedsInPatientMm", Json::array())) {
+        options.seedsInPatient.push_back(pointFrom(seed));
+    }
+    for (const Json& point : json.value("avoidInPatientMm", Json::array())) {
+        options.avoidInPatient.push_back(pointFrom(point));
+    }
+    if (const Json& root = member(json, "rootInPatientMm"); root.is_array()) {
+        options.rootInPatient = pointFrom(root);
+    }
+    options.minBranchLengthMm = json.value("minBranchLengthMm", options.minBranchLengthMm);
+    options.minBranchRadiusMm = json.value("minBranchRadiusMm", options.minBranchRadiusMm);
+    options.pointSpacingMm = json.value("pointSpacingMm", options.pointSpacingMm);
+    return options;
+}
+
+/// The first of the four kinds that the case names; centrelines before what they would be traced from.
 void readVessel(const Json& vessel, CaseDocument& document)
 {
-    document.values.centerlineFile = inputFile(member(vessel, "centerline"));
-    document.values.auxiliaryBranchIds = vessel.value("auxiliaryBranches", std::vector<int>());
-    document.values.excludedBranchIds = vessel.value("excludedBranches", std::vector<int>());
-    if (!document.values.centerlineFile.path.empty()) {
-        return;
-    }
-    for (const char* key : {"segmentation", "surface", "volume"}) {
-        if (vessel.contains(key)) {
-            document.problems.push_back(std::string("vessel.") + key +
-                                        ": this version cannot trace a vessel tree in 3-D yet. Extract the centrelines "
-                                        "elsewhere and give them as vessel.centerline.");
+    core::RegistrationCase& values = document.values;
+    values.auxiliaryBranchIds = vessel.value("auxiliaryBranches", std::vector<int>());
+    values.excludedBranchIds = vessel.value("excludedBranches", std::vector<int>());
+    values.vesselInput.labels = vessel.value("labels", std::vector<int>());
+    values.vesselInput.unitMm = vessel.value("unitMm", 1.0);
+    values.vesselInput.tracing = tracingOptions(member(vessel, "tracing"));
+    for (const core::VesselInputKind kind : vesselInputKinds) {
+        const Json& input = member(vessel, vesselKey(kind));
+        if (input.is_object()) {
+            values.centerlineFile = inputFile(input);
+            values.vesselInput.kind = kind;
+            values.vesselInput.seriesId =
+                member(input, "dicom").is_object() ? input["dicom"].value("seriesInstanceUid", "") : "";
             return;
         }
     }
-    document.problems.emplace_back("vessel.centerline: it is missing. Name the file with the vessel centrelines.");
+    document.problems.emplace_back(
+        "vessel: it names no input. Give the file of the vessels as centerline, segmentation, surface or volume.");
 }
 
 void readAngiogram(const Json& angiogram, CaseDocument& document)
@@ -209,7 +243,7 @@ CaseDocument parseCaseDocument(std::string_view json)
     readCamera(member(geometry, "camera"), document);
     readPoses(member(root, "pose"), document);
     readOptions(root, document);
-    document.values.extraKeys = unknownKeys(json, knownCaseKeys());
+    document.values.extraKeys = unknownKeys(json, knownCaseKeys(document.values.vesselInput.kind));
     return document;
 }
 

@@ -1,5 +1,6 @@
 #include "io/case/case_document.h"
 #include "io/case/option_values.h"
+#include "io/case/vessel_key.h"
 #include "io/support/json_text.h"
 #include "io/support/pose_matrix.h"
 
@@ -56,10 +57,49 @@ void addNumber(Json& geometry, const char* key, const Sourced<double>& number)
     }
 }
 
+Json pointJson(const Eigen::Vector3d& point)
+{
+    return Json::array({point.x(), point.y(), point.z()});
+}
+
+Json tracingJson(const core::VesselTracingOptions& options)
+{
+    Json json{{"minBranchLengthMm", options.minBranchLengthMm},
+              {"minBranchRadiusMm", options.minBranchRadiusMm},
+              {"pointSpacingMm", options.pointSpacingMm}};
+    if (options.threshold) {
+        json["threshold"] = *options.threshold;
+    }
+    for (const Eigen::Vector3d& seed : options.seedsInPatient) {
+        json["seedsInPatientMm"].push_back(pointJson(seed));
+    }
+    for (const Eigen::Vector3d& point : options.avoidInPatient) {
+        json["avoidInPatientMm"].push_back(pointJson(point));
+    }
+    if (options.rootInPatient) {
+        json["rootInPatientMm"] = pointJson(*options.rootInPatient);
+    }
+    return json;
+}
+
 Json vesselJson(const core::RegistrationCase& registrationCase, const std::filesystem::path& folder)
 {
+    const core::VesselInput& input = registrationCase.vesselInput;
     Json vessel;
-    vessel["centerline"] = fileJson(registrationCase.centerlineFile, folder);
+    Json& file = vessel[vesselKey(input.kind)];
+    file = fileJson(registrationCase.centerlineFile, folder);
+    if (!input.seriesId.empty()) {
+        file["dicom"]["seriesInstanceUid"] = input.seriesId;
+    }
+    if (input.kind != core::VesselInputKind::Centerline) {
+        vessel["tracing"] = tracingJson(input.tracing);
+    }
+    if (!input.labels.empty()) {
+        vessel["labels"] = input.labels;
+    }
+    if (input.unitMm != 1.0) {
+        vessel["unitMm"] = input.unitMm;
+    }
     vessel["auxiliaryBranches"] = registrationCase.auxiliaryBranchIds;
     vessel["excludedBranches"] = registrationCase.excludedBranchIds;
     return vessel;

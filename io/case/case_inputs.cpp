@@ -1,10 +1,11 @@
 #include "io/case/case_inputs.h"
 
+#include "core/imaging/patient_match.h"
 #include "io/angiogram_file.h"
 #include "io/centerline2d_file.h"
 #include "io/file_hash.h"
 #include "io/support/file_error.h"
-#include "io/vessel_tree_file.h"
+#include "io/vessel_input_file.h"
 
 #include <filesystem>
 
@@ -22,9 +23,8 @@ void makeAbsolute(core::InputFile& file, const fs::path& folder)
 }
 
 /// Notes the hash of what was read; warns where the case expected something else.
-core::Status checkHash(core::InputFile& file, std::vector<std::string>& warnings)
+core::Status checkHash(core::InputFile& file, core::Result<std::string> hash, std::vector<std::string>& warnings)
 {
-    auto hash = sha256OfFile(file.path);
     if (!hash) {
         return hash.error();
     }
@@ -36,13 +36,27 @@ core::Status checkHash(core::InputFile& file, std::vector<std::string>& warnings
     return core::Done{};
 }
 
-core::Status readInputs(RegistrationCase& values, std::vector<std::string>& warnings)
+core::Status readVesselInput(RegistrationCase& values, std::vector<std::string>& warnings, const ReadObserver& observe)
 {
-    auto tree = readVesselTree(values.centerlineFile.path);
-    if (!tree) {
-        return tree.error();
+    auto read = readVessels(values.centerlineFile.path, values.vesselInput, observe);
+    if (!read) {
+        return read.error();
     }
-    values.tree = std::make_shared<const core::VesselTree>(std::move(tree).value());
+    LoadedVessels vessels = std::move(read).value();
+    values.vesselInput = vessels.input;
+    values.volume = vessels.volume;
+    values.scanIdentity = vessels.identity;
+    values.tree = std::make_shared<const core::VesselTree>(std::move(vessels.tree));
+    warnings.insert(warnings.end(), vessels.warnings.begin(), vessels.warnings.end());
+    return checkHash(values.centerlineFile, sha256OfVesselInput(values.centerlineFile.path, values.vesselInput),
+                     warnings);
+}
+
+core::Status readInputs(RegistrationCase& values, std::vector<std::string>& warnings, const ReadObserver& observe)
+{
+    if (auto read = readVesselInput(values, warnings, partOf(observe, 0.0, 0.9)); !read) {
+        return read;
+    }
     auto angiogram = io::readAngiogram(values.imageFile.path);
     if (!angiogram) {
         return angiogram.error();
@@ -55,11 +69,11 @@ core::Status readInputs(RegistrationCase& values, std::vector<std::string>& warn
         }
         values.givenTarget = std::make_shared<const core::Centerline2d>(std::move(target).value());
     }
-    for (core::InputFile* file : {&values.centerlineFile, &values.imageFile, &values.targetFile}) {
+    for (core::InputFile* file : {&values.imageFile, &values.targetFile}) {
         if (file->path.empty()) {
             continue;
         }
-        if (const auto checked = checkHash(*file, warnings); !checked) {
+        if (auto checked = checkHash(*file, sha256OfFile(file->path), warnings); !checked) {
             return checked;
         }
     }
@@ -131,6 +145,9 @@ core::Status complete(CaseDocument& document, std::vector<std::string>& warnings
         warnings.push_back(values.imageFile.path + ": this is another DICOM image than the one the case was made for.");
     }
     warnings.insert(warnings.end(), angiogram.warnings.begin(), angiogram.warnings.end());
+    if (std::string mismatch = core::findPatientMismatch(values.scanIdentity, angiogram.identity); !mismatch.empty()) {
+        warnings.push_back(std::move(mismatch));
+    }
     fillFromHeader(values.cArm, angiogram.cArm);
     dropUnknownBranches(values.auxiliaryBranchIds, *values.tree, "auxiliaryBranches", warnings);
     dropUnknownBranches(values.excludedBranchIds, *values.tree, "excludedBranches", warnings);
@@ -156,10 +173,10 @@ void makePathsAbsolute(RegistrationCase& values, const std::string& casePath)
 }
 
 core::Result<RegistrationCase> loadInputs(CaseDocument document, const std::string& casePath,
-                                          std::vector<std::string>& warnings)
+                                          std::vector<std::string>& warnings, const ReadObserver& observe)
 {
     makePathsAbsolute(document.values, casePath);
-    if (const auto read = readInputs(document.values, warnings); !read) {
+    if (const auto read = readInputs(document.values, warnings, observe); !read) {
         return read.error();
     }
     if (const auto completed = complete(document, warnings); !completed) {

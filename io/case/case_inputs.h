@@ -2,6 +2,7 @@
 
 #include "core/support/result.h"
 #include "io/case/case_document.h"
+#include "io/support/read_observer.h"
 
 #include <string>
 #include <vector>
@@ -13,6 +14,6 @@ void makePathsAbsolute(core::RegistrationCase& values, const std::string& casePa
 
 /// The case with its inputs read and checked against what it says: frame, camera size, branches, hashes, start pose.
 core::Result<core::RegistrationCase> loadInputs(CaseDocument document, const std::string& casePath,
-                                                std::vector<std::string>& warnings);
+                                                std::vector<std::string>& warnings, const ReadObserver& observe);
 
 }   // namespace io

@@ -1,6 +1,7 @@
 #include "io/case/known_keys.h"
 
 #include "core/registration/registration_options.h"
+#include "io/case/vessel_key.h"
 
 #include <nlohmann/json.hpp>
 
@@ -20,7 +21,7 @@ Json object(std::initializer_list<const char*> keys)
 
 }   // namespace
 
-std::string knownCaseKeys()
+std::string knownCaseKeys(core::VesselInputKind vesselKind)
 {
     const Json file = object({"path", "sha256"});
     const Json sourced = object({"value", "origin", "basis"});
@@ -28,8 +29,12 @@ std::string knownCaseKeys()
     image["dicom"] = object({"studyInstanceUid", "seriesInstanceUid", "sopInstanceUid"});
 
     Json keys = object({"format", "version", "title", "method"});
-    keys["vessel"] = object({"auxiliaryBranches", "excludedBranches"});
-    keys["vessel"]["centerline"] = file;
+    Json vessel = file;
+    vessel["dicom"] = object({"seriesInstanceUid"});
+    keys["vessel"] = object({"auxiliaryBranches", "excludedBranches", "labels", "unitMm"});
+    keys["vessel"][vesselKey(vesselKind)] = vessel;   // another kind beside it is kept, not read
+    keys["vessel"]["tracing"] = object({"threshold", "seedsInPatientMm", "avoidInPatientMm", "rootInPatientMm",
+                                        "minBranchLengthMm", "minBranchRadiusMm", "pointSpacingMm"});
     keys["angiogram"] = object({"frame"});
     keys["angiogram"]["image"] = image;
     keys["angiogram"]["centerline"] = file;

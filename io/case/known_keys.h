@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/vessel/vessel_input.h"
+
 #include <string>
 
 namespace io {
 
 /// Every key this version reads and writes, as a JSON object; an empty string marks a value, an object its members.
-std::string knownCaseKeys();
+std::string knownCaseKeys(core::VesselInputKind vesselKind);
 
 }   // namespace io

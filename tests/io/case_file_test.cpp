@@ -1,7 +1,9 @@
 #include "io/case_file.h"
 
 #include "io/image_file.h"
+#include "io/volume_file.h"
 #include "tests/io/scratch_folder.h"
+#include "tests/support/forked_vessel.h"
 #include "tests/support/test_data.h"
 
 #include <gtest/gtest.h>
@@ -220,8 +222,57 @@ TEST(LoadCase, NamesWhatIsWrong)
     EXPECT_TRUE(contains(with("/geometry/sourceToDetectorMm", "far"), "geometry.sourceToDetectorMm"));
     nlohmann::json volume = small.json();
     volume["vessel"] = {{"volume", {{"path", "ct.nii.gz"}}}};
-    EXPECT_TRUE(contains(small.errorOf(volume), "vessel.volume"));
-    EXPECT_TRUE(contains(small.errorOf(volume), "3-D"));
+    EXPECT_TRUE(contains(small.errorOf(volume), "no such file"));
+    volume["vessel"] = nlohmann::json::object();
+    EXPECT_TRUE(contains(small.errorOf(volume), "segmentation, surface or volume"));
+    volume["vessel"] = {{"segmentation", {{"path", "mask.nii"}}}, {"unitMm", -1}};
+    EXPECT_TRUE(contains(small.errorOf(volume), "vessel.unitMm"));
+}
+
+TEST(LoadCase, TracesASegmentationWithTheParametersBesideIt)
+{
+    SmallCase small;
+    ASSERT_TRUE(io::writeLabels(test::forkLabels(), small.path("in/mask.nii.gz")));
+    nlohmann::json json = small.json();
+    json["vessel"] = {{"segmentation", {{"path", "in/mask.nii.gz"}}},
+                      {"labels", {2}},
+                      {"surface", {{"path", "other.stl"}, {"note", "kept"}}},
+                      {"tracing", {{"minBranchLengthMm", 7.5}, {"rootInPatientMm", {0, 0, 0}}, {"mine", true}}}};
+
+    const auto loaded = small.load(json);
+
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_EQ(test::endsOf(*loaded.value().tree), 3);
+    for (const core::VesselBranch& branch : loaded.value().tree->branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            EXPECT_LT(test::distanceToFork(point), 1.5);
+        }
+    }
+    ASSERT_TRUE(io::saveCase(loaded.value(), small.path("copy.angiopose")));
+    std::vector<std::string> warnings;
+    const auto copy = io::loadCase(small.path("copy.angiopose"), warnings);
+    ASSERT_TRUE(copy) << copy.error().message;
+    EXPECT_EQ(copy.value().vesselInput, loaded.value().vesselInput);
+    EXPECT_EQ(copy.value().vesselInput.tracing.minBranchLengthMm, 7.5);
+    EXPECT_EQ(copy.value().centerlineFile, loaded.value().centerlineFile);
+    EXPECT_EQ(copy.value().tree->branches.front().pointsInPatient,
+              loaded.value().tree->branches.front().pointsInPatient);
+    const auto saved = nlohmann::json::parse(test::contentOf(small.path("copy.angiopose")));
+    EXPECT_EQ(saved["vessel"]["surface"]["note"], "kept") << "another kind beside it survives";
+    EXPECT_EQ(saved["vessel"]["tracing"]["mine"], true);
+    EXPECT_TRUE(io::validateCase(small.path("copy.angiopose")).value().empty());
+}
+
+TEST(LoadCase, StopsTracingWhenAsked)
+{
+    SmallCase small;
+    ASSERT_TRUE(io::writeLabels(test::forkLabels(), small.path("in/mask.nii.gz")));
+    nlohmann::json json = small.json();
+    json["vessel"] = {{"segmentation", {{"path", "in/mask.nii.gz"}}}};
+    std::vector<std::string> warnings;
+    const auto stopped = io::loadCase(small.write(json), warnings, [](double) { return core::Verdict::Stop; });
+    ASSERT_FALSE(stopped);
+    EXPECT_TRUE(contains(stopped.error().message, "stopped"));
 }
 
 TEST(LoadCase, NamesTheLineOfBrokenJson)

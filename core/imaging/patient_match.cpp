@@ -1,0 +1,46 @@
+#include "core/imaging/patient_match.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace core {
+namespace {
+
+/// Letters and digits in lower case: "DOE^JOHN " and "Doe^John" are one name.
+std::string bare(const std::string& text)
+{
+    std::string result;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte >= 128 || std::isalnum(byte) != 0) {
+            result += static_cast<char>(std::tolower(byte));
+        }
+    }
+    return result;
+}
+
+bool differs(const std::string& a, const std::string& b)
+{
+    const std::string first = bare(a), second = bare(b);
+    return !first.empty() && !second.empty() && first != second;
+}
+
+}   // namespace
+
+std::string findPatientMismatch(const StudyIdentity& scan, const StudyIdentity& run)
+{
+    std::string reasons;
+    const auto add = [&](bool isDifferent, const char* what) {
+        if (isDifferent) {
+            reasons += (reasons.empty() ? "" : ", ") + std::string(what);
+        }
+    };
+    add(differs(scan.patientId, run.patientId), "number");
+    add(differs(scan.patientName, run.patientName), "name");
+    add(differs(scan.birthDate, run.birthDate), "birth date");
+    return reasons.empty() ? reasons
+                           : "Scan and angiogram seem to be of different patients (" + reasons +
+                                 " differ). Check that both are the right ones.";
+}
+
+}   // namespace core

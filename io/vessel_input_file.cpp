@@ -1,0 +1,187 @@
+#include "io/vessel_input_file.h"
+
+#include "core/imaging/fill_surface.h"
+#include "io/dicom/dicom_file.h"
+#include "io/dicom_series.h"
+#include "io/file_hash.h"
+#include "io/support/file_error.h"
+#include "io/support/input_bytes.h"
+#include "io/surface_file.h"
+#include "io/vessel_tree_file.h"
+#include "io/volume_file.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace io {
+namespace {
+
+using core::VesselInputKind;
+
+constexpr double readShare = 0.3;   // of the progress; the rest is tracing
+
+core::TracingObserver tracingObserver(const ReadObserver& observe)
+{
+    if (!observe) {
+        return {};
+    }
+    return [observe](const core::TracingReport& report) {
+        return observe(readShare + (1.0 - readShare) * report.progress);
+    };
+}
+
+/// What is known before tracing.
+LoadedVessels untraced(const core::VesselInput& input, std::vector<std::string> warnings)
+{
+    LoadedVessels loaded;
+    loaded.input = input;
+    loaded.warnings = std::move(warnings);
+    return loaded;
+}
+
+core::Result<LoadedVessels> withTree(LoadedVessels loaded, core::Result<core::TracedVessels> traced,
+                                     const std::string& path)
+{
+    if (!traced) {
+        return fileError(path, traced.error().message);
+    }
+    core::TracedVessels vessels = std::move(traced).value();
+    loaded.tree = std::move(vessels.tree);
+    loaded.lumen = std::move(vessels.lumen);
+    loaded.threshold = vessels.threshold;
+    loaded.warnings.insert(loaded.warnings.end(), vessels.warnings.begin(), vessels.warnings.end());
+    return loaded;
+}
+
+core::Result<LoadedVessels> readCenterlines(const std::string& path, const core::VesselInput& input)
+{
+    VesselTreeReadOptions options;
+    options.swcUnitMm = input.unitMm;
+    auto tree = readVesselTree(path, options);
+    if (!tree) {
+        return tree.error();
+    }
+    LoadedVessels loaded;
+    loaded.input = input;
+    loaded.tree = std::move(tree).value();
+    return loaded;
+}
+
+core::Result<LoadedVessels> traceSurface(const std::string& path, const core::VesselInput& input,
+                                         const ReadObserver& observe)
+{
+    const auto surface = readSurface(path, input.unitMm);
+    if (!surface) {
+        return surface.error();
+    }
+    const core::SurfaceMesh& mesh = surface.value().mesh;
+    if (isStopWished(observe, 0.1)) {
+        return stoppedReading(path);
+    }
+    const auto mask = core::fillSurface(mesh, core::usualSpacingMm(mesh));
+    if (!mask) {
+        return fileError(path, mask.error().message);
+    }
+    return withTree(untraced(input, surface.value().warnings),
+                    core::traceMask(mask.value(), input.tracing, tracingObserver(observe)), path);
+}
+
+core::Result<LoadedVessels> traceSegmentation(const std::string& path, const core::VesselInput& input,
+                                              const ReadObserver& observe)
+{
+    const auto labels = readLabels(path, partOf(observe, 0.0, readShare));
+    return labels ? withTree(untraced(input, {}),
+                             core::traceLabels(labels.value(), input.labels, input.tracing, tracingObserver(observe)),
+                             path)
+                  : labels.error();
+}
+
+core::Result<LoadedVessels> traceVolume(const std::string& path, core::VesselInput input, const ReadObserver& observe)
+{
+    auto read = readVolume(path, input.seriesId, partOf(observe, 0.0, readShare));
+    if (!read) {
+        return read.error();
+    }
+    LoadedVolume loaded = std::move(read).value();
+    if (std::filesystem::is_directory(path)) {
+        input.seriesId = loaded.seriesId;
+    }
+    if (looksLikeLabels(loaded.volume)) {
+        loaded.warnings.emplace_back("The volume holds labels: its vessels are taken as they are marked.");
+        input.kind = VesselInputKind::Segmentation;
+        auto traced = core::traceLabels(labelsOf(loaded.volume), input.labels, input.tracing, tracingObserver(observe));
+        return withTree(untraced(input, loaded.warnings), std::move(traced), path);
+    }
+    LoadedVessels vessels = untraced(input, loaded.warnings);
+    vessels.identity = loaded.identity;
+    vessels.volume = std::make_shared<const core::Volume>(std::move(loaded.volume));
+    auto traced = core::traceVessels(*vessels.volume, input.tracing, tracingObserver(observe));
+    return withTree(std::move(vessels), std::move(traced), path);
+}
+
+/// VTK files hold lines or surfaces; only reading tells.
+VesselInputKind kindOfVtk(const std::string& path)
+{
+    return !readVesselTree(path) && readSurface(path) ? VesselInputKind::Surface : VesselInputKind::Centerline;
+}
+
+}   // namespace
+
+core::Result<VesselInputKind> vesselInputKindOf(const std::string& path)
+{
+    if (std::filesystem::is_directory(path)) {
+        return VesselInputKind::Volume;
+    }
+    const auto input = openInput(path);
+    if (!input) {
+        return input.error();
+    }
+    const std::string_view content = input.value().view();
+    const std::string extension = extensionOf(path);
+    if (const auto summary = isVolumeFile(path) ? describeVolume(path) : core::Error{}) {
+        return summary.value().isDeclaredLabels ? VesselInputKind::Segmentation : VesselInputKind::Volume;
+    }
+    if (isVolumeFile(path) || looksLikeDicom(content)) {
+        return VesselInputKind::Volume;
+    }
+    if (extension == ".stl" || extension == ".ply" || extension == ".obj" || content.starts_with("ply")) {
+        return VesselInputKind::Surface;
+    }
+    const bool isVtk =
+        content.starts_with("# vtk DataFile") || content.substr(0, 4096).find("<VTKFile") != std::string_view::npos;
+    return isVtk ? kindOfVtk(path) : VesselInputKind::Centerline;
+}
+
+core::Result<LoadedVessels> readVessels(const std::string& path, const core::VesselInput& input,
+                                        const ReadObserver& observe)
+{
+    switch (input.kind) {
+        case VesselInputKind::Segmentation:
+            return traceSegmentation(path, input, observe);
+        case VesselInputKind::Surface:
+            return traceSurface(path, input, observe);
+        case VesselInputKind::Volume:
+            return traceVolume(path, input, observe);
+        default:
+            return readCenterlines(path, input);
+    }
+}
+
+core::Result<std::string> sha256OfVesselInput(const std::string& path, const core::VesselInput& input)
+{
+    if (!std::filesystem::is_directory(path)) {
+        return sha256OfFile(path);
+    }
+    const auto all = listSeries(path);
+    if (!all) {
+        return all.error();
+    }
+    for (const DicomSeries& series : all.value()) {
+        if (series.id == input.seriesId || (input.seriesId.empty() && series.problem.empty() && !series.isAngiogram)) {
+            return sha256OfSeries(series);
+        }
+    }
+    return fileError(path, "the series of the case is not in this folder. Choose the folder it is in.");
+}
+
+}   // namespace io

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "core/imaging/volume.h"
+#include "core/vessel/vessel_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace test {
+
+/// Distance (mm) to the axis of a vessel that runs up from (0, 0, 0) and forks at z = 40 into two, up to z = 80.
+inline double distanceToFork(const Eigen::Vector3d& point)
+{
+    const auto toSegment = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+        const double t = std::clamp((point - from).dot(to - from) / (to - from).squaredNorm(), 0.0, 1.0);
+        return (point - from - t * (to - from)).norm();
+    };
+    const Eigen::Vector3d fork(0, 0, 40);
+    return std::min({toSegment({0, 0, 0}, fork), toSegment(fork, {-20, 0, 80}), toSegment(fork, {20, 5, 80})});
+}
+
+inline core::VolumeGeometry forkGeometry()
+{
+    core::VolumeGeometry geometry;
+    geometry.size = {64, 40, 96};
+    geometry.originInPatient = {-32, -18, -6};
+    return geometry;
+}
+
+/// The fork of radius 4 mm as label 2 in an image that also holds something else, label 7.
+inline core::LabelVolume forkLabels()
+{
+    core::LabelVolume labels(forkGeometry());
+    for (int k = 0; k < labels.geometry.size.z(); ++k) {
+        for (int j = 0; j < labels.geometry.size.y(); ++j) {
+            for (int i = 0; i < labels.geometry.size.x(); ++i) {
+                const Eigen::Vector3d point = labels.geometry.patientFromVoxel() * Eigen::Vector3d(i, j, k);
+                labels.at(i, j, k) = distanceToFork(point) < 4.0 ? 2 : (j > 34 ? 7 : 0);
+            }
+        }
+    }
+    return labels;
+}
+
+/// A CT angiogram of the fork: blood of 350 HU in tissue of 40 HU, air around, some noise.
+inline core::Volume forkScan()
+{
+    core::Volume scan(forkGeometry());
+    unsigned state = 1;
+    for (int k = 0; k < scan.geometry.size.z(); ++k) {
+        for (int j = 0; j < scan.geometry.size.y(); ++j) {
+            for (int i = 0; i < scan.geometry.size.x(); ++i) {
+                state = state * 1664525U + 1013904223U;
+                const double noise = static_cast<double>(state >> 16 & 31U) - 15.0;
+                const Eigen::Vector3d point = scan.geometry.patientFromVoxel() * Eigen::Vector3d(i, j, k);
+                const double inside = std::clamp(4.5 - distanceToFork(point), 0.0, 1.0);
+                const bool isAir = j < 3 || j > 36;
+                scan.at(i, j, k) = static_cast<std::int16_t>(isAir ? -1000 : 40 + 310 * inside + noise);
+            }
+        }
+    }
+    return scan;
+}
+
+/// Free ends of a tree; the fork has three, however its branches are cut.
+inline long endsOf(const core::VesselTree& tree)
+{
+    const auto nodes = core::findNodes(tree);
+    return std::count_if(nodes.begin(), nodes.end(), [](const auto& node) { return !node.isBifurcation(); });
+}
+
+}   // namespace test
