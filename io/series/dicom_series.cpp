@@ -96,7 +96,10 @@ core::Result<DicomSeries> seriesOfFile(const std::string& path, const ReadObserv
             return std::move(series);
         }
     }
-    return fileError(path, "this DICOM file holds no image. Choose a scan.");
+    // Dropped as a copy of another file beside it: alone then.
+    std::vector<DicomSeries> alone = groupSlices({own.value()});
+    return alone.empty() ? core::Result<DicomSeries>(fileError(path, "this DICOM file holds no image. Choose a scan."))
+                         : std::move(alone.front());
 }
 
 core::Result<std::string> sha256OfSeries(const DicomSeries& series)

@@ -5,7 +5,6 @@
 #include "io/volume/volume_axes.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -149,11 +148,6 @@ std::string findSource(const Fields& fields, std::size_t dataStart, VoxelSource&
     return {};
 }
 
-std::string listText(const Eigen::Vector3d& vector)
-{
-    return " " + toText(vector.x()) + " " + toText(vector.y()) + " " + toText(vector.z());
-}
-
 }   // namespace
 
 core::Result<StoredVolume> parseMetaImage(std::string_view content, const std::string& path)
@@ -178,19 +172,6 @@ core::Result<StoredVolume> parseMetaImage(std::string_view content, const std::s
         return fileError(path, problem);
     }
     return stored;
-}
-
-std::string metaImageHeader(const core::VolumeGeometry& geometry, std::string_view type, std::size_t packedBytes)
-{
-    std::string header = "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n";
-    header += "CompressedData = True\nCompressedDataSize = " + std::to_string(packedBytes) + "\nTransformMatrix =";
-    for (int axis = 0; axis < 3; ++axis) {
-        header += listText(geometry.direction.col(axis));
-    }
-    header += "\nOffset =" + listText(geometry.originInPatient) + "\nElementSpacing =" + listText(geometry.spacingMm);
-    header += "\nDimSize = " + std::to_string(geometry.size.x()) + " " + std::to_string(geometry.size.y()) + " " +
-              std::to_string(geometry.size.z());
-    return header + "\nElementType = " + std::string(type) + "\nElementDataFile = LOCAL\n";
 }
 
 }   // namespace io

@@ -11,7 +11,4 @@ namespace io {
 /// Header of a MetaImage volume (.mha, or .mhd with its voxels beside it), raw or packed with zlib; patient LPS.
 core::Result<StoredVolume> parseMetaImage(std::string_view content, const std::string& path);
 
-/// A MetaImage header for local voxels packed into `packedBytes`. `type`: "MET_SHORT", "MET_USHORT", "MET_FLOAT".
-std::string metaImageHeader(const core::VolumeGeometry& geometry, std::string_view type, std::size_t packedBytes);
-
 }   // namespace io

@@ -18,7 +18,4 @@ inline constexpr std::size_t niftiHeadSize = 544;
 /// The scanner's coordinates win where the file knows several; a volume without any says so in a warning.
 core::Result<StoredVolume> parseNifti(std::string_view head, StreamPacking packing, const std::string& path);
 
-/// A NIfTI-1 header of 352 bytes for 16-bit voxels (`isLabel`: unsigned).
-std::string niftiHeader(const core::VolumeGeometry& geometry, double slope, double intercept, bool isLabel);
-
 }   // namespace io

@@ -2,138 +2,16 @@
 
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
+#include "io/volume/nrrd_fields.h"
 #include "io/volume/volume_axes.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <sstream>
 
 namespace io {
 namespace {
-
-using Fields = std::map<std::string, std::string>;
-
-std::string lowered(std::string_view text)
-{
-    std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return result;
-}
-
-/// "key: value" lines up to the first blank one; `end` is where the data begin.
-Fields fieldsOf(std::string_view content, std::size_t& end)
-{
-    Fields fields;
-    std::size_t at = 0;
-    end = content.size();
-    while (at < content.size()) {
-        const std::size_t newline = std::min(content.find('\n', at), content.size());
-        const std::string_view line = trimmed(content.substr(at, newline - at));
-        at = std::min(newline + 1, content.size());
-        if (line.empty()) {
-            end = at;
-            break;
-        }
-        const std::size_t colon = line.find(':');
-        if (line.front() != '#' && colon != std::string_view::npos) {
-            std::string_view value = line.substr(colon + 1);
-            value.remove_prefix(value.starts_with('=') ? 1 : 0);
-            // Some writers give "byte skip" as a key/value pair (":="): taken as meant. The first mention counts.
-            fields.emplace(lowered(trimmed(line.substr(0, colon))), trimmed(value));
-        }
-    }
-    return fields;
-}
-
-std::vector<std::string> wordsOf(const std::string& text)
-{
-    std::istringstream stream(text);
-    std::vector<std::string> words;
-    for (std::string word; stream >> word;) {
-        words.push_back(word);
-    }
-    return words;
-}
-
-/// "(1,0,0) none (0, 1,0)" → one entry per axis; nothing where it says none.
-std::optional<std::vector<std::optional<Eigen::Vector3d>>> vectorsOf(const std::string& text)
-{
-    std::vector<std::optional<Eigen::Vector3d>> vectors;
-    std::string_view rest = trimmed(text);
-    while (!rest.empty()) {
-        if (rest.starts_with("none")) {
-            vectors.emplace_back();
-            rest = trimmed(rest.substr(4));
-            continue;
-        }
-        const std::size_t close = rest.find(')');
-        if (!rest.starts_with('(') || close == std::string_view::npos) {
-            return std::nullopt;
-        }
-        Eigen::Vector3d vector;
-        std::string_view inside = rest.substr(1, close - 1);
-        for (int i = 0; i < 3; ++i) {
-            const std::size_t comma = inside.find(',');
-            const auto number = parseNumber(inside.substr(0, comma));
-            if (!number || (i < 2) != (comma != std::string_view::npos)) {
-                return std::nullopt;
-            }
-            vector[i] = *number;
-            inside.remove_prefix(comma == std::string_view::npos ? inside.size() : comma + 1);
-        }
-        vectors.emplace_back(vector);
-        rest = trimmed(rest.substr(close + 1));
-    }
-    return vectors;
-}
-
-std::optional<VoxelType> typeOf(const std::string& name)
-{
-    static const std::map<std::string, VoxelType> types = {
-        {"signed char", VoxelType::Int8},
-        {"int8", VoxelType::Int8},
-        {"int8_t", VoxelType::Int8},
-        {"uchar", VoxelType::Uint8},
-        {"unsigned char", VoxelType::Uint8},
-        {"uint8", VoxelType::Uint8},
-        {"uint8_t", VoxelType::Uint8},
-        {"short", VoxelType::Int16},
-        {"short int", VoxelType::Int16},
-        {"signed short", VoxelType::Int16},
-        {"signed short int", VoxelType::Int16},
-        {"int16", VoxelType::Int16},
-        {"int16_t", VoxelType::Int16},
-        {"ushort", VoxelType::Uint16},
-        {"unsigned short", VoxelType::Uint16},
-        {"unsigned short int", VoxelType::Uint16},
-        {"uint16", VoxelType::Uint16},
-        {"uint16_t", VoxelType::Uint16},
-        {"int", VoxelType::Int32},
-        {"signed int", VoxelType::Int32},
-        {"int32", VoxelType::Int32},
-        {"int32_t", VoxelType::Int32},
-        {"uint", VoxelType::Uint32},
-        {"unsigned int", VoxelType::Uint32},
-        {"uint32", VoxelType::Uint32},
-        {"uint32_t", VoxelType::Uint32},
-        {"longlong", VoxelType::Int64},
-        {"long long", VoxelType::Int64},
-        {"int64", VoxelType::Int64},
-        {"int64_t", VoxelType::Int64},
-        {"ulonglong", VoxelType::Uint64},
-        {"unsigned long long", VoxelType::Uint64},
-        {"uint64", VoxelType::Uint64},
-        {"uint64_t", VoxelType::Uint64},
-        {"float", VoxelType::Float32},
-        {"double", VoxelType::Float64},
-    };
-    const auto found = types.find(name);
-    return found == types.end() ? std::nullopt : std::optional(found->second);
-}
 
 /// Signs that turn the space's axes into LPS; nothing for spaces that are not of the patient.
 std::optional<Eigen::Vector3d> lpsSignsOf(const std::string& space)
@@ -159,14 +37,8 @@ double millimetresPer(const std::string& unit)
     return found == lengths.end() ? 1.0 : found->second;
 }
 
-std::string field(const Fields& fields, const char* key)
-{
-    const auto found = fields.find(key);
-    return found == fields.end() ? std::string() : found->second;
-}
-
 /// The three axes of space among those of the array; a fourth of one element is left out.
-std::string findSizes(const Fields& fields, Eigen::Vector3i& size, std::vector<std::size_t>& axes)
+std::string findSizes(const NrrdFields& fields, Eigen::Vector3i& size, std::vector<std::size_t>& axes)
 {
     const std::vector<std::string> sizes = wordsOf(field(fields, "sizes"));
     const std::vector<std::string> kinds = wordsOf(lowered(field(fields, "kinds")));
@@ -205,7 +77,8 @@ std::string findSizes(const Fields& fields, Eigen::Vector3i& size, std::vector<s
 }
 
 /// Steps as the file's space gives them, or as plain spacings.
-Eigen::Matrix3d stepsOf(const Fields& fields, const std::vector<std::size_t>& axes, std::vector<std::string>& warnings)
+Eigen::Matrix3d stepsOf(const NrrdFields& fields, const std::vector<std::size_t>& axes,
+                        std::vector<std::string>& warnings)
 {
     const std::string space = lowered(field(fields, "space"));
     const auto signs = lpsSignsOf(space);
@@ -242,7 +115,7 @@ Eigen::Matrix3d stepsOf(const Fields& fields, const std::vector<std::size_t>& ax
     return signs ? Eigen::Matrix3d(signs->asDiagonal() * steps) : steps;
 }
 
-Eigen::Vector3d originOf(const Fields& fields)
+Eigen::Vector3d originOf(const NrrdFields& fields)
 {
     const auto origin = vectorsOf(field(fields, "space origin"));
     const auto signs = lpsSignsOf(lowered(field(fields, "space"))).value_or(Eigen::Vector3d::Ones());
@@ -275,7 +148,7 @@ std::string findEncodingProblem(const std::string& encoding)
 }
 
 /// Fills in where the voxels lie; returns what is wrong.
-std::string findSource(const Fields& fields, std::string_view content, std::size_t dataStart, VoxelSource& source)
+std::string findSource(const NrrdFields& fields, std::string_view content, std::size_t dataStart, VoxelSource& source)
 {
     const std::string encoding = lowered(field(fields, "encoding"));
     if (std::string problem = findEncodingProblem(encoding); !problem.empty()) {
@@ -309,21 +182,16 @@ std::string findSource(const Fields& fields, std::string_view content, std::size
     return {};
 }
 
-std::string vectorText(const Eigen::Vector3d& vector)
-{
-    return "(" + toText(vector.x()) + "," + toText(vector.y()) + "," + toText(vector.z()) + ")";
-}
-
 }   // namespace
 
 core::Result<StoredVolume> parseNrrd(std::string_view content, const std::string& path)
 {
     std::size_t dataStart = 0;
-    const Fields fields = fieldsOf(content, dataStart);
+    const NrrdFields fields = nrrdFieldsOf(content, dataStart);
     StoredVolume stored;
     stored.path = path;
     stored.format = "NRRD";
-    const auto type = typeOf(lowered(field(fields, "type")));
+    const auto type = nrrdTypeOf(lowered(field(fields, "type")));
     if (!type) {
         return fileError(path, "its voxel type (\"" + field(fields, "type").substr(0, 24) +
                                    "\") is not read. Save it as 16-bit or float.");
@@ -346,18 +214,6 @@ core::Result<StoredVolume> parseNrrd(std::string_view content, const std::string
     }
     stored.isDeclaredLabels = path.ends_with(".seg.nrrd") || fields.contains("segment0_id");
     return stored;
-}
-
-std::string nrrdHeader(const core::VolumeGeometry& geometry, std::string_view type)
-{
-    std::string header = "NRRD0004\ntype: " + std::string(type) + "\ndimension: 3\nspace: left-posterior-superior\n";
-    header += "sizes: " + std::to_string(geometry.size.x()) + " " + std::to_string(geometry.size.y()) + " " +
-              std::to_string(geometry.size.z()) + "\nspace directions:";
-    for (int axis = 0; axis < 3; ++axis) {
-        header += " " + vectorText(geometry.direction.col(axis) * geometry.spacingMm[axis]);
-    }
-    return header + "\nkinds: domain domain domain\nendian: little\nencoding: gzip\nspace origin: " +
-           vectorText(geometry.originInPatient) + "\n\n";
 }
 
 }   // namespace io

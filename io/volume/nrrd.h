@@ -12,7 +12,4 @@ namespace io {
 /// raw or gzip; any anatomical `space` turned to LPS. A volume without orientation says so in a warning.
 core::Result<StoredVolume> parseNrrd(std::string_view content, const std::string& path);
 
-/// An NRRD header for attached gzip data, little endian. `type`: "short", "unsigned short", "float".
-std::string nrrdHeader(const core::VolumeGeometry& geometry, std::string_view type);
-
 }   // namespace io

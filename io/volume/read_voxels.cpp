@@ -227,7 +227,9 @@ core::Status checkVoxels(const StoredVolume& stored)
     const VoxelSource& source = stored.source;
     const auto stream = ByteStream::open(source);
     if (!stream) {
-        return stream.error();
+        return source.path == stored.path ? stream.error()
+                                          : fileError(stored.path, "the file with its voxels cannot be read (" +
+                                                                       stream.error().message + ").");
     }
     const std::uint64_t needed = stored.geometry.voxelCount() * bytesOf(stored.type);
     const std::uint64_t there = stream.value().fileSize() - std::min(source.offset, stream.value().fileSize());

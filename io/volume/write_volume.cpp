@@ -1,9 +1,7 @@
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
-#include "io/volume/meta_image.h"
-#include "io/volume/nifti.h"
-#include "io/volume/nrrd.h"
+#include "io/volume/volume_headers.h"
 #include "io/volume_file.h"
 
 #include <zlib.h>

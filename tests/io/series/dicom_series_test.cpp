@@ -113,6 +113,21 @@ TEST(DicomSeries, OneSliceOpensTheOthersBesideIt)
     EXPECT_LT(test::largestDisplacement(phantom, loaded.value().volume), 1e-6);
 }
 
+TEST(DicomSeries, APreambleOfAnotherFormatDoesNotMislead)
+{
+    const ScratchFolder folder;
+    const core::Volume phantom = ctPhantom();
+    for (const CtSlice& slice : allSlices(phantom)) {
+        std::string content = test::ctSlice(slice);
+        content[0] = 0x5c;   // 348, as an Analyze header begins
+        content[1] = 0x01;
+        folder.write(slice.sopInstanceUid, content);
+    }
+    const auto loaded = io::readVolume(folder.path("1.2.3.4"));
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_EQ(loaded.value().volume.geometry.size, phantom.geometry.size);
+}
+
 TEST(DicomSeries, TwoInOneFolderAreToldApart)
 {
     const ScratchFolder folder;

@@ -337,6 +337,14 @@ TEST(Nrrd, SpacesBecomeLps)
     EXPECT_NE(unknown.value().warnings.front().find("left and right"), std::string::npos);
 }
 
+TEST(MetaImage, NamesHeaderAndVoxelsWhenTheseAreMissing)
+{
+    const ScratchFolder folder;
+    const std::string header = metaImage("MET_SHORT", "");
+    const std::string path = folder.write("scan.mhd", header.substr(0, header.find("LOCAL")) + "elsewhere.raw\n");
+    expectRefused(path, "elsewhere.raw");
+}
+
 TEST(LooksLikeLabels, TellsMasksFromScans)
 {
     core::VolumeGeometry geometry;

@@ -1,0 +1,94 @@
+#include "io/series/split_phases.h"
+
+#include "io/series/slice_stack.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace io {
+namespace {
+
+constexpr double samePlaceMm = 0.01;
+
+std::size_t placeCount(const Slices& sorted)
+{
+    std::size_t count = sorted.empty() ? 0 : 1;
+    for (std::size_t i = 1; i < sorted.size(); ++i) {
+        count += isSamePlace(sorted[i - 1], sorted[i]) ? 0 : 1;
+    }
+    return count;
+}
+
+/// The volumes that one key tells apart, when it does: none of them has two slices at one place.
+std::vector<Slices> splitByKey(const Slices& slices, std::size_t key)
+{
+    std::map<std::string, Slices> parts;
+    for (const SliceRecord& slice : slices) {
+        parts[slice.phaseKeys[key]].push_back(slice);
+    }
+    std::vector<Slices> result;
+    for (auto& [value, part] : parts) {
+        if (placeCount(part) != part.size()) {
+            return {};
+        }
+        result.push_back(std::move(part));
+    }
+    return result;
+}
+
+/// Every place recorded equally often: the first recording of each, the second, …
+std::vector<Slices> splitByRepetition(const Slices& sorted, std::size_t places)
+{
+    const std::size_t count = sorted.size() / places;
+    std::vector<Slices> parts(count);
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        const bool isComplete = i % count == 0 || isSamePlace(sorted[i - 1], sorted[i]);
+        if (!isComplete) {
+            return {};
+        }
+        parts[i % count].push_back(sorted[i]);
+    }
+    return parts;
+}
+
+}   // namespace
+
+bool isSamePlace(const SliceRecord& a, const SliceRecord& b)
+{
+    return std::abs(normalOf(a).dot(*a.position - *b.position)) < samePlaceMm;
+}
+
+void sortAlongNormal(Slices& slices)
+{
+    const Eigen::Vector3d normal = normalOf(slices.front());
+    const auto place = [&](const SliceRecord& slice) {
+        return std::llround(normal.dot(*slice.position) / samePlaceMm);
+    };
+    std::sort(slices.begin(), slices.end(), [&](const SliceRecord& a, const SliceRecord& b) {
+        return std::tuple(place(a), a.instanceNumber, a.path, a.frame) <
+               std::tuple(place(b), b.instanceNumber, b.path, b.frame);
+    });
+}
+
+std::vector<Slices> splitVolumes(const Slices& sorted)
+{
+    const std::size_t places = placeCount(sorted);
+    if (places == sorted.size()) {
+        return {sorted};
+    }
+    for (std::size_t key = 0; key < phaseKeyCount; ++key) {
+        if (auto parts = splitByKey(sorted, key); parts.size() > 1) {
+            return parts;
+        }
+    }
+    if (places > 1 && sorted.size() % places == 0) {
+        if (auto parts = splitByRepetition(sorted, places); !parts.empty()) {
+            return parts;
+        }
+    }
+    return {sorted};
+}
+
+}   // namespace io
