@@ -8,7 +8,13 @@ namespace app {
 core::Result<core::RegistrationCase> loadCaseForCommand(const std::string& path, std::optional<int> frame)
 {
     std::vector<std::string> warnings;
-    auto loaded = io::loadCase(path, warnings);
+    auto loaded = [&] {
+        ProgressLine progress("reading");
+        return io::loadCase(path, warnings, [&progress](double fraction) {
+            progress.show(fraction, "");
+            return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+        });
+    }();
     printWarnings(warnings);
     if (!loaded || !frame) {
         return loaded;

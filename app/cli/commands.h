@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/cli/console.h"
+#include "core/tracing/volume/trace_vessels.h"
 
 #include <cstdint>
 #include <optional>
@@ -72,6 +73,26 @@ struct BatchArguments {
     std::string outputFolder;
 };
 int runBatch(const BatchArguments& arguments);
+
+struct TraceVesselArguments {
+    std::string inputPath;   ///< volume, DICOM folder, label image or surface
+    std::string outputPath;
+    std::string maskPath;   ///< empty: the lumen is not written
+    std::string seriesId;
+    std::vector<int> labels;
+    double unitMm = 1.0;
+    core::VesselTracingOptions tracing;
+};
+int runTraceVessel(const TraceVesselArguments& arguments);
+
+struct ConvertArguments {
+    std::string inputPath;
+    std::string outputPath;
+    std::string seriesId;
+    double unitMm = 1.0;
+    double spacingMm = 0.0;   ///< of the voxels a surface is filled with; 0: chosen by its size
+};
+int runConvert(const ConvertArguments& arguments);
 
 struct FileArguments {
     std::string path;

@@ -35,7 +35,7 @@ void printWarnings(const std::vector<std::string>& warnings)
 int failInput(std::string_view message)
 {
     printMessage(message);
-    return exitInput;
+    return isInterrupted() ? exitStopped : exitInput;
 }
 
 ProgressLine::ProgressLine(std::string label) : label_(std::move(label)), isTerminal_(isatty(STDERR_FILENO) == 1) {}

@@ -21,7 +21,7 @@ enum class OutputFormat { Text, Json };
 void printMessage(std::string_view message);
 void printWarnings(const std::vector<std::string>& warnings);
 
-/// Reports an input error and gives its exit code.
+/// Reports an input error and gives its exit code, or that of a stop by the user.
 int failInput(std::string_view message);
 
 /// A progress line on stderr, redrawn in place; silent where stderr is not a terminal.

@@ -1,10 +1,15 @@
 #include "app/case_texts.h"
 #include "app/cli/commands.h"
+#include "app/cli/describe_volume.h"
 #include "app/number_text.h"
 #include "core/registration_case.h"
 #include "io/angiogram_file.h"
 #include "io/case_file.h"
+#include "io/centerline2d_file.h"
+#include "io/pose_file.h"
+#include "io/series/slice_record.h"
 #include "io/vessel_tree_file.h"
+#include "io/volume_file.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -119,21 +124,76 @@ Json caseJson(const core::RegistrationCase& registrationCase, const std::vector<
     return json;
 }
 
+core::Result<Json> caseFileJson(const std::string& path)
+{
+    std::vector<std::string> warnings;
+    const auto loaded = io::loadCase(path, warnings);
+    return loaded ? core::Result<Json>(caseJson(loaded.value(), warnings)) : loaded.error();
+}
+
+Json curvesJson(const core::Centerline2d& centerline)
+{
+    return {{"kind", "2-D centreline"}, {"curves", centerline.curves.size()}, {"points", centerline.pointCount()}};
+}
+
+/// A pose says so by its content; other JSON is Slicer curves.
+core::Result<Json> poseOrTreeJson(const std::string& path)
+{
+    if (const auto pose = io::readPose(path)) {
+        return Json{{"kind", "pose"}};
+    }
+    const auto tree = io::readVesselTree(path);
+    return tree ? core::Result<Json>(treeJson(tree.value())) : tree.error();
+}
+
+/// Lines, or polygons, or a table in two dimensions.
+core::Result<Json> curvesOrSurfaceJson(const std::string& path, const std::string& extension)
+{
+    const auto tree = io::readVesselTree(path);
+    if (tree) {
+        return treeJson(tree.value());
+    }
+    if (extension == ".csv") {
+        const auto curves = io::readCenterline2d(path);
+        return curves ? core::Result<Json>(curvesJson(curves.value())) : tree.error();
+    }
+    auto surface = surfaceJson(path);
+    return surface ? surface : tree.error();
+}
+
+/// DICOM: X-ray runs are angiograms, everything that lies in the patient a volume.
+core::Result<Json> imageJson(const std::string& path)
+{
+    const auto angiogram = io::readAngiogram(path);
+    if (const auto slices = io::readSliceRecords(path); slices && !slices.value().slices.empty()) {
+        if (slices.value().slices.front().position && slices.value().modality != "XA") {
+            return angiogram ? dicomVolumeJson(path) : angiogram.error();
+        }
+    }
+    return angiogram ? core::Result<Json>(angiogramJson(angiogram.value())) : angiogram.error();
+}
+
 core::Result<Json> describe(const std::string& path)
 {
+    if (std::filesystem::is_directory(path)) {
+        return folderJson(path);
+    }
+    if (io::isVolumeFile(path)) {
+        return volumeJson(path);
+    }
     const std::string extension = extensionOf(path);
     if (extension == ".angiopose") {
-        std::vector<std::string> warnings;
-        const auto loaded = io::loadCase(path, warnings);
-        return loaded ? core::Result<Json>(caseJson(loaded.value(), warnings)) : loaded.error();
+        return caseFileJson(path);
     }
-    const bool isTree = extension == ".vtp" || extension == ".vtk" || extension == ".swc" || extension == ".csv";
-    if (isTree) {
-        const auto tree = io::readVesselTree(path);
-        return tree ? core::Result<Json>(treeJson(tree.value())) : tree.error();
+    if (extension == ".stl" || extension == ".ply" || extension == ".obj") {
+        return surfaceJson(path);
     }
-    const auto angiogram = io::readAngiogram(path);
-    return angiogram ? core::Result<Json>(angiogramJson(angiogram.value())) : angiogram.error();
+    if (extension == ".json" || extension == ".tfm") {
+        return poseOrTreeJson(path);
+    }
+    const bool isTree =
+        extension == ".vtp" || extension == ".vtk" || extension == ".vtu" || extension == ".swc" || extension == ".csv";
+    return isTree ? curvesOrSurfaceJson(path, extension) : imageJson(path);
 }
 
 /// The JSON as indented "key: value" lines for people.

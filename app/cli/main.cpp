@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "app/cli/vessel_commands.h"
 #include "core/evaluation/protocol.h"
 #include "core/registration/registration_options.h"
 
@@ -214,6 +215,8 @@ int parseAndRun(int argc, char** argv)
     addTraceAngiogram(app, exitCode);
     addEvaluate(app, exitCode);
     addBatch(app, exitCode);
+    addTraceVessel(app, exitCode);
+    addConvert(app, exitCode);
     addFileCommand(app, exitCode, "info", "Say what a file holds and what follows from it", runInfo);
     addFileCommand(app, exitCode, "validate", "Check a case file and name every problem", runValidate);
     try {

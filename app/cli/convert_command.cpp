@@ -1,0 +1,178 @@
+#include "app/cli/commands.h"
+#include "core/imaging/fill_surface.h"
+#include "io/angiogram_file.h"
+#include "io/centerline2d_file.h"
+#include "io/pose_file.h"
+#include "io/surface_file.h"
+#include "io/vessel_input_file.h"
+#include "io/vessel_tree_file.h"
+#include "io/volume_file.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+using core::Status;
+using core::VesselInputKind;
+
+bool endsWith(const std::string& path, std::initializer_list<const char*> endings)
+{
+    std::string lowered = path;
+    std::transform(lowered.begin(), lowered.end(), lowered.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return lowered.ends_with(ending); });
+}
+
+io::ReadObserver observer(ProgressLine& progress)
+{
+    return [&progress](double fraction) {
+        progress.show(fraction, "");
+        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+    };
+}
+
+Status convertVolume(const ConvertArguments& arguments)
+{
+    ProgressLine progress("reading");
+    const auto read = io::readVolume(arguments.inputPath, arguments.seriesId, observer(progress));
+    if (!read) {
+        return read.error();
+    }
+    printWarnings(read.value().warnings);
+    const core::Volume& volume = read.value().volume;
+    return io::looksLikeLabels(volume) ? io::writeLabels(io::labelsOf(volume), arguments.outputPath)
+                                       : io::writeVolume(volume, arguments.outputPath);
+}
+
+/// The inside of a surface as a label image.
+Status fillToVolume(const ConvertArguments& arguments)
+{
+    const auto surface = io::readSurface(arguments.inputPath, arguments.unitMm);
+    if (!surface) {
+        return surface.error();
+    }
+    printWarnings(surface.value().warnings);
+    const core::SurfaceMesh& mesh = surface.value().mesh;
+    const double spacing = arguments.spacingMm > 0.0 ? arguments.spacingMm : core::usualSpacingMm(mesh);
+    const auto mask = core::fillSurface(mesh, spacing);
+    if (!mask) {
+        return core::Error{arguments.inputPath + ": " + mask.error().message};
+    }
+    core::LabelVolume labels(mask.value().geometry);
+    std::copy(mask.value().voxels.begin(), mask.value().voxels.end(), labels.voxels.begin());
+    return io::writeLabels(labels, arguments.outputPath);
+}
+
+Status convertSurface(const ConvertArguments& arguments)
+{
+    const auto surface = io::readSurface(arguments.inputPath, arguments.unitMm);
+    if (!surface) {
+        return surface.error();
+    }
+    printWarnings(surface.value().warnings);
+    return io::writeSurface(surface.value().mesh, arguments.outputPath);
+}
+
+Status convertPose(const ConvertArguments& arguments)
+{
+    const auto pose = io::readPose(arguments.inputPath);
+    return pose ? io::writePose(pose.value(), arguments.outputPath) : pose.error();
+}
+
+Status convertAngiogram(const ConvertArguments& arguments)
+{
+    const auto angiogram = io::readAngiogram(arguments.inputPath);
+    if (!angiogram) {
+        return angiogram.error();
+    }
+    printWarnings(angiogram.value().warnings);
+    return io::writeAngiogram(angiogram.value(), arguments.outputPath);
+}
+
+/// Centrelines: a tree where the input is one, else curves in an image.
+Status convertCurves(const ConvertArguments& arguments)
+{
+    io::VesselTreeReadOptions options;
+    options.swcUnitMm = arguments.unitMm;
+    const auto tree = io::readVesselTree(arguments.inputPath, options);
+    if (tree) {
+        return io::writeVesselTree(tree.value(), arguments.outputPath);
+    }
+    const bool mayBeFlat = endsWith(arguments.inputPath, {".csv", ".png"}) && endsWith(arguments.outputPath, {".csv"});
+    const auto flat =
+        mayBeFlat ? io::readCenterline2d(arguments.inputPath) : core::Result<core::Centerline2d>(tree.error());
+    return flat ? io::writeCenterline2d(flat.value(), arguments.outputPath) : tree.error();
+}
+
+Status toCurves(const ConvertArguments& arguments)
+{
+    const auto kind = io::vesselInputKindOf(arguments.inputPath);
+    if (!kind) {
+        return kind.error();
+    }
+    if (kind.value() != VesselInputKind::Centerline) {
+        return core::Error{arguments.inputPath +
+                           ": it holds no centrelines yet. Trace them: angiopose-cli trace-vessel " +
+                           arguments.inputPath + " --output " + arguments.outputPath + "."};
+    }
+    return convertCurves(arguments);
+}
+
+Status toVolume(const ConvertArguments& arguments)
+{
+    const auto kind = io::vesselInputKindOf(arguments.inputPath);
+    if (!kind) {
+        return kind.error();
+    }
+    if (kind.value() == VesselInputKind::Centerline) {
+        return core::Error{arguments.inputPath +
+                           ": it is neither a volume nor a surface, so it makes no volume. Give "
+                           "another output name."};
+    }
+    return kind.value() == VesselInputKind::Surface ? fillToVolume(arguments) : convertVolume(arguments);
+}
+
+Status convert(const ConvertArguments& arguments)
+{
+    const std::string& out = arguments.outputPath;
+    if (endsWith(out, {".mrk.json", ".vtp", ".csv"})) {
+        return toCurves(arguments);
+    }
+    if (endsWith(out, {".nii", ".nii.gz", ".nrrd", ".mha"})) {
+        return toVolume(arguments);
+    }
+    if (endsWith(out, {".stl"})) {
+        return convertSurface(arguments);
+    }
+    if (endsWith(out, {".json", ".tfm"})) {
+        return convertPose(arguments);
+    }
+    if (endsWith(out, {".dcm"})) {
+        return convertAngiogram(arguments);
+    }
+    return core::Error{out +
+                       ": the extension is none that is written. Centrelines: .vtp, .csv, .mrk.json; volumes: "
+                       ".nii, .nii.gz, .nrrd, .mha; surfaces: .stl; poses: .json, .tfm; X-ray runs: .dcm."};
+}
+
+}   // namespace
+
+int runConvert(const ConvertArguments& arguments)
+{
+    std::error_code absent;
+    if (fs::equivalent(arguments.inputPath, arguments.outputPath, absent)) {
+        return failInput(arguments.outputPath +
+                         ": this is the input, which is never overwritten. Choose another name.");
+    }
+    if (const Status converted = convert(arguments); !converted) {
+        return failInput(converted.error().message);
+    }
+    std::printf("%s\n", arguments.outputPath.c_str());
+    return exitDone;
+}
+
+}   // namespace app

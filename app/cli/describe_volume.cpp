@@ -1,0 +1,135 @@
+#include "app/cli/describe_volume.h"
+
+#include "io/dicom_series.h"
+#include "io/surface_file.h"
+#include "io/volume_file.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Vector>
+Json listOf(const Vector& vector)
+{
+    Json list = Json::array();
+    for (int i = 0; i < static_cast<int>(vector.size()); ++i) {
+        list.push_back(vector[i]);
+    }
+    return list;
+}
+
+/// "left", or "head, 12° oblique": where an axis runs in the patient.
+std::string directionText(const Eigen::Vector3d& direction)
+{
+    constexpr const char* names[3][2] = {{"right", "left"}, {"front", "back"}, {"feet", "head"}};
+    Eigen::Index axis = 0;
+    const double along = direction.cwiseAbs().maxCoeff(&axis);
+    const double obliqueDeg = std::acos(std::min(1.0, along)) * 180.0 / std::numbers::pi;
+    const std::string name = names[axis][direction[axis] > 0.0 ? 1 : 0];
+    return obliqueDeg < 0.5 ? name : name + ", " + std::to_string(std::lround(obliqueDeg)) + "° oblique";
+}
+
+Json geometryJson(const core::VolumeGeometry& geometry)
+{
+    const Eigen::Vector3d extent = geometry.size.cast<double>().cwiseProduct(geometry.spacingMm);
+    const Eigen::Vector3d centre = geometry.patientFromVoxel() * (0.5 * (geometry.size.cast<double>().array() - 1.0));
+    return {
+        {"size", listOf(geometry.size)},
+        {"spacingMm", listOf(geometry.spacingMm)},
+        {"extentMm", listOf(extent)},
+        {"originInPatientMm", listOf(geometry.originInPatient)},
+        {"centreInPatientMm", listOf(centre)},
+        {"axesRunTo", Json::array({directionText(geometry.direction.col(0)), directionText(geometry.direction.col(1)),
+                                   directionText(geometry.direction.col(2))})},
+        {"memoryMiB", static_cast<double>(geometry.voxelCount()) * 2.0 / 1048576.0}};
+}
+
+Json seriesJson(const io::DicomSeries& series)
+{
+    Json json{{"kind", series.isAngiogram ? "angiogram" : "volume"},
+              {"seriesId", series.id},
+              {"description", series.description},
+              {"modality", series.identity.modality},
+              {"number", series.number},
+              {"studyDate", series.identity.studyDate},
+              {"images", series.slices.size()}};
+    if (!series.part.empty()) {
+        json["part"] = series.part;
+    }
+    if (series.isAngiogram) {
+        json["file"] = series.slices.front().path;
+    } else if (series.problem.empty()) {
+        json["geometry"] = geometryJson(series.stack.geometry);
+    }
+    if (!series.problem.empty()) {
+        json["problem"] = series.problem;
+    }
+    json["warnings"] = series.warnings;
+    return json;
+}
+
+}   // namespace
+
+core::Result<Json> folderJson(const std::string& path)
+{
+    const auto all = io::listSeries(path);
+    if (!all) {
+        return all.error();
+    }
+    Json list = Json::array();
+    for (const io::DicomSeries& series : all.value()) {
+        list.push_back(seriesJson(series));
+    }
+    return Json{{"kind", "DICOM folder"}, {"series", std::move(list)}};
+}
+
+core::Result<Json> volumeJson(const std::string& path)
+{
+    const auto summary = io::describeVolume(path);
+    if (!summary) {
+        return summary.error();
+    }
+    const io::VolumeSummary& volume = summary.value();
+    return Json{{"kind", volume.isDeclaredLabels ? "label image" : "volume"},
+                {"format", volume.format},
+                {"voxelType", volume.voxelType},
+                {"slope", volume.slope},
+                {"intercept", volume.intercept},
+                {"geometry", geometryJson(volume.geometry)},
+                {"warnings", volume.warnings}};
+}
+
+core::Result<Json> dicomVolumeJson(const std::string& path)
+{
+    const auto series = io::seriesOfFile(path);
+    return series ? core::Result<Json>(seriesJson(series.value())) : series.error();
+}
+
+core::Result<Json> surfaceJson(const std::string& path)
+{
+    const auto surface = io::readSurface(path);
+    if (!surface) {
+        return surface.error();
+    }
+    const core::SurfaceMesh& mesh = surface.value().mesh;
+    const core::MeshCheck check = core::checkMesh(mesh);
+    Eigen::Vector3d low = mesh.pointsInPatient.front(), high = low;
+    for (const Eigen::Vector3d& point : mesh.pointsInPatient) {
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+    }
+    return Json{{"kind", "surface"},
+                {"points", mesh.pointsInPatient.size()},
+                {"triangles", mesh.triangles.size()},
+                {"isClosed", check.isClosed()},
+                {"isOriented", check.isOriented},
+                {"lowestCornerInPatientMm", listOf(low)},
+                {"extentMm", listOf(Eigen::Vector3d(high - low))},
+                {"warnings", surface.value().warnings}};
+}
+
+}   // namespace app

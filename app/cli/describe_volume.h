@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/support/result.h"
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace app {
+
+/// What `info` says about inputs in three dimensions: geometry as the file gives it and what follows from it.
+core::Result<nlohmann::ordered_json> folderJson(const std::string& path);
+core::Result<nlohmann::ordered_json> volumeJson(const std::string& path);
+core::Result<nlohmann::ordered_json> dicomVolumeJson(const std::string& path);
+core::Result<nlohmann::ordered_json> surfaceJson(const std::string& path);
+
+}   // namespace app

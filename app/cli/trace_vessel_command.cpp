@@ -1,0 +1,83 @@
+#include "app/cli/commands.h"
+#include "app/number_text.h"
+#include "io/vessel_input_file.h"
+#include "io/vessel_tree_file.h"
+#include "io/volume_file.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace app {
+namespace {
+
+core::VesselInput vesselInputOf(const TraceVesselArguments& arguments, core::VesselInputKind kind)
+{
+    core::VesselInput input;
+    input.kind = kind;
+    input.seriesId = arguments.seriesId;
+    input.labels = arguments.labels;
+    input.unitMm = arguments.unitMm;
+    input.tracing = arguments.tracing;
+    return input;
+}
+
+core::LabelVolume labelsOf(const core::VoxelMask& mask)
+{
+    core::LabelVolume labels(mask.geometry);
+    std::transform(mask.voxels.begin(), mask.voxels.end(), labels.voxels.begin(),
+                   [](std::uint8_t voxel) { return static_cast<std::uint16_t>(voxel != 0 ? 1 : 0); });
+    return labels;
+}
+
+void printTree(const io::LoadedVessels& vessels, const std::string& path)
+{
+    double lengthMm = 0.0;
+    for (const core::VesselBranch& branch : vessels.tree.branches) {
+        lengthMm += branch.lengthMm();
+    }
+    std::printf("%s: %zu branches, %s mm", path.c_str(), vessels.tree.branches.size(), fixedText(lengthMm, 1).c_str());
+    if (vessels.volume) {
+        std::printf(", lumen above %s", fixedText(vessels.threshold, 1).c_str());
+    }
+    std::printf("\n");
+}
+
+}   // namespace
+
+int runTraceVessel(const TraceVesselArguments& arguments)
+{
+    auto kind = io::vesselInputKindOf(arguments.inputPath);
+    if (!kind) {
+        return failInput(kind.error().message);
+    }
+    if (kind.value() == core::VesselInputKind::Centerline) {
+        return failInput(arguments.inputPath +
+                         ": this is no volume, segmentation or surface. Centrelines need no "
+                         "tracing; `convert` changes their format.");
+    }
+    if (!arguments.labels.empty() && kind.value() == core::VesselInputKind::Volume) {
+        kind = core::VesselInputKind::Segmentation;
+    }
+    ProgressLine progress("tracing");
+    const auto vessels =
+        io::readVessels(arguments.inputPath, vesselInputOf(arguments, kind.value()), [&progress](double fraction) {
+            progress.show(fraction, "");
+            return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+        });
+    if (!vessels) {
+        return failInput(vessels.error().message);
+    }
+    printWarnings(vessels.value().warnings);
+    if (const auto written = io::writeVesselTree(vessels.value().tree, arguments.outputPath); !written) {
+        return failInput(written.error().message);
+    }
+    if (!arguments.maskPath.empty()) {
+        if (const auto written = io::writeLabels(labelsOf(vessels.value().lumen), arguments.maskPath); !written) {
+            return failInput(written.error().message);
+        }
+    }
+    printTree(vessels.value(), arguments.outputPath);
+    return exitDone;
+}
+
+}   // namespace app

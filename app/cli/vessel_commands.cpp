@@ -1,0 +1,109 @@
+#include "app/cli/vessel_commands.h"
+
+#include "app/cli/commands.h"
+
+#include <charconv>
+#include <memory>
+#include <optional>
+
+namespace app {
+namespace {
+
+/// "x,y,z" in patient LPS mm; nothing when it is not that.
+std::optional<Eigen::Vector3d> pointFrom(const std::string& text)
+{
+    Eigen::Vector3d point;
+    std::string_view rest = text;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::size_t comma = rest.find(',');
+        const std::string_view number = rest.substr(0, comma);
+        const auto parsed = std::from_chars(number.data(), number.data() + number.size(), point[axis]);
+        const bool isLast = comma == std::string_view::npos;
+        if (parsed.ec != std::errc{} || parsed.ptr != number.data() + number.size() || isLast != (axis == 2)) {
+            return std::nullopt;
+        }
+        rest.remove_prefix(isLast ? rest.size() : comma + 1);
+    }
+    return point;
+}
+
+/// An option that takes a point each time it is given.
+void addPoints(CLI::App* command, const std::string& name, std::vector<Eigen::Vector3d>& points,
+               const std::string& help)
+{
+    command
+        ->add_option_function<std::vector<std::string>>(
+            name,
+            [&points](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) {
+                    points.push_back(pointFrom(text).value_or(Eigen::Vector3d::Zero()));
+                }
+            },
+            help)
+        ->allow_extra_args(false)
+        ->check([](const std::string& text) {
+            return pointFrom(text) ? std::string() : "give a point as x,y,z in mm, not '" + text + "'";
+        });
+}
+
+}   // namespace
+
+void addTraceVessel(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("trace-vessel", "Trace the vessels of a CT angiogram as a centreline tree");
+    auto arguments = std::make_shared<TraceVesselArguments>();
+    auto root = std::make_shared<std::vector<Eigen::Vector3d>>();
+    command
+        ->add_option("VOLUME", arguments->inputPath,
+                     "DICOM folder or slice, NIfTI, NRRD, MetaImage; also a label image or a surface")
+        ->required();
+    command->add_option("--output", arguments->outputPath, "Tree to write: .vtp, .csv or .mrk.json")->required();
+    command->add_option("--mask", arguments->maskPath, "Lumen to write as a label image, e.g. .nii.gz");
+    command->add_option("--series", arguments->seriesId, "Which series of a DICOM folder; `info FOLDER` lists them");
+    command->add_option("--threshold", arguments->tracing.threshold, "The lumen begins here (HU; default: found)");
+    addPoints(command, "--seed", arguments->tracing.seedsInPatient,
+              "x,y,z (LPS mm): trace what is connected to it; may be repeated");
+    addPoints(command, "--avoid", arguments->tracing.avoidInPatient,
+              "x,y,z (LPS mm) in the heart, a vein or bone; may be repeated");
+    addPoints(command, "--root", *root, "x,y,z (LPS mm): the tree begins at the end nearest to it");
+    command->add_option("--min-length", arguments->tracing.minBranchLengthMm, "Shorter branches are removed, mm")
+        ->check(CLI::Range(0.0, 1000.0));
+    command->add_option("--min-radius", arguments->tracing.minBranchRadiusMm, "Thinner branches are removed, mm")
+        ->check(CLI::Range(0.0, 1000.0));
+    command->add_option("--point-spacing", arguments->tracing.pointSpacingMm, "Between points of a branch, mm")
+        ->check(CLI::Range(0.01, 100.0));
+    command->add_option("--labels", arguments->labels, "Labels that are vessels, e.g. 1,2 (default: all)")
+        ->delimiter(',');
+    command->add_option("--unit-mm", arguments->unitMm, "Length of one unit of a surface, mm")
+        ->check(CLI::Range(1e-6, 1e4));
+    command->add_option("--threads", arguments->tracing.threads, "Threads (default: all); the result is the same")
+        ->check(CLI::Range(0, 256));
+    command->footer("Example: angiopose-cli trace-vessel cta/ --output tree.vtp --mask lumen.nii.gz");
+    command->callback([arguments, root, &exitCode] {
+        if (!root->empty()) {
+            arguments->tracing.rootInPatient = root->back();
+        }
+        exitCode = runTraceVessel(*arguments);
+    });
+}
+
+void addConvert(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("convert", "Write an input in another format, by the extension of OUT");
+    auto arguments = std::make_shared<ConvertArguments>();
+    command->add_option("IN", arguments->inputPath, "Any file that AngioPose reads, or a DICOM folder")->required();
+    command
+        ->add_option("OUT", arguments->outputPath,
+                     "Centrelines: .vtp .csv .mrk.json; volumes: .nii .nii.gz .nrrd .mha; surfaces: .stl; poses: .json "
+                     ".tfm; X-ray runs: .dcm")
+        ->required();
+    command->add_option("--series", arguments->seriesId, "Which series of a DICOM folder; `info FOLDER` lists them");
+    command->add_option("--unit-mm", arguments->unitMm, "Length of one unit of a surface or SWC file, mm")
+        ->check(CLI::Range(1e-6, 1e4));
+    command->add_option("--spacing-mm", arguments->spacingMm, "Voxels that a surface is filled with, mm")
+        ->check(CLI::Range(0.01, 100.0));
+    command->footer("Example: angiopose-cli convert cta/ cta.nii.gz");
+    command->callback([arguments, &exitCode] { exitCode = runConvert(*arguments); });
+}
+
+}   // namespace app

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace app {
+
+/// Adds the commands that make and change vessel inputs; each sets `exitCode` when it runs.
+void addTraceVessel(CLI::App& app, int& exitCode);
+void addConvert(CLI::App& app, int& exitCode);
+
+}   // namespace app
