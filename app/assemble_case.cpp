@@ -9,6 +9,9 @@ void putTree(core::RegistrationCase& target, const LoadedInputs& inputs)
 {
     target.tree = inputs.tree;
     target.centerlineFile = inputs.centerlineFile;
+    target.vesselInput = inputs.vesselInput;
+    target.volume = inputs.volume;
+    target.scanIdentity = inputs.scanIdentity;
     target.auxiliaryBranchIds.clear();
     target.excludedBranchIds.clear();
 }

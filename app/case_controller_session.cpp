@@ -3,6 +3,7 @@
 #include "app/jobs/input_kind.h"
 #include "app/recent_cases.h"
 #include "app/sample_case.h"
+#include "app/series_rows.h"
 #include "app/settings.h"
 #include "ui/dialogs/key_sheet.h"
 #include "ui/dialogs/message_dialog.h"
@@ -13,6 +14,19 @@
 // From the first start to the last window: notice, opening, recovery, closing, help.
 
 namespace app {
+namespace {
+
+/// Asks for a folder of DICOM files.
+QFileDialog* makeFolderDialog(QWidget* window)
+{
+    auto* dialog = new QFileDialog(window, CaseController::tr("Open DICOM folder"), settings::lastFolder.read());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    return dialog;
+}
+
+}   // namespace
 
 void CaseController::begin(const QStringList& paths)
 {
@@ -52,6 +66,14 @@ void CaseController::connectFiles()
     connect(&window_.welcome(), &ui::WelcomePage::sampleRequested, this, &CaseController::openSample);
     connect(&window_.welcome(), &ui::WelcomePage::recentRequested, this, [this](const QString& path) { open({path}); });
     connect(actions[ui::Command::Open], &QAction::triggered, this, &CaseController::askFiles);
+    connect(actions[ui::Command::OpenFolder], &QAction::triggered, this, [this] {
+        QFileDialog* dialog = makeFolderDialog(&window_);
+        connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
+            settings::lastFolder.write(folder);
+            open({folder});
+        });
+        dialog->open();
+    });
     connect(actions[ui::Command::OpenSample], &QAction::triggered, this, &CaseController::openSample);
     connect(actions[ui::Command::Save], &QAction::triggered, this, [this] { save_.save(); });
     connect(actions[ui::Command::SaveAs], &QAction::triggered, this, [this] { save_.saveAs(); });
@@ -62,6 +84,17 @@ void CaseController::connectFiles()
     connect(actions[ui::Command::ExportTrace], &QAction::triggered, &export_, &ExportController::askTrace);
 
     connect(&open_, &OpenController::started, this, [this](const QString& what) { window_.strip().showBusy(what); });
+    connect(&open_, &OpenController::advanced, this, [this](const QString& what, double fraction) {
+        if (fraction > 0.0) {
+            window_.strip().showProgress(what, fraction);
+        }
+    });
+    connect(&open_, &OpenController::seriesChoiceNeeded, this,
+            [this](const QString& folder, const std::vector<io::DicomSeries>& series) {
+                auto* chooser = new ui::SeriesChooser(folder, seriesRows(series), &window_);
+                connect(chooser, &ui::SeriesChooser::chosen, &open_, &OpenController::openSeries);
+                chooser->open();
+            });
     connect(&open_, &OpenController::ended, this, [this] { window_.strip().showIdle(tr("Ready")); });
     connect(&open_, &OpenController::opened, this, [this](const QStringList& notes) {
         if (recovering_) {

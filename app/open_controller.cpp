@@ -3,7 +3,9 @@
 #include "app/assemble_case.h"
 #include "app/commands/edit_case.h"
 #include "app/recent_cases.h"
+#include "core/imaging/patient_match.h"
 
+#include <QDir>
 #include <QFileInfo>
 
 namespace app {
@@ -13,16 +15,21 @@ QString namesOf(const QStringList& paths)
 {
     QStringList names;
     for (const QString& path : paths) {
-        names << QFileInfo(path).fileName();
+        names << QFileInfo(QDir::cleanPath(path)).fileName();
     }
     return names.join(QStringLiteral(", "));
 }
 
-QStringList notesOf(const LoadedInputs& inputs)
+/// What to know about the files that were opened, and about how they fit the case they are in now.
+QStringList notesOf(const LoadedInputs& inputs, const core::RegistrationCase& opened)
 {
     QStringList notes;
     for (const std::string& warning : inputs.warnings) {
         notes << QString::fromStdString(warning);
+    }
+    if (!inputs.wholeCase && opened.angiogram) {   // a case file has compared them itself
+        const std::string mismatch = core::findPatientMismatch(opened.scanIdentity, opened.angiogram->identity);
+        notes << (mismatch.empty() ? QStringList() : QStringList(QString::fromStdString(mismatch)));
     }
     return notes;
 }
@@ -31,7 +38,7 @@ QStringList notesOf(const LoadedInputs& inputs)
 
 OpenController::OpenController(CaseDocument& document, QObject* parent) : QObject(parent), document_(document) {}
 
-void OpenController::open(const QStringList& paths)
+void OpenController::load(const QStringList& paths, const QString& seriesId)
 {
     if (paths.isEmpty()) {
         return;
@@ -50,8 +57,10 @@ void OpenController::open(const QStringList& paths)
         finish();
         emit failed(reason, paths);
     });
-    emit started(tr("Reading %1 …").arg(namesOf(paths)));
-    job_->start(paths);
+    const QString what = tr("Reading %1 …").arg(namesOf(paths));
+    connect(job_, &LoadJob::advanced, this, [this, what](double fraction) { emit advanced(what, fraction); });
+    emit started(what);
+    job_->start(paths, seriesId);
 }
 
 void OpenController::abandon()
@@ -74,6 +83,11 @@ void OpenController::take(const LoadedInputs& inputs, const QStringList& paths)
 {
     if (document_.isLocked()) {
         emit failed(tr("A registration was started meanwhile. Open the file again when it has ended."), paths);
+        return;
+    }
+    if (!inputs.offered.empty()) {
+        offeredPaths_ = paths;
+        emit seriesChoiceNeeded(paths.join(QStringLiteral(", ")), inputs.offered);
         return;
     }
     const bool replaces = inputs.wholeCase || makesNewCase(inputs);
@@ -104,7 +118,7 @@ void OpenController::replaceWith(const LoadedInputs& inputs, const QString& path
     if (!path.isEmpty()) {
         rememberCase(path);
     }
-    emit opened(notesOf(inputs));
+    emit opened(notesOf(inputs, document_.current()));
 }
 
 void OpenController::join(const LoadedInputs& inputs, const QStringList& paths)
@@ -115,7 +129,7 @@ void OpenController::join(const LoadedInputs& inputs, const QStringList& paths)
         document_.push(
             joinInputs(document_, withInputs(document_.current(), inputs), tr("Open %1").arg(namesOf(paths))));
     }
-    emit opened(notesOf(inputs));
+    emit opened(notesOf(inputs, document_.current()));
 }
 
 }   // namespace app

@@ -26,6 +26,8 @@ const std::vector<ActionRow>& rows()
 {
     static const std::vector<ActionRow> table{
         {Command::Open, Menu::File, QT_TRANSLATE_NOOP("ui::WindowActions", "Open …"), "Ctrl+O"},
+        {Command::OpenFolder, Menu::File, QT_TRANSLATE_NOOP("ui::WindowActions", "Open DICOM folder …"),
+         "Ctrl+Shift+O"},
         {Command::OpenSample, Menu::File, QT_TRANSLATE_NOOP("ui::WindowActions", "Open sample case"), ""},
         {Command::Save, Menu::File, QT_TRANSLATE_NOOP("ui::WindowActions", "Save"), "Ctrl+S"},
         {Command::SaveAs, Menu::File, QT_TRANSLATE_NOOP("ui::WindowActions", "Save as …"), "Ctrl+Shift+S"},

@@ -17,6 +17,7 @@ namespace ui {
 /// Everything the window can be asked to do.
 enum class Command {
     Open,
+    OpenFolder,
     OpenSample,
     Save,
     SaveAs,

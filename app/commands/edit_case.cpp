@@ -14,10 +14,10 @@ std::unique_ptr<QUndoCommand> joinInputs(CaseDocument& document, const Registrat
 {
     return std::make_unique<JoinInputs>(
         document,
-        JoinInputs::Values{wanted.title, wanted.centerlineFile, wanted.tree, wanted.auxiliaryBranchIds,
-                           wanted.excludedBranchIds, wanted.imageFile, wanted.angiogram, wanted.frame,
-                           wanted.targetFile, wanted.givenTarget, wanted.cArm, wanted.cameraOverride,
-                           wanted.hasInitialPose, wanted.cameraFromPatient, wanted.result},
+        JoinInputs::Values{wanted.title, wanted.centerlineFile, wanted.vesselInput, wanted.volume, wanted.scanIdentity,
+                           wanted.tree, wanted.auxiliaryBranchIds, wanted.excludedBranchIds, wanted.imageFile,
+                           wanted.angiogram, wanted.frame, wanted.targetFile, wanted.givenTarget, wanted.cArm,
+                           wanted.cameraOverride, wanted.hasInitialPose, wanted.cameraFromPatient, wanted.result},
         text);
 }
 

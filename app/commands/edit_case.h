@@ -21,7 +21,8 @@ using ChangeOptions = SetFields<&RegistrationCase::options>;
 using ChangeGeometry = SetFields<&RegistrationCase::cArm, &RegistrationCase::cameraOverride,
                                  &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
 using JoinInputs =
-    SetFields<&RegistrationCase::title, &RegistrationCase::centerlineFile, &RegistrationCase::tree,
+    SetFields<&RegistrationCase::title, &RegistrationCase::centerlineFile, &RegistrationCase::vesselInput,
+              &RegistrationCase::volume, &RegistrationCase::scanIdentity, &RegistrationCase::tree,
               &RegistrationCase::auxiliaryBranchIds, &RegistrationCase::excludedBranchIds, &RegistrationCase::imageFile,
               &RegistrationCase::angiogram, &RegistrationCase::frame, &RegistrationCase::targetFile,
               &RegistrationCase::givenTarget, &RegistrationCase::cArm, &RegistrationCase::cameraOverride,

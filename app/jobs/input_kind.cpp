@@ -1,5 +1,8 @@
 #include "app/jobs/input_kind.h"
 
+#include "io/series/slice_record.h"
+#include "io/volume_file.h"
+
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
@@ -14,6 +17,18 @@ constexpr int dicomMagicAt = 128;
 bool isDicom(const QByteArray& head)
 {
     return head.mid(dicomMagicAt, 4) == "DICM";
+}
+
+/// X-ray runs are images; what lies in the patient (CT, MR, …) is a slice of a volume.
+InputKind kindOfDicom(const QString& path)
+{
+    const auto images = io::readSliceRecords(path.toStdString());
+    if (!images || images.value().slices.empty()) {
+        return InputKind::Image;   // reading it says what is wrong
+    }
+    const std::string& modality = images.value().modality;
+    const bool isXray = modality == "XA" || modality == "RF" || modality == "DX" || modality == "CR";
+    return !isXray && images.value().slices.front().position ? InputKind::Vessels : InputKind::Image;
 }
 
 bool isPicture(const QByteArray& head)
@@ -41,9 +56,10 @@ InputKind kindOfCsv(const QByteArray& head)
 
 core::Error notOurs(const QFileInfo& file)
 {
-    return {file.fileName().toStdString() +
-            " is not a file that AngioPose opens. Open a case (.angiopose), a centreline (VTP, VTK, CSV, SWC) or an "
-            "angiogram (DICOM, PNG, TIFF)."};
+    return {
+        file.fileName().toStdString() +
+        " is not a file that AngioPose opens. Open a case (.angiopose), a centreline (VTP, VTK, CSV, SWC), a CT scan "
+        "(DICOM folder, NIfTI, NRRD, MetaImage), a surface (STL, PLY, OBJ) or an angiogram (DICOM, PNG, TIFF)."};
 }
 
 core::Result<InputKind> kindByName(const QFileInfo& file, const QByteArray& head)
@@ -52,7 +68,8 @@ core::Result<InputKind> kindByName(const QFileInfo& file, const QByteArray& head
                                       QStringLiteral("jpg"),   QStringLiteral("jpeg"), QStringLiteral("dcm"),
                                       QStringLiteral("dicom"), QStringLiteral("ima")};
     static const QSet<QString> centerlines{QStringLiteral("vtp"), QStringLiteral("vtk"), QStringLiteral("vtu"),
-                                           QStringLiteral("swc")};
+                                           QStringLiteral("swc"), QStringLiteral("json")};
+    static const QSet<QString> surfaces{QStringLiteral("stl"), QStringLiteral("ply"), QStringLiteral("obj")};
     const QString suffix = file.suffix().toLower();
     if (suffix == QLatin1String("angiopose")) {
         return InputKind::Case;
@@ -62,6 +79,9 @@ core::Result<InputKind> kindByName(const QFileInfo& file, const QByteArray& head
     }
     if (centerlines.contains(suffix)) {
         return InputKind::Centerline;
+    }
+    if (surfaces.contains(suffix)) {
+        return InputKind::Vessels;
     }
     if (images.contains(suffix)) {
         return InputKind::Image;
@@ -79,7 +99,7 @@ core::Result<InputKind> inputKindOf(const QString& path)
         return core::Error{path.toStdString() + " does not exist. Check the name, or whether its drive is mounted."};
     }
     if (info.isDir()) {
-        return core::Error{name + " is a folder. Open the files inside it."};
+        return InputKind::Folder;
     }
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) {
@@ -93,8 +113,14 @@ core::Result<InputKind> inputKindOf(const QString& path)
     if (info.suffix().compare(QLatin1String("angiopose"), Qt::CaseInsensitive) == 0) {
         return InputKind::Case;
     }
-    if (isDicom(head) || isPicture(head)) {
+    if (isDicom(head)) {
+        return kindOfDicom(path);
+    }
+    if (isPicture(head)) {
         return InputKind::Image;
+    }
+    if (io::isVolumeFile(path.toStdString())) {
+        return InputKind::Vessels;
     }
     if (isVtk(head)) {
         return InputKind::Centerline;
@@ -105,10 +131,13 @@ core::Result<InputKind> inputKindOf(const QString& path)
 QStringList openFilters()
 {
     const auto text = [](const char* words) { return QCoreApplication::translate("app::InputKind", words); };
-    const QString all = QStringLiteral("*.angiopose *.vtp *.vtk *.csv *.swc *.dcm *.png *.tif *.tiff *.jpg *.jpeg");
-    return {text("Cases, centrelines and angiograms (%1)").arg(all), text("Cases (*.angiopose)"),
-            text("Centrelines (*.vtp *.vtk *.csv *.swc)"), text("Angiograms (*.dcm *.png *.tif *.tiff *.jpg *.jpeg)"),
-            text("All files (*)")};
+    const QString scans = QStringLiteral("*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.stl *.ply *.obj");
+    const QString all =
+        QStringLiteral("*.angiopose *.vtp *.vtk *.csv *.swc *.json *.dcm *.png *.tif *.tiff *.jpg *.jpeg ");
+    return {
+        text("Cases, vessels and angiograms (%1)").arg(all + scans), text("Cases (*.angiopose)"),
+        text("Centrelines (*.vtp *.vtk *.csv *.swc *.json)"),        text("Scans and surfaces (%1 *.dcm)").arg(scans),
+        text("Angiograms (*.dcm *.png *.tif *.tiff *.jpg *.jpeg)"),  text("All files (*)")};
 }
 
 }   // namespace app

@@ -6,7 +6,8 @@
 
 namespace app {
 
-enum class InputKind { Case, Centerline, Image, Target };
+/// `Vessels`: a scan, segmentation or surface that is traced; `Folder`: DICOM files to choose from.
+enum class InputKind { Case, Centerline, Vessels, Folder, Image, Target };
 
 /// What a file claims to be, judged by its first bytes and, where these do not tell, by its name.
 /// Fails naming the file when it cannot be read or is nothing that the program opens.

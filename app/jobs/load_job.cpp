@@ -6,7 +6,8 @@
 #include "io/case_file.h"
 #include "io/centerline2d_file.h"
 #include "io/file_hash.h"
-#include "io/vessel_tree_file.h"
+#include "io/vessel_input_file.h"
+#include "io/volume_file.h"
 
 #include <QFileInfo>
 #include <QtConcurrentRun>
@@ -16,10 +17,12 @@
 namespace app {
 namespace {
 
-core::Result<LoadedInputs> readCase(const QString& path)
+constexpr int pollMs = 60;
+
+core::Result<LoadedInputs> readCase(const QString& path, const io::ReadObserver& observe)
 {
     LoadedInputs inputs;
-    auto loaded = io::loadCase(path.toStdString(), inputs.warnings);
+    auto loaded = io::loadCase(path.toStdString(), inputs.warnings, observe);
     if (!loaded) {
         return loaded.error();
     }
@@ -32,16 +35,37 @@ core::Error twice(const QString& path, const char* what)
     return {QFileInfo(path).fileName().toStdString() + " is a second " + what + ". Open one " + what + " at a time."};
 }
 
-core::Status addCenterline(LoadedInputs& inputs, const QString& path)
+/// True for a slice beside the one that was opened: its series is there already.
+bool isOfSameSeries(const LoadedInputs& inputs, const QString& path)
+{
+    const QFileInfo opened(QString::fromStdString(inputs.centerlineFile.path));
+    return inputs.volume && inputs.vesselInput.kind == core::VesselInputKind::Volume &&
+           QFileInfo(path).absolutePath() == opened.absolutePath() && !io::isVolumeFile(path.toStdString());
+}
+
+core::Status addVessels(LoadedInputs& inputs, const QString& path, const QString& seriesId,
+                        const io::ReadObserver& observe)
 {
     if (inputs.tree) {
-        return twice(path, "centreline");
+        return isOfSameSeries(inputs, path) ? core::Status(core::Done{}) : twice(path, "vessel tree");
     }
-    auto tree = io::readVesselTree(path.toStdString());
-    if (!tree) {
-        return tree.error();
+    const auto kind = io::vesselInputKindOf(path.toStdString());
+    if (!kind) {
+        return kind.error();
     }
-    inputs.tree = std::make_shared<core::VesselTree>(std::move(tree).value());
+    core::VesselInput input;
+    input.kind = kind.value();
+    input.seriesId = seriesId.toStdString();
+    auto read = io::readVessels(path.toStdString(), input, observe);
+    if (!read) {
+        return read.error();
+    }
+    io::LoadedVessels vessels = std::move(read).value();
+    inputs.tree = std::make_shared<core::VesselTree>(std::move(vessels.tree));
+    inputs.volume = vessels.volume;
+    inputs.scanIdentity = vessels.identity;
+    inputs.vesselInput = vessels.input;
+    inputs.warnings.insert(inputs.warnings.end(), vessels.warnings.begin(), vessels.warnings.end());
     inputs.centerlineFile.path = path.toStdString();
     return core::Done{};
 }
@@ -76,7 +100,34 @@ core::Status addTarget(LoadedInputs& inputs, const QString& path)
     return core::Done{};
 }
 
-core::Status addFile(LoadedInputs& inputs, const QString& path)
+/// Opens the chosen series of a folder, or the only one; several are offered.
+core::Status addFolder(LoadedInputs& inputs, const QString& path, const QString& seriesId,
+                       const io::ReadObserver& observe)
+{
+    auto listed = io::listSeries(path.toStdString(), io::partOf(observe, 0.0, 0.1));
+    if (!listed) {
+        return listed.error();
+    }
+    std::vector<io::DicomSeries> all = std::move(listed).value();
+    const auto opens = [&](const io::DicomSeries& series) {
+        return seriesId.isEmpty() ? series.problem.empty() : series.id == seriesId.toStdString();
+    };
+    const auto count = std::count_if(all.begin(), all.end(), opens);
+    if (count > 1 && seriesId.isEmpty()) {
+        inputs.offered = std::move(all);
+        return core::Done{};
+    }
+    const auto found = std::find_if(all.begin(), all.end(), opens);
+    if (found == all.end()) {
+        return core::Error{path.toStdString() + ": " + all.front().problem};
+    }
+    return found->isAngiogram
+               ? addImage(inputs, QString::fromStdString(found->slices.front().path))
+               : addVessels(inputs, path, QString::fromStdString(found->id), io::partOf(observe, 0.1, 1.0));
+}
+
+core::Status addFile(LoadedInputs& inputs, const QString& path, const QString& seriesId,
+                     const io::ReadObserver& observe)
 {
     const auto kind = inputKindOf(path);
     if (!kind) {
@@ -84,7 +135,10 @@ core::Status addFile(LoadedInputs& inputs, const QString& path)
     }
     switch (kind.value()) {
         case InputKind::Centerline:
-            return addCenterline(inputs, path);
+        case InputKind::Vessels:
+            return addVessels(inputs, path, {}, observe);
+        case InputKind::Folder:
+            return addFolder(inputs, path, seriesId, observe);
         case InputKind::Image:
             return addImage(inputs, path);
         case InputKind::Target:
@@ -93,6 +147,15 @@ core::Status addFile(LoadedInputs& inputs, const QString& path)
             break;
     }
     return core::Error{QFileInfo(path).fileName().toStdString() + " is a case. Open it alone, without other files."};
+}
+
+void addVesselHash(LoadedInputs& inputs)
+{
+    if (!inputs.centerlineFile.path.empty()) {
+        if (const auto hash = io::sha256OfVesselInput(inputs.centerlineFile.path, inputs.vesselInput)) {
+            inputs.centerlineFile.sha256 = hash.value();
+        }
+    }
 }
 
 void addHash(core::InputFile& file)
@@ -106,43 +169,67 @@ void addHash(core::InputFile& file)
 
 }   // namespace
 
-core::Result<LoadedInputs> readInputs(const QStringList& paths)
+core::Result<LoadedInputs> readInputs(const QStringList& paths, const QString& seriesId,
+                                      const io::ReadObserver& observe)
 {
     if (paths.size() == 1) {
         const auto kind = inputKindOf(paths.front());
         if (kind && kind.value() == InputKind::Case) {
-            return readCase(paths.front());
+            return readCase(paths.front(), observe);
         }
     }
     LoadedInputs inputs;
-    for (const QString& path : paths) {
-        if (const auto added = addFile(inputs, path); !added) {
+    for (qsizetype i = 0; i < paths.size(); ++i) {
+        const auto share = 1.0 / static_cast<double>(paths.size());
+        const auto part = io::partOf(observe, share * static_cast<double>(i), share * static_cast<double>(i + 1));
+        if (const auto added = addFile(inputs, paths[i], seriesId, part); !added) {
             return added.error();
         }
+        if (!inputs.offered.empty()) {
+            return inputs;
+        }
     }
-    for (core::InputFile* file : {&inputs.centerlineFile, &inputs.imageFile, &inputs.targetFile}) {
-        addHash(*file);
-    }
+    addVesselHash(inputs);
+    addHash(inputs.imageFile);
+    addHash(inputs.targetFile);
     return inputs;
 }
 
 LoadJob::LoadJob(QObject* parent) : QObject(parent)
 {
     connect(&watcher_, &QFutureWatcherBase::finished, this, &LoadJob::publish);
+    poll_.setInterval(pollMs);
+    connect(&poll_, &QTimer::timeout, this, [this] { emit advanced(shared_->fraction); });
 }
 
-void LoadJob::start(const QStringList& paths)
+LoadJob::~LoadJob()
+{
+    abandon();
+}
+
+void LoadJob::start(const QStringList& paths, const QString& seriesId)
 {
     Q_ASSERT(!isRunning());
     running_ = true;
     paths_ = paths;
-    watcher_.setFuture(
-        QtConcurrent::run([paths] { return guarded<LoadedInputs>([&paths] { return readInputs(paths); }); }));
+    shared_ = std::make_shared<Shared>();
+    poll_.start();
+    watcher_.setFuture(QtConcurrent::run([paths, seriesId, shared = shared_] {
+        const io::ReadObserver observe = [&shared](double fraction) {
+            shared->fraction = fraction;
+            return shared->isStopWished ? core::Verdict::Stop : core::Verdict::Continue;
+        };
+        return guarded<LoadedInputs>([&] { return readInputs(paths, seriesId, observe); });
+    }));
 }
 
 void LoadJob::abandon()
 {
-    // The reader cannot be interrupted; its outcome is dropped by watching nothing.
+    // The worker stops at its next look; its outcome is dropped by watching nothing.
+    if (shared_) {
+        shared_->isStopWished = true;
+    }
+    poll_.stop();
     running_ = false;
     watcher_.setFuture({});
 }
@@ -153,6 +240,7 @@ void LoadJob::publish()
         return;
     }
     running_ = false;
+    poll_.stop();
     const Outcome outcome = watcher_.result();
     if (outcome) {
         emit finished(outcome.value());

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "core/registration_case.h"
+#include "io/dicom_series.h"
 
 #include <QFutureWatcher>
 #include <QObject>
 #include <QStringList>
+#include <QTimer>
 
+#include <atomic>
 #include <memory>
 #include <optional>
 
@@ -15,37 +18,54 @@ namespace app {
 struct LoadedInputs {
     std::optional<core::RegistrationCase> wholeCase;
     core::InputFile centerlineFile;
+    core::VesselInput vesselInput;
+    std::shared_ptr<const core::Volume> volume;
+    core::StudyIdentity scanIdentity;
     std::shared_ptr<const core::VesselTree> tree;
     core::InputFile imageFile;
     std::shared_ptr<const core::Angiogram> angiogram;
     core::InputFile targetFile;
     std::shared_ptr<const core::Centerline2d> target;
     std::vector<std::string> warnings;
+    std::vector<io::DicomSeries> offered;   ///< of a folder with several: nothing is read until one is chosen
 };
 
-/// Reads files together: either one case file, or at most one of each kind of input. Fails with one sentence.
-core::Result<LoadedInputs> readInputs(const QStringList& paths);
+/// Reads files together: either one case file, or at most one of each kind of input. Scans, segmentations and surfaces
+/// are traced. `seriesId` is the series of a DICOM folder among them; empty: where there are several, they are offered.
+/// Fails with one sentence.
+core::Result<LoadedInputs> readInputs(const QStringList& paths, const QString& seriesId = {},
+                                      const io::ReadObserver& observe = {});
 
-/// Reads files off the GUI thread. A job that is abandoned or destroyed drops what it reads.
+/// Reads files off the GUI thread. A job that is abandoned or destroyed stops its reading and drops what was read.
 class LoadJob : public QObject {
     Q_OBJECT
 public:
     explicit LoadJob(QObject* parent = nullptr);
 
-    void start(const QStringList& paths);
+    ~LoadJob() override;
+
+    void start(const QStringList& paths, const QString& seriesId = {});
     void abandon();
     bool isRunning() const { return running_; }
     const QStringList& paths() const { return paths_; }
 
 signals:
+    void advanced(double fraction);
     void finished(const app::LoadedInputs& inputs);
     void failed(const QString& reason);
 
 private:
     using Outcome = core::Result<LoadedInputs>;
+    /// What job and worker share: it outlives the job when that is dropped first.
+    struct Shared {
+        std::atomic<bool> isStopWished{false};
+        std::atomic<double> fraction{0.0};
+    };
     void publish();
 
     QStringList paths_;
+    std::shared_ptr<Shared> shared_;
+    QTimer poll_;   ///< looks at the worker's progress
     QFutureWatcher<Outcome> watcher_;
     bool running_ = false;
 };

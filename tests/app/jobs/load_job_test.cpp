@@ -1,6 +1,9 @@
 #include "app/jobs/load_job.h"
 
 #include "app/jobs/input_kind.h"
+#include "io/volume_file.h"
+#include "tests/io/series/dicom_slices.h"
+#include "tests/support/forked_vessel.h"
 #include "tests/support/test_data.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +12,8 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QThreadPool>
+
+#include <algorithm>
 
 namespace app {
 namespace {
@@ -96,6 +101,58 @@ TEST(LoadJob, DropsWhatItReadsWhenAbandoned)
     EXPECT_FALSE(job.isRunning());
 }
 
+TEST(LoadJob, TracesALabelImage)
+{
+    const QTemporaryDir folder;
+    const QString mask = folder.filePath(QStringLiteral("mask.nrrd"));
+    core::LabelVolume labels = test::forkLabels();
+    std::replace(labels.voxels.begin(), labels.voxels.end(), std::uint16_t{7}, std::uint16_t{0});
+    ASSERT_TRUE(io::writeLabels(labels, mask.toStdString()));
+
+    const auto inputs = readInputs({mask});
+
+    ASSERT_TRUE(inputs) << inputs.error().message;
+    ASSERT_TRUE(inputs.value().tree);
+    EXPECT_EQ(test::endsOf(*inputs.value().tree), 3);
+    EXPECT_EQ(inputs.value().vesselInput.kind, core::VesselInputKind::Segmentation);
+    EXPECT_EQ(inputs.value().centerlineFile.sha256.size(), 64U);
+}
+
+TEST(LoadJob, OffersTheSeriesOfAFolderAndOpensTheChosenOne)
+{
+    const QTemporaryDir folder;
+    for (const char* series : {"1.2.3", "1.2.4"}) {
+        for (int k = 0; k < 4; ++k) {
+            test::CtSlice slice;
+            slice.seriesUid = series;
+            slice.sopInstanceUid = std::string(series) + "." + std::to_string(k);
+            slice.position = {0, 0, 2.0 * k};
+            slice.pixels.assign(72, 0);
+            written(folder, (std::string(series) + std::to_string(k)).c_str(),
+                    QByteArray::fromStdString(test::ctSlice(slice)));
+        }
+    }
+    const auto offered = readInputs({folder.path()});
+    ASSERT_TRUE(offered) << offered.error().message;
+    EXPECT_EQ(offered.value().offered.size(), 2U);
+    EXPECT_FALSE(offered.value().tree);
+
+    const auto chosen = readInputs({folder.path()}, QStringLiteral("1.2.4"));
+
+    ASSERT_FALSE(chosen) << "an empty scan holds no vessels";
+    EXPECT_NE(chosen.error().message.find(folder.path().toStdString()), std::string::npos);
+}
+
+TEST(LoadJob, StopsReadingWhenTheObserverSaysSo)
+{
+    const QTemporaryDir folder;
+    const QString mask = folder.filePath(QStringLiteral("mask.nii.gz"));
+    ASSERT_TRUE(io::writeLabels(test::forkLabels(), mask.toStdString()));
+    const auto stopped = readInputs({mask}, {}, [](double) { return core::Verdict::Stop; });
+    ASSERT_FALSE(stopped);
+    EXPECT_NE(stopped.error().message.find("stopped"), std::string::npos);
+}
+
 TEST(InputKind, IsToldByContentBeforeName)
 {
     const QTemporaryDir folder;
@@ -114,14 +171,15 @@ TEST(InputKind, IsToldByContentBeforeName)
 TEST(InputKind, SaysWhatCanBeOpenedInsteadOfAStrangeFile)
 {
     const QTemporaryDir folder;
-    for (const char* name : {"brain.nii.gz", "model.stl", "notes.txt"}) {
+    for (const char* name : {"brain.nii.gz", "notes.txt"}) {
         const auto kind = inputKindOf(written(folder, name, "something"));
         ASSERT_FALSE(kind);
         EXPECT_NE(kind.error().message.find(name), std::string::npos);
         EXPECT_NE(kind.error().message.find("VTP"), std::string::npos);
     }
     EXPECT_FALSE(inputKindOf(written(folder, "empty.png", "")));
-    EXPECT_FALSE(inputKindOf(folder.path()));
+    EXPECT_EQ(inputKindOf(folder.path()).value(), InputKind::Folder);
+    EXPECT_EQ(inputKindOf(written(folder, "model.stl", "something")).value(), InputKind::Vessels);
 }
 
 }   // namespace

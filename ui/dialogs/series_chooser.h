@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QDialog>
+#include <QStringList>
+
+#include <vector>
+
+class QLabel;
+class QPushButton;
+class QTreeWidget;
+
+namespace ui {
+
+/// One series of a DICOM folder, as the user sees it.
+struct SeriesRow {
+    QString id;
+    QString description;
+    QString modality;
+    int imageCount = 0;
+    QString size;   ///< "512 × 512 × 300"
+    QString spacingMm;   ///< "0.49 × 0.49 × 0.75"
+    QString date;
+    QStringList notes;   ///< warnings, or why it cannot be opened
+    bool isOpenable = true;
+};
+
+/// Asks which series of a folder to open. Deletes itself when closed.
+class SeriesChooser : public QDialog {
+    Q_OBJECT
+public:
+    SeriesChooser(const QString& folder, std::vector<SeriesRow> rows, QWidget* parent);
+
+signals:
+    void chosen(const QString& seriesId);
+
+private:
+    void fill();
+    int currentRow() const;
+    void showNotes();
+    void choose();
+
+    std::vector<SeriesRow> rows_;
+    QTreeWidget* list_;
+    QLabel* notes_;
+    QPushButton* open_;
+};
+
+}   // namespace ui
