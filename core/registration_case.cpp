@@ -86,6 +86,7 @@ Result<RegistrationInput> registrationInputOf(const RegistrationCase& registrati
     if (input.image) {
         input.polarity = registrationCase.angiogram->polarity;
     }
+    input.volume = registrationCase.volume;
     return input;
 }
 
