@@ -14,8 +14,10 @@ constexpr int rimPx = 6;   // where filters see the edge of the field
 constexpr double clearMultiple = 4.0;
 constexpr int flankPx = 10;
 constexpr std::size_t leastShareLeft = 10;   // one part in so many, else all of the field counts
-constexpr int bandCount = 4;
+constexpr int mostBands = 4;
+constexpr int leastBands = 2;
 constexpr int bandRows = 40;
+constexpr int enoughPixels = 82000;   // for the statistics
 constexpr int marginRows = 12;   // on either side, as filters reach
 
 struct Band {
@@ -24,9 +26,10 @@ struct Band {
 };
 
 /// The whole image, or in larger ones some evenly spread bands.
-std::vector<Band> bandsOf(int height)
+std::vector<Band> bandsOf(int width, int height)
 {
-    if (height < 2 * bandCount * (bandRows + 2 * marginRows)) {
+    const int bandCount = std::clamp(enoughPixels / (bandRows * std::max(1, width)), leastBands, mostBands);
+    if (height < 2 * mostBands * (bandRows + 2 * marginRows)) {
         return {{0, height}};
     }
     std::vector<Band> bands;
@@ -51,7 +54,7 @@ ImageF invertedBand(const ImageF& opacity, const Band& band, int firstRow)
 ImageF invertedRidges(const ImageF& opacity, double minRadiusPx, double maxRadiusPx)
 {
     ImageF inverted(opacity.width, opacity.height, -1.0F);
-    for (const Band& band : bandsOf(opacity.height)) {
+    for (const Band& band : bandsOf(opacity.width, opacity.height)) {
         const int firstRow = std::max(0, band.firstRow - marginRows);
         const ImageF ridges = ridgeStrength(invertedBand(opacity, band, firstRow), minRadiusPx, maxRadiusPx);
         const auto begin =
