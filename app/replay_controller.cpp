@@ -2,7 +2,7 @@
 
 #include "app/commands/edit_case.h"
 #include "app/settings.h"
-#include "core/registration/centroid_pose.h"
+#include "core/registration/pose/centroid_pose.h"
 #include "ui/main_window.h"
 
 #include <array>

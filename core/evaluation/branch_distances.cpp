@@ -1,6 +1,6 @@
 #include "core/evaluation/branch_distances.h"
 
-#include "core/registration/kd_tree_index.h"
+#include "core/registration/matching/kd_tree_index.h"
 
 #include <limits>
 

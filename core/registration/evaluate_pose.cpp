@@ -1,4 +1,4 @@
-#include "core/registration/judge_pose.h"
+#include "core/registration/judging/judge_pose.h"
 
 namespace core {
 

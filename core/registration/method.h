@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/registration/matching/target_lines.h"
 #include "core/registration/progress_log.h"
 #include "core/registration/registration_problem.h"
-#include "core/registration/target_lines.h"
 
 #include <memory>
 #include <span>

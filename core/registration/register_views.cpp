@@ -1,10 +1,10 @@
 #include "core/registration/register_views.h"
 
-#include "core/registration/agreement_score.h"
-#include "core/registration/joint_alignment.h"
-#include "core/registration/judge_pose.h"
-#include "core/registration/pose_uncertainty.h"
-#include "core/registration/shape_tolerance.h"
+#include "core/registration/alignment/agreement_score.h"
+#include "core/registration/alignment/joint_alignment.h"
+#include "core/registration/alignment/shape_tolerance.h"
+#include "core/registration/judging/judge_pose.h"
+#include "core/registration/judging/pose_uncertainty.h"
 
 #include <Eigen/Cholesky>
 #include <cmath>

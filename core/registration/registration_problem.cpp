@@ -1,6 +1,6 @@
 #include "core/registration/registration_problem.h"
 
-#include "core/registration/auxiliary_points.h"
+#include "core/registration/matching/auxiliary_points.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "core/registration/track_frames.h"
 
-#include "core/registration/pose_ranking.h"
-#include "core/registration/pose_search.h"
+#include "core/registration/alignment/pose_ranking.h"
+#include "core/registration/alignment/pose_search.h"
 #include "core/support/quantile.h"
 #include "core/support/stopwatch.h"
 

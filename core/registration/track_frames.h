@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/registration/alignment.h"
-#include "core/registration/motion_model.h"
-#include "core/registration/target_lines.h"
+#include "core/registration/alignment/alignment.h"
+#include "core/registration/alignment/motion_model.h"
+#include "core/registration/matching/target_lines.h"
 
 #include <deque>
 

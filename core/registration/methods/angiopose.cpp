@@ -1,9 +1,9 @@
 #include "core/registration/methods/angiopose.h"
 
-#include "core/registration/final_refinement.h"
-#include "core/registration/pose_ranking.h"
-#include "core/registration/pose_search.h"
-#include "core/registration/pose_uncertainty.h"
+#include "core/registration/alignment/final_refinement.h"
+#include "core/registration/alignment/pose_ranking.h"
+#include "core/registration/alignment/pose_search.h"
+#include "core/registration/judging/pose_uncertainty.h"
 #include "core/support/stopwatch.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "core/registration/methods/dt_icp.h"
 
-#include "core/registration/alternating_search.h"
-#include "core/registration/distance_descent.h"
+#include "core/registration/pnp/alternating_search.h"
+#include "core/registration/pnp/distance_descent.h"
 #include "core/support/stopwatch.h"
 
 #include <cmath>

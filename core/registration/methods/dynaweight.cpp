@@ -1,6 +1,6 @@
 #include "core/registration/methods/dynaweight.h"
 
-#include "core/registration/alternating_search.h"
+#include "core/registration/pnp/alternating_search.h"
 #include "core/support/stopwatch.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "core/registration/methods/evolution.h"
 
-#include "core/registration/evolution.h"
-#include "core/registration/pose_parameters.h"
-#include "core/registration/pose_trials.h"
-#include "core/registration/vessel_brightness.h"
+#include "core/registration/picture/vessel_brightness.h"
+#include "core/registration/pose/evolution.h"
+#include "core/registration/pose/pose_parameters.h"
+#include "core/registration/pose/pose_trials.h"
 #include "core/support/stopwatch.h"
 
 #include <limits>

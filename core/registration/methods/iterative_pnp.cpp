@@ -1,6 +1,6 @@
 #include "core/registration/methods/iterative_pnp.h"
 
-#include "core/registration/seed_problem.h"
+#include "core/registration/pnp/seed_problem.h"
 #include "core/support/stopwatch.h"
 
 namespace core {

@@ -1,9 +1,9 @@
 #include "core/registration/methods/nicp.h"
 
-#include "core/registration/alternating_search.h"
-#include "core/registration/kernel_ascent.h"
-#include "core/registration/pose_trials.h"
-#include "core/registration/vessel_brightness.h"
+#include "core/registration/picture/vessel_brightness.h"
+#include "core/registration/pnp/alternating_search.h"
+#include "core/registration/pnp/kernel_ascent.h"
+#include "core/registration/pose/pose_trials.h"
 #include "core/support/stopwatch.h"
 
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "core/registration/methods/ogmm.h"
 
-#include "core/registration/minimise.h"
-#include "core/registration/oriented_mixture.h"
-#include "core/registration/pose_parameters.h"
-#include "core/registration/pose_trials.h"
+#include "core/registration/pnp/oriented_mixture.h"
+#include "core/registration/pose/minimise.h"
+#include "core/registration/pose/pose_parameters.h"
+#include "core/registration/pose/pose_trials.h"
 #include "core/support/stopwatch.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "core/registration/register_views.h"
 
 #include "core/evaluation/projection_error.h"
-#include "core/registration/joint_alignment.h"
+#include "core/registration/alignment/joint_alignment.h"
 #include "tests/support/clean_case.h"
 
 #include <gtest/gtest.h>

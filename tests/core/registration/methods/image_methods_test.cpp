@@ -1,12 +1,12 @@
 #include "core/evaluation/projection_error.h"
 #include "core/imaging/volume.h"
 #include "core/registration/method.h"
-#include "core/registration/radiograph.h"
-#include "core/registration/rank_correlation.h"
-#include "core/registration/tube_picture.h"
-#include "core/registration/vessel_brightness.h"
-#include "core/registration/vessel_picture.h"
-#include "core/registration/wall_sites.h"
+#include "core/registration/picture/radiograph.h"
+#include "core/registration/picture/rank_correlation.h"
+#include "core/registration/picture/tube_picture.h"
+#include "core/registration/picture/vessel_brightness.h"
+#include "core/registration/picture/vessel_picture.h"
+#include "core/registration/picture/wall_sites.h"
 #include "core/simulation/simulated_case.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include "core/evaluation/projection_error.h"
-#include "core/registration/kernel_pnp.h"
 #include "core/registration/methods/dynaweight.h"
 #include "core/registration/methods/iterative_pnp.h"
-#include "core/registration/seed_problem.h"
+#include "core/registration/pnp/kernel_pnp.h"
+#include "core/registration/pnp/seed_problem.h"
 #include "tests/support/clean_case.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,200 @@
+#include "core/registration/alignment/coarse_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace core {
+namespace {
+
+constexpr int blockPx = 16;   // step of the shifts
+constexpr int phasePx = 4;   // resolution of the closeness image
+constexpr int phases = blockPx / phasePx;
+constexpr std::size_t keptPerOrientation = 3;
+constexpr std::size_t keptCandidates = 12;
+constexpr std::size_t maxPoints = 257;   // sums of bytes must fit 16 bits
+constexpr double worthTrying = 0.8;   // of the best score
+constexpr double basinPx = 24.0;
+constexpr double basinSteps = 0.75;   // of the turns
+constexpr double beyondReach = 1.2;   // tilts on the diagonal may be this much longer
+constexpr double beyondHalfImage = 0.6;   // of the image's side; farther starts are recentred first
+constexpr double radiansPerDegree = std::numbers::pi / 180.0;
+
+/// −reach … reach in equal steps of about stepDeg, 0 among them; rad.
+std::vector<double> anglesWithin(double reachDeg, double stepDeg)
+{
+    const int half = static_cast<int>(std::ceil(reachDeg / stepDeg - 1e-9));
+    std::vector<double> angles;
+    for (int k = -half; k <= half; ++k) {
+        angles.push_back(half == 0 ? 0.0 : reachDeg * k / half * radiansPerDegree);
+    }
+    return angles;
+}
+
+/// How near two poses must be to lead to the same optimum.
+struct Basin {
+    double shiftMm;
+    double turn;   ///< rad
+
+    bool holds(const CoarseCandidate& a, const CoarseCandidate& b) const
+    {
+        return (a.pose.centroidInCamera - b.pose.centroidInCamera).norm() < shiftMm &&
+               angleBetween(a.pose.rotation, b.pose.rotation) < turn;
+    }
+};
+
+/// The best candidate of each basin, best first.
+std::vector<CoarseCandidate> distinct(std::vector<CoarseCandidate> candidates, const Basin& basin)
+{
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const CoarseCandidate& a, const CoarseCandidate& b) { return a.score > b.score; });
+    std::vector<CoarseCandidate> best;
+    for (const CoarseCandidate& candidate : candidates) {
+        if (candidate.score < worthTrying * candidates.front().score) {
+            break;
+        }
+        const bool isNew = std::none_of(best.begin(), best.end(),
+                                        [&](const CoarseCandidate& other) { return basin.holds(candidate, other); });
+        if (isNew) {
+            best.push_back(candidate);
+        }
+        if (best.size() == keptCandidates) {
+            break;
+        }
+    }
+    return best;
+}
+
+}   // namespace
+
+/// Scores of all shifts of one orientation: shift (c − half, r − half) blocks.
+struct CoarseSearch::Shifts {
+    int half;
+    int side;
+    std::vector<std::uint16_t> sums;
+
+    explicit Shifts(int reach) : half(reach), side(2 * reach + 1), sums(static_cast<std::size_t>(side * side)) {}
+};
+
+CoarseSearch::CoarseSearch(const ProjectionCamera& camera, const TargetLines& target, double closenessPx)
+    : camera_(camera)
+{
+    margin_ = 2;
+    blockColumns_ = camera.width / blockPx + 1 + 2 * margin_;
+    blockRows_ = camera.height / blockPx + 1 + 2 * margin_;
+    const auto blocks = static_cast<std::size_t>(blockColumns_ * blockRows_);
+    closeness_.resize(blocks * phases * phases);
+    std::uint8_t* value = closeness_.data();
+    for (int phase = 0; phase < phases * phases; ++phase) {
+        for (int row = 0; row < blockRows_; ++row) {
+            for (int column = 0; column < blockColumns_; ++column) {
+                const double u = (column - margin_) * blockPx + phase % phases * phasePx;
+                const double v = (row - margin_) * blockPx + phase / phases * phasePx;
+                const double squared = TargetLines::squaredDistance(target.nearest(u, v), u, v);
+                *value++ = static_cast<std::uint8_t>(
+                    std::lround(255.0 * std::exp(-0.5 * squared / (closenessPx * closenessPx))));
+            }
+        }
+    }
+}
+
+void CoarseSearch::addPoint(double u, double v, Shifts& shifts) const
+{
+    const int column = static_cast<int>(std::lround(u / phasePx)) + (margin_ - shifts.half) * phases;
+    const int row = static_cast<int>(std::lround(v / phasePx)) + (margin_ - shifts.half) * phases;
+    // Floor division: points may lie far to the left of the image.
+    const int phaseColumn = ((column % phases) + phases) % phases;
+    const int phaseRow = ((row % phases) + phases) % phases;
+    const int firstColumn = (column - phaseColumn) / phases;
+    const int firstRow = (row - phaseRow) / phases;
+    const std::uint8_t* phase =
+        &closeness_[static_cast<std::size_t>((phaseRow * phases + phaseColumn) * blockColumns_ * blockRows_)];
+
+    const int from = std::clamp(-firstColumn, 0, shifts.side);
+    const int to = std::clamp(blockColumns_ - firstColumn, from, shifts.side);
+    for (int r = std::max(0, -firstRow); r < std::min(shifts.side, blockRows_ - firstRow); ++r) {
+        const std::uint8_t* source = phase + (firstRow + r) * blockColumns_ + firstColumn;
+        std::uint16_t* sum = &shifts.sums[static_cast<std::size_t>(r * shifts.side)];
+        for (int c = from; c < to; ++c) {
+            sum[c] = static_cast<std::uint16_t>(sum[c] + source[c]);
+        }
+    }
+}
+
+void CoarseSearch::scoreOrientation(std::span<const AlignmentPoint> points, const CentroidPose& pose,
+                                    Shifts& shifts) const
+{
+    std::fill(shifts.sums.begin(), shifts.sums.end(), std::uint16_t{0});
+    for (const AlignmentPoint& point : points) {
+        const auto pixel = project(camera_, pose.rotation * point.fromCentroid + pose.centroidInCamera);
+        if (pixel && pixel->cwiseAbs().maxCoeff() < 1e6) {
+            addPoint(pixel->x(), pixel->y(), shifts);
+        }
+    }
+}
+
+void CoarseSearch::keepBest(const CentroidPose& pose, std::size_t pointCount, const Shifts& shifts,
+                            std::vector<CoarseCandidate>& found) const
+{
+    std::array<std::size_t, keptPerOrientation> best{};
+    std::array<int, keptPerOrientation> sums;
+    sums.fill(-1);
+    for (std::size_t k = 0; k < shifts.sums.size(); ++k) {
+        for (std::size_t rank = 0; rank < keptPerOrientation; ++rank) {
+            if (shifts.sums[k] > sums[rank]) {
+                std::move_backward(best.begin() + rank, best.end() - 1, best.end());
+                std::move_backward(sums.begin() + rank, sums.end() - 1, sums.end());
+                best[rank] = k;
+                sums[rank] = shifts.sums[k];
+                break;
+            }
+        }
+    }
+    const double depthMm = pose.centroidInCamera.z();
+    for (std::size_t rank = 0; rank < keptPerOrientation && sums[rank] >= 0; ++rank) {
+        const int column = static_cast<int>(best[rank]) % shifts.side - shifts.half;
+        const int row = static_cast<int>(best[rank]) / shifts.side - shifts.half;
+        CoarseCandidate candidate{pose, sums[rank] / (255.0 * static_cast<double>(pointCount))};
+        candidate.pose.centroidInCamera.x() += column * blockPx * depthMm / camera_.fx;
+        candidate.pose.centroidInCamera.y() += row * blockPx * depthMm / camera_.fy;
+        found.push_back(candidate);
+    }
+}
+
+std::vector<CoarseCandidate> CoarseSearch::find(std::span<const AlignmentPoint> points, const CentroidPose& start,
+                                                const SearchReach& reach,
+                                                const std::function<Verdict(double)>& proceed) const
+{
+    assert(points.size() <= maxPoints);
+    const double depthMm = std::max(minProjectableDepthMm, start.centroidInCamera.z());
+    const double pxPerMm = 1.0 / millimetresPerPixel(camera_, depthMm);
+    const double radiusPx =
+        std::min(reach.radiusMm * pxPerMm, beyondHalfImage * std::max(camera_.width, camera_.height));
+    Shifts shifts(static_cast<int>(std::ceil(radiusPx / blockPx)));
+    std::vector<CoarseCandidate> found;
+    const std::vector<double> tilts = anglesWithin(reach.tiltDeg, reach.stepDeg);
+    const std::vector<double> rolls = anglesWithin(reach.rollDeg, reach.stepDeg);
+    const double longestTilt = beyondReach * reach.tiltDeg * radiansPerDegree;
+    double tiltsDone = 0.0;
+    bool isStopped = false;
+    for (const double tiltX : tilts) {
+        for (const double tiltY : tilts) {
+            if (isStopped || std::hypot(tiltX, tiltY) > longestTilt) {
+                continue;
+            }
+            for (const double roll : rolls) {
+                CentroidPose pose = start;
+                pose.rotation = expSo3({0.0, 0.0, roll}) * expSo3({tiltX, tiltY, 0.0}) * start.rotation;
+                scoreOrientation(points, pose, shifts);
+                keepBest(pose, points.size(), shifts, found);
+            }
+        }
+        tiltsDone += 1.0;
+        isStopped = isStopped || proceed(tiltsDone / static_cast<double>(tilts.size())) == Verdict::Stop;
+    }
+    return distinct(std::move(found), {basinPx / pxPerMm, basinSteps * reach.stepDeg * radiansPerDegree});
+}
+
+}   // namespace core

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/registration/alignment/alignment.h"
+#include "core/registration/registration.h"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+namespace core {
+
+/// How far around the start pose the search reaches, and how finely it turns.
+struct SearchReach {
+    double radiusMm = 60.0;
+    double tiltDeg = 10.0;   ///< of the tilt's axis-angle length
+    double rollDeg = 10.0;
+    double stepDeg = 4.0;
+};
+
+struct CoarseCandidate {
+    CentroidPose pose;
+    double score = 0.0;   ///< mean closeness of the tree to the target, 0…1
+};
+
+/// Exhaustive search over tilts, rolls and 2-D shifts (ALGORITHMS §6.8): a closeness image of the target, split so that
+/// all shifts of one point are neighbours in memory, is summed over few tree points.
+class CoarseSearch {
+public:
+    /// `closenessPx`: distance at which a tree point still counts 0.6; wider for coarser turns (ALGORITHMS §6.8: 11).
+    CoarseSearch(const ProjectionCamera& camera, const TargetLines& target, double closenessPx = 11.0);
+
+    /// Best candidates, different from each other by more than a basin, best first. `proceed` is told the share done
+    /// after each tilt; Stop ends the search with what it has.
+    std::vector<CoarseCandidate> find(std::span<const AlignmentPoint> points, const CentroidPose& start,
+                                      const SearchReach& reach, const std::function<Verdict(double)>& proceed) const;
+
+private:
+    struct Shifts;
+    void addPoint(double u, double v, Shifts& shifts) const;
+    void keepBest(const CentroidPose& pose, std::size_t pointCount, const Shifts& shifts,
+                  std::vector<CoarseCandidate>& found) const;
+    void scoreOrientation(std::span<const AlignmentPoint> points, const CentroidPose& pose, Shifts& shifts) const;
+
+    ProjectionCamera camera_;
+    int margin_ = 0;   ///< blocks around the image
+    int blockColumns_ = 0;
+    int blockRows_ = 0;
+    /// Closeness 0…255 at pixel (16 (bc − margin) + 4 pc, …), phase by phase, each a small row-major image of blocks.
+    std::vector<std::uint8_t> closeness_;
+};
+
+}   // namespace core

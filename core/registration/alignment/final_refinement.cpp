@@ -1,0 +1,45 @@
+#include "core/registration/alignment/final_refinement.h"
+
+#include "core/registration/alignment/exact_partners.h"
+#include "core/registration/alignment/shape_tolerance.h"
+
+#include <algorithm>
+
+namespace core {
+namespace {
+
+constexpr std::size_t fewPoints = 400;
+constexpr RefinementSchedule fewSchedule{2.5, 1.0, 0.7, 2, 4, 20};
+
+}   // namespace
+
+FinalRefinement::FinalRefinement(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior,
+                                 const RegistrationOptions& options)
+    : problem_(problem),
+      prior_(prior),
+      options_(options),
+      few_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), fewPoints)), problem.camera, target),
+      all_(alignmentPoints(problem.tree), problem.camera, target)
+{
+}
+
+RefinementResult FinalRefinement::refine(const CentroidPose& pose, const RefinementObserver& observe)
+{
+    few_.resetVisibility();
+    RefinementResult result = core::refine(few_, prior_, pose, fewSchedule);
+    if (const auto exact = refineWithExactPartners(problem_, result.pose)) {
+        result.pose = *exact;
+        return result;
+    }
+    all_.resetVisibility();
+    const double startScalePx = std::max(result.scalePx, options_.finalScalePx);
+    const RefinementSchedule schedule{startScalePx, options_.finalScalePx, 0.7, 2, 20, options_.maxIterations};
+    result = core::refine(all_, prior_, result.pose, schedule, observe);
+    if (result.stopReason != StopReason::StoppedByUser) {
+        const auto exact = refineWithExactPartners(problem_, result.pose);
+        result.pose = exact ? *exact : refineTolerantly(all_, prior_, result.pose, result.scalePx);
+    }
+    return result;
+}
+
+}   // namespace core

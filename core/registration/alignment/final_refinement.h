@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/registration/alignment/graduated_refinement.h"
+#include "core/registration/registration_problem.h"
+
+namespace core {
+
+/// From a roughly refined pose to the answer: few points until the noise shows, then all of them, then what the data
+/// allow beyond that (exact partners, or tolerance of the tree's shape errors).
+class FinalRefinement {
+public:
+    FinalRefinement(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior,
+                    const RegistrationOptions& options);
+
+    RefinementResult refine(const CentroidPose& pose, const RefinementObserver& observe);
+
+private:
+    const RegistrationProblem& problem_;
+    const StartPrior& prior_;
+    const RegistrationOptions& options_;
+    Alignment few_;
+    Alignment all_;
+};
+
+}   // namespace core

@@ -1,0 +1,48 @@
+#include "core/registration/alignment/joint_alignment.h"
+
+namespace core {
+
+CentroidPose poseInView(const JointPose& joint, std::span<const ViewGeometry> geometry, std::size_t view)
+{
+    const RigidTransform& there = geometry[view].cameraFromFirst;
+    const CentroidPose carried{there.rotation * joint.first.rotation, there * joint.first.centroidInCamera};
+    return moved(carried, joint.corrections[view]);
+}
+
+JointEquations stacked(std::span<const NormalEquations> perView, const JointPose& joint,
+                       std::span<const ViewGeometry> geometry)
+{
+    const auto count = static_cast<Eigen::Index>(6 * perView.size());
+    JointEquations sum{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count)};
+    for (std::size_t k = 0; k < perView.size(); ++k) {
+        const Matrix6d H = perView[k].hessian.selfadjointView<Eigen::Lower>();
+        const Eigen::Matrix3d& turn = geometry[k].cameraFromFirst.rotation;
+        Matrix6d J = Matrix6d::Zero();   // of the view's step for a step of the first pose
+        J.topLeftCorner<3, 3>() = expSo3(joint.corrections[k].head<3>()) * turn;
+        J.bottomRightCorner<3, 3>() = turn;
+        sum.hessian.topLeftCorner<6, 6>() += J.transpose() * H * J;
+        sum.gradient.head<6>() += J.transpose() * perView[k].gradient;
+        if (k > 0) {
+            const auto at = static_cast<Eigen::Index>(6 * k);
+            sum.hessian.block<6, 6>(at, at) += H;
+            sum.hessian.block<6, 6>(at, 0) += H * J;
+            sum.hessian.block<6, 6>(0, at) += J.transpose() * H;
+            sum.gradient.segment<6>(at) += perView[k].gradient;
+        }
+    }
+    return sum;
+}
+
+JointPose moved(const JointPose& joint, const Eigen::VectorXd& step)
+{
+    JointPose result{moved(joint.first, step.head<6>()), joint.corrections};
+    for (std::size_t k = 1; k < result.corrections.size(); ++k) {
+        const Vector6d own = step.segment<6>(static_cast<Eigen::Index>(6 * k));
+        const Vector6d before = joint.corrections[k];
+        result.corrections[k].head<3>() = logSo3(expSo3(own.head<3>()) * expSo3(before.head<3>()));
+        result.corrections[k].tail<3>() = before.tail<3>() + own.tail<3>();
+    }
+    return result;
+}
+
+}   // namespace core

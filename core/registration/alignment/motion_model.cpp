@@ -1,0 +1,78 @@
+#include "core/registration/alignment/motion_model.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <numbers>
+
+namespace core {
+namespace {
+
+constexpr std::size_t remembered = 30;   // frames, about two seconds of fluoroscopy
+constexpr std::size_t enoughForAxis = 4;
+constexpr double leastAxisMm = 0.3;   // rms of the steps; slower motion has no direction worth learning
+
+}   // namespace
+
+MotionModel::MotionModel(const CentroidPose& pose, double spreadMm, const Noise& noise)
+    : pose_(pose), inMm_(Vector6d::Ones()), noise_(noise)
+{
+    inMm_.head<3>().setConstant(spreadMm);
+}
+
+/// The last step as far as it follows the axis that most steps follow.
+Vector6d MotionModel::alongBreathing(const Vector6d& step) const
+{
+    if (steps_.size() < enoughForAxis) {
+        return Vector6d::Zero();
+    }
+    Matrix6d scatter = Matrix6d::Zero();
+    for (const Vector6d& past : steps_) {
+        scatter += past * past.transpose() / static_cast<double>(steps_.size());
+    }
+    const Eigen::SelfAdjointEigenSolver<Matrix6d> axes(scatter);
+    const Vector6d axis = axes.eigenvectors().col(5);
+    const bool isClear = axes.eigenvalues()[5] > leastAxisMm * leastAxisMm;
+    return isClear ? Vector6d(axis.dot(step) * axis) : Vector6d::Zero();
+}
+
+StartPrior MotionModel::predict() const
+{
+    StartPrior prior{pose_, {}};
+    Vector6d expected = Vector6d::Zero();
+    if (isMoving_ && framesMissed_ == 0) {
+        expected = alongBreathing(steps_.back());
+        prior.start = moved(pose_, expected.cwiseQuotient(inMm_));
+    }
+    const double wider = std::sqrt(1.0 + framesMissed_);
+    const double rotation = noise_.rotationDeg * std::numbers::pi / 180.0;
+    prior.std << rotation, rotation, rotation, noise_.shiftMm, noise_.shiftMm, noise_.shiftMm;
+    // Breathing turns round: the step may also be missing.
+    prior.std = wider * (prior.std.cwiseAbs2() + 0.25 * expected.cwiseQuotient(inMm_).cwiseAbs2()).cwiseSqrt();
+    return prior;
+}
+
+void MotionModel::advance(const std::optional<CentroidPose>& pose)
+{
+    if (!pose) {
+        ++framesMissed_;
+        return;
+    }
+    if (framesMissed_ == 0) {
+        steps_.push_back(stepBetween(pose_, *pose).cwiseProduct(inMm_));
+        isMoving_ = true;
+    }
+    if (steps_.size() > remembered) {
+        steps_.pop_front();
+    }
+    framesMissed_ = 0;
+    pose_ = *pose;
+}
+
+void MotionModel::jumpTo(const CentroidPose& pose)
+{
+    pose_ = pose;
+    framesMissed_ = 0;
+    isMoving_ = false;
+}
+
+}   // namespace core

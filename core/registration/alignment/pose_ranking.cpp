@@ -1,0 +1,58 @@
+#include "core/registration/alignment/pose_ranking.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+namespace {
+
+constexpr std::size_t usedPoints = 200;
+constexpr double perUnitOfPrior = 0.01;   // a start off by 2σ in all six parameters costs a fifth of the score
+constexpr double sameTurn = 0.02;
+constexpr double sameShiftMm = 3.0;
+
+bool isSame(const CentroidPose& a, const CentroidPose& b)
+{
+    const Vector6d step = stepBetween(a, b);
+    return step.head<3>().norm() < sameTurn && step.segment<2>(3).norm() < sameShiftMm;
+}
+
+}   // namespace
+
+PoseRanking::PoseRanking(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior)
+    : prior_(prior),
+      points_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), usedPoints)), problem.camera, target),
+      agreement_(problem, target)
+{
+}
+
+void PoseRanking::add(const CentroidPose& hypothesis)
+{
+    points_.resetVisibility();
+    const RefinementResult refined = refine(points_, prior_, hypothesis, schedule);
+    const ScoredPose scored{refined.pose, scoreOf(refined.pose), refined.stopReason};
+    const auto isBetter = [](const ScoredPose& a, const ScoredPose& b) { return a.score > b.score; };
+    ranked_.insert(std::upper_bound(ranked_.begin(), ranked_.end(), scored, isBetter), scored);
+}
+
+double PoseRanking::scoreOf(const CentroidPose& pose)
+{
+    return agreement_.of(pose) * std::exp(-perUnitOfPrior * prior_.cost(pose));
+}
+
+std::vector<ScoredPose> PoseRanking::distinct(double share, std::size_t count) const
+{
+    std::vector<ScoredPose> chosen;
+    for (const ScoredPose& candidate : ranked_) {
+        if (chosen.size() == count || candidate.score < share * best().score) {
+            break;
+        }
+        if (std::none_of(chosen.begin(), chosen.end(),
+                         [&](const ScoredPose& other) { return isSame(candidate.pose, other.pose); })) {
+            chosen.push_back(candidate);
+        }
+    }
+    return chosen;
+}
+
+}   // namespace core

@@ -1,0 +1,84 @@
+#include "core/registration/alignment/pose_search.h"
+
+#include "core/registration/alignment/coarse_search.h"
+
+#include <algorithm>
+
+namespace core {
+namespace {
+
+constexpr std::size_t searchPoints = 90;
+constexpr std::size_t auxiliaryCandidates = 4;
+
+// 3σ of the start poses that headers give (ALGORITHMS §4.4): 15 mm across the ray, 1° per angle and some roll.
+constexpr SearchReach nearbyReach{45.0, 8.0, 8.0, 4.0};
+constexpr double nearbyClosenessPx = 11.0;
+constexpr double wideStepDeg = 7.5;
+constexpr double wideClosenessPx = 16.0;
+
+std::vector<CentroidPose> posesOf(const std::vector<CoarseCandidate>& candidates, std::size_t count)
+{
+    std::vector<CentroidPose> poses;
+    for (std::size_t k = 0; k < std::min(count, candidates.size()); ++k) {
+        poses.push_back(candidates[k].pose);
+    }
+    return poses;
+}
+
+SearchReach within(SearchReach reach, const RegistrationOptions& options)
+{
+    reach.radiusMm = std::min(reach.radiusMm, options.searchRadiusMm);
+    reach.tiltDeg = std::min(reach.tiltDeg, options.searchTiltDeg);
+    reach.rollDeg = std::min(reach.rollDeg, options.searchRollDeg);
+    return reach;
+}
+
+}   // namespace
+
+PoseSearch::PoseSearch(const RegistrationProblem& problem, const TargetLines& target,
+                       const RegistrationOptions& options)
+    : problem_(problem), target_(target), options_(options)
+{
+}
+
+std::vector<CentroidPose> PoseSearch::nearby(const CentroidPose& start, const SearchObserver& observe) const
+{
+    const auto points = alignmentPoints(problem_.tree, strideFor(problem_.tree.size(), searchPoints));
+    const CoarseSearch search(problem_.camera, target_, nearbyClosenessPx);
+    return posesOf(search.find(points, start, within(nearbyReach, options_), observe), points.size());
+}
+
+std::vector<CentroidPose> PoseSearch::wide(const CentroidPose& start, const SearchObserver& observe) const
+{
+    const auto points = alignmentPoints(problem_.tree, strideFor(problem_.tree.size(), searchPoints));
+    const SearchReach reach{options_.searchRadiusMm, options_.searchTiltDeg, options_.searchRollDeg, wideStepDeg};
+    const CoarseSearch search(problem_.camera, target_, wideClosenessPx);
+    return posesOf(search.find(points, start, reach, observe), points.size());
+}
+
+std::vector<CentroidPose> PoseSearch::ofAuxiliary(const CentroidPose& start, const SearchObserver& observe) const
+{
+    std::vector<int> thinned;
+    const std::size_t stride = strideFor(problem_.auxiliary.size(), searchPoints);
+    for (std::size_t i = 0; i < problem_.auxiliary.size(); i += stride) {
+        thinned.push_back(problem_.auxiliary[i]);
+    }
+    const auto points = alignmentPoints(problem_.tree, thinned);
+    const CoarseSearch search(problem_.camera, target_, nearbyClosenessPx);
+    return posesOf(search.find(points, start, within(nearbyReach, options_), observe), auxiliaryCandidates);
+}
+
+CentroidPose PoseSearch::recentred(const CentroidPose& start) const
+{
+    Eigen::Vector2d middlePx = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d& point : problem_.target.points) {
+        middlePx += point / static_cast<double>(problem_.target.size());
+    }
+    CentroidPose moved = start;
+    const double depthMm = std::max(minProjectableDepthMm, start.centroidInCamera.z());
+    const Eigen::Vector3d ray = rayThroughPixel(problem_.camera, middlePx);
+    moved.centroidInCamera = ray * (depthMm / ray.z());
+    return moved;
+}
+
+}   // namespace core

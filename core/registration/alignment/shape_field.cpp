@@ -1,0 +1,138 @@
+#include "core/registration/alignment/shape_field.h"
+
+#include <Eigen/Cholesky>
+#include <array>
+#include <cmath>
+
+namespace core {
+namespace {
+
+constexpr std::size_t shortestBlock = 10;   // points
+constexpr std::size_t aboutBlocks = 100;   // the field costs the cube of their number
+constexpr std::array<double, 7> offsetsTriedPx{0.1, 0.2, 0.4, 0.8, 1.6, 3.2, 6.4};
+
+/// Sums over one block.
+struct Block {
+    int branchIndex = -1;
+    std::size_t count = 0;
+    double information = 0.0;
+    Eigen::Matrix<double, 7, 1> rows = Eigen::Matrix<double, 7, 1>::Zero();
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();
+    Eigen::Vector2d normal = Eigen::Vector2d::Zero();
+
+    void add(const ResidualRow& row, double weight)
+    {
+        information += weight;
+        rows.head<6>() += weight * row.gradient;
+        rows[6] += weight * row.residual;
+        place += weight * row.fromCentroid;
+        normal += weight * row.gradient.segment<2>(3);
+    }
+};
+
+std::vector<Block> blocksOf(const std::vector<ResidualRow>& rows, double rowVariance)
+{
+    const std::size_t length = std::max(shortestBlock, rows.size() / aboutBlocks);
+    std::vector<Block> blocks;
+    Block block;
+    const auto finish = [&] {
+        if (block.information > 0.0) {
+            block.place /= block.information;
+            block.normal.normalize();
+            blocks.push_back(block);
+        }
+    };
+    for (const ResidualRow& row : rows) {
+        if (row.branchIndex != block.branchIndex || block.count == length) {
+            finish();
+            block = {};
+            block.branchIndex = row.branchIndex;
+        }
+        ++block.count;
+        if (row.weight > 0.0) {
+            block.add(row, row.weight / rowVariance);
+        }
+    }
+    finish();
+    return blocks;
+}
+
+}   // namespace
+
+ShapeField::ShapeField(const std::vector<ResidualRow>& rows, double rowVariance)
+{
+    for (const ResidualRow& row : rows) {
+        if (row.weight > 0.0) {
+            Eigen::Matrix<double, 7, 1> both;
+            both << row.gradient, row.residual;
+            plain_ += row.weight / rowVariance * both * both.transpose();
+        }
+    }
+    const std::vector<Block> blocks = blocksOf(rows, rowVariance);
+    const auto count = static_cast<Eigen::Index>(blocks.size());
+    blocks_.resize(count, 7);
+    kernel_.resize(count, count);
+    for (Eigen::Index a = 0; a < count; ++a) {
+        const Block& block = blocks[static_cast<std::size_t>(a)];
+        blocks_.row(a) = block.rows / std::sqrt(block.information);
+        for (Eigen::Index b = 0; b <= a; ++b) {
+            const Block& other = blocks[static_cast<std::size_t>(b)];
+            const double squared = (block.place - other.place).squaredNorm() / (reachMm * reachMm);
+            kernel_(a, b) = std::sqrt(block.information * other.information) * block.normal.dot(other.normal) *
+                            std::exp(-0.5 * squared);
+        }
+    }
+}
+
+void ShapeField::eliminate(double offsetPx)
+{
+    // With K the scaled covariance, (K⁻¹ + I)⁻¹ = I − (I + K)⁻¹ is what the field takes away.
+    factor_ = offsetPx * offsetPx * kernel_;
+    factor_.diagonal().array() += 1.0;
+    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>, Eigen::Lower> llt(factor_);
+    const Block7 whitened = factor_.triangularView<Eigen::Lower>().solve(blocks_);
+    left_ = plain_ - blocks_.transpose() * blocks_ + whitened.transpose() * whitened;
+    logDeterminant_ = 2.0 * factor_.diagonal().array().log().sum();
+}
+
+NormalEquations ShapeField::equations(double offsetPx)
+{
+    eliminate(offsetPx);
+    NormalEquations equations;
+    equations.hessian = left_.topLeftCorner<6, 6>();
+    equations.gradient = left_.topRightCorner<6, 1>();
+    return equations;
+}
+
+double ShapeField::logLikelihood(double offsetPx, const NormalEquations& prior)
+{
+    const NormalEquations data = equations(offsetPx);
+    const Eigen::LLT<Matrix6d> pose(data.hessian + Matrix6d(prior.hessian.selfadjointView<Eigen::Lower>()));
+    const Vector6d gradient = data.gradient + prior.gradient;
+    const Matrix6d factor = pose.matrixL();
+    const double squares = left_(6, 6) - gradient.dot(pose.solve(gradient));
+    return -0.5 * (logDeterminant_ + 2.0 * factor.diagonal().array().log().sum() + squares);
+}
+
+double ShapeField::likelyOffsetPx(const NormalEquations& prior)
+{
+    std::array<double, offsetsTriedPx.size()> likelihoods{};
+    std::size_t best = 0;
+    for (std::size_t k = 0; k < offsetsTriedPx.size(); ++k) {
+        likelihoods[k] = logLikelihood(offsetsTriedPx[k], prior);
+        if (likelihoods[k] > likelihoods[best]) {
+            best = k;
+        } else if (k > best + 1) {
+            break;
+        }
+    }
+    if (best == 0 || best + 1 == offsetsTriedPx.size()) {
+        return offsetsTriedPx[best];
+    }
+    // Parabola through three points, an octave apart.
+    const double below = likelihoods[best - 1] - likelihoods[best];
+    const double above = likelihoods[best + 1] - likelihoods[best];
+    return offsetsTriedPx[best] * std::exp2(0.5 * (above - below) / -(above + below));
+}
+
+}   // namespace core

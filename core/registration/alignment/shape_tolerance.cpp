@@ -1,0 +1,113 @@
+#include "core/registration/alignment/shape_tolerance.h"
+
+#include "core/registration/alignment/shape_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+namespace {
+
+constexpr double matchScalePx = 1.5;   // with the cut-off of a Welsch weight, points up to 6 px away are looked at
+constexpr double scaleFactor = 3.0;   // Welsch scale at which Gaussian residuals keep nearly all their weight
+constexpr int maxSteps = 8;
+constexpr double settledMm = 1e-2;   // 0.02 px, far below what bent vessels tell
+constexpr double leastDamping = 1e-9;
+
+NormalEquations priorAt(const StartPrior& prior, const CentroidPose& pose, double variance = 1.0)
+{
+    NormalEquations equations;
+    prior.add(pose, variance, equations);
+    return equations;
+}
+
+double tolerantScalePx(const ResidualNoise& noise)
+{
+    return std::max(1.0, scaleFactor * std::hypot(noise.scatterPx, noise.offsetPx));
+}
+
+/// Rows with weights as wide as the residuals are.
+ResidualNoise collectRobustRows(const Alignment& alignment, const CentroidPose& pose, std::vector<ResidualRow>& rows)
+{
+    alignment.collectRows(pose, matchScalePx, rows);
+    const ResidualNoise noise = residualNoise(rows);
+    alignment.collectRows(pose, tolerantScalePx(noise), rows);
+    return noise;
+}
+
+NormalEquations ofIndependentRows(const std::vector<ResidualRow>& rows, double rowVariance)
+{
+    NormalEquations sum;
+    for (const ResidualRow& row : rows) {
+        if (row.weight > 0.0) {
+            const Vector6d weighted = row.weight / rowVariance * row.gradient;
+            sum.hessian += weighted * row.gradient.transpose();
+            sum.gradient += row.residual * weighted;
+        }
+    }
+    return sum;
+}
+
+/// Step of the shift alone: rows and columns of the turn drop out.
+Vector6d shiftStep(NormalEquations equations)
+{
+    equations.hessian.topRows<3>().setZero();
+    equations.hessian.leftCols<3>().setZero();
+    equations.gradient.head<3>().setZero();
+    return dampedStep(equations, leastDamping);
+}
+
+/// Lays the turned tree over the vessels.
+CentroidPose settleShift(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose, double scalePx,
+                         double rowVariance)
+{
+    CentroidPose settled = pose;
+    for (int k = 0; k < maxSteps; ++k) {
+        NormalEquations equations = alignment.look(settled, scalePx).equations;
+        prior.add(settled, rowVariance, equations);
+        const Vector6d step = shiftStep(equations);
+        settled = moved(settled, step);
+        if (step.norm() < settledMm) {
+            break;
+        }
+    }
+    return settled;
+}
+
+}   // namespace
+
+CentroidPose refineTolerantly(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose,
+                              double scalePx)
+{
+    std::vector<ResidualRow> rows;
+    const ResidualNoise noise = collectRobustRows(alignment, pose, rows);
+    if (!noise.hasOffsets()) {
+        return pose;
+    }
+    const double offsetPx = ShapeField(rows, noise.rowVariance()).likelyOffsetPx(priorAt(prior, pose));
+    CentroidPose refined = pose;
+    for (int k = 0; k < maxSteps; ++k) {
+        NormalEquations equations = ShapeField(rows, noise.rowVariance()).equations(offsetPx);
+        prior.add(refined, 1.0, equations);
+        const Vector6d step = dampedStep(equations, leastDamping);
+        refined = moved(refined, step);
+        if (step.tail<3>().norm() < settledMm) {
+            break;
+        }
+        alignment.collectRows(refined, tolerantScalePx(noise), rows);
+    }
+    return settleShift(alignment, prior, refined, scalePx, noise.rowVariance());
+}
+
+NormalEquations tolerantInformation(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose)
+{
+    std::vector<ResidualRow> rows;
+    const ResidualNoise noise = collectRobustRows(alignment, pose, rows);
+    if (!noise.hasOffsets()) {
+        return ofIndependentRows(rows, noise.rowVariance());
+    }
+    ShapeField field(rows, noise.rowVariance());
+    return field.equations(field.likelyOffsetPx(priorAt(prior, pose)));
+}
+
+}   // namespace core

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/registration/matching/target_lines.h"
+#include "core/registration/registration_problem.h"
+
+namespace core {
+
+/// How far apart two poses put the tree, seen along the rays: mean over its points of the shift across the camera's z,
+/// mm. About the reprojection distance of ALGORITHMS §4.5, blind to depth like it.
+double meanShiftMm(const TreeSamples& tree, const RigidTransform& a, const RigidTransform& b);
+
+/// The same to be expected from a covariance: root mean square over the tree's points, 1-σ.
+double expectedShiftMm(const TreeSamples& tree, const RigidTransform& pose, const PoseUncertainty& uncertainty);
+
+/// How far the pose slides when it is refined where it is: large when the vessels fit better close by.
+double settlingShiftMm(const RegistrationProblem& problem, const TargetLines& target, const RigidTransform& pose,
+                       const RegistrationOptions& options);
+
+}   // namespace core

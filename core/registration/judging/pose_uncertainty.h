@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/registration/matching/target_lines.h"
+#include "core/registration/pose/centroid_pose.h"
+#include "core/registration/registration_problem.h"
+
+namespace core {
+
+/// Covariance of the pose from the residuals across the vessels, what they share along the branches, and the start
+/// pose's prior (ALGORITHMS §6.10). A degree of freedom is observed when the image alone beats half the prior's spread.
+PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const TargetLines& target,
+                                const RigidTransform& cameraFromPatient, const StartPrior& prior);
+
+/// The same from what images tell about a pose: information for steps (rad, mm) about the centroid in camera axes.
+PoseUncertainty poseUncertainty(const Matrix6d& imageInformation, const StartPrior& prior, double spreadMm);
+
+}   // namespace core

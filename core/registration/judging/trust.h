@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/registration/judging/distance_metrics.h"
+
+namespace core {
+
+/// What trust is judged by; metrics, branches, uncertainty and alternatives of `result` are filled in.
+struct Evidence {
+    const RegistrationProblem& problem;
+    const ProjectedTree& projected;
+    const RegistrationResult& result;
+    double agreement = 1.0;   ///< both ways, 0…1, see AgreementScore
+    double settlingMm = 0.0;   ///< see settlingShiftMm
+    double expectedErrorMm = 0.0;   ///< see expectedShiftMm
+    double rivalMm = 0.0;   ///< how far the farthest alternative puts the tree elsewhere
+};
+
+struct Trust {
+    bool isTrustworthy = true;
+    std::vector<std::string> warnings;   ///< reasons against trust first, then what one view cannot tell
+};
+
+/// Says in a clinician's words why a pose may be wrong; silent when nothing speaks against it.
+Trust judgeTrust(const Evidence& evidence);
+
+}   // namespace core

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/registration/matching/point_index.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace core {
+
+/// Nearest point by table: Euclidean feature transform (Felzenszwalb, Huttenlocher 2012) on square cells that cover the
+/// image and a margin around it. A cell answers for its centre, so the point found is farther than the nearest by at
+/// most a cell's diagonal; outside the table the border cell answers.
+class FeatureMap final : public PointIndex {
+public:
+    static constexpr int cellPx = 3;
+
+    /// `pointsPx` finite and not empty.
+    FeatureMap(std::vector<Eigen::Vector2d> pointsPx, int imageWidth, int imageHeight);
+
+    /// The best answer of the query's cell and its neighbours: the nearest point itself where one is within a cell.
+    std::size_t nearestIndex(const Eigen::Vector2d& queryPx) const override;
+    const std::vector<Eigen::Vector2d>& points() const override { return points_; }
+
+    /// The answer of the query's cell alone, for inner loops.
+    std::size_t lookUp(double u, double v) const
+    {
+        constexpr double perPx = 1.0 / cellPx;
+        const double column = std::clamp((u + offsetPx_) * perPx, 0.0, columns_ - 1.0);
+        const double row = std::clamp((v + offsetPx_) * perPx, 0.0, rows_ - 1.0);
+        return static_cast<std::size_t>(
+            nearest_[static_cast<std::size_t>(static_cast<int>(row) * columns_ + static_cast<int>(column))]);
+    }
+
+private:
+    std::vector<Eigen::Vector2d> points_;
+    double offsetPx_ = 0.0;   ///< from pixel coordinates to the outer edge of the first cell
+    int columns_ = 0;
+    int rows_ = 0;
+    std::vector<std::int32_t> nearest_;   ///< per cell, row-major
+};
+
+}   // namespace core

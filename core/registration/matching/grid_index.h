@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/registration/matching/point_index.h"
+
+#include <cstdint>
+
+namespace core {
+
+/// Exact nearest point by buckets of a few pixels: built in microseconds, quick for queries close to the points.
+class GridIndex final : public PointIndex {
+public:
+    /// `pointsPx` finite and not empty.
+    explicit GridIndex(std::vector<Eigen::Vector2d> pointsPx);
+
+    std::size_t nearestIndex(const Eigen::Vector2d& queryPx) const override;
+    const std::vector<Eigen::Vector2d>& points() const override { return points_; }
+
+private:
+    std::vector<Eigen::Vector2d> points_;
+    Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
+    double cellPx_ = 4.0;
+    int columns_ = 1;
+    int rows_ = 1;
+    std::vector<std::int32_t> cellStart_;   ///< one more than cells
+    std::vector<std::int32_t> members_;   ///< point numbers, cell after cell
+};
+
+}   // namespace core

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/registration/matching/feature_map.h"
+#include "core/registration/registration_problem.h"
+
+namespace core {
+
+/// The target as short lines, looked up by pixel; built once per image (ALGORITHMS §6.2, §6.15).
+class TargetLines {
+public:
+    struct Line {
+        double x, y;   ///< a point of the curve, px
+        double tx, ty;   ///< unit tangent there
+        bool hasPrevious, hasNext;   ///< the neighbouring line belongs to the same curve
+    };
+
+    TargetLines(const TargetSamples& target, const ProjectionCamera& camera);
+
+    /// The line nearest to a pixel: from the map, then along its curve.
+    const Line& nearest(double u, double v) const
+    {
+        const Line* line = &lines_[map_.lookUp(u, v)];
+        double best = squaredDistance(*line, u, v);
+        while (line->hasNext && squaredDistance(line[1], u, v) < best) {
+            ++line;
+            best = squaredDistance(*line, u, v);
+        }
+        while (line->hasPrevious && squaredDistance(line[-1], u, v) < best) {
+            --line;
+            best = squaredDistance(*line, u, v);
+        }
+        return *line;
+    }
+
+    static double squaredDistance(const Line& line, double u, double v)
+    {
+        return (line.x - u) * (line.x - u) + (line.y - v) * (line.y - v);
+    }
+
+    const std::vector<Line>& lines() const { return lines_; }
+    const FeatureMap& index() const { return map_; }
+
+private:
+    FeatureMap map_;
+    std::vector<Line> lines_;
+};
+
+}   // namespace core

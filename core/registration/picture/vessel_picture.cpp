@@ -1,0 +1,59 @@
+#include "core/registration/picture/vessel_picture.h"
+
+#include "core/imaging/grey_statistics.h"
+#include "core/imaging/image_filters.h"
+#include "core/registration/picture/tube_picture.h"
+#include "core/tracing/field_mask.h"
+#include "core/tracing/flatten_background.h"
+
+#include <algorithm>
+
+namespace core {
+namespace {
+
+constexpr double widestVesselPx = 16.0;
+constexpr double surroundingsPx = 24.0;
+constexpr std::size_t sampleSize = 100000;
+constexpr double drawnBlurPx = 0.7;   // as sharp as a detector
+
+ImageF flattened(const ImageF& image, Polarity polarity)
+{
+    ImageF vesselsDark = image;
+    if (polarity == Polarity::VesselsBright) {
+        for (float& value : vesselsDark.pixels) {
+            value = -value;
+        }
+    }
+    return flattenBackground(vesselsDark, findField(vesselsDark, widestVesselPx), surroundingsPx);
+}
+
+}   // namespace
+
+ImageF vesselPicture(const RegistrationProblem& problem)
+{
+    const ProjectionCamera& camera = problem.camera;
+    ImageF picture = problem.image ? flattened(*problem.image, problem.polarity)
+                                   : blurred(pictureOf(problem.target, camera.width, camera.height), drawnBlurPx);
+    const float top = std::max(ranked(evenSample(picture.pixels, sampleSize), 0.999), 1e-12F);
+    for (float& value : picture.pixels) {
+        value = std::max(0.0F, value / top);
+    }
+    return picture;
+}
+
+Eigen::Vector2d gradientAt(const ImageF& image, const Eigen::Vector2d& place)
+{
+    if (!isOn(image, place)) {
+        return Eigen::Vector2d::Zero();
+    }
+    const auto at = [&](double x, double y) { return static_cast<double>(sampled(image, x, y)); };
+    return {0.5 * (at(place.x() + 1.0, place.y()) - at(place.x() - 1.0, place.y())),
+            0.5 * (at(place.x(), place.y() + 1.0) - at(place.x(), place.y() - 1.0))};
+}
+
+bool isOn(const ImageF& image, const Eigen::Vector2d& place)
+{
+    return place.x() >= 0.0 && place.y() >= 0.0 && place.x() <= image.width - 1 && place.y() <= image.height - 1;
+}
+
+}   // namespace core

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/registration/method.h"
+#include "core/registration/pnp/point_solver.h"
+#include "core/registration/pnp/seed_problem.h"
+
+namespace core {
+
+/// What of the alternating search is done; neither: one problem with all points.
+struct Alternation {
+    bool turnsFirst = false;
+    bool alternates = false;
+};
+
+/// Runs a method of matched points inside the alternating search of Song and Ghaffari (ALGORITHMS §3.2): auxiliary
+/// points with held partners push the pose out of local optima of all points. Ends when the median distance is below a
+/// pixel or falls no more, after five rounds at most, with the pose of best E_data at the final kernel width.
+MethodSolution searchAlternating(const RegistrationProblem& problem, const RegistrationOptions& options,
+                                 const SeedProblem& seed, PointSolver& solver, Alternation alternation,
+                                 ProgressLog& progress);
+
+}   // namespace core

@@ -1,0 +1,145 @@
+#include "core/registration/pnp/kernel_ascent.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+namespace {
+
+constexpr int scaleCount = 3;
+constexpr double armijo = 1e-4;
+constexpr double settledPx = 1e-3;
+
+/// Ascent at one kernel width. The cost is 2σ² (N − E_data) + prior: what the kernel-weighted squares majorise.
+class OneScale {
+public:
+    OneScale(const KernelProblem& problem, const PosePrior& prior, double scalePx)
+        : problem_(problem), prior_(prior), scalePx_(scalePx)
+    {
+    }
+
+    /// Stands on this pose.
+    void begin(const RigidTransform& pose)
+    {
+        pose_ = pose;
+        measure(problem_, pose_, current_, scalePx_);
+        cost_ = costOf(pose_, current_);
+        motionPx_ = 0.5 * scalePx_;
+    }
+
+    /// One step against the gradient, the components weighed by `metric`; false when none lowers the cost.
+    bool step(const Vector6d& metric);
+
+    const RigidTransform& pose() const { return pose_; }
+    const KernelDistances& distances() const { return current_; }
+
+private:
+    double costOf(const RigidTransform& pose, const KernelDistances& distances) const
+    {
+        return 2.0 * scalePx_ * scalePx_ * kernelLoss(distances, scalePx_) + priorCost(prior_, pose);
+    }
+    double largestMotionPx(const Vector6d& step) const;
+
+    const KernelProblem& problem_;
+    const PosePrior& prior_;
+    double scalePx_;
+    RigidTransform pose_;
+    double cost_ = 0.0;
+    double motionPx_ = 0.0;   ///< largest motion of a point tried first
+    KernelDistances current_;
+    KernelDistances trial_;
+};
+
+bool OneScale::step(const Vector6d& metric)
+{
+    NormalEquations equations = kernelEquations(problem_, current_, scalePx_);
+    addPrior(prior_, pose_, equations);
+    const Vector6d direction = -metric.cwiseProduct(equations.gradient);
+    const double unitPx = largestMotionPx(direction);
+    if (!(unitPx > 0.0)) {
+        return false;
+    }
+    const double slope = 2.0 * equations.gradient.dot(direction) / unitPx;   // per px of motion
+    for (double motionPx = motionPx_; motionPx >= settledPx; motionPx *= 0.5) {
+        const RigidTransform candidate = expSe3(motionPx / unitPx * direction) * pose_;
+        measure(problem_, candidate, trial_, scalePx_);
+        const double cost = costOf(candidate, trial_);
+        if (cost <= cost_ + armijo * slope * motionPx) {
+            pose_ = candidate;
+            cost_ = cost;
+            std::swap(current_, trial_);
+            motionPx_ = std::min(2.0 * motionPx, 0.5 * scalePx_);
+            return true;
+        }
+    }
+    return false;
+}
+
+double OneScale::largestMotionPx(const Vector6d& step) const
+{
+    double largest = 0.0;
+    for (std::size_t i = 0; i < current_.inCamera.size(); ++i) {
+        const Eigen::Vector3d& point = current_.inCamera[i];
+        if (std::isfinite(current_.squaredPx[i])) {
+            const Eigen::Vector3d motion = step.head<3>().cross(point) + step.tail<3>();
+            largest = std::max(largest, (projectionJacobian(problem_.camera, point) * motion).norm());
+        }
+    }
+    return largest;
+}
+
+Vector6d weightsOf(StepMetric metric, SearchStage stage, double depthMm)
+{
+    Vector6d weights = Vector6d::Ones();
+    if (metric == StepMetric::Balanced) {
+        weights.head<3>().setConstant(1.0 / (depthMm * depthMm));
+    }
+    if (stage == SearchStage::Turn) {
+        weights.tail<3>().setZero();
+    }
+    return weights;
+}
+
+}   // namespace
+
+KernelPnpResult KernelAscent::solve(const KernelProblem& problem, SearchStage stage, const RigidTransform& start,
+                                    const KernelObserver& observe)
+{
+    const PosePrior none;
+    const PosePrior& prior = stage == SearchStage::Full ? options_.prior : none;
+    const Vector6d weights = weightsOf(options_.metric, stage, depthMm_);
+    const double ratio = std::pow(options_.finalScalePx / options_.startScalePx, 1.0 / (scaleCount - 1));
+
+    KernelPnpResult result;
+    result.pose = start;
+    result.scalePx = options_.startScalePx;
+    for (int scale = 0; scale < scaleCount; ++scale) {
+        OneScale ascent(problem, prior, result.scalePx);
+        ascent.begin(result.pose);
+        result.stopReason = StopReason::IterationLimit;
+        for (int i = 0; i < options_.iterationsPerScale; ++i) {
+            if (!ascent.step(weights)) {
+                result.stopReason = StopReason::Converged;
+                break;
+            }
+            ++result.iterations;
+            const int step = scale * options_.iterationsPerScale + i + 1;
+            if (observe && observe({step, result.scalePx, ascent.pose(), &ascent.distances()}) == Verdict::Stop) {
+                result.pose = ascent.pose();
+                result.stopReason = StopReason::StoppedByUser;
+                return result;
+            }
+        }
+        result.pose = ascent.pose();
+        result.scalePx *= ratio;
+    }
+    result.pose.rotation = nearestRotation(result.pose.rotation);
+    return result;
+}
+
+int KernelAscent::maxIterations(SearchStage) const
+{
+    return scaleCount * options_.iterationsPerScale;
+}
+
+}   // namespace core

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/registration/pnp/point_solver.h"
+
+namespace core {
+
+/// How the gradient becomes a step: rotations scaled by the depth, so that both move the image alike, or raw radians
+/// beside millimetres, where rotation takes it all (ALGORITHMS §3.3).
+enum class StepMetric { Balanced, Literal };
+
+struct AscentOptions {
+    double startScalePx = 20.0;
+    double finalScalePx = 3.0;
+    int iterationsPerScale = 300;
+    StepMetric metric = StepMetric::Balanced;
+    PosePrior prior;   ///< of the full problem
+};
+
+/// First-order ascent of Σ exp(−d²/2σ²) at three widths σ from coarse to fine, with Armijo backtracking and fresh
+/// partners at every look (ALGORITHMS §3.3).
+class KernelAscent final : public PointSolver {
+public:
+    KernelAscent(const AscentOptions& options, double depthMm) : options_(options), depthMm_(depthMm) {}
+
+    KernelPnpResult solve(const KernelProblem& problem, SearchStage stage, const RigidTransform& start,
+                          const KernelObserver& observe) override;
+    int maxIterations(SearchStage) const override;
+
+private:
+    AscentOptions options_;
+    double depthMm_;
+};
+
+}   // namespace core

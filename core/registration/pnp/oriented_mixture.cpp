@@ -1,0 +1,143 @@
+#include "core/registration/pnp/oriented_mixture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+namespace {
+
+constexpr double reachInScales = 4.2426;   // 3σ of a product of two Gaussians: 3√2 σ
+constexpr double samplesPerScale = 4.0;
+constexpr double shortestDirection = 1e-3;   // of Z² px: seen end-on
+
+/// Steps between samples so that they lie `wantedPx` apart, given their mean spacing.
+std::size_t strideFor(double wantedPx, double spacingPx)
+{
+    return std::max<std::size_t>(1, static_cast<std::size_t>(wantedPx / std::max(spacingPx, 1e-6)));
+}
+
+double meanSpacingPx(const std::vector<Eigen::Vector2d>& points, const std::vector<int>& curve)
+{
+    double length = 0.0;
+    double count = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        if (curve[i] == curve[i - 1]) {
+            length += (points[i] - points[i - 1]).norm();
+            count += 1.0;
+        }
+    }
+    return count > 0.0 ? length / count : 1.0;
+}
+
+}   // namespace
+
+OrientedMixture::OrientedMixture(const RegistrationProblem& problem, const MixtureOptions& options)
+    : options_(options), camera_(problem.camera), reachPx_(reachInScales * options.scalePx)
+{
+    const TreeSamples& tree = problem.tree;
+    const double wantedPx = options.scalePx / samplesPerScale;
+    std::vector<Eigen::Vector2d> atStart;
+    for (const Eigen::Vector3d& point : tree.points) {
+        atStart.push_back(core::project(camera_, problem.start * point).value_or(Eigen::Vector2d::Zero()));
+    }
+    const std::size_t stride = strideFor(wantedPx, meanSpacingPx(atStart, tree.branchIndex));
+    for (std::size_t i = 0; i < tree.size(); i += stride) {
+        samples_.push_back({tree.points[i] - tree.centroid, tree.tangents[i]});
+    }
+    const TargetSamples& target = problem.target;
+    const std::size_t targetStride = strideFor(wantedPx, meanSpacingPx(target.points, target.curveIndex));
+    for (std::size_t j = 0; j < target.size(); j += targetStride) {
+        targetPlaces_.push_back(target.points[j]);
+        targetDirections_.push_back(target.tangents[j]);
+    }
+    targetGrid_.fill(targetPlaces_, reachPx_);
+}
+
+void OrientedMixture::project(const CentroidPose& pose)
+{
+    projected_.clear();
+    places_.clear();
+    directions_.clear();
+    for (const Sample& sample : samples_) {
+        const Eigen::Vector3d p = pose.rotation * sample.fromCentroid + pose.centroidInCamera;
+        const auto place = core::project(camera_, p);
+        const Eigen::Vector3d t = pose.rotation * sample.tangent;
+        const Eigen::Vector2d direction(camera_.fx * (t.x() * p.z() - p.x() * t.z()),
+                                        camera_.fy * (t.y() * p.z() - p.y() * t.z()));
+        const double length = direction.norm();
+        if (place && length > shortestDirection * std::abs(camera_.fx) * p.z()) {
+            projected_.push_back({p, t, length});
+            places_.push_back(*place);
+            directions_.emplace_back(direction / length);
+        }
+    }
+}
+
+OrientedMixture::Pair OrientedMixture::compare(const Eigen::Vector2d& place, const Eigen::Vector2d& direction,
+                                               const Eigen::Vector2d& otherPlace,
+                                               const Eigen::Vector2d& otherDirection) const
+{
+    const Eigen::Vector2d gap = place - otherPlace;
+    if (gap.squaredNorm() > reachPx_ * reachPx_) {
+        return {};
+    }
+    const double perPlace = 1.0 / (4.0 * options_.scalePx * options_.scalePx);
+    const double perDirection = 1.0 / (4.0 * options_.orientation * options_.orientation);
+    // Less what is left at the reach: the kernel ends there without a step.
+    const double near = std::exp(-gap.squaredNorm() * perPlace);
+    const double above = near - std::exp(-reachPx_ * reachPx_ * perPlace);
+    const Eigen::Vector2d alike = direction - otherDirection;
+    const Eigen::Vector2d opposite = direction + otherDirection;
+    const double alikeValue = std::exp(-alike.squaredNorm() * perDirection);
+    const double oppositeValue = std::exp(-opposite.squaredNorm() * perDirection);
+    return {above * (alikeValue + oppositeValue), -2.0 * perPlace * near * (alikeValue + oppositeValue) * gap,
+            -2.0 * perDirection * above * (alikeValue * alike + oppositeValue * opposite)};
+}
+
+double OrientedMixture::distance(const CentroidPose& pose, Vector6d& gradient)
+{
+    gradient.setZero();
+    project(pose);
+    ownGrid_.fill(places_, reachPx_);
+    const auto count = static_cast<double>(samples_.size());
+    const double selfFactor = options_.selfWeight / (count * count);
+    const double crossFactor = -2.0 / (count * static_cast<double>(targetPlaces_.size()));
+    double sum = 0.0;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        Pair self;
+        Pair cross;
+        const auto add = [](const Pair& pair, Pair& to) {
+            to.value += pair.value;
+            to.byPlace += pair.byPlace;
+            to.byDirection += pair.byDirection;
+        };
+        targetGrid_.visitNear(places_[i], [&](std::size_t j) {
+            add(compare(places_[i], directions_[i], targetPlaces_[j], targetDirections_[j]), cross);
+        });
+        ownGrid_.visitNear(places_[i], [&](std::size_t j) {
+            add(compare(places_[i], directions_[i], places_[j], directions_[j]), self);
+        });
+        sum += selfFactor * self.value + crossFactor * cross.value;
+        // Both members of a self pair move: twice the derivative for the first.
+        carryBack(i, 2.0 * selfFactor * self.byPlace + crossFactor * cross.byPlace,
+                  2.0 * selfFactor * self.byDirection + crossFactor * cross.byDirection, pose, gradient);
+    }
+    return sum;
+}
+
+void OrientedMixture::carryBack(std::size_t sample, const Eigen::Vector2d& byPlace, const Eigen::Vector2d& byDirection,
+                                const CentroidPose& pose, Vector6d& gradient) const
+{
+    const auto& [p, t, length] = projected_[sample];
+    const Eigen::Vector2d& unit = directions_[sample];
+    const Eigen::Vector2d byRaw = (byDirection - unit * unit.dot(byDirection)) / length;
+    const double dx = camera_.fx * byRaw.x();
+    const double dy = camera_.fy * byRaw.y();
+    Eigen::Vector3d byPoint = projectionJacobian(camera_, p).transpose() * byPlace;
+    byPoint += Eigen::Vector3d(-dx * t.z(), -dy * t.z(), dx * t.x() + dy * t.y());
+    const Eigen::Vector3d byTangent(dx * p.z(), dy * p.z(), -dx * p.x() - dy * p.y());
+    gradient.head<3>() += (p - pose.centroidInCamera).cross(byPoint) + t.cross(byTangent);
+    gradient.tail<3>() += byPoint;
+}
+
+}   // namespace core

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "core/registration/matching/bin_grid.h"
+#include "core/registration/pose/centroid_pose.h"
+#include "core/registration/registration_problem.h"
+
+namespace core {
+
+struct MixtureOptions {
+    double scalePx = 15.0;   ///< σ of the places
+    double orientation = 0.3;   ///< σ of the unit directions
+    double selfWeight = 1.0;
+};
+
+/// L2 distance of two mixtures of Gaussians over place and direction: the projected tree P and the traced vessels Q, up
+/// to the constant ⟨Q,Q⟩ (ALGORITHMS §3.12). Directions count alike either way round.
+class OrientedMixture {
+public:
+    /// Samples are thinned to what the scale can tell apart.
+    OrientedMixture(const RegistrationProblem& problem, const MixtureOptions& options);
+
+    /// w⟨P,P⟩ − 2⟨P,Q⟩ and its gradient for steps (rad, mm) about the pose, directions included.
+    double distance(const CentroidPose& pose, Vector6d& gradient);
+
+private:
+    struct Sample {
+        Eigen::Vector3d fromCentroid;   ///< mm, patient axes
+        Eigen::Vector3d tangent;   ///< unit
+    };
+    /// A sample as it is projected; the derivative of a cost for place and direction goes back through it.
+    struct Projected {
+        Eigen::Vector3d inCamera;
+        Eigen::Vector3d tangent;   ///< camera axes
+        double directionLength = 0.0;   ///< of the direction before it is a unit
+    };
+    /// A kernel between two oriented points: value, and half derivatives for the first.
+    struct Pair {
+        double value = 0.0;
+        Eigen::Vector2d byPlace = Eigen::Vector2d::Zero();
+        Eigen::Vector2d byDirection = Eigen::Vector2d::Zero();
+    };
+    void project(const CentroidPose& pose);
+    Pair compare(const Eigen::Vector2d& place, const Eigen::Vector2d& direction, const Eigen::Vector2d& otherPlace,
+                 const Eigen::Vector2d& otherDirection) const;
+    void carryBack(std::size_t sample, const Eigen::Vector2d& byPlace, const Eigen::Vector2d& byDirection,
+                   const CentroidPose& pose, Vector6d& gradient) const;
+
+    MixtureOptions options_;
+    ProjectionCamera camera_;
+    double reachPx_;   ///< beyond which kernels are not evaluated
+    std::vector<Sample> samples_;
+    std::vector<Projected> projected_;   ///< those in front of the source
+    std::vector<Eigen::Vector2d> places_;   ///< of the projected samples
+    std::vector<Eigen::Vector2d> directions_;   ///< unit
+    std::vector<Eigen::Vector2d> targetPlaces_;
+    std::vector<Eigen::Vector2d> targetDirections_;
+    BinGrid targetGrid_;
+    BinGrid ownGrid_;
+};
+
+}   // namespace core

@@ -1,0 +1,106 @@
+#include "core/registration/pnp/seed_problem.h"
+
+#include "core/registration/matching/feature_map.h"
+#include "core/registration/matching/grid_index.h"
+#include "core/registration/matching/kd_tree_index.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+namespace {
+
+constexpr double depthGuardMm = 100.0;
+constexpr double minSpreadShare = 0.3;
+constexpr std::size_t minAuxiliaryPoints = 4;
+
+Eigen::Vector3d meanOf(const std::vector<Eigen::Vector3d>& points)
+{
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& point : points) {
+        sum += point;
+    }
+    return sum / static_cast<double>(points.size());
+}
+
+double rmsSpread(const std::vector<Eigen::Vector3d>& points)
+{
+    const Eigen::Vector3d mean = meanOf(points);
+    double sum = 0.0;
+    for (const Eigen::Vector3d& point : points) {
+        sum += (point - mean).squaredNorm();
+    }
+    return std::sqrt(sum / static_cast<double>(points.size()));
+}
+
+/// E_init by preset (ALGORITHMS §2, decision 17). Averaging the data over N is the same as N times the prior.
+PosePrior priorOf(const RegistrationOptions& options, double depthMm, double pointCount)
+{
+    PosePrior prior;
+    switch (static_cast<PriorPreset>(std::lround(options.preset))) {
+        case PriorPreset::SeedSum:
+            prior.strength = options.priorWeight;
+            break;
+        case PriorPreset::SeedMean:
+            prior.strength = options.priorWeight * pointCount;
+            break;
+        case PriorPreset::SeedMetric:
+            prior.strength = options.priorWeight * pointCount;
+            prior.weights.tail<3>().setConstant(1.0 / depthMm);
+            break;
+        case PriorPreset::NoPrior:
+            break;
+    }
+    return prior;
+}
+
+std::unique_ptr<PointIndex> makeIndex(IndexKind kind, const RegistrationProblem& problem)
+{
+    switch (kind) {
+        case IndexKind::Grid:
+            return std::make_unique<GridIndex>(problem.target.points);
+        case IndexKind::Map:
+            return std::make_unique<FeatureMap>(problem.target.points, problem.camera.width, problem.camera.height);
+        case IndexKind::KdTree:
+            break;
+    }
+    return makeKdTreeIndex(problem.target.points);
+}
+
+}   // namespace
+
+SeedProblem makeSeedProblem(const RegistrationProblem& problem, const RegistrationOptions& options)
+{
+    SeedProblem seed;
+    for (const Eigen::Vector3d& point : problem.tree.points) {
+        seed.points.push_back(problem.start * point);
+    }
+    for (const int index : problem.auxiliary) {
+        seed.auxiliary.push_back(seed.points[static_cast<std::size_t>(index)]);
+    }
+    const double depthMm = (problem.start * problem.tree.centroid).z();
+    seed.nearestMm = std::max(0.0, depthMm - depthGuardMm);
+    seed.farthestMm = depthMm + depthGuardMm;
+    seed.prior = priorOf(options, depthMm, static_cast<double>(seed.points.size()));
+    seed.schedule.maxIterations = options.maxIterations;
+    seed.schedule.finalScalePx = options.finalScalePx;
+    seed.schedule.startScale = static_cast<StartScale>(std::lround(options.startScale));
+    seed.schedule.decay = static_cast<Decay>(std::lround(options.decay));
+    if (seed.prior.strength == 0.0) {
+        seed.schedule.nearestMm = seed.nearestMm;
+        seed.schedule.farthestMm = seed.farthestMm;
+    }
+    seed.target = makeIndex(static_cast<IndexKind>(std::lround(options.index)), problem);
+    seed.neighbours = static_cast<Neighbours>(std::lround(options.neighbours));
+    if (seed.neighbours != Neighbours::Closest) {
+        seed.search = makeNeighbourSearch(problem.target.points);
+    }
+    return seed;
+}
+
+bool isSolvableAlone(const std::vector<Eigen::Vector3d>& auxiliary, const std::vector<Eigen::Vector3d>& points)
+{
+    return auxiliary.size() >= minAuxiliaryPoints && rmsSpread(auxiliary) >= minSpreadShare * rmsSpread(points);
+}
+
+}   // namespace core

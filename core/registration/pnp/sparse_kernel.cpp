@@ -1,0 +1,49 @@
+#include "core/registration/pnp/sparse_kernel.h"
+
+#include <algorithm>
+
+namespace core {
+namespace {
+
+constexpr double damping = 1e-3;
+
+/// Steps about the source as steps about the tree's centroid.
+NormalEquations aboutCentroid(const NormalEquations& equations, const Eigen::Vector3d& centroidInCamera)
+{
+    Matrix6d sourceFromCentroid = Matrix6d::Identity();
+    sourceFromCentroid.bottomLeftCorner<3, 3>() = skew(centroidInCamera);
+    const Matrix6d hessian = equations.hessian.selfadjointView<Eigen::Lower>();
+    return {sourceFromCentroid.transpose() * hessian * sourceFromCentroid,
+            sourceFromCentroid.transpose() * equations.gradient};
+}
+
+}   // namespace
+
+SparseKernel::SparseKernel(const RegistrationProblem& problem, std::size_t most)
+    : camera_(problem.camera), target_(problem.target.points, problem.camera.width, problem.camera.height)
+{
+    const std::size_t stride = std::max<std::size_t>(1, (problem.tree.size() + most - 1) / most);
+    for (std::size_t i = 0; i < problem.tree.size(); i += stride) {
+        points_.push_back(problem.tree.points[i] - problem.tree.centroid);
+    }
+}
+
+double SparseKernel::agreement(const CentroidPose& pose, double scalePx)
+{
+    measure(problem(), {pose.rotation, pose.centroidInCamera}, distances_);
+    return 1.0 - kernelLoss(distances_, scalePx) / static_cast<double>(points_.size());
+}
+
+CentroidPose SparseKernel::stepped(const CentroidPose& pose, double scalePx, bool inPlaneOnly)
+{
+    measure(problem(), {pose.rotation, pose.centroidInCamera}, distances_);
+    NormalEquations equations = aboutCentroid(kernelEquations(problem(), distances_, scalePx), pose.centroidInCamera);
+    if (inPlaneOnly) {
+        equations.hessian.topRows<2>().setZero();
+        equations.hessian.leftCols<2>().setZero();
+        equations.gradient.head<2>().setZero();
+    }
+    return moved(pose, dampedStep(equations, damping));
+}
+
+}   // namespace core

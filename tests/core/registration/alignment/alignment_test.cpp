@@ -1,0 +1,103 @@
+#include "core/registration/alignment/alignment.h"
+
+#include "tests/support/clean_case.h"
+
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace core {
+namespace {
+
+/// A clean case as the inner loop sees it, at a pose a little beside the truth.
+struct AlignmentTest : ::testing::Test {
+    AlignmentTest()
+        : problem(makeProblem(clean.from(clean.truth), {}).value()),
+          target(problem.target, problem.camera),
+          alignment(alignmentPoints(problem.tree), problem.camera, target),
+          truth(aboutCentroid(clean.truth, problem.tree.centroid))
+    {
+        Vector6d step;
+        step << 0.004, -0.003, 0.005, 0.4, -0.3, 2.0;
+        beside = moved(truth, step);
+    }
+
+    test::CleanCase clean{3};
+    RegistrationProblem problem;
+    TargetLines target;
+    Alignment alignment;
+    CentroidPose truth;
+    CentroidPose beside;
+};
+
+TEST_F(AlignmentTest, GradientsMatchDifferencesOfResiduals)
+{
+    constexpr double scalePx = 5.0;
+    constexpr double h = 1e-6;
+    std::vector<ResidualRow> rows;
+    std::vector<ResidualRow> ahead;
+    std::vector<ResidualRow> behind;
+    alignment.collectRows(beside, scalePx, rows);
+    int compared = 0;
+    for (int k = 0; k < 6; ++k) {
+        const Vector6d step = h * Vector6d::Unit(k);
+        alignment.collectRows(moved(beside, step), scalePx, ahead);
+        alignment.collectRows(moved(beside, -step), scalePx, behind);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const double difference = (ahead[i].residual - behind[i].residual) / (2.0 * h);
+            // Where the nearest line changes within the step there is no derivative.
+            const bool isSmooth = std::abs(ahead[i].residual - behind[i].residual) < 1e-2;
+            if (rows[i].weight > 0.0 && ahead[i].weight > 0.0 && behind[i].weight > 0.0 && isSmooth) {
+                EXPECT_NEAR(rows[i].gradient[k], difference, 1e-5 * std::max(1.0, std::abs(difference)));
+                ++compared;
+            }
+        }
+    }
+    EXPECT_GT(compared, 5000);
+}
+
+TEST_F(AlignmentTest, LookSumsUpTheRows)
+{
+    std::vector<ResidualRow> rows;
+    alignment.collectRows(beside, 3.0, rows);
+    NormalEquations sum;
+    for (const ResidualRow& row : rows) {
+        sum.hessian += row.weight * row.gradient * row.gradient.transpose();
+        sum.gradient += row.weight * row.residual * row.gradient;
+    }
+    const NormalEquations looked = alignment.look(beside, 3.0).equations;
+    const Matrix6d full = looked.hessian.selfadjointView<Eigen::Lower>();
+    EXPECT_LT((full - sum.hessian).norm(), 1e-9 * sum.hessian.norm());
+    EXPECT_LT((looked.gradient - sum.gradient).norm(), 1e-9 * sum.gradient.norm());
+}
+
+TEST_F(AlignmentTest, LeavingTheViewIsNeverCheaper)
+{
+    const double beforeLoss = alignment.look(beside, 3.0).loss;
+    const double mostLoss = 2.0 * 3.0 * 3.0 * static_cast<double>(alignment.size());
+    for (const double shiftMm : {100.0, 400.0, 2000.0}) {
+        CentroidPose away = beside;
+        away.centroidInCamera.x() += shiftMm;
+        EXPECT_GT(alignment.look(away, 3.0).loss, beforeLoss);
+        EXPECT_LE(alignment.look(away, 3.0).loss, mostLoss * (1.0 + 1e-12));
+    }
+}
+
+TEST_F(AlignmentTest, GoingBehindTheSourceCostsTheMost)
+{
+    CentroidPose behind = beside;
+    behind.centroidInCamera.z() = -800.0;
+    EXPECT_DOUBLE_EQ(alignment.look(behind, 3.0).loss, 2.0 * 3.0 * 3.0 * static_cast<double>(alignment.size()));
+    EXPECT_EQ(alignment.look(behind, 3.0).equations.hessian, Matrix6d::Zero());
+}
+
+TEST_F(AlignmentTest, VesselsAcrossTheTreeDoNotPull)
+{
+    // The whole tree rolled by a right angle: what still touches a vessel by chance crosses it.
+    Vector6d roll = Vector6d::Zero();
+    roll[2] = std::numbers::pi / 2.0;
+    const double along = alignment.look(truth, 1.0).equations.hessian.trace();
+    EXPECT_LT(alignment.look(moved(truth, roll), 1.0).equations.hessian.trace(), 0.1 * along);
+}
+
+}   // namespace
+}   // namespace core

@@ -1,0 +1,47 @@
+#include "core/registration/pose/centroid_pose.h"
+
+#include <gtest/gtest.h>
+
+namespace core {
+namespace {
+
+CentroidPose somePose()
+{
+    return {expSo3({0.3, -0.2, 0.7}), {5.0, -8.0, 790.0}};
+}
+
+TEST(CentroidPose, GoesToAPoseAndBack)
+{
+    const Eigen::Vector3d centroid(12.0, -70.0, 300.0);
+    const RigidTransform pose = cameraFromPatient(somePose(), centroid);
+    EXPECT_LT((pose * centroid - somePose().centroidInCamera).norm(), 1e-12);
+    const CentroidPose back = aboutCentroid(pose, centroid);
+    EXPECT_LT((back.rotation - somePose().rotation).norm(), 1e-14);
+    EXPECT_LT((back.centroidInCamera - somePose().centroidInCamera).norm(), 1e-11);
+}
+
+TEST(CentroidPose, StepBetweenUndoesMoved)
+{
+    Vector6d step;
+    step << 0.1, -0.05, 0.2, 3.0, -4.0, 20.0;
+    EXPECT_LT((stepBetween(somePose(), moved(somePose(), step)) - step).norm(), 1e-12);
+}
+
+TEST(StartPrior, GradientMatchesDifferencesOfItsCost)
+{
+    const StartPrior prior = startPrior(somePose(), {});
+    Vector6d away;
+    away << 0.2, -0.15, 0.3, 10.0, -4.0, 25.0;
+    const CentroidPose pose = moved(somePose(), away);
+    NormalEquations equations;
+    prior.add(pose, 1.0, equations);
+    for (int k = 0; k < 6; ++k) {
+        constexpr double h = 1e-6;
+        const Vector6d step = h * Vector6d::Unit(k);
+        const double slope = (prior.cost(moved(pose, step)) - prior.cost(moved(pose, -step))) / (2.0 * h);
+        EXPECT_NEAR(2.0 * equations.gradient[k], slope, 1e-5 * std::max(1.0, std::abs(slope)));
+    }
+}
+
+}   // namespace
+}   // namespace core
