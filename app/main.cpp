@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QIcon>
 
 int main(int argc, char** argv)
 {
@@ -11,6 +12,8 @@ int main(int argc, char** argv)
     QApplication::setOrganizationName(QStringLiteral("AngioPose"));
     QApplication::setApplicationName(QStringLiteral("AngioPose"));
     QApplication::setApplicationVersion(QStringLiteral(ANGIOPOSE_VERSION));
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/angiopose.svg")));
+    QGuiApplication::setDesktopFileName(QStringLiteral("org.angiopose.AngioPose"));
 
     QCommandLineParser parser;
     parser.setApplicationDescription(QApplication::translate(

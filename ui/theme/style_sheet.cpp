@@ -46,8 +46,11 @@ QCheckBox::indicator { border-radius: 3px; }
 QRadioButton::indicator { border-radius: 8px; }
 QCheckBox::indicator:hover, QRadioButton::indicator:hover, QCheckBox::indicator:focus, QRadioButton::indicator:focus {
   border-color: @accent@; }
-QCheckBox::indicator:checked, QRadioButton::indicator:checked { border: 4px solid @field@; background: @accent@; }
-QCheckBox::indicator:checked:focus, QRadioButton::indicator:checked:focus { border-color: @accentBack@; }
+QCheckBox::indicator:checked { border-color: @accent@; background: @accent@; image: url(:/icons/tick.svg); }
+QCheckBox::indicator:checked:focus { border-color: @textStrong@; }
+QCheckBox::indicator:disabled { border-color: @line@; }
+QRadioButton::indicator:checked { border: 4px solid @field@; background: @accent@; }
+QRadioButton::indicator:checked:focus { border-color: @accentBack@; }
 QCheckBox:disabled, QRadioButton:disabled { color: @disabled@; }
 
 QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: @line@; }
