@@ -45,7 +45,7 @@ public:
 private:
     bool reaches(double score) const { return !ranked_.empty() && best().score >= score; }
 
-    const StartPrior& prior_;
+    StartPrior prior_;
     Alignment points_;
     AgreementScore agreement_;
     std::vector<ScoredPose> ranked_;   ///< best first
