@@ -1,7 +1,7 @@
 #include "app/case_controller.h"
 
-#include "app/assemble_case.h"
-#include "app/commands/edit_case.h"
+#include "app/document/edit_case.h"
+#include "app/files/assemble_case.h"
 #include "app/settings.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tree_view.h"

@@ -1,9 +1,9 @@
 #include "app/case_controller.h"
 
+#include "app/files/recent_cases.h"
+#include "app/files/sample_case.h"
+#include "app/files/series_rows.h"
 #include "app/jobs/input_kind.h"
-#include "app/recent_cases.h"
-#include "app/sample_case.h"
-#include "app/series_rows.h"
 #include "app/settings.h"
 #include "ui/dialogs/key_sheet.h"
 #include "ui/dialogs/message_dialog.h"

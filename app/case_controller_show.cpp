@@ -1,9 +1,9 @@
 #include "app/case_controller.h"
 
-#include "app/case_texts.h"
-#include "app/overlay_picture.h"
-#include "app/recent_cases.h"
+#include "app/files/recent_cases.h"
 #include "app/step_states.h"
+#include "app/texts/case_texts.h"
+#include "app/texts/overlay_picture.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/views/angiogram_view.h"
 

@@ -1,6 +1,6 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
-#include "app/overlay_picture.h"
+#include "app/texts/overlay_picture.h"
 #include "io/image_file.h"
 #include "io/pose_file.h"
 

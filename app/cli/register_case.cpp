@@ -1,8 +1,8 @@
 #include "app/cli/register_case.h"
 
 #include "app/cli/console.h"
-#include "app/number_text.h"
-#include "app/overlay_picture.h"
+#include "app/texts/number_text.h"
+#include "app/texts/overlay_picture.h"
 #include "core/registration/option_text.h"
 #include "io/image_file.h"
 #include "io/pose_file.h"

@@ -1,7 +1,7 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
 #include "app/cli/register_case.h"
-#include "app/number_text.h"
+#include "app/texts/number_text.h"
 #include "core/registration/registration.h"
 #include "io/result_file.h"
 

@@ -1,5 +1,5 @@
 #include "app/cli/commands.h"
-#include "app/number_text.h"
+#include "app/texts/number_text.h"
 #include "io/vessel_input_file.h"
 #include "io/vessel_tree_file.h"
 #include "io/volume_file.h"

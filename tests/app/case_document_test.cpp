@@ -1,6 +1,6 @@
-#include "app/case_document.h"
+#include "app/document/case_document.h"
 
-#include "app/commands/edit_case.h"
+#include "app/document/edit_case.h"
 
 #include <gtest/gtest.h>
 #include <QSignalSpy>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/case_controller.h"
-#include "app/sample_case.h"
+#include "app/files/sample_case.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"

@@ -1,7 +1,7 @@
 #include "tests/app/open_window.h"
 #include "tests/support/test_data.h"
 
-#include "app/commands/edit_case.h"
+#include "app/document/edit_case.h"
 #include "app/settings.h"
 
 #include <QDirIterator>

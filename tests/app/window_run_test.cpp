@@ -1,6 +1,6 @@
 #include "tests/app/open_window.h"
 
-#include "app/commands/edit_case.h"
+#include "app/document/edit_case.h"
 
 namespace app {
 namespace {

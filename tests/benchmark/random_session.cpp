@@ -1,7 +1,7 @@
 // A long session of random but valid user actions (issue 5): ends without a crash, a leak above 20 MiB or a case that
 // differs after saving and reopening, and prints how long the window's event handlers took.
 //   xvfb-run -a -s "-screen 0 1920x1200x24" random_session [actions=5000] [seed=1] [file…]
-#include "app/sample_case.h"
+#include "app/files/sample_case.h"
 #include "tests/app/session/random_user.h"
 #include "tests/app/session/session_check.h"
 #include "ui/theme/active_theme.h"

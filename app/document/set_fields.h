@@ -1,0 +1,47 @@
+#pragma once
+
+#include "app/document/case_document.h"
+
+#include <QUndoCommand>
+
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace app {
+
+/// Unique numbers for edits that belong together; see SetFields.
+inline constexpr int separateEdit = -1;
+
+/// Undoable change of some fields of the open case. Edits with the same burst number merge into one step.
+///   stack.push(new SetFields<&core::RegistrationCase::frame>(document, {4}, tr("Show frame 4")));
+template <auto... Fields>
+class SetFields : public QUndoCommand {
+public:
+    using Values = std::tuple<std::decay_t<decltype(std::declval<core::RegistrationCase>().*Fields)>...>;
+
+    SetFields(CaseDocument& document, Values values, const QString& text, int burst = separateEdit)
+        : QUndoCommand(text), document_(document), others_(std::move(values)), burst_(burst)
+    {
+    }
+
+    void redo() override { swapWithDocument(); }
+    void undo() override { swapWithDocument(); }
+    int id() const override { return burst_; }
+
+    /// The document already shows the later values, and `others_` keeps those from before the burst.
+    bool mergeWith(const QUndoCommand* later) override { return dynamic_cast<const SetFields*>(later) != nullptr; }
+
+private:
+    void swapWithDocument()
+    {
+        std::apply([this](auto&... other) { (std::swap(document_.case_.*Fields, other), ...); }, others_);
+        emit document_.changed();
+    }
+
+    CaseDocument& document_;
+    Values others_;   ///< the values not in the document right now
+    int burst_;
+};
+
+}   // namespace app

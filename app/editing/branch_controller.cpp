@@ -1,0 +1,171 @@
+#include "app/editing/branch_controller.h"
+
+#include "app/document/edit_case.h"
+#include "ui/panels/result_sentences.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace app {
+namespace {
+
+/// The other way round for all: when every one of `ids` is in the set they leave it, otherwise they all join.
+std::set<int> toggled(std::set<int> set, const std::set<int>& ids)
+{
+    const bool allIn = std::ranges::includes(set, ids);
+    for (const int id : ids) {
+        if (allIn) {
+            set.erase(id);
+        } else {
+            set.insert(id);
+        }
+    }
+    return set;
+}
+
+double medianOf(std::vector<double> values)
+{
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+}   // namespace
+
+BranchController::BranchController(CaseDocument& document, QObject* parent) : QObject(parent), document_(document) {}
+
+void BranchController::hover(std::optional<int> branchId)
+{
+    if (marks_.hovered != branchId) {
+        marks_.hovered = branchId;
+        emit marksChanged();
+    }
+}
+
+void BranchController::select(const std::set<int>& branchIds)
+{
+    if (marks_.selected != branchIds) {
+        marks_.selected = branchIds;
+        emit marksChanged();
+    }
+}
+
+void BranchController::click(int branchId, Qt::KeyboardModifiers modifiers)
+{
+    const bool adds = modifiers & (Qt::ControlModifier | Qt::ShiftModifier);
+    select(adds ? toggled(marks_.selected, {branchId}) : std::set{branchId});
+}
+
+void BranchController::selectAll()
+{
+    std::set<int> ids;
+    if (const auto& tree = document_.current().tree) {
+        for (const core::VesselBranch& branch : tree->branches) {
+            ids.insert(branch.id);
+        }
+    }
+    select(ids);
+}
+
+void BranchController::toggleAuxiliary(const std::set<int>& branchIds)
+{
+    std::set<int> choosable;
+    std::ranges::set_difference(branchIds, marks_.excluded, std::inserter(choosable, choosable.end()));
+    if (choosable.empty()) {
+        emit refused(branchIds.empty() ? tr("Select a branch first: click it in the list or in a view.")
+                                       : tr("Excluded branches cannot be auxiliary. Include them first (X)."));
+        return;
+    }
+    setAuxiliary(toggled(marks_.auxiliary, choosable));
+}
+
+void BranchController::setAuxiliary(const std::set<int>& branchIds)
+{
+    const std::vector<int> ids(branchIds.begin(), branchIds.end());
+    if (ids != document_.current().auxiliaryBranchIds) {
+        document_.push(std::make_unique<ChooseAuxiliary>(document_, ids, tr("Choose auxiliary branches")));
+    }
+}
+
+void BranchController::toggleExcluded(const std::set<int>& branchIds)
+{
+    if (branchIds.empty()) {
+        emit refused(tr("Select a branch first: click it in the list or in a view."));
+        return;
+    }
+    const std::set<int> excluded = toggled(marks_.excluded, branchIds);
+    const auto& tree = document_.current().tree;
+    if (tree && excluded.size() >= tree->branches.size()) {
+        emit refused(tr("At least one branch has to stay."));
+        return;
+    }
+    const bool leaves = excluded.size() > marks_.excluded.size();
+    const QString text = (leaves ? tr("Exclude %1") : tr("Include %1")).arg(namesOf(branchIds));
+    document_.push(std::make_unique<ExcludeBranches>(
+        document_, ExcludeBranches::Values{{excluded.begin(), excluded.end()}, std::nullopt}, text));
+}
+
+void BranchController::setAuxiliaryInside(const std::map<int, ui::ViewRect>& extents, const ui::ViewRect& part)
+{
+    std::set<int> inside;
+    for (const auto& [branchId, extent] : extents) {
+        const bool isInside = extent.left >= part.left && extent.right <= part.right && extent.top >= part.top &&
+                              extent.bottom <= part.bottom;
+        if (isInside && !marks_.excluded.contains(branchId)) {
+            inside.insert(branchId);
+        }
+    }
+    if (inside.empty()) {
+        emit refused(tr("No branch lies wholly in view. Zoom out or move the image."));
+    } else {
+        setAuxiliary(inside);
+    }
+}
+
+void BranchController::setAuxiliaryWide()
+{
+    const auto& tree = document_.current().tree;
+    std::vector<std::pair<double, int>> radii;
+    for (const core::VesselBranch& branch : tree ? tree->branches : std::vector<core::VesselBranch>{}) {
+        if (!branch.radiusMm.empty() && !marks_.excluded.contains(branch.id)) {
+            radii.emplace_back(medianOf(branch.radiusMm), branch.id);
+        }
+    }
+    if (radii.empty()) {
+        emit refused(tr("This tree knows no radii."));
+        return;
+    }
+    std::ranges::sort(radii, std::greater{});
+    std::set<int> wide;
+    for (std::size_t i = 0; i < (radii.size() + 1) / 2; ++i) {
+        wide.insert(radii[i].second);
+    }
+    setAuxiliary(wide);
+}
+
+void BranchController::followDocument()
+{
+    const core::RegistrationCase& current = document_.current();
+    ui::BranchMarks marks = marks_;
+    marks.auxiliary = {current.auxiliaryBranchIds.begin(), current.auxiliaryBranchIds.end()};
+    marks.excluded = {current.excludedBranchIds.begin(), current.excludedBranchIds.end()};
+    std::erase_if(marks.selected, [&current](int id) { return !current.tree || !current.tree->find(id); });
+    if (marks.hovered && (!current.tree || !current.tree->find(*marks.hovered))) {
+        marks.hovered.reset();
+    }
+    if (marks != marks_) {
+        marks_ = marks;
+        emit marksChanged();
+    }
+}
+
+QString BranchController::namesOf(const std::set<int>& branchIds) const
+{
+    const auto& tree = document_.current().tree;
+    const core::VesselBranch* only = branchIds.size() == 1 && tree ? tree->find(*branchIds.begin()) : nullptr;
+    return only ? ui::displayName(*only) : tr("%1 branches").arg(branchIds.size());
+}
+
+}   // namespace app

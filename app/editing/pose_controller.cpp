@@ -1,0 +1,136 @@
+#include "app/editing/pose_controller.h"
+
+#include "app/document/edit_case.h"
+
+namespace app {
+namespace {
+
+constexpr qint64 burstPauseMs = 900;   ///< a longer pause starts a new step of undo
+constexpr int fieldKind = 100;   ///< typed edits merge among themselves, not with nudges
+
+}   // namespace
+
+PoseController::PoseController(CaseDocument& document, QObject* parent) : QObject(parent), document_(document) {}
+
+std::optional<PoseController::Frame> PoseController::frame() const
+{
+    const core::RegistrationCase& current = document_.current();
+    if (!current.tree) {
+        return std::nullopt;
+    }
+    const auto start = core::startPoseOf(current);
+    const auto camera = core::cameraOf(current);
+    if (!start || !camera) {
+        return std::nullopt;
+    }
+    return Frame{start.value(), camera.value(), core::centroidInPatient(*current.tree)};
+}
+
+std::optional<core::PoseOffset> PoseController::currentOffset() const
+{
+    const auto context = frame();
+    if (!context) {
+        return std::nullopt;
+    }
+    const core::RigidTransform& pose = dragged_.value_or(document_.current().cameraFromPatient);
+    return core::offsetBetween(context->startPose, pose, context->pivotInPatient, context->camera);
+}
+
+void PoseController::setLocks(const ui::PoseLocks& locks)
+{
+    locks_ = locks;
+    emit locksChanged();
+}
+
+void PoseController::setOffset(const core::PoseOffset& fromStart)
+{
+    if (const auto context = frame()) {
+        move(core::applyOffset(context->startPose, fromStart, context->pivotInPatient, context->camera),
+             tr("Move vessels"), burstFor(fieldKind));
+    }
+}
+
+void PoseController::nudge(const ui::Nudge& nudge)
+{
+    const auto context = frame();
+    if (!context) {
+        emit refused(tr("There is no pose to nudge yet: vessels, angiogram and geometry come first."));
+        return;
+    }
+    if (locks_[static_cast<std::size_t>(nudge.axis)]) {
+        emit refused(tr("“%1” is locked.").arg(ui::labelOf(nudge.axis)));
+        return;
+    }
+    // Relative to the pose as it is, so that a degree of freedom means the same however the vessels are turned.
+    core::PoseOffset change;
+    ui::valueOf(change, nudge.axis) = nudge.amount;
+    move(core::applyOffset(document_.current().cameraFromPatient, change, context->pivotInPatient, context->camera),
+         tr("Move vessels"), burstFor(static_cast<int>(nudge.axis)));
+}
+
+void PoseController::reset()
+{
+    if (const auto context = frame()) {
+        move(context->startPose, tr("Back to start pose"), separateEdit);
+    }
+}
+
+void PoseController::startDrag()
+{
+    if (document_.isLocked()) {
+        emit refused(tr("A registration is running. Stop it first."));
+        return;
+    }
+    if (frame()) {
+        dragStart_ = document_.current().cameraFromPatient;
+    }
+}
+
+void PoseController::drag(const core::PoseOffset& sinceStart)
+{
+    const auto context = frame();
+    if (!dragStart_ || !context) {
+        return;
+    }
+    dragged_ =
+        core::applyOffset(*dragStart_, ui::withoutLocked(sinceStart, locks_), context->pivotInPatient, context->camera);
+    emit previewed(*dragged_);
+}
+
+void PoseController::finishDrag()
+{
+    const auto moved = std::exchange(dragged_, std::nullopt);
+    dragStart_.reset();
+    emit previewEnded();
+    if (moved) {
+        move(*moved, tr("Move vessels"), separateEdit);
+    }
+}
+
+void PoseController::cancelDrag()
+{
+    dragged_.reset();
+    dragStart_.reset();
+    emit previewEnded();
+}
+
+void PoseController::move(const core::RigidTransform& pose, const QString& text, int burst)
+{
+    if ((pose.matrix() - document_.current().cameraFromPatient.matrix()).cwiseAbs().maxCoeff() == 0.0) {
+        return;
+    }
+    document_.push(std::make_unique<MovePose>(document_, MovePose::Values{pose, std::nullopt}, text, burst));
+}
+
+int PoseController::burstFor(int kind)
+{
+    const bool goesOn = kind == burstKind_ && sinceEdit_.isValid() && sinceEdit_.elapsed() < burstPauseMs;
+    if (!goesOn) {
+        ++burst_;
+        burstKind_ = kind;
+    }
+    sinceEdit_.start();
+    return burst_;
+}
+
+}   // namespace app

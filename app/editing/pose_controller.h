@@ -1,0 +1,58 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "ui/pose_axis.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+
+#include <optional>
+
+namespace app {
+
+/// Edits of the pose by hand: fields, keys, drags. Each burst of the same kind is one step of undo.
+class PoseController : public QObject {
+    Q_OBJECT
+public:
+    explicit PoseController(CaseDocument& document, QObject* parent = nullptr);
+
+    /// The pose relative to the start pose; nothing while there is no tree, camera or start pose.
+    std::optional<core::PoseOffset> currentOffset() const;
+    const ui::PoseLocks& locks() const { return locks_; }
+    void setLocks(const ui::PoseLocks& locks);
+
+    void setOffset(const core::PoseOffset& fromStart);
+    void nudge(const ui::Nudge& nudge);
+    void reset();
+
+    void startDrag();
+    void drag(const core::PoseOffset& sinceStart);
+    void finishDrag();
+    void cancelDrag();
+
+signals:
+    void locksChanged();
+    void previewed(const core::RigidTransform& cameraFromPatient);   ///< a drag under way
+    void previewEnded();
+    void refused(const QString& why);
+
+private:
+    struct Frame {
+        core::RigidTransform startPose;
+        core::ProjectionCamera camera;
+        Eigen::Vector3d pivotInPatient;
+    };
+    std::optional<Frame> frame() const;
+    void move(const core::RigidTransform& pose, const QString& text, int burst);
+    int burstFor(int kind);
+
+    CaseDocument& document_;
+    ui::PoseLocks locks_{};
+    std::optional<core::RigidTransform> dragStart_;
+    std::optional<core::RigidTransform> dragged_;
+    QElapsedTimer sinceEdit_;
+    int burst_ = 0;
+    int burstKind_ = -1;
+};
+
+}   // namespace app

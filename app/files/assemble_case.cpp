@@ -1,0 +1,85 @@
+#include "app/files/assemble_case.h"
+
+#include <filesystem>
+
+namespace app {
+namespace {
+
+void putTree(core::RegistrationCase& target, const LoadedInputs& inputs)
+{
+    target.tree = inputs.tree;
+    target.centerlineFile = inputs.centerlineFile;
+    target.vesselInput = inputs.vesselInput;
+    target.volume = inputs.volume;
+    target.scanIdentity = inputs.scanIdentity;
+    target.auxiliaryBranchIds.clear();
+    target.excludedBranchIds.clear();
+}
+
+void putImage(core::RegistrationCase& target, const LoadedInputs& inputs)
+{
+    target.angiogram = inputs.angiogram;
+    target.imageFile = inputs.imageFile;
+    target.frame = inputs.angiogram->suggestedFrame;
+    target.cArm = inputs.angiogram->cArm;
+    target.cameraOverride.reset();
+    target.givenTarget.reset();
+    target.targetFile = {};
+}
+
+void goToStart(core::RegistrationCase& target)
+{
+    if (const auto start = core::startPoseOf(target)) {
+        target.cameraFromPatient = start.value();
+    }
+}
+
+bool isSame(const core::RigidTransform& a, const core::RigidTransform& b)
+{
+    return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() < 1e-9;
+}
+
+}   // namespace
+
+core::RegistrationCase withInputs(core::RegistrationCase base, const LoadedInputs& inputs)
+{
+    if (inputs.tree) {
+        putTree(base, inputs);
+    }
+    if (inputs.angiogram) {
+        putImage(base, inputs);
+    }
+    if (inputs.target) {
+        base.givenTarget = inputs.target;
+        base.targetFile = inputs.targetFile;
+    }
+    if (inputs.tree || inputs.angiogram) {
+        base.result.reset();
+        base.hasInitialPose = false;
+        goToStart(base);
+    }
+    if (base.title.empty()) {
+        const std::string& path = base.angiogram ? base.imageFile.path : base.centerlineFile.path;
+        base.title = std::filesystem::path(path).stem().string();
+    }
+    return base;
+}
+
+bool makesNewCase(const LoadedInputs& inputs)
+{
+    return inputs.tree && inputs.angiogram;
+}
+
+core::RegistrationCase withGeometry(core::RegistrationCase base, const core::CArm& cArm)
+{
+    const auto before = core::startPoseOf(base);
+    base.cArm = cArm;
+    const bool wasAtStart = !before || isSame(before.value(), base.cameraFromPatient);
+    if (wasAtStart) {
+        goToStart(base);
+    }
+    base.result.reset();
+    return base;
+}
+
+}   // namespace app

@@ -1,0 +1,120 @@
+#include "app/files/autosave.h"
+
+#include "io/case_file.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QStandardPaths>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+using namespace std::chrono_literals;
+
+QDir autosaveFolder()
+{
+    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+                      QStringLiteral("/autosave"));
+    folder.mkpath(QStringLiteral("."));
+    return folder;
+}
+
+QString sidecarOf(const QString& path)
+{
+    return path + QStringLiteral(".origin");
+}
+
+QString lockOf(const QString& path)
+{
+    return path + QStringLiteral(".lock");
+}
+
+core::Result<QString> write(const core::RegistrationCase& snapshot, const QString& path, const QString& original)
+{
+    if (const auto saved = io::saveCase(snapshot, path.toStdString()); !saved) {
+        return saved.error();
+    }
+    QFile sidecar(sidecarOf(path));
+    if (sidecar.open(QIODevice::WriteOnly)) {
+        sidecar.write(original.toUtf8());
+    }
+    return path;
+}
+
+void removeCopy(const QString& path)
+{
+    QFile::remove(path);
+    QFile::remove(sidecarOf(path));
+}
+
+}   // namespace
+
+Autosave::Autosave(const CaseDocument& document, QObject* parent)
+    : QObject(parent), document_(document), lock_(std::make_unique<QLockFile>(lockOf(path())))
+{
+    lock_->setStaleLockTime(0);
+    lock_->tryLock(0);
+    timer_.setInterval(60s);
+    connect(&timer_, &QTimer::timeout, this, &Autosave::saveSoon);
+    timer_.start();
+}
+
+QString Autosave::path() const
+{
+    return autosaveFolder().filePath(QStringLiteral("session-%1.angiopose").arg(QCoreApplication::applicationPid()));
+}
+
+void Autosave::saveSoon()
+{
+    const int index = document_.undoStack().index();
+    if (files_.isBusy() || document_.isEmpty() || !document_.isModified() || index == savedIndex_) {
+        return;
+    }
+    savedIndex_ = index;
+    files_.run([snapshot = document_.current(), path = path(),
+                original = document_.path()] { return write(snapshot, path, original); },
+               [this](const core::Result<QString>& written) {
+                   if (written) {
+                       lastSaved_ = QDateTime::currentDateTime();
+                       emit saved();
+                   }
+               });
+}
+
+void Autosave::discard()
+{
+    savedIndex_ = -1;
+    files_.run(
+        [path = path()]() -> core::Result<QString> {
+            removeCopy(path);
+            return path;
+        },
+        [this](const core::Result<QString>&) { lastSaved_.reset(); });
+}
+
+std::vector<LeftBehind> Autosave::leftBehind()
+{
+    std::vector<LeftBehind> copies;
+    for (const QFileInfo& file : autosaveFolder().entryInfoList({QStringLiteral("session-*.angiopose")}, QDir::Files)) {
+        QLockFile lock(lockOf(file.absoluteFilePath()));
+        lock.setStaleLockTime(0);
+        if (!lock.tryLock(0)) {
+            continue;   // that session is alive
+        }
+        QFile sidecar(sidecarOf(file.absoluteFilePath()));
+        const QString original = sidecar.open(QIODevice::ReadOnly) ? QString::fromUtf8(sidecar.readAll()) : QString();
+        copies.push_back({file.absoluteFilePath(), original, file.lastModified()});
+    }
+    std::ranges::sort(copies, std::greater{}, &LeftBehind::when);
+    return copies;
+}
+
+void Autosave::forget(const LeftBehind& copy)
+{
+    removeCopy(copy.path);
+}
+
+}   // namespace app

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/jobs/file_queue.h"
+
+#include <QDateTime>
+#include <QLockFile>
+#include <QObject>
+#include <QTimer>
+
+#include <memory>
+#include <optional>
+
+namespace app {
+
+/// A case that a session left behind when it ended without closing.
+struct LeftBehind {
+    QString path;   ///< of the autosaved copy
+    QString original;   ///< where the case lived; empty when it was never saved
+    QDateTime when;
+};
+
+/// Keeps a copy of a changed case in the application's data folder, every minute and on a worker.
+class Autosave : public QObject {
+    Q_OBJECT
+public:
+    explicit Autosave(const CaseDocument& document, QObject* parent = nullptr);
+
+    void saveSoon();   ///< for the timer and for tests
+    void discard();   ///< the copy is no longer needed: saved, closed or discarded; goes once it is written
+    std::optional<QDateTime> lastSaved() const { return lastSaved_; }
+
+    /// Copies of sessions that are not alive any more, newest first.
+    static std::vector<LeftBehind> leftBehind();
+    static void forget(const LeftBehind& copy);
+
+signals:
+    void saved();
+
+private:
+    QString path() const;
+
+    const CaseDocument& document_;
+    QTimer timer_;
+    std::unique_ptr<QLockFile> lock_;
+    std::optional<QDateTime> lastSaved_;
+    int savedIndex_ = -1;   ///< undo position that the copy holds
+    FileQueue files_;
+};
+
+}   // namespace app

@@ -1,0 +1,131 @@
+#include "app/files/export_controller.h"
+
+#include "app/settings.h"
+#include "app/texts/overlay_picture.h"
+#include "io/centerline2d_file.h"
+#include "io/image_file.h"
+#include "io/pose_file.h"
+#include "io/result_file.h"
+#include "ui/main_window.h"
+#include "ui/views/angiogram_view.h"
+
+#include <QDir>
+#include <QFileDialog>
+
+#include <cmath>
+
+namespace app {
+
+ExportController::ExportController(CaseDocument& document, TargetProvider& target, ui::MainWindow& window,
+                                   QObject* parent)
+    : QObject(parent), document_(document), target_(target), window_(window)
+{
+}
+
+void ExportController::askFile(const FileQuestion& question, const Write& write)
+{
+    const QString base = document_.path().isEmpty() ? QString::fromStdString(document_.current().title)
+                                                    : QFileInfo(document_.path()).completeBaseName();
+    const QString suggested = QDir(settings::lastFolder.read()).filePath(base + QLatin1Char('.') + question.suffix);
+    auto* dialog = new QFileDialog(&window_, question.title, suggested, question.filter);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(question.suffix);
+    connect(dialog, &QFileDialog::fileSelected, this, [this, write](const QString& path) { writeFile(path, write); });
+    dialog->open();
+}
+
+void ExportController::writeFile(const QString& path, const Write& write)
+{
+    emit started();
+    files_.run(
+        [path, write]() -> core::Result<QString> {
+            if (const auto written = write(path); !written) {
+                return written.error();
+            }
+            return path;
+        },
+        [this](const core::Result<QString>& written) {
+            if (written) {
+                emit exported(written.value());
+            } else {
+                emit failed(QString::fromStdString(written.error().message));
+            }
+        });
+}
+
+void ExportController::askOverlay()
+{
+    const core::RegistrationCase& current = document_.current();
+    if (!current.tree || !current.angiogram) {
+        emit failed(tr("There is nothing to export yet. Open a vessel tree and an angiogram first."));
+        return;
+    }
+    ui::AngiogramView& view = window_.angiogramView();
+    const core::Angiogram& run = *current.angiogram;
+    const auto viewWidth = static_cast<int>(std::lround(view.zoom() * run.width() * view.devicePixelRatioF()));
+    auto* dialog =
+        new ui::ExportDialog(std::max(64, viewWidth), static_cast<double>(run.height()) / run.width(), &window_);
+    dialog->showChoice({settings::exportWidthPx.read(),
+                        settings::exportResiduals.read() ? ui::Choice::On : ui::Choice::Off, ui::Choice::Off});
+    connect(dialog, &ui::ExportDialog::chosen, this, [this](const ui::ExportChoice& choice) {
+        settings::exportWidthPx.write(choice.widthPx);
+        settings::exportResiduals.write(choice.residualColors == ui::Choice::On);
+        askFile({tr("Export overlay"), tr("PNG pictures (*.png)"), QStringLiteral("png")}, overlayWriter(choice));
+    });
+    dialog->open();
+}
+
+ExportController::Write ExportController::overlayWriter(const ui::ExportChoice& choice) const
+{
+    const OverlayPictureOptions options{
+        choice.widthPx,
+        choice.residualColors == ui::Choice::On ? OverlayColoring::Residuals : OverlayColoring::Branches,
+        choice.identity == ui::Choice::On ? Identity::Shown : Identity::Hidden};
+    return [snapshot = document_.current(), target = target_.current(), options](const QString& path) -> core::Status {
+        auto picture = drawOverlay(snapshot, target ? *target : core::Centerline2d{}, options);
+        if (!picture) {
+            return picture.error();
+        }
+        return io::writePng(picture.value(), path.toStdString(), provenanceTexts(snapshot));
+    };
+}
+
+void ExportController::exportOverlay(const ui::ExportChoice& choice, const QString& path)
+{
+    writeFile(path, overlayWriter(choice));
+}
+
+void ExportController::askResult()
+{
+    if (!document_.current().result) {
+        emit failed(tr("There is no result for this pose. Register first (R)."));
+        return;
+    }
+    askFile({tr("Export result"), tr("Results (*.json)"), QStringLiteral("result.json")},
+            [snapshot = document_.current()](const QString& path) {
+                return io::writeResult(snapshot, *snapshot.result, path.toStdString());
+            });
+}
+
+void ExportController::askPose()
+{
+    askFile({tr("Export pose"), tr("Poses (*.json *.tfm)"), QStringLiteral("pose.json")},
+            [pose = document_.current().cameraFromPatient](const QString& path) {
+                return io::writePose(pose, path.toStdString());
+            });
+}
+
+void ExportController::askTrace()
+{
+    if (!target_.current()) {
+        emit failed(tr("No vessels have been traced in this frame yet."));
+        return;
+    }
+    askFile({tr("Export traced vessels"), tr("2-D centrelines (*.csv)"), QStringLiteral("csv")},
+            [target = target_.current()](const QString& path) {
+                return io::writeCenterline2d(*target, path.toStdString());
+            });
+}
+
+}   // namespace app

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/jobs/file_queue.h"
+#include "app/registration/target_provider.h"
+#include "ui/dialogs/export_dialog.h"
+
+#include <QObject>
+
+#include <functional>
+
+namespace ui {
+class MainWindow;
+}
+
+namespace app {
+
+/// Writes what leaves the program: overlay picture, result, pose, traced vessels.
+class ExportController : public QObject {
+    Q_OBJECT
+public:
+    ExportController(CaseDocument& document, TargetProvider& target, ui::MainWindow& window, QObject* parent = nullptr);
+
+    void askOverlay();
+    void exportOverlay(const ui::ExportChoice& choice, const QString& path);   ///< returns at once
+    void askResult();
+    void askPose();
+    void askTrace();
+
+signals:
+    void started();
+    void exported(const QString& path);
+    void failed(const QString& reason);
+
+private:
+    struct FileQuestion {
+        QString title;
+        QString filter;
+        QString suffix;   ///< also the end of the suggested name
+    };
+    /// Writes one file on a worker; gets all it needs by value.
+    using Write = std::function<core::Status(const QString& path)>;
+    Write overlayWriter(const ui::ExportChoice& choice) const;
+    void askFile(const FileQuestion& question, const Write& write);
+    void writeFile(const QString& path, const Write& write);
+
+    CaseDocument& document_;
+    TargetProvider& target_;
+    ui::MainWindow& window_;
+    FileQueue files_;
+};
+
+}   // namespace app

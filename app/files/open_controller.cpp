@@ -1,0 +1,135 @@
+#include "app/files/open_controller.h"
+
+#include "app/document/edit_case.h"
+#include "app/files/assemble_case.h"
+#include "app/files/recent_cases.h"
+#include "core/imaging/patient_match.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+namespace app {
+namespace {
+
+QString namesOf(const QStringList& paths)
+{
+    QStringList names;
+    for (const QString& path : paths) {
+        names << QFileInfo(QDir::cleanPath(path)).fileName();
+    }
+    return names.join(QStringLiteral(", "));
+}
+
+/// What to know about the files that were opened, and about how they fit the case they are in now.
+QStringList notesOf(const LoadedInputs& inputs, const core::RegistrationCase& opened)
+{
+    QStringList notes;
+    for (const std::string& warning : inputs.warnings) {
+        notes << QString::fromStdString(warning);
+    }
+    if (!inputs.wholeCase && opened.angiogram) {   // a case file has compared them itself
+        const std::string mismatch = core::findPatientMismatch(opened.scanIdentity, opened.angiogram->identity);
+        notes << (mismatch.empty() ? QStringList() : QStringList(QString::fromStdString(mismatch)));
+    }
+    return notes;
+}
+
+}   // namespace
+
+OpenController::OpenController(CaseDocument& document, QObject* parent) : QObject(parent), document_(document) {}
+
+void OpenController::load(const QStringList& paths, const QString& seriesId)
+{
+    if (paths.isEmpty()) {
+        return;
+    }
+    if (document_.isLocked()) {
+        emit failed(tr("A registration is running. Stop it before opening another file."), paths);
+        return;
+    }
+    abandon();
+    job_ = new LoadJob(this);
+    connect(job_, &LoadJob::finished, this, [this, paths](const LoadedInputs& inputs) {
+        finish();
+        take(inputs, paths);
+    });
+    connect(job_, &LoadJob::failed, this, [this, paths](const QString& reason) {
+        finish();
+        emit failed(reason, paths);
+    });
+    const QString what = tr("Reading %1 …").arg(namesOf(paths));
+    connect(job_, &LoadJob::advanced, this, [this, what](double fraction) { emit advanced(what, fraction); });
+    emit started(what);
+    job_->start(paths, seriesId);
+}
+
+void OpenController::abandon()
+{
+    if (job_) {
+        finish();
+    }
+    waiting_.reset();
+}
+
+void OpenController::finish()
+{
+    job_->disconnect(this);
+    job_->deleteLater();
+    job_ = nullptr;
+    emit ended();
+}
+
+void OpenController::take(const LoadedInputs& inputs, const QStringList& paths)
+{
+    if (document_.isLocked()) {
+        emit failed(tr("A registration was started meanwhile. Open the file again when it has ended."), paths);
+        return;
+    }
+    if (!inputs.offered.empty()) {
+        offeredPaths_ = paths;
+        emit seriesChoiceNeeded(paths.join(QStringLiteral(", ")), inputs.offered);
+        return;
+    }
+    const bool replaces = inputs.wholeCase || makesNewCase(inputs);
+    if (!replaces) {
+        join(inputs, paths);
+        return;
+    }
+    const QString path = inputs.wholeCase ? paths.front() : QString();
+    if (document_.isModified()) {
+        waiting_ = inputs;
+        waitingPath_ = path;
+        emit replacementNeedsConsent();
+        return;
+    }
+    replaceWith(inputs, path);
+}
+
+void OpenController::replaceOpenCase()
+{
+    if (const auto inputs = std::exchange(waiting_, std::nullopt)) {
+        replaceWith(*inputs, waitingPath_);
+    }
+}
+
+void OpenController::replaceWith(const LoadedInputs& inputs, const QString& path)
+{
+    document_.replace(inputs.wholeCase ? *inputs.wholeCase : withInputs({}, inputs), path);
+    if (!path.isEmpty()) {
+        rememberCase(path);
+    }
+    emit opened(notesOf(inputs, document_.current()));
+}
+
+void OpenController::join(const LoadedInputs& inputs, const QStringList& paths)
+{
+    if (document_.isEmpty()) {
+        document_.replace(withInputs(document_.current(), inputs), {});
+    } else {
+        document_.push(
+            joinInputs(document_, withInputs(document_.current(), inputs), tr("Open %1").arg(namesOf(paths))));
+    }
+    emit opened(notesOf(inputs, document_.current()));
+}
+
+}   // namespace app

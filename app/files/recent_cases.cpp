@@ -1,0 +1,28 @@
+#include "app/files/recent_cases.h"
+
+#include "app/settings.h"
+
+#include <QFileInfo>
+
+namespace app {
+namespace {
+
+constexpr qsizetype keptCases = 10;
+
+}   // namespace
+
+QStringList recentCases()
+{
+    return settings::recentCases.read();
+}
+
+void rememberCase(const QString& path)
+{
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    QStringList cases = recentCases();
+    cases.removeAll(absolute);
+    cases.prepend(absolute);
+    settings::recentCases.write(cases.first(std::min(cases.size(), keptCases)));
+}
+
+}   // namespace app

@@ -1,0 +1,57 @@
+#include "app/files/sample_case.h"
+
+#include "core/registration_case.h"
+#include "core/simulation/simulated_case.h"
+#include "io/angiogram_file.h"
+#include "io/case_file.h"
+#include "io/vessel_tree_file.h"
+
+#include <QDir>
+#include <QStandardPaths>
+
+namespace app {
+namespace {
+
+constexpr std::uint64_t sampleSeed = 7;
+
+core::RegistrationCase caseOf(const core::SimulatedCase& simulated, const std::string& treePath,
+                              const std::string& imagePath)
+{
+    core::RegistrationCase result;
+    result.title = "Sample case (simulated)";
+    result.tree = std::make_shared<core::VesselTree>(simulated.tree);
+    result.centerlineFile.path = treePath;
+    result.angiogram = std::make_shared<core::Angiogram>(simulated.angiogram);
+    result.imageFile.path = imagePath;
+    result.frame = simulated.angiogram.suggestedFrame;
+    result.cArm = simulated.angiogram.cArm;
+    result.initialCameraFromPatient = simulated.initialCameraFromPatient;
+    result.hasInitialPose = true;
+    result.cameraFromPatient = simulated.initialCameraFromPatient;
+    return result;
+}
+
+}   // namespace
+
+core::Result<QString> writeSampleCase()
+{
+    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+                      QStringLiteral("/sample"));
+    folder.mkpath(QStringLiteral("."));
+    const QString casePath = folder.filePath(QStringLiteral("sample.angiopose"));
+    const std::string treePath = folder.filePath(QStringLiteral("tree.vtp")).toStdString();
+    const std::string imagePath = folder.filePath(QStringLiteral("run.dcm")).toStdString();
+    const core::SimulatedCase simulated = core::simulateCase(sampleSeed);
+    if (auto written = io::writeVesselTree(simulated.tree, treePath); !written) {
+        return written.error();
+    }
+    if (auto written = io::writeAngiogram(simulated.angiogram, imagePath); !written) {
+        return written.error();
+    }
+    if (auto written = io::saveCase(caseOf(simulated, treePath, imagePath), casePath.toStdString()); !written) {
+        return written.error();
+    }
+    return casePath;
+}
+
+}   // namespace app

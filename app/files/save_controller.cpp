@@ -1,0 +1,125 @@
+#include "app/files/save_controller.h"
+
+#include "app/files/recent_cases.h"
+#include "app/settings.h"
+#include "io/case_file.h"
+#include "ui/dialogs/message_dialog.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QLocale>
+#include <QWidget>
+
+namespace app {
+namespace {
+
+QString suggestedPath(const CaseDocument& document)
+{
+    if (!document.path().isEmpty()) {
+        return document.path();
+    }
+    const QString title = QString::fromStdString(document.current().title);
+    const QString name = title.isEmpty() ? QStringLiteral("case") : title;
+    return QDir(settings::lastFolder.read()).filePath(name + QStringLiteral(".angiopose"));
+}
+
+}   // namespace
+
+SaveController::SaveController(CaseDocument& document, QWidget& window, QObject* parent)
+    : QObject(parent), document_(document), window_(window), autosave_(document)
+{
+}
+
+void SaveController::save(std::function<void()> whenSaved)
+{
+    if (document_.path().isEmpty()) {
+        saveAs(std::move(whenSaved));
+    } else {
+        saveTo(document_.path(), std::move(whenSaved));
+    }
+}
+
+void SaveController::saveAs(std::function<void()> whenSaved)
+{
+    auto* dialog = new QFileDialog(&window_, tr("Save case"), suggestedPath(document_), tr("Cases (*.angiopose)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("angiopose"));
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this, whenSaved](const QString& path) { saveTo(path, whenSaved); });
+    dialog->open();
+}
+
+void SaveController::saveTo(const QString& path, std::function<void()> whenSaved)
+{
+    emit started();
+    files_.run(
+        [snapshot = document_.current(), path]() -> core::Result<QString> {
+            if (const auto written = io::saveCase(snapshot, path.toStdString()); !written) {
+                return written.error();
+            }
+            return path;
+        },
+        [this, path, state = document_.state(), whenSaved](const core::Result<QString>& written) {
+            if (!written) {
+                emit failed(QString::fromStdString(written.error().message));
+                return;
+            }
+            take(path, state);
+            if (whenSaved) {
+                whenSaved();
+            }
+        });
+}
+
+void SaveController::take(const QString& path, const CaseState& written)
+{
+    document_.markSaved(path, written);
+    settings::lastFolder.write(QFileInfo(path).absolutePath());
+    rememberCase(path);
+    if (!document_.isModified()) {
+        autosave_.discard();
+    }
+    emit saved();
+}
+
+void SaveController::offerRecovery()
+{
+    const std::vector<LeftBehind> copies = Autosave::leftBehind();
+    if (copies.empty()) {
+        return;
+    }
+    const LeftBehind newest = copies.front();
+    const QString name =
+        newest.original.isEmpty() ? tr("a case that was never saved") : QFileInfo(newest.original).fileName();
+    auto* question = new ui::QuestionDialog({tr("Recover unsaved work?"),
+                                             tr("AngioPose ended unexpectedly. There is a copy of %1 from %2.")
+                                                 .arg(name, QLocale().toString(newest.when, QLocale::ShortFormat)),
+                                             {}},
+                                            {tr("Recover"), tr("Delete the copy"), tr("Decide later")}, &window_);
+    connect(question, &ui::QuestionDialog::answered, this, [this, newest](int index) {
+        if (index == 0) {
+            emit recoveryWanted(newest);
+        } else if (index == 1) {
+            Autosave::forget(newest);
+        }
+    });
+    question->open();
+}
+
+QString SaveController::saveState() const
+{
+    if (document_.isEmpty()) {
+        return {};
+    }
+    if (!document_.isModified()) {
+        return tr("All changes saved");
+    }
+    if (const auto when = autosave_.lastSaved()) {
+        const qint64 seconds = when->secsTo(QDateTime::currentDateTime());
+        return seconds < 90 ? tr("Autosaved %1 s ago").arg(seconds) : tr("Autosaved %1 min ago").arg(seconds / 60);
+    }
+    return tr("Unsaved changes");
+}
+
+}   // namespace app

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/files/autosave.h"
+#include "app/jobs/file_queue.h"
+
+#include <QObject>
+
+#include <functional>
+
+class QWidget;
+
+namespace app {
+
+/// Saves the open case, under its name or a new one, and offers what crashed sessions left behind.
+class SaveController : public QObject {
+    Q_OBJECT
+public:
+    SaveController(CaseDocument& document, QWidget& window, QObject* parent = nullptr);
+
+    void save(std::function<void()> whenSaved = {});   ///< asks for a name where there is none
+    void saveAs(std::function<void()> whenSaved = {});
+    void saveTo(const QString& path, std::function<void()> whenSaved = {});   ///< returns at once
+    bool isSaving() const { return files_.isBusy(); }
+    void offerRecovery();
+    void discardAutosave() { autosave_.discard(); }
+    QString saveState() const;   ///< "Autosaved 12 s ago", "All changes saved", …
+
+signals:
+    void started();
+    void failed(const QString& reason);
+    void saved();
+    void recoveryWanted(const app::LeftBehind& copy);
+
+private:
+    void take(const QString& path, const CaseState& written);
+
+    CaseDocument& document_;
+    QWidget& window_;
+    Autosave autosave_;
+    FileQueue files_;
+};
+
+}   // namespace app

@@ -1,0 +1,75 @@
+#include "app/files/series_rows.h"
+
+#include "app/texts/number_text.h"
+
+#include <QCoreApplication>
+
+namespace app {
+namespace {
+
+QString text(const char* words)
+{
+    return QCoreApplication::translate("app::SeriesRows", words);
+}
+
+QString sizeText(const io::DicomSeries& series)
+{
+    const io::SliceRecord& first = series.slices.front();
+    const bool isPlanned = !series.isAngiogram && series.problem.empty();
+    const Eigen::Vector3i size =
+        isPlanned ? series.stack.geometry.size : Eigen::Vector3i(first.size.x(), first.size.y(), 0);
+    const QString plane = QStringLiteral("%1 × %2").arg(size.x()).arg(size.y());
+    return isPlanned ? plane + QStringLiteral(" × %1").arg(size.z()) : plane;
+}
+
+QString spacingText(const io::DicomSeries& series)
+{
+    if (series.isAngiogram || !series.problem.empty()) {
+        return {};
+    }
+    QStringList parts;
+    for (const double spacing : series.stack.geometry.spacingMm) {
+        parts << QString::fromStdString(fixedText(spacing, 2));
+    }
+    return parts.join(QStringLiteral(" × "));
+}
+
+ui::SeriesRow rowOf(const io::DicomSeries& series)
+{
+    ui::SeriesRow row;
+    row.id = QString::fromStdString(series.id);
+    row.description =
+        QString::fromStdString(series.description.empty() ? series.identity.description : series.description);
+    if (row.description.isEmpty()) {
+        row.description = text("Series %1").arg(series.number);
+    }
+    if (!series.part.empty()) {
+        row.description += QStringLiteral(" (%1)").arg(QString::fromStdString(series.part));
+    }
+    row.modality = QString::fromStdString(series.identity.modality);
+    row.imageCount = static_cast<int>(series.slices.size());
+    row.size = sizeText(series);
+    row.spacingMm = spacingText(series);
+    row.date = QString::fromStdString(series.identity.studyDate);
+    row.isOpenable = series.problem.empty();
+    if (!row.isOpenable) {
+        row.notes << QString::fromStdString(series.problem);
+    }
+    for (const std::string& warning : series.warnings) {
+        row.notes << QString::fromStdString(warning);
+    }
+    return row;
+}
+
+}   // namespace
+
+std::vector<ui::SeriesRow> seriesRows(const std::vector<io::DicomSeries>& series)
+{
+    std::vector<ui::SeriesRow> rows;
+    for (const io::DicomSeries& each : series) {
+        rows.push_back(rowOf(each));
+    }
+    return rows;
+}
+
+}   // namespace app

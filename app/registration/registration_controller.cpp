@@ -1,0 +1,113 @@
+#include "app/registration/registration_controller.h"
+
+#include "app/document/edit_case.h"
+
+namespace app {
+
+RegistrationController::RegistrationController(CaseDocument& document, TargetProvider& target, QObject* parent)
+    : QObject(parent), document_(document), target_(target)
+{
+    connect(&target_, &TargetProvider::changed, this, &RegistrationController::continueAfterTracing);
+    connect(&job_, &RegistrationJob::advanced, this, &RegistrationController::advanced);
+    connect(&job_, &RegistrationJob::finished, this, &RegistrationController::apply);
+    connect(&job_, &RegistrationJob::failed, this, [this](const QString& reason) {
+        end();
+        emit failed(reason);
+    });
+}
+
+QString RegistrationController::whyNotReady() const
+{
+    const core::RegistrationCase& current = document_.current();
+    if (!current.tree) {
+        return tr("Open a vessel centreline first.");
+    }
+    if (!current.angiogram) {
+        return tr("Open an angiogram first.");
+    }
+    if (const auto camera = core::cameraOf(current); !camera) {
+        return QString::fromStdString(camera.error().message);
+    }
+    if (const auto start = core::startPoseOf(current); !start) {
+        return QString::fromStdString(start.error().message);
+    }
+    return QString::fromStdString(core::findProblem(current.options));
+}
+
+void RegistrationController::start()
+{
+    if (isRunning()) {
+        return;
+    }
+    if (const QString why = whyNotReady(); !why.isEmpty()) {
+        emit failed(why);
+        return;
+    }
+    phase_ = Phase::Tracing;
+    document_.setLocked(true);
+    emit runningChanged(true);
+    emit tracingStarted();
+    target_.want(document_.current());
+    continueAfterTracing();
+}
+
+void RegistrationController::stop()
+{
+    if (phase_ == Phase::Tracing) {
+        end();
+    } else if (phase_ == Phase::Solving) {
+        job_.requestStop();
+    }
+}
+
+void RegistrationController::continueAfterTracing()
+{
+    if (phase_ != Phase::Tracing) {
+        return;
+    }
+    if (!target_.problem().isEmpty()) {
+        const QString problem = target_.problem();
+        end();
+        emit failed(problem);
+        return;
+    }
+    if (!target_.current()) {
+        return;
+    }
+    auto input = core::registrationInputOf(document_.current(), *target_.current());
+    if (!input) {
+        end();
+        emit failed(QString::fromStdString(input.error().message));
+        return;
+    }
+    phase_ = Phase::Solving;
+    job_.start(std::move(input).value(), document_.current().options);
+}
+
+void RegistrationController::apply(const core::RegistrationResult& result)
+{
+    end();
+    document_.push(
+        std::make_unique<MovePose>(document_, MovePose::Values{result.cameraFromPatient, result},
+                                   tr("Register (%1)").arg(methodLabel(document_.current().options.method))));
+    emit finished(result);
+}
+
+void RegistrationController::end()
+{
+    phase_ = Phase::Idle;
+    document_.setLocked(false);
+    emit runningChanged(false);
+}
+
+QString methodLabel(const std::string& methodId)
+{
+    for (const core::MethodInfo& info : core::methodInfos()) {
+        if (info.id == methodId) {
+            return QString::fromUtf8(info.label.data(), static_cast<qsizetype>(info.label.size()));
+        }
+    }
+    return QString::fromStdString(methodId);
+}
+
+}   // namespace app

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/jobs/registration_job.h"
+#include "app/registration/target_provider.h"
+
+#include <QObject>
+
+namespace app {
+
+/// Runs the registration of the open case: traced vessels first, then the solver with a live pose; Stop keeps the
+/// best pose. The result is one step of undo.
+class RegistrationController : public QObject {
+    Q_OBJECT
+public:
+    RegistrationController(CaseDocument& document, TargetProvider& target, QObject* parent = nullptr);
+
+    /// What the case still lacks for a run; empty when it can start.
+    QString whyNotReady() const;
+    bool isRunning() const { return phase_ != Phase::Idle; }
+    void start();
+    void stop();   ///< returns at once
+
+signals:
+    void runningChanged(bool running);
+    void tracingStarted();
+    void advanced(const core::IterationReport& report);
+    void finished(const core::RegistrationResult& result);
+    void failed(const QString& reason);
+
+private:
+    enum class Phase { Idle, Tracing, Solving };
+    void continueAfterTracing();
+    void apply(const core::RegistrationResult& result);
+    void end();
+
+    CaseDocument& document_;
+    TargetProvider& target_;
+    RegistrationJob job_;
+    Phase phase_ = Phase::Idle;
+};
+
+/// "AngioPose" for "angiopose".
+QString methodLabel(const std::string& methodId);
+
+}   // namespace app

@@ -1,0 +1,161 @@
+#include "app/review/look_controller.h"
+
+#include "app/settings.h"
+#include "ui/main_window.h"
+#include "ui/views/angiogram_view.h"
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+constexpr double opacityStep = 0.1;
+
+}   // namespace
+
+LookController::LookController(const CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent)
+    : QObject(parent), document_(document), sync_(sync), window_(window)
+{
+    connectOverlay();
+    connectBrightness();
+}
+
+void LookController::connectOverlay()
+{
+    ui::WindowActions& actions = window_.actions();
+    ui::AngiogramView& view = window_.angiogramView();
+    connect(actions[ui::Command::Fit], &QAction::triggered, &view, &ui::AngiogramView::fitToWindow);
+    connect(actions[ui::Command::Outline], &QAction::triggered, this, &LookController::nextStyle);
+    connect(actions[ui::Command::Swipe], &QAction::triggered, this, &LookController::nextCutout);
+    connect(actions[ui::Command::WorstBranch], &QAction::triggered, this, &LookController::showNextWorst);
+    connect(&window_, &ui::MainWindow::hideKeyHeld, this, [this](bool held) {
+        heldHidden_ = held;
+        showStyle();
+    });
+    connect(actions[ui::Command::DepthCue], &QAction::toggled, this, [this, &view](bool on) {
+        view.scene().setDepthCue(on ? ui::DepthCue::NearBright : ui::DepthCue::None);
+        view.update();
+        window_.strip().showStatus(on ? tr("Near vessels bright, far ones dim") : tr("Depth cue off"));
+    });
+    connect(actions[ui::Command::ShowTrace], &QAction::toggled, &view, [&view](bool on) {
+        view.scene().showTracedCenterline(on);
+        view.update();
+    });
+    connect(actions[ui::Command::MoreOpacity], &QAction::triggered, this, [this] { changeOpacity(opacityStep); });
+    connect(actions[ui::Command::LessOpacity], &QAction::triggered, this, [this] { changeOpacity(-opacityStep); });
+    view.scene().setOpacity(settings::overlayOpacity.read());
+
+    QAction* identity = actions[ui::Command::HideIdentity];
+    connect(identity, &QAction::toggled, this, [this](bool hidden) {
+        settings::identityHidden.write(hidden);
+        sync_.setIdentityHidden(hidden);
+    });
+    identity->setChecked(settings::identityHidden.read());
+}
+
+void LookController::connectBrightness()
+{
+    ui::WindowActions& actions = window_.actions();
+    ui::AngiogramView& view = window_.angiogramView();
+    connect(actions[ui::Command::AutoWindow], &QAction::triggered, &view, &ui::AngiogramView::autoWindowLevel);
+    connect(actions[ui::Command::FullRange], &QAction::triggered, this, &LookController::showFullRange);
+    connect(actions[ui::Command::MoreContrast], &QAction::triggered, this, [this] { scaleWindow(0.5); });
+    connect(actions[ui::Command::LessContrast], &QAction::triggered, this, [this] { scaleWindow(2.0); });
+    connect(actions[ui::Command::Invert], &QAction::toggled, &view, [&view](bool on) {
+        view.scene().setInverted(on);
+        view.update();
+    });
+}
+
+void LookController::showStyle()
+{
+    window_.angiogramView().scene().setMode(heldHidden_ ? ui::OverlayMode::Hidden : style_);
+    window_.angiogramView().update();
+}
+
+bool LookController::hasRadii() const
+{
+    const auto& tree = document_.current().tree;
+    return tree && std::ranges::any_of(tree->branches, [](const core::VesselBranch& branch) {
+               return std::ranges::any_of(branch.radiusMm, [](double radius) { return radius > 0.0; });
+           });
+}
+
+void LookController::nextStyle()
+{
+    using enum ui::OverlayMode;
+    if (document_.current().tree && !hasRadii()) {
+        window_.strip().showStatus(tr("This tree knows no radii: only centrelines can be shown."));
+        return;
+    }
+    style_ = style_ == Centerline ? Outline : style_ == Outline ? Tube : Centerline;
+    window_.strip().showStatus(style_ == Centerline ? tr("Vessels as centrelines")
+                               : style_ == Outline  ? tr("Vessels as outlines")
+                                                    : tr("Vessels as tubes"));
+    showStyle();
+}
+
+void LookController::nextCutout()
+{
+    using enum ui::Cutout::Shape;
+    ui::AngiogramView& view = window_.angiogramView();
+    view.setCutout(view.cutout() == None ? RightOf : view.cutout() == RightOf ? Disc : None);
+    window_.strip().showStatus(view.cutout() == RightOf ? tr("Swipe: the overlay ends at the mouse")
+                               : view.cutout() == Disc  ? tr("Lens: the bare angiogram under the mouse")
+                                                        : tr("Swipe and lens off"));
+}
+
+void LookController::changeOpacity(double by)
+{
+    const double opacity = std::clamp(settings::overlayOpacity.read() + by, opacityStep, 1.0);
+    settings::overlayOpacity.write(opacity);
+    window_.angiogramView().scene().setOpacity(opacity);
+    window_.angiogramView().update();
+    window_.strip().showStatus(tr("Overlay opacity %1 %").arg(100.0 * opacity, 0, 'f', 0));
+}
+
+void LookController::scaleWindow(double factor)
+{
+    ui::AngiogramView& view = window_.angiogramView();
+    const core::DisplayRange shown = view.shownRange();
+    view.setWindowLevel(factor * shown.window(), shown.level());
+}
+
+void LookController::showFullRange()
+{
+    ui::AngiogramView& view = window_.angiogramView();
+    const std::vector<float>& pixels = view.scene().frame().pixels;
+    if (!pixels.empty()) {
+        const auto [low, high] = std::ranges::minmax(pixels);
+        view.setWindowLevel(std::max(1e-6, static_cast<double>(high) - low), 0.5 * (static_cast<double>(high) + low));
+    }
+}
+
+void LookController::knowResiduals(std::vector<core::BranchResidual> branches, double millimetresPerPixel)
+{
+    std::ranges::stable_sort(branches, std::greater{}, &core::BranchResidual::medianPx);
+    worstFirst_ = std::move(branches);
+    millimetresPerPixel_ = millimetresPerPixel;
+    nextWorst_ = 0;
+}
+
+void LookController::showNextWorst()
+{
+    if (worstFirst_.empty()) {
+        window_.strip().showStatus(tr("No residuals yet"));
+        return;
+    }
+    const std::size_t rank = nextWorst_ % worstFirst_.size();
+    const core::BranchResidual& branch = worstFirst_[rank];
+    nextWorst_ = rank + 1;
+    if (const auto extent = window_.angiogramView().scene().extentOf(branch.branchId)) {
+        window_.angiogramView().zoomTo(*extent);
+    }
+    emit branchWanted(branch.branchId);
+    window_.strip().showStatus(tr("Worst %1 of %2: %3 mm median · W next · 1 fits")
+                                   .arg(rank + 1)
+                                   .arg(worstFirst_.size())
+                                   .arg(branch.medianPx * millimetresPerPixel_, 0, 'f', 2));
+}
+
+}   // namespace app

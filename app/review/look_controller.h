@@ -1,0 +1,53 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/review/view_sync.h"
+#include "core/registration/registration.h"
+
+#include <QObject>
+
+#include <vector>
+
+namespace ui {
+class MainWindow;
+}
+
+namespace app {
+
+/// How the overlay lies on the angiogram: style, opacity, depth cue, swipe and lens, brightness, and the way to the
+/// branch that fits worst. Nothing here changes the case.
+class LookController : public QObject {
+    Q_OBJECT
+public:
+    LookController(const CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent = nullptr);
+
+    /// What W goes through, from the worst branch on.
+    void knowResiduals(std::vector<core::BranchResidual> branches, double millimetresPerPixel);
+
+signals:
+    void branchWanted(int branchId);   ///< to be selected
+
+private:
+    void connectOverlay();
+    void connectBrightness();
+    void showStyle();
+    void nextStyle();
+    void nextCutout();
+    void changeOpacity(double by);
+    void scaleWindow(double factor);
+    void showFullRange();
+    void showNextWorst();
+
+    bool hasRadii() const;
+
+    const CaseDocument& document_;
+    ViewSync& sync_;
+    ui::MainWindow& window_;
+    ui::OverlayMode style_ = ui::OverlayMode::Centerline;
+    bool heldHidden_ = false;
+    std::vector<core::BranchResidual> worstFirst_;
+    double millimetresPerPixel_ = 0.0;
+    std::size_t nextWorst_ = 0;
+};
+
+}   // namespace app

@@ -1,0 +1,197 @@
+#include "app/review/replay_controller.h"
+
+#include "app/document/edit_case.h"
+#include "app/settings.h"
+#include "core/registration/pose/centroid_pose.h"
+#include "ui/main_window.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace app {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int phasesPerSwing = 60;
+constexpr double swingSigmas = 2.0;
+
+/// Root mean square distance of the tree's points from their centroid: how far a turn of 1 rad moves them.
+double spreadMm(const core::VesselTree& tree, const Eigen::Vector3d& centroid)
+{
+    double sum = 0.0;
+    for (const core::VesselBranch& branch : tree.branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            sum += (point - centroid).squaredNorm();
+        }
+    }
+    return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, tree.pointCount())));
+}
+
+QString nameOfAxis(Eigen::Index axis)
+{
+    static const std::array names{
+        QT_TRANSLATE_NOOP("app::ReplayController", "tilt"),    QT_TRANSLATE_NOOP("app::ReplayController", "turn"),
+        QT_TRANSLATE_NOOP("app::ReplayController", "roll"),    QT_TRANSLATE_NOOP("app::ReplayController", "sideways"),
+        QT_TRANSLATE_NOOP("app::ReplayController", "up–down"), QT_TRANSLATE_NOOP("app::ReplayController", "depth")};
+    return ReplayController::tr(names[static_cast<std::size_t>(axis)]);
+}
+
+}   // namespace
+
+ReplayController::ReplayController(CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent)
+    : QObject(parent), document_(document), sync_(sync), window_(window)
+{
+    ui::WindowActions& actions = window_.actions();
+    replayTimer_.setInterval(80ms);
+    swingTimer_.setInterval(40ms);
+    connect(&replayTimer_, &QTimer::timeout, this, &ReplayController::showStep);
+    connect(&swingTimer_, &QTimer::timeout, this, &ReplayController::showSwing);
+    connect(actions[ui::Command::Replay], &QAction::toggled, this, &ReplayController::setReplaying);
+    connect(actions[ui::Command::Swing], &QAction::toggled, this, &ReplayController::setSwinging);
+    connect(actions[ui::Command::NextSolution], &QAction::triggered, this, &ReplayController::showNextSolution);
+    connect(actions[ui::Command::TakeSolution], &QAction::triggered, this, &ReplayController::takeSolution);
+    connect(&document_, &CaseDocument::changed, this, [this, &actions] {
+        actions[ui::Command::Replay]->setChecked(false);
+        actions[ui::Command::Swing]->setChecked(false);
+        showItself();
+    });
+}
+
+void ReplayController::showItself()
+{
+    if (std::exchange(solution_, 0) != 0) {
+        sync_.endPreview();
+    }
+}
+
+void ReplayController::endPreview()
+{
+    replayTimer_.stop();
+    swingTimer_.stop();
+    sync_.endPreview();
+}
+
+void ReplayController::setReplaying(bool on)
+{
+    if (!on) {
+        endPreview();
+        return;
+    }
+    if (!document_.current().result || document_.current().result->history.empty() || document_.isLocked()) {
+        window_.actions()[ui::Command::Replay]->setChecked(false);
+        window_.strip().showStatus(tr("There is no run to replay. Register first (R)."));
+        return;
+    }
+    step_ = 0;
+    showStep();
+    replayTimer_.start();
+}
+
+void ReplayController::showStep()
+{
+    const auto& result = document_.current().result;
+    if (!result || step_ >= result->history.size()) {
+        window_.actions()[ui::Command::Replay]->setChecked(false);
+        window_.strip().showStatus(tr("Replay ended"));
+        return;
+    }
+    const core::IterationReport& report = result->history[step_++];
+    sync_.showPreview(report.cameraFromPatient, ResidualColors::Hidden);
+    window_.strip().showStatus(tr("Replay: step %1 of %2, %3 px")
+                                   .arg(step_)
+                                   .arg(result->history.size())
+                                   .arg(report.medianDistancePx, 0, 'f', 2));
+}
+
+std::optional<ReplayController::Swing> ReplayController::swing() const
+{
+    const core::RegistrationCase& current = document_.current();
+    if (!uncertainty_ || !current.tree || uncertainty_->weakestDirection.norm() < 0.5) {
+        return std::nullopt;
+    }
+    core::Vector6d perMm = core::Vector6d::Ones();   // from (rad, mm) to mm at the tree
+    perMm.head<3>().setConstant(spreadMm(*current.tree, core::centroidInPatient(*current.tree)));
+    const core::Vector6d& direction = uncertainty_->weakestDirection;
+    const core::Vector6d scaled = perMm.cwiseProduct(direction);
+    Swing swing;
+    swing.sigmaMm = std::sqrt(std::max(0.0, scaled.dot(uncertainty_->covariance * scaled)));
+    swing.perSigma = swing.sigmaMm * direction.cwiseQuotient(perMm);
+    Eigen::Index axis = 0;
+    direction.cwiseAbs().maxCoeff(&axis);
+    swing.words = nameOfAxis(axis);
+    return swing;
+}
+
+void ReplayController::setSwinging(bool on)
+{
+    if (!on) {
+        endPreview();
+        return;
+    }
+    if (!swing() || document_.isLocked()) {
+        window_.actions()[ui::Command::Swing]->setChecked(false);
+        window_.strip().showStatus(tr("The uncertainty of this pose is not known yet."));
+        return;
+    }
+    phase_ = settings::reduceMotion.read() ? phasesPerSwing / 4 : 0;   // without motion: one end of the swing
+    showSwing();
+    if (!settings::reduceMotion.read()) {
+        swingTimer_.start();
+    }
+}
+
+void ReplayController::showSwing()
+{
+    const auto weakest = swing();
+    if (!weakest) {
+        window_.actions()[ui::Command::Swing]->setChecked(false);
+        return;
+    }
+    const double sigmas = swingSigmas * std::sin(2.0 * std::numbers::pi * phase_++ / phasesPerSwing);
+    const Eigen::Vector3d centroid = core::centroidInPatient(*document_.current().tree);
+    const core::CentroidPose pose = core::aboutCentroid(document_.current().cameraFromPatient, centroid);
+    sync_.showPreview(core::cameraFromPatient(core::moved(pose, sigmas * weakest->perSigma), centroid),
+                      ResidualColors::Hidden);
+    window_.strip().showStatus(tr("The image hardly tells these apart: ±%1 mm, mostly %2")
+                                   .arg(swingSigmas * weakest->sigmaMm, 0, 'f', 1)
+                                   .arg(weakest->words));
+}
+
+void ReplayController::showNextSolution()
+{
+    const auto& result = document_.current().result;
+    if (!result || result->alternatives.empty() || document_.isLocked()) {
+        window_.strip().showStatus(result ? tr("The run found no other solution.")
+                                          : tr("There is no run yet. Register first (R)."));
+        return;
+    }
+    emit solutionShown();
+    if (solution_ >= result->alternatives.size()) {
+        showItself();
+        window_.strip().showStatus(tr("The solution itself"));
+        return;
+    }
+    const core::Hypothesis& other = result->alternatives[solution_++];
+    sync_.showPreview(other.cameraFromPatient, ResidualColors::Hidden);
+    window_.strip().showStatus(tr("Other solution %1 of %2, score %3 · Shift+J takes it")
+                                   .arg(solution_)
+                                   .arg(result->alternatives.size())
+                                   .arg(other.score, 0, 'f', 2));
+}
+
+void ReplayController::takeSolution()
+{
+    const auto& result = document_.current().result;
+    if (solution_ == 0 || !result || solution_ > result->alternatives.size()) {
+        window_.strip().showStatus(tr("J shows the other solutions first."));
+        return;
+    }
+    const core::RigidTransform pose = result->alternatives[solution_ - 1].cameraFromPatient;
+    document_.push(std::make_unique<MovePose>(document_, MovePose::Values{pose, std::nullopt},
+                                              tr("Take solution %1").arg(solution_ + 1)));
+}
+
+}   // namespace app

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/review/view_sync.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <optional>
+
+namespace ui {
+class MainWindow;
+}
+
+namespace app {
+
+/// Poses in motion, shown but never written: how the last run converged, the swing along the direction that the image
+/// tells worst, and the other solutions of the last run. Any change of the case ends them.
+class ReplayController : public QObject {
+    Q_OBJECT
+public:
+    ReplayController(CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent = nullptr);
+
+    void knowUncertainty(const std::optional<core::PoseUncertainty>& uncertainty) { uncertainty_ = uncertainty; }
+
+    void showItself();   ///< the pose of the case instead of another solution
+
+signals:
+    void solutionShown();   ///< whatever moves should end
+
+private:
+    struct Swing {
+        core::Vector6d perSigma = core::Vector6d::Zero();   ///< step of one standard deviation: rad, mm
+        double sigmaMm = 0.0;
+        QString words;
+    };
+    std::optional<Swing> swing() const;
+    void setReplaying(bool on);
+    void showStep();
+    void setSwinging(bool on);
+    void showSwing();
+    void showNextSolution();
+    void takeSolution();
+    void endPreview();
+
+    CaseDocument& document_;
+    ViewSync& sync_;
+    ui::MainWindow& window_;
+    std::optional<core::PoseUncertainty> uncertainty_;
+    QTimer replayTimer_;
+    QTimer swingTimer_;
+    std::size_t step_ = 0;
+    int phase_ = 0;
+    std::size_t solution_ = 0;   ///< 0: the pose itself, k: the k-th other solution
+};
+
+}   // namespace app

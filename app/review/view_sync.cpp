@@ -1,0 +1,257 @@
+#include "app/review/view_sync.h"
+
+#include "app/texts/case_texts.h"
+#include "app/texts/overlay_picture.h"
+#include "core/tracing/suggest_frame.h"
+#include "ui/main_window.h"
+#include "ui/views/angiogram_view.h"
+#include "ui/views/tree_view.h"
+
+#include <QtConcurrentRun>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace app {
+namespace {
+
+double sourceToDetectorMm(const core::RegistrationCase& current)
+{
+    // Only the drawing of the detector hangs on this: a usual C-arm where nobody says.
+    return current.cArm.sourceToDetectorMm.value.value_or(1000.0);
+}
+
+double depthOfTreeMm(const core::RegistrationCase& current)
+{
+    const double depth = (current.cameraFromPatient * core::centroidInPatient(*current.tree)).z();
+    return std::max(depth, core::minProjectableDepthMm);
+}
+
+/// Whether the tree's coordinates are the patient's. A case brings its own start pose with whatever axes its tree has:
+/// believed only while it agrees with the angles of the C-arm, which are the patient's.
+bool isOrientationKnown(const core::RegistrationCase& current)
+{
+    constexpr double farthestDeg = 45.0;
+    core::RegistrationCase byAngles = current;
+    byAngles.hasInitialPose = false;
+    const auto expected = core::startPoseOf(byAngles);
+    if (!expected) {
+        return false;
+    }
+    const Eigen::AngleAxisd turn(
+        Eigen::Matrix3d(expected.value().rotation * current.cameraFromPatient.rotation.transpose()));
+    return std::abs(turn.angle()) < farthestDeg * std::numbers::pi / 180.0;
+}
+
+/// Bar heights: the fullest frame fills its cell.
+std::vector<double> relativeToFullest(std::vector<double> shares)
+{
+    const double fullest = shares.empty() ? 0.0 : *std::ranges::max_element(shares);
+    for (double& share : shares) {
+        share = fullest > 0.0 ? share / fullest : 0.0;
+    }
+    return shares;
+}
+
+}   // namespace
+
+ViewSync::ViewSync(ui::MainWindow& window, const CaseDocument& document, QObject* parent)
+    : QObject(parent), window_(window), document_(document)
+{
+    connect(&opacification_, &QFutureWatcherBase::finished, this, [this] {
+        if (shownAngiogram_ && opacification_.future().resultCount() > 0) {
+            window_.strip().showFrames(relativeToFullest(opacification_.result()), shownAngiogram_->suggestedFrame);
+        }
+    });
+}
+
+void ViewSync::refresh()
+{
+    const core::RegistrationCase& current = document_.current();
+    if (current.angiogram != shownAngiogram_) {
+        showAngiogram();
+    }
+    if (current.tree != shownTree_) {
+        showTree();
+    }
+    showCamera();
+    if (current.frame != shownFrame_) {
+        showFrame(current.frame);
+    }
+    if (!previewing_) {
+        showPose(current.cameraFromPatient);
+    }
+    window_.angiogramView().setOrientationKnown(shownCamera_ && isOrientationKnown(current));
+    showCornerTexts();
+    if (document_.isEmpty()) {
+        window_.showWelcomePage();
+    } else {
+        window_.showImagePage();
+    }
+}
+
+void ViewSync::showTree()
+{
+    shownTree_ = document_.current().tree;
+    const core::VesselTree tree = shownTree_ ? *shownTree_ : core::VesselTree{};
+    ui::AngiogramView& view = window_.angiogramView();
+    view.scene().clearResiduals();
+    view.scene().setTree(tree);
+    view.setPivot(shownTree_ ? core::centroidInPatient(tree) : Eigen::Vector3d::Zero());
+    window_.treeView().scene().setTree(tree);
+    window_.branches().showTree(tree);
+}
+
+void ViewSync::showAngiogram()
+{
+    shownAngiogram_ = document_.current().angiogram;
+    shownFrame_ = -1;
+    measureOpacification();
+}
+
+void ViewSync::showCamera()
+{
+    const auto camera = core::cameraOf(document_.current());
+    const std::optional<core::ProjectionCamera> known = camera ? std::optional(camera.value()) : std::nullopt;
+    if (known == shownCamera_ && known) {
+        return;
+    }
+    shownCamera_ = known;
+    if (known) {
+        window_.angiogramView().setCamera(*known);
+        window_.treeView().scene().setCamera(*known, sourceToDetectorMm(document_.current()));
+    }
+}
+
+void ViewSync::showFrame(int frame)
+{
+    shownFrame_ = frame;
+    if (shownAngiogram_ && frame >= 0 && frame < shownAngiogram_->frameCount()) {
+        const core::ImageF& image = shownAngiogram_->frames[static_cast<std::size_t>(frame)];
+        window_.angiogramView().setFrame(image);
+        window_.angiogramView().setFramePosition(frame, shownAngiogram_->frameCount());
+        window_.treeView().scene().setFrame(image);
+        window_.treeView().requestRender();
+    }
+    window_.strip().showCurrentFrame(frame);
+    showFrameNote();
+}
+
+void ViewSync::showPose(const core::RigidTransform& cameraFromPatient)
+{
+    window_.angiogramView().setPose(cameraFromPatient);
+    window_.treeView().scene().setPose(cameraFromPatient);
+    window_.angiogramView().update();
+    window_.treeView().requestRender();
+}
+
+void ViewSync::showPreview(const core::RigidTransform& cameraFromPatient, ResidualColors colors)
+{
+    previewing_ = true;
+    const bool areHidden = colors == ResidualColors::Hidden;
+    if (std::exchange(colorsHidden_, areHidden) != areHidden) {
+        showResidualColors();
+    }
+    showPose(cameraFromPatient);
+}
+
+void ViewSync::endPreview()
+{
+    previewing_ = false;
+    if (std::exchange(colorsHidden_, false)) {
+        showResidualColors();
+    }
+    showPose(document_.current().cameraFromPatient);
+}
+
+void ViewSync::showMarks(const ui::BranchMarks& marks)
+{
+    window_.angiogramView().scene().setMarks(marks);
+    window_.angiogramView().update();
+    window_.treeView().scene().setMarks(marks);
+    window_.treeView().requestRender();
+    window_.branches().showMarks(marks);
+    window_.registration().showAuxiliary(static_cast<int>(marks.auxiliary.size()));
+}
+
+void ViewSync::showTarget(const SharedCenterline& target)
+{
+    window_.angiogramView().scene().setTracedCenterline(target ? *target : core::Centerline2d{});
+    window_.angiogramView().update();
+}
+
+void ViewSync::showJudgement(const SharedJudgement& judgement)
+{
+    judgement_ = judgement;
+    showResidualColors();
+    const core::RegistrationCase& current = document_.current();
+    if (!judgement_ || !shownCamera_ || !current.tree) {
+        window_.branches().showResiduals({}, 0.0);
+        return;
+    }
+    const double depthMm = depthOfTreeMm(current);
+    const double mmPerPx = core::millimetresPerPixel(*shownCamera_, depthMm);
+    std::map<int, double> residualMm;
+    for (const core::BranchResidual& branch : judgement_->result.branches) {
+        residualMm[branch.branchId] = branch.medianPx * mmPerPx;
+    }
+    window_.branches().showResiduals(residualMm, residualScaleMaximumPx(*shownCamera_, depthMm) * mmPerPx);
+}
+
+void ViewSync::showResidualColors()
+{
+    ui::AngiogramView& view = window_.angiogramView();
+    const core::RegistrationCase& current = document_.current();
+    if (!judgement_ || !shownCamera_ || !current.tree || colorsHidden_) {
+        view.scene().clearResiduals();
+        view.setResidualScale(0.0, 0.0);
+    } else {
+        const double depthMm = depthOfTreeMm(current);
+        const double scalePx = residualScaleMaximumPx(*shownCamera_, depthMm);
+        view.scene().setResiduals(judgement_->residualPx, scalePx);
+        view.setResidualScale(scalePx, scalePx * core::millimetresPerPixel(*shownCamera_, depthMm));
+    }
+    view.update();
+}
+
+void ViewSync::setIdentityHidden(bool hidden)
+{
+    identityHidden_ = hidden;
+    showCornerTexts();
+}
+
+void ViewSync::showCornerTexts()
+{
+    const Identity identity = identityHidden_ ? Identity::Hidden : Identity::Shown;
+    window_.angiogramView().setCornerTexts(cornerTexts(document_.current(), identity));
+}
+
+void ViewSync::showFrameNote()
+{
+    if (!shownAngiogram_) {
+        window_.strip().showFrameNote({});
+        return;
+    }
+    const int count = shownAngiogram_->frameCount();
+    window_.strip().showFrameNote(count > 1 ? tr("Opacification by frame · frame %1 of 0–%2 · fullest: %3 · play C")
+                                                  .arg(shownFrame_)
+                                                  .arg(count - 1)
+                                                  .arg(shownAngiogram_->suggestedFrame)
+                                            : tr("Single frame"));
+}
+
+void ViewSync::measureOpacification()
+{
+    window_.strip().showFrames({}, 0);
+    opacification_.setFuture({});
+    if (shownAngiogram_ && shownAngiogram_->frameCount() > 1) {
+        opacification_.setFuture(QtConcurrent::run([angiogram = shownAngiogram_] {
+            return core::opacificationCurve(angiogram->frames, angiogram->polarity);
+        }));
+    }
+}
+
+}   // namespace app

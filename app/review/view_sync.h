@@ -1,0 +1,63 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/jobs/judge_job.h"
+#include "app/jobs/trace_job.h"
+#include "ui/scenes/overlay_scene.h"
+
+#include <QFutureWatcher>
+#include <QObject>
+
+#include <optional>
+
+namespace ui {
+class MainWindow;
+}
+
+namespace app {
+
+/// Whether residual colours hold for a pose that is shown for a while: a drag is judged as it moves, a look at another
+/// pose is not, and colours of one pose on another would lie.
+enum class ResidualColors { Kept, Hidden };
+
+/// Keeps the window's views showing the document: redraws only what changed. Also shows poses that are not in the
+/// document yet (a drag, a running registration, the start pose while flickering).
+class ViewSync : public QObject {
+    Q_OBJECT
+public:
+    ViewSync(ui::MainWindow& window, const CaseDocument& document, QObject* parent = nullptr);
+
+    void refresh();
+    void showPreview(const core::RigidTransform& cameraFromPatient, ResidualColors colors);
+    void endPreview();
+    void showMarks(const ui::BranchMarks& marks);
+    void showTarget(const SharedCenterline& target);
+    void showJudgement(const SharedJudgement& judgement);   ///< null: no residual colours
+    void showFrame(int frame);   ///< of the open run, e.g. while playing; the document is not asked
+    int shownFrame() const { return shownFrame_; }
+    void setIdentityHidden(bool hidden);
+
+private:
+    void showTree();
+    void showAngiogram();
+    void showCamera();
+    void showPose(const core::RigidTransform& cameraFromPatient);
+    void showResidualColors();
+    void showCornerTexts();
+    void showFrameNote();
+    void measureOpacification();
+
+    ui::MainWindow& window_;
+    const CaseDocument& document_;
+    std::shared_ptr<const core::VesselTree> shownTree_;
+    std::shared_ptr<const core::Angiogram> shownAngiogram_;
+    std::optional<core::ProjectionCamera> shownCamera_;
+    int shownFrame_ = -1;
+    bool previewing_ = false;
+    SharedJudgement judgement_;
+    bool colorsHidden_ = false;
+    bool identityHidden_ = false;
+    QFutureWatcher<std::vector<double>> opacification_;
+};
+
+}   // namespace app

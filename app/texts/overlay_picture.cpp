@@ -1,0 +1,121 @@
+#include "app/texts/overlay_picture.h"
+
+#include "app/texts/number_text.h"
+#include "core/evaluation/branch_distances.h"
+#include "core/imaging/display_range.h"
+#include "ui/scenes/overlay_scene.h"
+
+#include <cmath>
+
+namespace app {
+namespace {
+
+constexpr double residualScaleMaximumMm = 2.0;
+
+void setAutomaticWindow(ui::OverlayScene& scene, const core::ImageF& frame)
+{
+    const core::DisplayRange range = core::displayRange(frame);
+    scene.setWindowLevel(range.window(), range.level());
+}
+
+ui::ViewRect wholeImage(const core::ImageF& frame)
+{
+    return {-0.5, frame.width - 0.5, -0.5, frame.height - 0.5};
+}
+
+ui::CornerTexts exportTexts(const core::RegistrationCase& registrationCase, Identity identity)
+{
+    ui::CornerTexts texts = cornerTexts(registrationCase, identity);
+    texts.topLeft.insert(texts.topLeft.begin(), registrationCase.title);
+    texts.topRight.insert(texts.topRight.begin(), notForClinicalUse);
+    texts.bottomLeft.push_back("frame " + std::to_string(registrationCase.frame + 1) + " / " +
+                               std::to_string(registrationCase.angiogram->frameCount()));
+    if (registrationCase.result) {
+        const core::RegistrationResult& result = *registrationCase.result;
+        texts.bottomLeft.push_back(result.method + " · median " + fixedText(result.metrics.medianPx, 2) + " px" +
+                                   (result.trustworthy ? "" : " · not trustworthy"));
+    }
+    return texts;
+}
+
+void dressScene(ui::OverlayScene& scene, const core::RegistrationCase& registrationCase,
+                const core::ProjectionCamera& camera)
+{
+    const core::ImageF& frame = registrationCase.angiogram->frames[static_cast<std::size_t>(registrationCase.frame)];
+    scene.setFrame(frame);
+    setAutomaticWindow(scene, frame);
+    scene.setCamera(camera);
+    scene.setTree(*registrationCase.tree);
+    scene.setPose(registrationCase.cameraFromPatient);
+    ui::BranchMarks marks;
+    marks.auxiliary = {registrationCase.auxiliaryBranchIds.begin(), registrationCase.auxiliaryBranchIds.end()};
+    marks.excluded = {registrationCase.excludedBranchIds.begin(), registrationCase.excludedBranchIds.end()};
+    scene.setMarks(marks);
+}
+
+std::string poseText(const core::RigidTransform& pose)
+{
+    std::string text;
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            text += (text.empty() ? "" : " ") + fixedText(pose.matrix()(row, column), 9);
+        }
+    }
+    return text;
+}
+
+}   // namespace
+
+double residualScaleMaximumPx(const core::ProjectionCamera& camera, double depthMm)
+{
+    return residualScaleMaximumMm / core::millimetresPerPixel(camera, depthMm);
+}
+
+core::Result<core::ColorImage> drawOverlay(const core::RegistrationCase& registrationCase,
+                                           const core::Centerline2d& target, const OverlayPictureOptions& options)
+{
+    if (!registrationCase.tree || !registrationCase.angiogram || registrationCase.angiogram->frames.empty()) {
+        return core::Error{"An overlay needs a vessel tree and an angiogram. Open both first."};
+    }
+    const auto camera = core::cameraOf(registrationCase);
+    if (!camera) {
+        return camera.error();
+    }
+    ui::OverlayScene scene;
+    dressScene(scene, registrationCase, camera.value());
+
+    double scaleMaximumPx = 0.0;
+    if (options.coloring == OverlayColoring::Residuals && target.pointCount() > 0) {
+        const double depthMm =
+            (registrationCase.cameraFromPatient * core::centroidInPatient(*registrationCase.tree)).z();
+        scaleMaximumPx = residualScaleMaximumPx(camera.value(), std::max(depthMm, core::minProjectableDepthMm));
+        scene.setResiduals(
+            core::branchDistances(*registrationCase.tree, target, camera.value(), registrationCase.cameraFromPatient),
+            scaleMaximumPx);
+    }
+    const core::ImageF& frame = registrationCase.angiogram->frames.front();
+    const int width = options.widthPx > 0 ? options.widthPx : 2 * frame.width;
+    const int height =
+        std::max(1, static_cast<int>(std::lround(static_cast<double>(width) * frame.height / frame.width)));
+    scene.setLineWidthPx(std::max(1.5, width / 512.0 * 1.5));
+    return ui::renderOffscreen(scene, width, height, wholeImage(frame), exportTexts(registrationCase, options.identity),
+                               scaleMaximumPx, residualScaleMaximumMm);
+}
+
+std::map<std::string, std::string> provenanceTexts(const core::RegistrationCase& registrationCase)
+{
+    std::map<std::string, std::string> texts{
+        {"Software", std::string("AngioPose ") + ANGIOPOSE_VERSION},
+        {"Disclaimer", notForClinicalUse},
+        {"Centreline", registrationCase.centerlineFile.sha256},
+        {"Angiogram", registrationCase.imageFile.sha256 + " frame " + std::to_string(registrationCase.frame)},
+        {"cameraFromPatient", poseText(registrationCase.cameraFromPatient)},
+    };
+    if (registrationCase.result) {
+        texts["Method"] = registrationCase.result->method;
+        texts["Trustworthy"] = registrationCase.result->trustworthy ? "yes" : "no";
+    }
+    return texts;
+}
+
+}   // namespace app

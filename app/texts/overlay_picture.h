@@ -1,0 +1,33 @@
+#pragma once
+
+#include "app/texts/case_texts.h"
+#include "core/imaging/image2d.h"
+#include "core/registration_case.h"
+#include "core/support/result.h"
+
+#include <map>
+#include <string>
+
+namespace app {
+
+enum class OverlayColoring { Residuals, Branches };
+
+/// How an exported overlay looks.
+struct OverlayPictureOptions {
+    int widthPx = 0;   ///< 0: twice the image; the height follows from the image
+    OverlayColoring coloring = OverlayColoring::Residuals;
+    Identity identity = Identity::Hidden;
+};
+
+/// The picture that reports carry: angiogram, projected tree at the case's pose, residual colours against `target`
+/// with their scale, corner texts and the notice. Needs no display.
+core::Result<core::ColorImage> drawOverlay(const core::RegistrationCase& registrationCase,
+                                           const core::Centerline2d& target, const OverlayPictureOptions& options = {});
+
+/// Where the picture comes from (inputs with hashes, version, method, pose, notice), for the PNG's text chunks.
+std::map<std::string, std::string> provenanceTexts(const core::RegistrationCase& registrationCase);
+
+/// The residual, in px, at which the colour ramp ends: 2 mm at the vessels.
+double residualScaleMaximumPx(const core::ProjectionCamera& camera, double depthMm);
+
+}   // namespace app
