@@ -4,6 +4,8 @@
 #include "app/files/assemble_case.h"
 #include "app/settings.h"
 #include "ui/views/angiogram_view.h"
+#include "ui/views/tools/bind_tool.h"
+#include "ui/views/tools/nudge_tool.h"
 #include "ui/views/tree_view.h"
 
 #include <QClipboard>
@@ -159,23 +161,23 @@ void CaseController::connectPose()
     connect(&panel, &ui::PosePanel::resetRequested, &pose_, &PoseController::reset);
     connect(window_.actions()[ui::Command::ResetPose], &QAction::triggered, &pose_, &PoseController::reset);
     connect(&window_, &ui::MainWindow::escapePressed, &review_, &ReviewController::stopMotion);
-    connect(&window_, &ui::MainWindow::nudgeKeyPressed, this, [this](const ui::Nudge& nudge) {
+    auto* tool = new ui::NudgeTool(view);
+    ui::bindTool(*window_.actions()[ui::Command::Nudge], view, *tool);
+    connect(tool, &ui::NudgeTool::keyNudged, this, [this](const ui::Nudge& nudge) {
         review_.stopMotion();
         window_.pose().setActiveAxis(nudge.axis);
         pose_.nudge(nudge);
     });
-    connect(window_.actions()[ui::Command::Nudge], &QAction::toggled, this, [this, &view](bool on) {
+    connect(window_.actions()[ui::Command::Nudge], &QAction::toggled, this, [this](bool on) {
         review_.stopMotion();
-        view.setNudgeMode(on);
-        window_.setNudging(on);
         window_.pose().showNudgeMode(on);
         window_.pose().setActiveAxis(std::nullopt);
         showNote(on ? tr("Nudge mode: arrows move, drag moves or rolls, N ends") : tr("Nudge mode off"));
     });
-    connect(&view, &ui::AngiogramView::dragStarted, &pose_, &PoseController::startDrag);
-    connect(&view, &ui::AngiogramView::dragged, &pose_, &PoseController::drag);
-    connect(&view, &ui::AngiogramView::dragFinished, &pose_, &PoseController::finishDrag);
-    connect(&view, &ui::AngiogramView::dragCancelled, &pose_, &PoseController::cancelDrag);
+    connect(tool, &ui::NudgeTool::dragStarted, &pose_, &PoseController::startDrag);
+    connect(tool, &ui::NudgeTool::dragged, &pose_, &PoseController::drag);
+    connect(tool, &ui::NudgeTool::dragFinished, &pose_, &PoseController::finishDrag);
+    connect(tool, &ui::NudgeTool::dragCancelled, &pose_, &PoseController::cancelDrag);
     connect(&pose_, &PoseController::previewed, this, [this](const core::RigidTransform& pose) {
         sync_.showPreview(pose, ResidualColors::Kept);
         window_.pose().showOffset(pose_.currentOffset());

@@ -165,14 +165,6 @@ void MainWindow::focusStep(Step step)
     steps_->showCurrent(step);
 }
 
-void MainWindow::setNudging(bool on)
-{
-    nudging_ = on;
-    const int border = on ? 2 : 0;
-    imageFrame_->layout()->setContentsMargins(border, border, border, border);
-    setRole(imageFrame_, on ? "canvasNudging" : "canvas");
-}
-
 QByteArray MainWindow::layoutState() const
 {
     QByteArray state;

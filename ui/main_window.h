@@ -44,7 +44,6 @@ public:
     void showImagePage();
     void showWelcomePage();
     void focusStep(Step step);   ///< brings the step's part of the window to the user
-    void setNudging(bool on);   ///< coloured border around the image
 
     QByteArray layoutState() const;
     void restoreLayout(const QByteArray& state);
@@ -54,7 +53,6 @@ signals:
     void filesDropped(const QStringList& paths);
     void closeRequested();
     void hideKeyHeld(bool held);   ///< H pressed and released
-    void nudgeKeyPressed(ui::Nudge nudge);   ///< only while nudging
     void escapePressed();
 
 protected:
@@ -87,7 +85,6 @@ private:
     BottomStrip* strip_;
     QSplitter* columns_;
     QSplitter* leftSplitter_;
-    bool nudging_ = false;
     bool hideHeld_ = false;
     bool closeAllowed_ = false;
 };

@@ -88,12 +88,8 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
 bool MainWindow::filterKey(QEvent* event)
 {
     auto* key = static_cast<QKeyEvent*>(event);
-    const auto nudge = nudging_ ? nudgeOfKey(key->key(), key->modifiers()) : std::nullopt;
     if (event->type() == QEvent::ShortcutOverride) {
-        if (nudge) {
-            event->accept();   // the key comes back as KeyPress instead of a shortcut
-        }
-        return nudge.has_value();
+        return angiogramView_->filterToolKey(*key);
     }
     if (key->key() == Qt::Key_H && key->modifiers() == Qt::NoModifier) {
         const bool pressed = event->type() == QEvent::KeyPress;
@@ -103,14 +99,10 @@ bool MainWindow::filterKey(QEvent* event)
         }
         return true;
     }
-    if (event->type() == QEvent::KeyPress && nudge) {
-        emit nudgeKeyPressed(*nudge);
-        return true;
-    }
     if (event->type() == QEvent::KeyPress && key->key() == Qt::Key_Escape) {
-        emit escapePressed();   // and on to the view, which may be dragging
+        emit escapePressed();
     }
-    return false;
+    return angiogramView_->filterToolKey(*key);
 }
 
 }   // namespace ui

@@ -108,7 +108,7 @@ constexpr std::array nudgeNotes{
     KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "Alt+arrows"),
             QT_TRANSLATE_NOOP("ui::WindowActions", "turn LAO/RAO and CRA/CAU by 1°")},
     KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "drag"),
-            QT_TRANSLATE_NOOP("ui::WindowActions", "move; on the ring roll; Esc takes it back")},
+            QT_TRANSLATE_NOOP("ui::WindowActions", "move; on the ring roll; Esc takes it back, then ends the mode")},
 };
 
 constexpr std::array viewNotes{

@@ -29,7 +29,6 @@ QWidget[role="header"] { background: @title@; }
 QWidget[role="stepBar"], QWidget[role="column"], QWidget[role="strip"] { background: @panel@; }
 QWidget[role="canvas"] { background: @canvas@; }
 QWidget[role="welcome"] { background: @field@; }
-QWidget[role="canvasNudging"] { background: @attention@; }
 QScrollArea[role="column"], QScrollArea[role="column"] > QWidget > QWidget { border: none; background: @panel@; }
 QLineEdit[role="number"] { background: @field@; border: 1px solid @line@; border-radius: 3px; padding: 3px 8px;
   color: @textStrong@; selection-background-color: @accent@; }

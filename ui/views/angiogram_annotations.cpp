@@ -1,7 +1,5 @@
 #include "ui/views/angiogram_annotations.h"
 
-#include "ui/theme/theme.h"
-
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QLinearGradient>
@@ -239,16 +237,17 @@ void paintScale(QPainter& painter, const QSizeF& size, const AngiogramAnnotation
     label(bar.bottom() - 1.0, QStringLiteral("0"), tones().text);
 }
 
-void paintNudgeBorder(QPainter& painter, const QSizeF& size)
+void paintMode(QPainter& painter, const QSizeF& size, const ModeLabel& mode)
 {
-    const QColor tone = colorOf(tones().attention);
-    painter.fillRect(QRectF(0.0, 0.0, size.width(), 2.0), tone);
-    painter.fillRect(QRectF(0.0, size.height() - 2.0, size.width(), 2.0), tone);
-    painter.fillRect(QRectF(0.0, 0.0, 2.0, size.height()), tone);
-    painter.fillRect(QRectF(size.width() - 2.0, 0.0, 2.0, size.height()), tone);
+    constexpr double border = 3.0;
+    const QColor tone = colorOf(mode.tone);
+    painter.fillRect(QRectF(0.0, 0.0, size.width(), border), tone);
+    painter.fillRect(QRectF(0.0, size.height() - border, size.width(), border), tone);
+    painter.fillRect(QRectF(0.0, 0.0, border, size.height()), tone);
+    painter.fillRect(QRectF(size.width() - border, 0.0, border, size.height()), tone);
     painter.setFont(sized(painter.font(), 11));
-    drawShadowedText(painter, QRectF(0.0, 8.0, size.width(), 16.0), Qt::AlignHCenter | Qt::AlignVCenter,
-                     translated("Nudge: drag shifts, ring rolls, Ctrl is fine, Esc takes back"), tone);
+    drawShadowedText(painter, QRectF(0.0, 8.0, size.width(), 16.0), Qt::AlignHCenter | Qt::AlignVCenter, mode.text,
+                     tone);
 }
 
 /// Letters in the middle of each edge: the side of the patient that lies there.
@@ -259,7 +258,7 @@ void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotation
         drawShadowedText(painter, QRectF(centre - QPointF(20.0, 9.0), QSizeF(40.0, 18.0)), Qt::AlignCenter,
                          QString::fromStdString(text), colorOf(tones().textStrong));
     };
-    const double below = annotations.isNudging ? 34.0 : 18.0;
+    const double below = annotations.mode.text.isEmpty() ? 18.0 : 34.0;
     const double besideScale = annotations.scaleMaximumPx > 0.0 ? scaleBar(size).top() - 56.0 : 0.5 * size.height();
     letter({0.5 * size.width(), below}, annotations.sides.top);
     letter({0.5 * size.width(), size.height() - 18.0}, annotations.sides.bottom);
@@ -285,8 +284,8 @@ void paintAnnotations(QPainter& painter, const QSizeF& size, const AngiogramAnno
     if (annotations.scaleMaximumPx > 0.0) {
         paintScale(painter, size, annotations);
     }
-    if (annotations.isNudging) {
-        paintNudgeBorder(painter, size);
+    if (!annotations.mode.text.isEmpty()) {
+        paintMode(painter, size, annotations.mode);
     }
 }
 

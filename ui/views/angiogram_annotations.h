@@ -3,6 +3,7 @@
 #include "core/imaging/display_range.h"
 #include "ui/scenes/overlay_scene.h"
 #include "ui/scenes/render_offscreen.h"
+#include "ui/theme/theme.h"
 #include "ui/views/image_sides.h"
 #include "ui/views/image_viewport.h"
 
@@ -13,6 +14,12 @@ class QPainter;
 
 namespace ui {
 
+/// What the mouse does at the moment, where that is not the usual.
+struct ModeLabel {
+    QString text;   ///< empty: no mode
+    Color tone;   ///< of the border and the text
+};
+
 /// Text, scale and ruler that lie over the angiogram.
 struct AngiogramAnnotations {
     CornerTexts texts;
@@ -22,7 +29,7 @@ struct AngiogramAnnotations {
     double scaleMaximumMm = 0.0;
     double mmPerImagePx = 0.0;   ///< at the vessel; 0: no ruler
     ImageSides sides;   ///< empty: nobody knows
-    bool isNudging = false;
+    ModeLabel mode;
 };
 
 /// Paints them in a widget of this size. Texts beside the picture stay whole; over the picture they shrink and then

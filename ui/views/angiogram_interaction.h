@@ -3,9 +3,10 @@
 #include "ui/views/angiogram_annotations.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/image_viewport.h"
-#include "ui/views/nudge_drag.h"
+#include "ui/views/tools/image_tool.h"
 
 #include <QPointF>
+#include <QPointer>
 
 namespace ui {
 
@@ -21,18 +22,17 @@ struct AngiogramView::Interaction {
     Eigen::Vector3d pivotInPatient = Eigen::Vector3d::Zero();
     double lineWidth = 2.4;
 
+    QPointer<ImageTool> tool;
     Qt::MouseButton pressed = Qt::NoButton;
     bool isDragging = false;
+    bool isToolDragging = false;   // the drag under way is the tool's
     bool isCancelled = false;   // the rest of a cancelled drag does nothing
     QPointF pressedAt;
     QPointF lastAt;
-    std::optional<NudgeDrag> nudge;
-    PoseHandle hotHandle = PoseHandle::None;
-    double hotAngleRad = 0.0;
     std::optional<int> hovered;
     double wheelSteps = 0.0;   // fine steps of touch pads add up to whole frames
 
-    NudgeGrip grip(const QSizeF& widgetSize) const;   ///< of the tree's pivot
+    ToolPoint toolPoint(const QPointF& position, Qt::KeyboardModifiers modifiers) const;
     double mmPerImagePx() const;   ///< at the pivot; 0 when unknown
 };
 

@@ -1,25 +1,18 @@
 #include "ui/views/angiogram_view.h"
 
-#include "ui/scenes/fill_strokes.h"
 #include "ui/views/angiogram_interaction.h"
 
 #include <QPainter>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ui {
 
-NudgeGrip AngiogramView::Interaction::grip(const QSizeF& widgetSize) const
+ToolPoint AngiogramView::Interaction::toolPoint(const QPointF& position, Qt::KeyboardModifiers modifiers) const
 {
-    const Eigen::Vector3d pivotInCamera = cameraFromPatient * pivotInPatient;
-    const auto pixel = core::findProblem(camera).empty() ? core::project(camera, pivotInCamera) : std::nullopt;
-    if (!pixel) {
-        return {};
-    }
-    const double scale = pivotInCamera.z() / viewport.zoom();
-    const double radius = std::clamp(0.12 * std::min(widgetSize.width(), widgetSize.height()), 44.0, 110.0);
-    return {viewport.widgetFromImage(*pixel), radius, {scale / std::abs(camera.fx), scale / std::abs(camera.fy)}};
+    return {position, viewport.imageFromWidget({position.x(), position.y()}), modifiers};
 }
 
 double AngiogramView::Interaction::mmPerImagePx() const
@@ -88,17 +81,29 @@ void AngiogramView::setCornerTexts(const CornerTexts& texts)
     update();
 }
 
-void AngiogramView::setNudgeMode(bool on)
+void AngiogramView::setTool(ImageTool* tool)
 {
-    if (on == nudgeMode_) {
+    Interaction& i = *interaction_;
+    if (tool == i.tool) {
         return;
     }
     cancelDrag();
-    nudgeMode_ = on;
-    interaction_->annotations.isNudging = on;
-    interaction_->hotHandle = PoseHandle::None;
+    if (ImageTool* former = std::exchange(i.tool, nullptr)) {
+        former->end();
+    }
+    i.tool = tool;
+    hover(std::nullopt);
+    if (tool) {
+        tool->begin();
+    }
     showCursor();
     update();
+    emit toolChanged();
+}
+
+ImageTool* AngiogramView::tool() const
+{
+    return interaction_->tool;
 }
 
 void AngiogramView::setResidualScale(double maximumPx, double maximumMm)
@@ -178,6 +183,21 @@ double AngiogramView::zoom() const
     return interaction_->viewport.zoom();
 }
 
+const core::ProjectionCamera& AngiogramView::camera() const
+{
+    return interaction_->camera;
+}
+
+const core::RigidTransform& AngiogramView::cameraFromPatient() const
+{
+    return interaction_->cameraFromPatient;
+}
+
+const Eigen::Vector3d& AngiogramView::pivotInPatient() const
+{
+    return interaction_->pivotInPatient;
+}
+
 Eigen::Vector2d AngiogramView::imageFromWidget(const QPointF& position) const
 {
     return interaction_->viewport.imageFromWidget({position.x(), position.y()});
@@ -194,27 +214,6 @@ QSize AngiogramView::deviceSize() const
     return (size() * devicePixelRatio()).expandedTo({1, 1});
 }
 
-PoseHandleLook AngiogramView::handleLook() const
-{
-    const Interaction& i = *interaction_;
-    const double ratio = devicePixelRatio();
-    const NudgeGrip grip = i.grip(size());
-    PoseHandleLook look;
-    if (nudgeMode_ && grip.ringRadius > 0.0) {
-        look.centre = {grip.centre.x() * ratio, deviceSize().height() - grip.centre.y() * ratio};
-        look.radius = grip.ringRadius * ratio;
-        look.pixelScale = ratio;
-        look.hot = i.hotHandle;
-        look.rollStartRad = -i.hotAngleRad;
-        if (i.nudge) {
-            look.active = i.nudge->handle();
-            look.rollStartRad = -i.nudge->startAngleRad();
-            look.rollSweepRad = -i.nudge->sweepRad();
-        }
-    }
-    return look;
-}
-
 void AngiogramView::drawPicture()
 {
     const double ratio = devicePixelRatio();
@@ -229,7 +228,9 @@ void AngiogramView::drawPicture()
     scene_.setViewRect(
         interaction_->viewport.imageRectOf({0.0, 0.0}, {device.width() / ratio, device.height() / ratio}));
     scene_.draw(canvas);
-    fillStrokes(poseHandleStrokes(handleLook()), canvas.height, canvas);
+    if (interaction_->tool) {
+        interaction_->tool->drawStrokes(canvas);
+    }
 }
 
 void AngiogramView::paintEvent(QPaintEvent*)
@@ -246,7 +247,13 @@ void AngiogramView::paintEvent(QPaintEvent*)
                                           ? imageSides(interaction_->camera, interaction_->cameraFromPatient)
                                           : ImageSides{};
     painter.setFont(font());
+    interaction_->annotations.mode =
+        interaction_->tool ? ModeLabel{interaction_->tool->caption(), interaction_->tool->tone()} : ModeLabel{};
     ui::paintAnnotations(painter, size(), interaction_->annotations, interaction_->viewport, scene_);
+    if (interaction_->tool) {
+        painter.setRenderHint(QPainter::Antialiasing);
+        interaction_->tool->paint(painter);
+    }
 }
 
 }   // namespace ui

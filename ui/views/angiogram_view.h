@@ -1,9 +1,7 @@
 #pragma once
 
-#include "core/geometry/pose_offset.h"
 #include "core/imaging/display_range.h"
 #include "ui/scenes/overlay_scene.h"
-#include "ui/scenes/pose_handles.h"
 #include "ui/scenes/render_offscreen.h"
 
 #include <QImage>
@@ -14,9 +12,11 @@
 
 namespace ui {
 
+class ImageTool;
+
 /// The angiogram with the projected tree: window/level (left drag), pan (middle), zoom (right, Ctrl+wheel), frames
-/// (wheel, ↑ ↓, Home, End). In nudge mode the left button drags the tree: inside the ring shifts, on the ring rolls;
-/// Esc takes the drag back. Shows what it is told, reports what the user wants; decides nothing.
+/// (wheel, ↑ ↓, Home, End). A tool may take the left button and keys; Esc takes its drag back, then puts it away.
+/// Shows what it is told, reports what the user wants; decides nothing.
 class AngiogramView : public QWidget {
     Q_OBJECT
 public:
@@ -30,8 +30,9 @@ public:
     void setFrame(const core::ImageF& frame);   ///< keeps zoom and window/level when the size stays
     void setFramePosition(int index, int count);   ///< shown bottom left, counted from 0; a count below 2 hides it
     void setCornerTexts(const CornerTexts& texts);   ///< the view adds its own lines at the bottom left
-    void setNudgeMode(bool on);
-    bool isNudgeMode() const { return nudgeMode_; }
+    void setTool(ImageTool* tool);   ///< null: none
+    ImageTool* tool() const;
+    bool filterToolKey(QKeyEvent& event);   ///< true when the key is the tool's, or an Esc that it ends by
     void setResidualScale(double maximumPx, double maximumMm);   ///< 0 hides the scale
     void setLineWidth(double px);   ///< device-independent px
     void setCutout(Cutout::Shape shape);   ///< follows the mouse
@@ -44,6 +45,9 @@ public:
     core::DisplayRange shownRange() const;
     ViewRect visiblePart() const;   ///< of the image
     double zoom() const;   ///< device-independent px per image px
+    const core::ProjectionCamera& camera() const;
+    const core::RigidTransform& cameraFromPatient() const;
+    const Eigen::Vector3d& pivotInPatient() const;
     int renderCount() const { return renderCount_; }   ///< how often it drew itself
     QSize sizeHint() const override { return {480, 360}; }
     QSize minimumSizeHint() const override { return {80, 80}; }
@@ -55,10 +59,7 @@ signals:
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
     void backgroundClicked();
-    void dragStarted();
-    void dragged(const core::PoseOffset& offsetSinceStart);   ///< right/up mm at the pivot's depth, or roll
-    void dragFinished();
-    void dragCancelled();
+    void toolChanged();   ///< `tool`
     void windowLevelChanged(double window, double level);
     void zoomChanged(double zoom);
 
@@ -79,13 +80,13 @@ private:
     struct Interaction;
     void drawPicture();
     void placeCutout(const QPointF& position);
-    PoseHandleLook handleLook() const;
     QSize deviceSize() const;
     void dragBy(const QPointF& position, Qt::KeyboardModifiers modifiers);
-    void nudgeBy(const QPointF& position, double pace);
+    void startDrag(Qt::KeyboardModifiers modifiers);
     void adjustWindowLevel(const QPointF& step);
     void zoomAt(const QPointF& position, double factor);
-    void cancelDrag();
+    bool cancelDrag();   ///< true when there was one
+    bool escape();
     void click(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void hoverAt(const QPointF& position);
     void hover(std::optional<int> branchId);
@@ -95,7 +96,6 @@ private:
     QImage picture_;   ///< angiogram with tree and handles, in device px
     int renderCount_ = 0;
     std::unique_ptr<Interaction> interaction_;
-    bool nudgeMode_ = false;
     Cutout::Shape cutout_ = Cutout::Shape::None;
 };
 

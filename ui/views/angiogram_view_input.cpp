@@ -1,7 +1,7 @@
 // The mouse and keyboard half of AngiogramView.
 #include "ui/views/angiogram_interaction.h"
-#include "ui/views/roll_cursor.h"
 
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -9,13 +9,13 @@
 #include <algorithm>
 #include <climits>
 #include <cmath>
+#include <utility>
 
 namespace ui {
 namespace {
 
 constexpr double pickTolerancePx = 7.0;
 constexpr double clickReachPx = 4.0;   // a press that moves less is a click
-constexpr double finePace = 0.1;
 constexpr double zoomPerWheelStep = 1.2;
 constexpr double zoomPerDragPx = 1.008;
 constexpr double windowPerDragPx = 1.0 / 300.0;   // of the window at hand
@@ -57,21 +57,20 @@ void AngiogramView::mouseMoveEvent(QMouseEvent* event)
     }
     const QPointF way = event->position() - i.pressedAt;
     if (!i.isDragging && std::hypot(way.x(), way.y()) >= clickReachPx) {
-        i.isDragging = true;
-        if (nudgeMode_ && i.pressed == Qt::LeftButton) {
-            const NudgeGrip grip = i.grip(size());
-            const PoseHandle handle = handleAt(grip, toVector(i.pressedAt));
-            if (handle != PoseHandle::None) {
-                i.nudge.emplace(handle, grip, toVector(i.pressedAt));
-                emit dragStarted();
-            }
-        }
-        showCursor();
+        startDrag(event->modifiers());
     }
     if (i.isDragging) {
         dragBy(event->position(), event->modifiers());
     }
     i.lastAt = event->position();
+}
+
+void AngiogramView::startDrag(Qt::KeyboardModifiers modifiers)
+{
+    Interaction& i = *interaction_;
+    i.isDragging = true;
+    i.isToolDragging = i.tool && i.pressed == Qt::LeftButton && i.tool->startDrag(i.toolPoint(i.pressedAt, modifiers));
+    showCursor();
 }
 
 void AngiogramView::dragBy(const QPointF& position, Qt::KeyboardModifiers modifiers)
@@ -83,18 +82,11 @@ void AngiogramView::dragBy(const QPointF& position, Qt::KeyboardModifiers modifi
         update();
     } else if (i.pressed == Qt::RightButton) {
         zoomAt(i.pressedAt, std::pow(zoomPerDragPx, -step.y()));
-    } else if (i.pressed == Qt::LeftButton && i.nudge) {
-        nudgeBy(position, modifiers.testFlag(Qt::ControlModifier) ? finePace : 1.0);
-    } else if (i.pressed == Qt::LeftButton && !nudgeMode_) {
+    } else if (i.isToolDragging && i.tool) {
+        i.tool->drag(i.toolPoint(position, modifiers));
+    } else if (i.pressed == Qt::LeftButton) {
         adjustWindowLevel(step);
     }
-}
-
-void AngiogramView::nudgeBy(const QPointF& position, double pace)
-{
-    const core::PoseOffset offset = interaction_->nudge->moveTo(toVector(position), pace);
-    update();
-    emit dragged(offset);
 }
 
 void AngiogramView::adjustWindowLevel(const QPointF& step)
@@ -112,12 +104,10 @@ void AngiogramView::mouseReleaseEvent(QMouseEvent* event)
         return;
     }
     const bool wasClick = !i.isDragging && !i.isCancelled && i.pressed == Qt::LeftButton;
-    const bool wasNudge = i.nudge.has_value();
     i.pressed = Qt::NoButton;
     i.isDragging = false;
-    i.nudge.reset();
-    if (wasNudge) {
-        emit dragFinished();
+    if (std::exchange(i.isToolDragging, false) && i.tool) {
+        i.tool->finishDrag(i.toolPoint(event->position(), event->modifiers()));
         update();
     }
     if (wasClick) {
@@ -127,23 +117,67 @@ void AngiogramView::mouseReleaseEvent(QMouseEvent* event)
     showCursor();
 }
 
-void AngiogramView::cancelDrag()
+bool AngiogramView::cancelDrag()
 {
     Interaction& i = *interaction_;
     if (i.pressed == Qt::NoButton || i.isCancelled) {
-        return;
+        return false;
     }
     i.isCancelled = true;
-    if (i.nudge) {
-        i.nudge.reset();
-        emit dragCancelled();
+    if (std::exchange(i.isToolDragging, false) && i.tool) {
+        i.tool->cancelDrag();
         update();
     }
     showCursor();
+    return true;
+}
+
+/// One Esc: the drag, then what the tool has under way, then the tool.
+bool AngiogramView::escape()
+{
+    if (cancelDrag()) {
+        return true;
+    }
+    ImageTool* tool = interaction_->tool;
+    if (tool && !tool->takeBack()) {
+        setTool(nullptr);
+    }
+    update();
+    return tool != nullptr;
+}
+
+bool AngiogramView::filterToolKey(QKeyEvent& event)
+{
+    const Interaction& i = *interaction_;
+    const bool isDragging = i.pressed != Qt::NoButton && !i.isCancelled;
+    const bool isEscape = event.key() == Qt::Key_Escape && (isDragging || i.tool);
+    const bool isTools = i.tool && i.tool->takesKey(event);
+    if (event.type() == QEvent::ShortcutOverride) {
+        if (isEscape || isTools) {
+            event.accept();   // the key comes back as KeyPress instead of a shortcut
+        }
+        return isEscape || isTools;
+    }
+    if (event.type() != QEvent::KeyPress || !(isEscape || isTools)) {
+        return false;
+    }
+    if (isTools) {
+        i.tool->keyPress(event);
+        return true;
+    }
+    return escape();
 }
 
 void AngiogramView::click(const QPointF& position, Qt::KeyboardModifiers modifiers)
 {
+    Interaction& i = *interaction_;
+    if (i.tool && i.tool->click(i.toolPoint(position, modifiers))) {
+        update();
+        return;
+    }
+    if (i.tool && !i.tool->picksBranches()) {
+        return;
+    }
     if (const auto branch = scene_.branchAt(imageFromWidget(position), pickTolerancePx / zoom())) {
         emit branchClicked(*branch, modifiers);
     } else {
@@ -154,16 +188,11 @@ void AngiogramView::click(const QPointF& position, Qt::KeyboardModifiers modifie
 void AngiogramView::hoverAt(const QPointF& position)
 {
     Interaction& i = *interaction_;
-    if (nudgeMode_) {
-        const NudgeGrip grip = i.grip(size());
-        const PoseHandle handle = handleAt(grip, toVector(position));
-        i.hotAngleRad = screenAngleRad(grip.centre, toVector(position));
-        if (handle != i.hotHandle || handle == PoseHandle::Roll) {
-            update();
-        }
-        i.hotHandle = handle;
+    if (i.tool) {
+        i.tool->hover(i.toolPoint(position, QGuiApplication::keyboardModifiers()));
     }
-    hover(scene_.branchAt(imageFromWidget(position), pickTolerancePx / zoom()));
+    hover(i.tool && !i.tool->picksBranches() ? std::nullopt
+                                             : scene_.branchAt(imageFromWidget(position), pickTolerancePx / zoom()));
     showCursor();
 }
 
@@ -179,10 +208,13 @@ void AngiogramView::showCursor()
 {
     const Interaction& i = *interaction_;
     const bool isDragging = i.isDragging && !i.isCancelled;
-    if (nudgeMode_ && (!isDragging || i.pressed == Qt::LeftButton)) {
-        const PoseHandle handle = i.nudge ? i.nudge->handle() : i.hotHandle;
-        setCursor(handle == PoseHandle::Roll ? rollCursor() : QCursor(Qt::SizeAllCursor));
-    } else if (isDragging) {
+    if (i.tool && (!isDragging || i.isToolDragging)) {
+        if (const auto cursor = i.tool->cursor(isDragging)) {
+            setCursor(*cursor);
+            return;
+        }
+    }
+    if (isDragging) {
         setCursor(i.pressed == Qt::MiddleButton  ? Qt::ClosedHandCursor
                   : i.pressed == Qt::RightButton ? Qt::SizeVerCursor
                                                  : Qt::CrossCursor);
@@ -193,9 +225,15 @@ void AngiogramView::showCursor()
 
 void AngiogramView::mouseDoubleClickEvent(QMouseEvent* event)
 {
-    if (event->button() == Qt::LeftButton) {
-        fitToWindow();
+    Interaction& i = *interaction_;
+    if (event->button() != Qt::LeftButton) {
+        return;
     }
+    if (i.tool && i.tool->doubleClick(i.toolPoint(event->position(), event->modifiers()))) {
+        update();
+        return;
+    }
+    fitToWindow();
 }
 
 void AngiogramView::zoomAt(const QPointF& position, double factor)
@@ -224,40 +262,31 @@ void AngiogramView::wheelEvent(QWheelEvent* event)
 
 void AngiogramView::keyPressEvent(QKeyEvent* event)
 {
-    const bool isDragging = interaction_->pressed != Qt::NoButton && !interaction_->isCancelled;
-    if (event->key() == Qt::Key_Escape && isDragging) {
-        cancelDrag();
+    if (filterToolKey(*event)) {
         return;
     }
-    if (!nudgeMode_) {
-        const int stride = event->modifiers().testFlag(Qt::ShiftModifier) ? 10 : 1;
-        switch (event->key()) {
-            case Qt::Key_Up:
-                emit frameStepRequested(-stride);
-                return;
-            case Qt::Key_Down:
-                emit frameStepRequested(stride);
-                return;
-            case Qt::Key_Home:
-                emit frameStepRequested(INT_MIN);
-                return;
-            case Qt::Key_End:
-                emit frameStepRequested(INT_MAX);
-                return;
-            default:
-                break;
-        }
+    const int stride = event->modifiers().testFlag(Qt::ShiftModifier) ? 10 : 1;
+    switch (event->key()) {
+        case Qt::Key_Up:
+            emit frameStepRequested(-stride);
+            return;
+        case Qt::Key_Down:
+            emit frameStepRequested(stride);
+            return;
+        case Qt::Key_Home:
+            emit frameStepRequested(INT_MIN);
+            return;
+        case Qt::Key_End:
+            emit frameStepRequested(INT_MAX);
+            return;
+        default:
+            QWidget::keyPressEvent(event);
     }
-    QWidget::keyPressEvent(event);
 }
 
 bool AngiogramView::event(QEvent* event)
 {
-    // While the tree is being dragged, Esc belongs to the drag, whatever shortcut the window has for it.
-    const bool isDragging = interaction_ && interaction_->pressed != Qt::NoButton && !interaction_->isCancelled;
-    if (event->type() == QEvent::ShortcutOverride && isDragging &&
-        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-        event->accept();
+    if (event->type() == QEvent::ShortcutOverride && interaction_ && filterToolKey(*static_cast<QKeyEvent*>(event))) {
         return true;
     }
     return QWidget::event(event);
@@ -274,7 +303,9 @@ void AngiogramView::leaveEvent(QEvent*)
 {
     if (interaction_->pressed == Qt::NoButton) {
         hover(std::nullopt);
-        interaction_->hotHandle = PoseHandle::None;
+        if (interaction_->tool) {
+            interaction_->tool->leave();
+        }
         update();
     }
 }

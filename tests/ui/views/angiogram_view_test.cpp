@@ -1,6 +1,8 @@
 #include "ui/views/angiogram_view.h"
 
 #include "tests/ui/overlay_fixture.h"
+#include "ui/views/tools/bind_tool.h"
+#include "ui/views/tools/nudge_tool.h"
 
 #include <gtest/gtest.h>
 #include <QApplication>
@@ -156,13 +158,14 @@ TEST_F(AngiogramViewInput, ClickPicksTheBranchAndHoverAnnouncesIt)
 
 TEST_F(AngiogramViewInput, NudgeDragFollowsTheMouseOnTheImage)
 {
-    view_->setNudgeMode(true);
+    ui::NudgeTool nudge(*view_);
+    view_->setTool(&nudge);
     core::PoseOffset offset;
-    QObject::connect(view_.get(), &ui::AngiogramView::dragged, [&](const core::PoseOffset& o) {
+    QObject::connect(&nudge, &ui::NudgeTool::dragged, [&](const core::PoseOffset& o) {
         offset = o;
         view_->setPose(core::applyOffset(test::obliquePose(), o, Eigen::Vector3d::Zero(), camera_));
     });
-    QSignalSpy finished(view_.get(), &ui::AngiogramView::dragFinished);
+    QSignalSpy finished(&nudge, &ui::NudgeTool::dragFinished);
     const QPoint start = onWidget(Eigen::Vector3d::Zero());
     drag(Qt::LeftButton, start, {start + QPoint(10, 0), start + QPoint(40, -25)});
     QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, start + QPoint(40, -25));
@@ -176,9 +179,10 @@ TEST_F(AngiogramViewInput, NudgeDragFollowsTheMouseOnTheImage)
 
 TEST_F(AngiogramViewInput, DraggingTheRingRollsClockwise)
 {
-    view_->setNudgeMode(true);
+    ui::NudgeTool nudge(*view_);
+    view_->setTool(&nudge);
     core::PoseOffset offset;
-    QObject::connect(view_.get(), &ui::AngiogramView::dragged, [&](const core::PoseOffset& o) { offset = o; });
+    QObject::connect(&nudge, &ui::NudgeTool::dragged, [&](const core::PoseOffset& o) { offset = o; });
     const double radius = 0.12 * view_->height();
     const QPointF centre = view_->widgetFromImage(projected(Eigen::Vector3d::Zero()));
     const auto onRing = [&](double rad) { return (centre + radius * QPointF(std::cos(rad), std::sin(rad))).toPoint(); };
@@ -190,10 +194,11 @@ TEST_F(AngiogramViewInput, DraggingTheRingRollsClockwise)
 
 TEST_F(AngiogramViewInput, EscapeAndRightClickTakeADragBack)
 {
-    view_->setNudgeMode(true);
-    QSignalSpy cancelled(view_.get(), &ui::AngiogramView::dragCancelled);
-    QSignalSpy finished(view_.get(), &ui::AngiogramView::dragFinished);
-    QSignalSpy dragged(view_.get(), &ui::AngiogramView::dragged);
+    ui::NudgeTool nudge(*view_);
+    view_->setTool(&nudge);
+    QSignalSpy cancelled(&nudge, &ui::NudgeTool::dragCancelled);
+    QSignalSpy finished(&nudge, &ui::NudgeTool::dragFinished);
+    QSignalSpy dragged(&nudge, &ui::NudgeTool::dragged);
     const QPoint start = onWidget(Eigen::Vector3d::Zero());
     drag(Qt::LeftButton, start, {start + QPoint(20, 0)});
     QTest::keyClick(view_.get(), Qt::Key_Escape);

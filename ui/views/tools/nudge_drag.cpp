@@ -1,4 +1,4 @@
-#include "ui/views/nudge_drag.h"
+#include "ui/views/tools/nudge_drag.h"
 
 #include <cmath>
 #include <numbers>

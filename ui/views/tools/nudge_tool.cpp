@@ -1,0 +1,152 @@
+#include "ui/views/tools/nudge_tool.h"
+
+#include "ui/scenes/fill_strokes.h"
+#include "ui/views/angiogram_view.h"
+#include "ui/views/roll_cursor.h"
+
+#include <QKeyEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+namespace {
+
+constexpr double finePace = 0.1;
+
+Eigen::Vector2d toVector(const QPointF& point)
+{
+    return {point.x(), point.y()};
+}
+
+}   // namespace
+
+QString NudgeTool::caption() const
+{
+    return tr("Nudge: drag shifts, ring rolls, Ctrl is fine, Esc takes back");
+}
+
+const Color& NudgeTool::tone() const
+{
+    return palette(ThemeMode::Dark).attention;
+}
+
+void NudgeTool::end()
+{
+    hotHandle_ = PoseHandle::None;
+}
+
+NudgeGrip NudgeTool::grip() const
+{
+    const core::ProjectionCamera& camera = view().camera();
+    const Eigen::Vector3d pivotInCamera = view().cameraFromPatient() * view().pivotInPatient();
+    const auto pixel = core::findProblem(camera).empty() ? core::project(camera, pivotInCamera) : std::nullopt;
+    if (!pixel) {
+        return {};
+    }
+    const double scale = pivotInCamera.z() / view().zoom();
+    const double radius = std::clamp(0.12 * std::min(view().width(), view().height()), 44.0, 110.0);
+    return {
+        toVector(view().widgetFromImage(*pixel)), radius, {scale / std::abs(camera.fx), scale / std::abs(camera.fy)}};
+}
+
+bool NudgeTool::startDrag(const ToolPoint& pressed)
+{
+    const NudgeGrip grasped = grip();
+    const PoseHandle handle = handleAt(grasped, toVector(pressed.position));
+    if (handle != PoseHandle::None) {
+        nudge_.emplace(handle, grasped, toVector(pressed.position));
+        emit dragStarted();
+    }
+    return true;   // a drag beside the tree must not change the grey values either
+}
+
+void NudgeTool::drag(const ToolPoint& point)
+{
+    if (nudge_) {
+        const double pace = point.modifiers.testFlag(Qt::ControlModifier) ? finePace : 1.0;
+        const core::PoseOffset offset = nudge_->moveTo(toVector(point.position), pace);
+        view().update();
+        emit dragged(offset);
+    }
+}
+
+void NudgeTool::finishDrag(const ToolPoint&)
+{
+    if (nudge_) {
+        nudge_.reset();
+        emit dragFinished();
+    }
+}
+
+void NudgeTool::cancelDrag()
+{
+    if (nudge_) {
+        nudge_.reset();
+        emit dragCancelled();
+    }
+}
+
+void NudgeTool::hover(const ToolPoint& point)
+{
+    const NudgeGrip grasped = grip();
+    const PoseHandle handle = handleAt(grasped, toVector(point.position));
+    hotAngleRad_ = screenAngleRad(grasped.centre, toVector(point.position));
+    if (handle != hotHandle_ || handle == PoseHandle::Roll) {
+        view().update();
+    }
+    hotHandle_ = handle;
+}
+
+void NudgeTool::leave()
+{
+    hotHandle_ = PoseHandle::None;
+}
+
+bool NudgeTool::takesKey(const QKeyEvent& event) const
+{
+    return nudgeOfKey(event.key(), event.modifiers()).has_value();
+}
+
+void NudgeTool::keyPress(const QKeyEvent& event)
+{
+    if (const auto nudge = nudgeOfKey(event.key(), event.modifiers())) {
+        emit keyNudged(*nudge);
+    }
+}
+
+std::optional<QCursor> NudgeTool::cursor(bool) const
+{
+    const PoseHandle handle = nudge_ ? nudge_->handle() : hotHandle_;
+    return handle == PoseHandle::Roll ? rollCursor() : QCursor(Qt::SizeAllCursor);
+}
+
+PoseHandleLook NudgeTool::look() const
+{
+    const double ratio = view().devicePixelRatio();
+    const NudgeGrip grasped = grip();
+    PoseHandleLook shown;
+    if (!(grasped.ringRadius > 0.0)) {
+        return shown;
+    }
+    shown.centre = grasped.centre * ratio;
+    shown.radius = grasped.ringRadius * ratio;
+    shown.pixelScale = ratio;
+    shown.hot = hotHandle_;
+    shown.rollStartRad = -hotAngleRad_;
+    if (nudge_) {
+        shown.active = nudge_->handle();
+        shown.rollStartRad = -nudge_->startAngleRad();
+        shown.rollSweepRad = -nudge_->sweepRad();
+    }
+    return shown;
+}
+
+void NudgeTool::drawStrokes(Canvas canvas) const
+{
+    PoseHandleLook shown = look();
+    shown.centre.y() = canvas.height - shown.centre.y();
+    fillStrokes(poseHandleStrokes(shown), canvas.height, canvas);
+}
+
+}   // namespace ui
