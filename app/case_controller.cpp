@@ -3,12 +3,16 @@
 #include "app/document/edit_case.h"
 #include "app/files/assemble_case.h"
 #include "app/settings.h"
+#include "app/step_states.h"
+#include "ui/dialogs/key_sheet.h"
+#include "ui/dialogs/message_dialog.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/bind_tool.h"
 #include "ui/views/tools/nudge_tool.h"
 #include "ui/views/tree_view.h"
 
 #include <QClipboard>
+#include <QCoreApplication>
 #include <QGuiApplication>
 
 #include <algorithm>
@@ -32,23 +36,39 @@ QString matrixText(const core::RigidTransform& transform)
     return text;
 }
 
+QString studyLine(const core::RegistrationCase& current)
+{
+    if (!current.angiogram) {
+        return {};
+    }
+    const core::StudyIdentity& identity = current.angiogram->identity;
+    QStringList parts;
+    for (const std::string& part : {identity.studyDate, identity.modality}) {
+        if (!part.empty()) {
+            parts << QString::fromStdString(part);
+        }
+    }
+    const int count = current.angiogram->frameCount();
+    parts << (count > 1 ? CaseController::tr("%1 frames").arg(count) : CaseController::tr("1 frame"));
+    return parts.join(QStringLiteral(" · "));
+}
+
 }   // namespace
 
 CaseController::CaseController(ui::MainWindow& window, QObject* parent)
     : QObject(parent),
       window_(window),
+      notices_(window, [this] { return registration_.isRunning() || session_.isLoading(); }),
       sync_(window, document_),
       branches_(document_),
       pose_(document_),
       registration_(document_, target_),
-      open_(document_),
-      save_(document_, window),
-      export_(document_, target_, window),
+      session_(window, document_, target_, registration_, notices_),
       review_(document_, sync_, window),
       look_(document_, sync_, window),
-      replay_(document_, sync_, window)
+      replay_(document_, sync_, window),
+      judgement_({document_, target_, pose_, registration_, sync_, look_, replay_, window})
 {
-    connectFiles();
     connectEditing();
     connectBranches();
     connectPose();
@@ -59,28 +79,16 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
     connect(&document_, &CaseDocument::changed, this, &CaseController::followDocument);
     connect(&document_, &CaseDocument::stateChanged, this, &CaseController::showTitle);
     connect(&target_, &TargetProvider::changed, this, &CaseController::followTarget);
-    connect(&judge_, &JudgeJob::judged, this, [this](const SharedJudgement& judgement) {
-        judgement_ = judgement;
-        showJudgement();
-    });
-    connect(&judge_, &JudgeJob::failed, this, [this](const QString& reason) {
-        judgement_.reset();
-        showJudgement();
-        window_.result().showNothing(reason);
-    });
-    noteTimer_.setSingleShot(true);
-    connect(&noteTimer_, &QTimer::timeout, this, [this] {
-        if (!registration_.isRunning() && !open_.isLoading()) {
-            window_.strip().showIdle(tr("Ready"));
-        }
+    connect(&session_, &SessionController::exported, this, [this] {
+        exported_ = true;
+        showSteps();
     });
     clock_.setInterval(5s);
-    connect(&clock_, &QTimer::timeout, this, [this] { window_.strip().showSaveState(save_.saveState()); });
+    connect(&clock_, &QTimer::timeout, this, [this] { window_.strip().showSaveState(session_.saving().saveState()); });
     clock_.start();
     if (const QByteArray layout = settings::windowLayout.read(); !layout.isEmpty()) {
         window_.restoreLayout(layout);
     }
-    fillRecent();
     followDocument();
 }
 
@@ -110,7 +118,7 @@ void CaseController::connectEditing()
     connect(&stack, &QUndoStack::indexChanged, this, showHistory);
     connect(&stack, &QUndoStack::cleanChanged, this, &CaseController::showTitle);
     connect(&document_, &CaseDocument::editRefused, this,
-            [this] { showNote(tr("A registration is running. Stop it to edit.")); });
+            [this] { notices_.showNote(tr("A registration is running. Stop it to edit.")); });
     showHistory();
 }
 
@@ -118,7 +126,7 @@ void CaseController::connectBranches()
 {
     ui::BranchPanel& panel = window_.branches();
     connect(&branches_, &BranchController::marksChanged, this, [this] { sync_.showMarks(branches_.marks()); });
-    connect(&branches_, &BranchController::refused, this, &CaseController::showNote);
+    connect(&branches_, &BranchController::refused, &notices_, &Notices::showNote);
     connect(&panel, &ui::BranchPanel::hovered, &branches_, &BranchController::hover);
     connect(&panel, &ui::BranchPanel::selectionEdited, &branches_, &BranchController::select);
     connect(&panel, &ui::BranchPanel::auxiliaryToggled, &branches_, &BranchController::toggleAuxiliary);
@@ -172,7 +180,7 @@ void CaseController::connectPose()
         review_.stopMotion();
         window_.pose().showNudgeMode(on);
         window_.pose().setActiveAxis(std::nullopt);
-        showNote(on ? tr("Nudge mode: arrows move, drag moves or rolls, N ends") : tr("Nudge mode off"));
+        notices_.showNote(on ? tr("Nudge mode: arrows move, drag moves or rolls, N ends") : tr("Nudge mode off"));
     });
     connect(tool, &ui::NudgeTool::dragStarted, &pose_, &PoseController::startDrag);
     connect(tool, &ui::NudgeTool::dragged, &pose_, &PoseController::drag);
@@ -181,21 +189,21 @@ void CaseController::connectPose()
     connect(&pose_, &PoseController::previewed, this, [this](const core::RigidTransform& pose) {
         sync_.showPreview(pose, ResidualColors::Kept);
         window_.pose().showOffset(pose_.currentOffset());
-        judge(pose);
+        judgement_.judge(pose);
     });
     connect(&pose_, &PoseController::previewEnded, this, [this] {
         sync_.endPreview();
         window_.pose().showOffset(pose_.currentOffset());
-        judge(document_.current().cameraFromPatient);
+        judgement_.judge(document_.current().cameraFromPatient);
     });
-    connect(&pose_, &PoseController::refused, this, &CaseController::showNote);
+    connect(&pose_, &PoseController::refused, &notices_, &Notices::showNote);
     connect(&pose_, &PoseController::locksChanged, this, [this] {
         window_.pose().showLocks(pose_.locks());
         window_.registration().showLocks(static_cast<int>(std::ranges::count(pose_.locks(), true)));
     });
     connect(window_.actions()[ui::Command::CopyPose], &QAction::triggered, this, [this] {
         QGuiApplication::clipboard()->setText(matrixText(document_.current().cameraFromPatient));
-        showNote(tr("Copied: camera from patient, 4 × 4, mm"));
+        notices_.showNote(tr("Copied: camera from patient, 4 × 4, mm"));
     });
 }
 
@@ -235,7 +243,7 @@ void CaseController::connectRegistration()
     connect(window_.actions()[ui::Command::Stop], &QAction::triggered, &registration_, &RegistrationController::stop);
     connect(&window_.strip(), &ui::BottomStrip::stopRequested, this, [this] {
         registration_.stop();
-        open_.abandon();
+        session_.abandonLoading();
     });
     connect(&panel, &ui::RegistrationPanel::optionsEdited, this,
             [this](const core::RegistrationOptions& options, const QString& label) {
@@ -248,7 +256,7 @@ void CaseController::connectRegistration()
     connect(&registration_, &RegistrationController::advanced, this, &CaseController::showProgress);
     connect(&registration_, &RegistrationController::finished, this, &CaseController::showFinished);
     connect(&registration_, &RegistrationController::failed, this,
-            [this](const QString& reason) { showProblem(tr("Registration cannot run"), reason); });
+            [this](const QString& reason) { notices_.showProblem(tr("Registration cannot run"), reason); });
 }
 
 void CaseController::followDocument()
@@ -260,8 +268,8 @@ void CaseController::followDocument()
     window_.pose().showOffset(pose_.currentOffset());
     window_.registration().showOptions(document_.current().options);
     window_.registration().showReady(registration_.whyNotReady());
-    judge(document_.current().cameraFromPatient);
-    showJudgement();
+    judgement_.judge(document_.current().cameraFromPatient);
+    judgement_.show();
     showGeometry();
     showTitle();
     showSteps();
@@ -270,20 +278,8 @@ void CaseController::followDocument()
 void CaseController::followTarget()
 {
     sync_.showTarget(target_.current());
-    judge(document_.current().cameraFromPatient);
+    judgement_.judge(document_.current().cameraFromPatient);
     showSteps();
-}
-
-void CaseController::judge(const core::RigidTransform& cameraFromPatient)
-{
-    if (!target_.current() || !pose_.currentOffset()) {
-        judge_.cancel();
-        judgement_.reset();
-        return;
-    }
-    if (auto input = core::registrationInputOf(document_.current(), *target_.current())) {
-        judge_.request({std::move(input).value(), cameraFromPatient});
-    }
 }
 
 void CaseController::setRunning(bool running)
@@ -298,13 +294,9 @@ void CaseController::setRunning(bool running)
     } else {
         sync_.endPreview();
         window_.strip().showIdle(tr("Ready"));
-        showJudgement();
+        judgement_.show();
     }
     showSteps();
-    if (!running && closing_ != Closing::No) {
-        // The solver's best pose is applied by the same event: close once that is done.
-        QMetaObject::invokeMethod(this, &CaseController::closeWindow, Qt::QueuedConnection);
-    }
 }
 
 void CaseController::showProgress(const core::IterationReport& report)
@@ -325,9 +317,76 @@ void CaseController::showProgress(const core::IterationReport& report)
 void CaseController::showFinished(const core::RegistrationResult& result)
 {
     window_.steps().showCurrent(ui::Step::Review);
-    showNote(result.stopReason == core::StopReason::StoppedByUser
-                 ? tr("Stopped: the best pose so far is kept, undo takes it back")
-                 : tr("Registered: median %1 mm").arg(result.metrics.medianMm, 0, 'f', 2));
+    notices_.showNote(result.stopReason == core::StopReason::StoppedByUser
+                          ? tr("Stopped: the best pose so far is kept, undo takes it back")
+                          : tr("Registered: median %1 mm").arg(result.metrics.medianMm, 0, 'f', 2));
+}
+
+void CaseController::connectHelp()
+{
+    ui::WindowActions& actions = window_.actions();
+    connect(actions[ui::Command::Keys], &QAction::triggered, this, [this] {
+        auto* sheet = new ui::KeySheet(window_.actions().keySheet(), &window_);
+        sheet->open();
+    });
+    connect(actions[ui::Command::About], &QAction::triggered, this, [this] {
+        ui::MessageDialog::show(
+            {tr("AngioPose %1").arg(QCoreApplication::applicationVersion()),
+             tr("Finds where a 3-D vessel tree lies in a 2-D angiogram, without correspondences.\n\n"
+                "Not for clinical use: AngioPose is a research program, not a medical device.\n\n"
+                "Apache License 2.0. Built on Qt, VTK, ITK, OpenCV, NLopt, Eigen and nanoflann."),
+             {}},
+            &window_);
+    });
+    connect(&window_.steps(), &ui::StepBar::stepClicked, &window_, &ui::MainWindow::focusStep);
+}
+
+void CaseController::showTitle()
+{
+    const QString name = QString::fromStdString(document_.current().title);
+    const QString star = document_.isModified() ? QStringLiteral("*") : QString();
+    const QString shown = document_.isEmpty() ? QString() : (name.isEmpty() ? tr("Untitled case") : name) + star;
+    window_.setWindowTitle(shown.isEmpty() ? tr("AngioPose · not for clinical use")
+                                           : tr("%1 · AngioPose · not for clinical use").arg(shown));
+    window_.header().showTitle(shown);
+    window_.header().showStudy(studyLine(document_.current()));
+    window_.strip().showSaveState(session_.saving().saveState());
+}
+
+void CaseController::showSteps()
+{
+    const core::RegistrationCase& current = document_.current();
+    StepFacts facts;
+    facts.targetProblem = target_.problem();
+    facts.isTracing = target_.isTracing();
+    facts.isRunning = registration_.isRunning();
+    facts.poseEdited = pose_.isMovedFromStart();
+    facts.exported = exported_;
+    window_.steps().showStates(stepStates(current, facts));
+}
+
+void CaseController::showGeometry()
+{
+    const core::RegistrationCase& current = document_.current();
+    ui::GeometryState state;
+    state.cArm = current.cArm;
+    state.cameraOverride = current.cameraOverride;
+    if (current.angiogram) {
+        const auto camera = core::cameraOf(current);
+        if (!camera) {
+            state.missing = QString::fromStdString(camera.error().message);
+        } else if (current.tree) {
+            if (const auto start = core::startPoseOf(current); !start) {
+                state.missing = QString::fromStdString(start.error().message);
+            }
+            const double depthMm = (current.cameraFromPatient * core::centroidInPatient(*current.tree)).z();
+            if (depthMm > core::minProjectableDepthMm) {
+                state.vesselMmPerPx = core::millimetresPerPixel(camera.value(), depthMm);
+            }
+        }
+        state.contradictions = core::findContradictions(current.cArm);
+    }
+    window_.geometryPanel().showGeometry(state);
 }
 
 }   // namespace app

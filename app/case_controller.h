@@ -3,13 +3,11 @@
 #include "app/document/case_document.h"
 #include "app/editing/branch_controller.h"
 #include "app/editing/pose_controller.h"
-#include "app/files/export_controller.h"
-#include "app/files/open_controller.h"
-#include "app/files/save_controller.h"
-#include "app/jobs/file_queue.h"
-#include "app/jobs/judge_job.h"
+#include "app/files/session_controller.h"
+#include "app/notices.h"
 #include "app/registration/registration_controller.h"
 #include "app/registration/target_provider.h"
+#include "app/review/judgement_controller.h"
 #include "app/review/look_controller.h"
 #include "app/review/replay_controller.h"
 #include "app/review/review_controller.h"
@@ -27,21 +25,20 @@ public:
     explicit CaseController(ui::MainWindow& window, QObject* parent = nullptr);
 
     /// Notice, recovery offer and the files of the command line.
-    void begin(const QStringList& paths);
-    void open(const QStringList& paths) { open_.open(paths); }
-    bool isLoading() const { return open_.isLoading(); }
+    void begin(const QStringList& paths) { session_.begin(paths); }
+    void open(const QStringList& paths) { session_.open(paths); }
+    bool isLoading() const { return session_.isLoading(); }
 
     CaseDocument& document() { return document_; }
-    SaveController& saving() { return save_; }
-    ExportController& exporting() { return export_; }
+    SaveController& saving() { return session_.saving(); }
+    ExportController& exporting() { return session_.exporting(); }
     RegistrationController& registration() { return registration_; }
     PoseController& pose() { return pose_; }
     BranchController& branches() { return branches_; }
     TargetProvider& target() { return target_; }
-    const SharedJudgement& judgement() const { return judgement_; }
+    const SharedJudgement& judgement() const { return judgement_.current(); }
 
 private:
-    void connectFiles();
     void connectEditing();
     void connectBranches();
     void connectPose();
@@ -51,47 +48,27 @@ private:
     void connectHelp();
     void followDocument();
     void followTarget();
-    void judge(const core::RigidTransform& cameraFromPatient);
-    void showJudgement();
-    bool isMovedFromStart() const;
     void showProgress(const core::IterationReport& report);
     void showFinished(const core::RegistrationResult& result);
     void setRunning(bool running);
     void showTitle();
     void showSteps();
     void showGeometry();
-    void showNote(const QString& note);   ///< in the strip, for a while
-    void showProblem(const QString& heading, const QString& reason, const QStringList& paths = {});
-    void showNotice();
-    void fillRecent();
-    void askFiles();
-    void openSample();
-    void askToReplace();
-    void requestClose();
-    void answerClose(int index);
-    void closeWindow();
 
     ui::MainWindow& window_;
+    Notices notices_;
     CaseDocument document_;
     TargetProvider target_;
     ViewSync sync_;
     BranchController branches_;
     PoseController pose_;
     RegistrationController registration_;
-    OpenController open_;
-    SaveController save_;
-    ExportController export_;
+    SessionController session_;
     ReviewController review_;
     LookController look_;
     ReplayController replay_;
-    JudgeJob judge_;
-    SharedJudgement judgement_;
-    FileQueue files_;   ///< makes the sample case
-    QTimer noteTimer_;
+    JudgementController judgement_;
     QTimer clock_;   ///< keeps "Autosaved 12 s ago" true
-    enum class Closing { No, Now, AfterSaving };
-    Closing closing_ = Closing::No;
-    bool recovering_ = false;
     bool exported_ = false;
 };
 

@@ -2,6 +2,9 @@
 
 #include "app/document/edit_case.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace app {
 namespace {
 
@@ -34,6 +37,14 @@ std::optional<core::PoseOffset> PoseController::currentOffset() const
     }
     const core::RigidTransform& pose = dragged_.value_or(document_.current().cameraFromPatient);
     return core::offsetBetween(context->startPose, pose, context->pivotInPatient, context->camera);
+}
+
+bool PoseController::isMovedFromStart() const
+{
+    const auto offset = currentOffset();
+    return offset && std::ranges::any_of(ui::poseAxes, [&offset](ui::PoseAxis axis) {
+               return std::abs(ui::valueOf(*offset, axis)) > 1e-6;
+           });
 }
 
 void PoseController::setLocks(const ui::PoseLocks& locks)

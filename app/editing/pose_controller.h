@@ -18,6 +18,7 @@ public:
 
     /// The pose relative to the start pose; nothing while there is no tree, camera or start pose.
     std::optional<core::PoseOffset> currentOffset() const;
+    bool isMovedFromStart() const;
     const ui::PoseLocks& locks() const { return locks_; }
     void setLocks(const ui::PoseLocks& locks);
 

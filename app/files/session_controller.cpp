@@ -1,34 +1,42 @@
-#include "app/case_controller.h"
+#include "app/files/session_controller.h"
 
 #include "app/files/recent_cases.h"
 #include "app/files/sample_case.h"
 #include "app/files/series_rows.h"
 #include "app/jobs/input_kind.h"
 #include "app/settings.h"
-#include "ui/dialogs/key_sheet.h"
 #include "ui/dialogs/message_dialog.h"
+#include "ui/main_window.h"
 
-#include <QCoreApplication>
 #include <QFileDialog>
 
-// From the first start to the last window: notice, opening, recovery, closing, help.
-
 namespace app {
-namespace {
 
-/// Asks for a folder of DICOM files.
-QFileDialog* makeFolderDialog(QWidget* window)
+SessionController::SessionController(ui::MainWindow& window, CaseDocument& document, TargetProvider& target,
+                                     RegistrationController& registration, Notices& notices, QObject* parent)
+    : QObject(parent),
+      window_(window),
+      document_(document),
+      registration_(registration),
+      notices_(notices),
+      open_(document),
+      save_(document, window),
+      export_(document, target, window)
 {
-    auto* dialog = new QFileDialog(window, CaseController::tr("Open DICOM folder"), settings::lastFolder.read());
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::Directory);
-    dialog->setOption(QFileDialog::ShowDirsOnly);
-    return dialog;
+    connectFiles();
+    connectOpening();
+    connectSaving();
+    connectExporting();
+    connect(&registration_, &RegistrationController::runningChanged, this, [this](bool running) {
+        if (!running && closing_ != Closing::No) {
+            // The solver's best pose is applied by the same event: close once that is done.
+            QMetaObject::invokeMethod(this, &SessionController::closeWindow, Qt::QueuedConnection);
+        }
+    });
+    fillRecent();
 }
 
-}   // namespace
-
-void CaseController::begin(const QStringList& paths)
+void SessionController::begin(const QStringList& paths)
 {
     if (!settings::noticeAccepted.read()) {
         showNotice();
@@ -44,7 +52,7 @@ void CaseController::begin(const QStringList& paths)
     }
 }
 
-void CaseController::showNotice()
+void SessionController::showNotice()
 {
     auto* notice = new ui::QuestionDialog(
         {tr("Not for clinical use"),
@@ -57,44 +65,29 @@ void CaseController::showNotice()
     notice->open();
 }
 
-void CaseController::connectFiles()
+void SessionController::connectFiles()
 {
     ui::WindowActions& actions = window_.actions();
-    connect(&window_, &ui::MainWindow::filesDropped, this, &CaseController::open);
-    connect(&window_, &ui::MainWindow::closeRequested, this, &CaseController::requestClose);
-    connect(&window_.welcome(), &ui::WelcomePage::openRequested, this, &CaseController::askFiles);
-    connect(&window_.welcome(), &ui::WelcomePage::sampleRequested, this, &CaseController::openSample);
+    connect(&window_, &ui::MainWindow::filesDropped, this, &SessionController::open);
+    connect(&window_, &ui::MainWindow::closeRequested, this, &SessionController::requestClose);
+    connect(&window_.welcome(), &ui::WelcomePage::openRequested, this, &SessionController::askFiles);
+    connect(&window_.welcome(), &ui::WelcomePage::sampleRequested, this, &SessionController::openSample);
     connect(&window_.welcome(), &ui::WelcomePage::recentRequested, this, [this](const QString& path) { open({path}); });
-    connect(actions[ui::Command::Open], &QAction::triggered, this, &CaseController::askFiles);
-    connect(actions[ui::Command::OpenFolder], &QAction::triggered, this, [this] {
-        QFileDialog* dialog = makeFolderDialog(&window_);
-        connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
-            settings::lastFolder.write(folder);
-            open({folder});
-        });
-        dialog->open();
-    });
-    connect(actions[ui::Command::OpenSample], &QAction::triggered, this, &CaseController::openSample);
-    connect(actions[ui::Command::Save], &QAction::triggered, this, [this] { save_.save(); });
-    connect(actions[ui::Command::SaveAs], &QAction::triggered, this, [this] { save_.saveAs(); });
+    connect(actions[ui::Command::Open], &QAction::triggered, this, &SessionController::askFiles);
+    connect(actions[ui::Command::OpenFolder], &QAction::triggered, this, &SessionController::askFolder);
+    connect(actions[ui::Command::OpenSample], &QAction::triggered, this, &SessionController::openSample);
     connect(actions[ui::Command::Close], &QAction::triggered, &window_, &QWidget::close);
-    connect(actions[ui::Command::ExportOverlay], &QAction::triggered, &export_, &ExportController::askOverlay);
-    connect(actions[ui::Command::ExportResult], &QAction::triggered, &export_, &ExportController::askResult);
-    connect(actions[ui::Command::ExportPose], &QAction::triggered, &export_, &ExportController::askPose);
-    connect(actions[ui::Command::ExportTrace], &QAction::triggered, &export_, &ExportController::askTrace);
+}
 
+void SessionController::connectOpening()
+{
     connect(&open_, &OpenController::started, this, [this](const QString& what) { window_.strip().showBusy(what); });
     connect(&open_, &OpenController::advanced, this, [this](const QString& what, double fraction) {
         if (fraction > 0.0) {
             window_.strip().showProgress(what, fraction);
         }
     });
-    connect(&open_, &OpenController::seriesChoiceNeeded, this,
-            [this](const QString& folder, const std::vector<io::DicomSeries>& series) {
-                auto* chooser = new ui::SeriesChooser(folder, seriesRows(series), &window_);
-                connect(chooser, &ui::SeriesChooser::chosen, &open_, &OpenController::openSeries);
-                chooser->open();
-            });
+    connect(&open_, &OpenController::seriesChoiceNeeded, this, &SessionController::chooseSeries);
     connect(&open_, &OpenController::ended, this, [this] { window_.strip().showIdle(tr("Ready")); });
     connect(&open_, &OpenController::opened, this, [this](const QStringList& notes) {
         if (recovering_) {
@@ -102,35 +95,51 @@ void CaseController::connectFiles()
             document_.markUnsaved();
         }
         fillRecent();
-        showNote(notes.isEmpty() ? tr("Opened") : notes.join(QLatin1Char(' ')));
+        notices_.showNote(notes.isEmpty() ? tr("Opened") : notes.join(QLatin1Char(' ')));
     });
     connect(&open_, &OpenController::failed, this, [this](const QString& reason, const QStringList& paths) {
         recovering_ = false;
-        showProblem(paths.size() == 1 ? tr("Could not open the file") : tr("Could not open the files"), reason, paths);
+        notices_.showProblem(paths.size() == 1 ? tr("Could not open the file") : tr("Could not open the files"), reason,
+                             paths);
     });
-    connect(&open_, &OpenController::replacementNeedsConsent, this, &CaseController::askToReplace);
+    connect(&open_, &OpenController::replacementNeedsConsent, this, &SessionController::askToReplace);
+}
+
+void SessionController::connectSaving()
+{
+    ui::WindowActions& actions = window_.actions();
+    connect(actions[ui::Command::Save], &QAction::triggered, this, [this] { save_.save(); });
+    connect(actions[ui::Command::SaveAs], &QAction::triggered, this, [this] { save_.saveAs(); });
     connect(&save_, &SaveController::failed, this,
-            [this](const QString& reason) { showProblem(tr("Could not save"), reason, {document_.path()}); });
-    connect(&save_, &SaveController::started, this, [this] { showNote(tr("Saving …")); });
+            [this](const QString& reason) { notices_.showProblem(tr("Could not save"), reason, {document_.path()}); });
+    connect(&save_, &SaveController::started, this, [this] { notices_.showNote(tr("Saving …")); });
     connect(&save_, &SaveController::saved, this, [this] {
         fillRecent();
-        showNote(tr("Saved"));
+        notices_.showNote(tr("Saved"));
     });
     connect(&save_, &SaveController::recoveryWanted, this, [this](const LeftBehind& copy) {
         recovering_ = true;
         open({copy.path});
     });
-    connect(&export_, &ExportController::started, this, [this] { showNote(tr("Writing …")); });
-    connect(&export_, &ExportController::exported, this, [this](const QString& path) {
-        exported_ = true;
-        showSteps();
-        showNote(tr("Written: %1").arg(QFileInfo(path).fileName()));
-    });
-    connect(&export_, &ExportController::failed, this,
-            [this](const QString& reason) { showProblem(tr("Could not export"), reason); });
 }
 
-void CaseController::askFiles()
+void SessionController::connectExporting()
+{
+    ui::WindowActions& actions = window_.actions();
+    connect(actions[ui::Command::ExportOverlay], &QAction::triggered, &export_, &ExportController::askOverlay);
+    connect(actions[ui::Command::ExportResult], &QAction::triggered, &export_, &ExportController::askResult);
+    connect(actions[ui::Command::ExportPose], &QAction::triggered, &export_, &ExportController::askPose);
+    connect(actions[ui::Command::ExportTrace], &QAction::triggered, &export_, &ExportController::askTrace);
+    connect(&export_, &ExportController::started, this, [this] { notices_.showNote(tr("Writing …")); });
+    connect(&export_, &ExportController::exported, this, [this](const QString& path) {
+        emit exported();
+        notices_.showNote(tr("Written: %1").arg(QFileInfo(path).fileName()));
+    });
+    connect(&export_, &ExportController::failed, this,
+            [this](const QString& reason) { notices_.showProblem(tr("Could not export"), reason); });
+}
+
+void SessionController::askFiles()
 {
     auto* dialog =
         new QFileDialog(&window_, tr("Open"), settings::lastFolder.read(), openFilters().join(QStringLiteral(";;")));
@@ -143,7 +152,27 @@ void CaseController::askFiles()
     dialog->open();
 }
 
-void CaseController::openSample()
+void SessionController::askFolder()
+{
+    auto* dialog = new QFileDialog(&window_, tr("Open DICOM folder"), settings::lastFolder.read());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
+        settings::lastFolder.write(folder);
+        open({folder});
+    });
+    dialog->open();
+}
+
+void SessionController::chooseSeries(const QString& folder, const std::vector<io::DicomSeries>& series)
+{
+    auto* chooser = new ui::SeriesChooser(folder, seriesRows(series), &window_);
+    connect(chooser, &ui::SeriesChooser::chosen, &open_, &OpenController::openSeries);
+    chooser->open();
+}
+
+void SessionController::openSample()
 {
     if (files_.isBusy()) {
         return;
@@ -154,12 +183,12 @@ void CaseController::openSample()
         if (path) {
             open({path.value()});
         } else {
-            showProblem(tr("Could not make the sample case"), QString::fromStdString(path.error().message));
+            notices_.showProblem(tr("Could not make the sample case"), QString::fromStdString(path.error().message));
         }
     });
 }
 
-void CaseController::askToReplace()
+void SessionController::askToReplace()
 {
     auto* question = new ui::QuestionDialog(
         {tr("Save the open case first?"),
@@ -178,7 +207,7 @@ void CaseController::askToReplace()
     question->open();
 }
 
-void CaseController::requestClose()
+void SessionController::requestClose()
 {
     if (window_.findChild<QDialog*>(QStringLiteral("closeQuestion"))) {
         return;
@@ -201,11 +230,11 @@ void CaseController::requestClose()
                                   : QStringList{tr("Save and close"), tr("Close without saving"), tr("Stay")};
     auto* question = new ui::QuestionDialog(words, verbs, &window_);
     question->setObjectName(QStringLiteral("closeQuestion"));
-    connect(question, &ui::QuestionDialog::answered, this, &CaseController::answerClose);
+    connect(question, &ui::QuestionDialog::answered, this, &SessionController::answerClose);
     question->open();
 }
 
-void CaseController::answerClose(int index)
+void SessionController::answerClose(int index)
 {
     if (index == 2) {
         return;
@@ -218,7 +247,7 @@ void CaseController::answerClose(int index)
     }
 }
 
-void CaseController::closeWindow()
+void SessionController::closeWindow()
 {
     if (std::exchange(closing_, Closing::No) == Closing::AfterSaving) {
         save_.save([this] { closeWindow(); });
@@ -229,23 +258,20 @@ void CaseController::closeWindow()
     window_.closeNow();
 }
 
-void CaseController::connectHelp()
+void SessionController::fillRecent()
 {
-    ui::WindowActions& actions = window_.actions();
-    connect(actions[ui::Command::Keys], &QAction::triggered, this, [this] {
-        auto* sheet = new ui::KeySheet(window_.actions().keySheet(), &window_);
-        sheet->open();
-    });
-    connect(actions[ui::Command::About], &QAction::triggered, this, [this] {
-        ui::MessageDialog::show(
-            {tr("AngioPose %1").arg(QCoreApplication::applicationVersion()),
-             tr("Finds where a 3-D vessel tree lies in a 2-D angiogram, without correspondences.\n\n"
-                "Not for clinical use: AngioPose is a research program, not a medical device.\n\n"
-                "Apache License 2.0. Built on Qt, VTK, ITK, OpenCV, NLopt, Eigen and nanoflann."),
-             {}},
-            &window_);
-    });
-    connect(&window_.steps(), &ui::StepBar::stepClicked, &window_, &ui::MainWindow::focusStep);
+    QMenu* menu = window_.actions().recentMenu();
+    menu->clear();
+    for (const QString& path : recentCases()) {
+        const QFileInfo file(path);
+        const bool missing = !file.exists();
+        QAction* action = menu->addAction(missing ? tr("%1 (missing)").arg(file.fileName()) : file.fileName());
+        action->setToolTip(path);
+        action->setEnabled(!missing);
+        connect(action, &QAction::triggered, this, [this, path] { open({path}); });
+    }
+    menu->setEnabled(!menu->isEmpty());
+    window_.welcome().showRecent(recentCases());
 }
 
 }   // namespace app

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/files/export_controller.h"
+#include "app/files/open_controller.h"
+#include "app/files/save_controller.h"
+#include "app/jobs/file_queue.h"
+#include "app/notices.h"
+#include "app/registration/registration_controller.h"
+#include "app/registration/target_provider.h"
+
+#include <QObject>
+#include <QStringList>
+
+namespace ui {
+class MainWindow;
+}
+
+namespace app {
+
+/// From the first start to the last window: notice, opening, saving, exporting, recovery and closing.
+class SessionController : public QObject {
+    Q_OBJECT
+public:
+    SessionController(ui::MainWindow& window, CaseDocument& document, TargetProvider& target,
+                      RegistrationController& registration, Notices& notices, QObject* parent = nullptr);
+
+    /// Notice, recovery offer and the files of the command line.
+    void begin(const QStringList& paths);
+    void open(const QStringList& paths) { open_.open(paths); }
+    void abandonLoading() { open_.abandon(); }
+    bool isLoading() const { return open_.isLoading(); }
+
+    SaveController& saving() { return save_; }
+    ExportController& exporting() { return export_; }
+
+signals:
+    void exported();
+
+private:
+    void connectFiles();
+    void connectOpening();
+    void connectSaving();
+    void connectExporting();
+    void showNotice();
+    void fillRecent();
+    void askFiles();
+    void askFolder();
+    void chooseSeries(const QString& folder, const std::vector<io::DicomSeries>& series);
+    void openSample();
+    void askToReplace();
+    void requestClose();
+    void answerClose(int index);
+    void closeWindow();
+
+    ui::MainWindow& window_;
+    CaseDocument& document_;
+    RegistrationController& registration_;
+    Notices& notices_;
+    OpenController open_;
+    SaveController save_;
+    ExportController export_;
+    FileQueue files_;   ///< makes the sample case
+    enum class Closing { No, Now, AfterSaving };
+    Closing closing_ = Closing::No;
+    bool recovering_ = false;
+};
+
+}   // namespace app

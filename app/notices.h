@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <QTimer>
+
+#include <functional>
+
+namespace ui {
+class MainWindow;
+}
+
+namespace app {
+
+/// What the program tells the user in passing: notes in the strip below, problems in a box.
+class Notices : public QObject {
+    Q_OBJECT
+public:
+    /// While `isBusy` says so the strip shows the progress of a task; notes stand beside it.
+    Notices(ui::MainWindow& window, std::function<bool()> isBusy, QObject* parent = nullptr);
+
+    void showNote(const QString& note);   ///< in the strip, for a while
+    void showProblem(const QString& heading, const QString& reason, const QStringList& paths = {});
+
+private:
+    ui::MainWindow& window_;
+    std::function<bool()> isBusy_;
+    QTimer noteTimer_;
+};
+
+}   // namespace app

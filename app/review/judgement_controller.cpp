@@ -1,0 +1,110 @@
+#include "app/review/judgement_controller.h"
+
+#include "app/texts/overlay_picture.h"
+#include "ui/main_window.h"
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+std::vector<double> residualsMm(const core::RegistrationCase& current, const Judgement& judgement,
+                                double millimetresPerPixel)
+{
+    std::vector<double> residuals;
+    for (const auto& [branchId, distancesPx] : judgement.residualPx) {
+        if (std::ranges::find(current.excludedBranchIds, branchId) != current.excludedBranchIds.end()) {
+            continue;
+        }
+        for (const double distancePx : distancesPx) {
+            residuals.push_back(distancePx * millimetresPerPixel);
+        }
+    }
+    return residuals;
+}
+
+/// The run knows more than a second look at its pose: other solutions, why it stopped, how long it took.
+void takeOverFromRun(core::RegistrationResult& judged, const core::RegistrationResult& run)
+{
+    judged.warnings = run.warnings;
+    judged.trustworthy = run.trustworthy;
+    judged.uncertainty = run.uncertainty;
+    judged.stopReason = run.stopReason;
+    judged.time = run.time;
+}
+
+}   // namespace
+
+JudgementController::JudgementController(const Parts& parts, QObject* parent) : QObject(parent), on_(parts)
+{
+    connect(&job_, &JudgeJob::judged, this, [this](const SharedJudgement& judgement) {
+        judgement_ = judgement;
+        show();
+    });
+    connect(&job_, &JudgeJob::failed, this, [this](const QString& reason) {
+        judgement_.reset();
+        show();
+        on_.window.result().showNothing(reason);
+    });
+}
+
+void JudgementController::judge(const core::RigidTransform& cameraFromPatient)
+{
+    const SharedCenterline target = on_.target.current();
+    if (!target || !on_.pose.currentOffset()) {
+        job_.cancel();
+        judgement_.reset();
+        return;
+    }
+    if (auto input = core::registrationInputOf(on_.document.current(), *target)) {
+        job_.request({std::move(input).value(), cameraFromPatient});
+    }
+}
+
+void JudgementController::show()
+{
+    const core::RegistrationCase& current = on_.document.current();
+    on_.window.result().showHistory(current.result ? current.result->history : std::vector<core::IterationReport>{});
+    const auto camera = core::cameraOf(current);
+    if (!judgement_ || !camera || !current.tree || on_.registration.isRunning()) {
+        showNothing();
+        return;
+    }
+    const ui::JudgedPose judged = judgedPose(camera.value());
+    on_.sync.showJudgement(judgement_);
+    on_.look.knowResiduals(judged.result.branches, judged.millimetresPerPixel);
+    on_.replay.knowUncertainty(judged.result.uncertainty);
+    on_.window.result().showJudgement(judged, *current.tree);
+}
+
+void JudgementController::showNothing()
+{
+    on_.look.knowResiduals({}, 0.0);
+    on_.replay.knowUncertainty(std::nullopt);
+    on_.sync.showJudgement(nullptr);
+    if (!on_.registration.isRunning()) {
+        const QString problem = on_.target.problem();
+        on_.window.result().showNothing(problem.isEmpty() ? tr("nothing to judge yet") : problem);
+    }
+}
+
+ui::JudgedPose JudgementController::judgedPose(const core::ProjectionCamera& camera) const
+{
+    const core::RegistrationCase& current = on_.document.current();
+    const double depthMm = (current.cameraFromPatient * core::centroidInPatient(*current.tree)).z();
+    const double shownDepthMm = std::max(depthMm, core::minProjectableDepthMm);
+    ui::JudgedPose judged;
+    judged.result = judgement_->result;
+    if (current.result) {
+        judged.source = ui::PoseSource::Run;
+        takeOverFromRun(judged.result, *current.result);
+    } else {
+        judged.source = on_.pose.isMovedFromStart() ? ui::PoseSource::Edited : ui::PoseSource::Start;
+    }
+    judged.millimetresPerPixel = core::millimetresPerPixel(camera, shownDepthMm);
+    judged.scaleMaximumMm = residualScaleMaximumPx(camera, shownDepthMm) * judged.millimetresPerPixel;
+    judged.residualsMm = residualsMm(current, *judgement_, judged.millimetresPerPixel);
+    return judged;
+}
+
+}   // namespace app
