@@ -197,10 +197,6 @@ void CaseController::connectPose()
         judgement_.judge(document_.current().cameraFromPatient);
     });
     connect(&pose_, &PoseController::refused, &notices_, &Notices::showNote);
-    connect(&pose_, &PoseController::locksChanged, this, [this] {
-        window_.pose().showLocks(pose_.locks());
-        window_.registration().showLocks(static_cast<int>(std::ranges::count(pose_.locks(), true)));
-    });
     connect(window_.actions()[ui::Command::CopyPose], &QAction::triggered, this, [this] {
         QGuiApplication::clipboard()->setText(matrixText(document_.current().cameraFromPatient));
         notices_.showNote(tr("Copied: camera from patient, 4 × 4, mm"));
@@ -266,6 +262,7 @@ void CaseController::followDocument()
     branches_.followDocument();
     target_.want(document_.current());
     window_.pose().showOffset(pose_.currentOffset());
+    window_.pose().showLocks(pose_.locks());
     window_.registration().showOptions(document_.current().options);
     window_.registration().showReady(registration_.whyNotReady());
     judgement_.judge(document_.current().cameraFromPatient);

@@ -80,6 +80,9 @@ Result<RegistrationInput> registrationInputOf(const RegistrationCase& registrati
     input.target = std::move(target);
     input.camera = camera.value();
     input.initialCameraFromPatient = registrationCase.cameraFromPatient;
+    if (const auto start = startPoseOf(registrationCase)) {
+        input.lockReference = start.value();
+    }
     input.auxiliaryBranchIds = registrationCase.auxiliaryBranchIds;
     input.excludedBranchIds = registrationCase.excludedBranchIds;
     input.image = imageOf(registrationCase, input.camera);

@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 
+#include <array>
+
 namespace ui {
 namespace {
 
@@ -54,31 +56,6 @@ std::optional<Nudge> unitNudge(int key, bool turns)
 
 }   // namespace
 
-double& valueOf(core::PoseOffset& offset, PoseAxis axis)
-{
-    switch (axis) {
-        case PoseAxis::Right:
-            return offset.rightMm;
-        case PoseAxis::Up:
-            return offset.upMm;
-        case PoseAxis::AlongRay:
-            return offset.alongRayMm;
-        case PoseAxis::Roll:
-            return offset.rollDeg;
-        case PoseAxis::LaoRao:
-            return offset.laoRaoDeg;
-        case PoseAxis::CraCau:
-            break;
-    }
-    return offset.craCauDeg;
-}
-
-double valueOf(const core::PoseOffset& offset, PoseAxis axis)
-{
-    core::PoseOffset copy = offset;
-    return valueOf(copy, axis);
-}
-
 bool isShift(PoseAxis axis)
 {
     return axis == PoseAxis::Right || axis == PoseAxis::Up || axis == PoseAxis::AlongRay;
@@ -108,7 +85,7 @@ QString explanationOf(PoseAxis axis)
 core::PoseOffset withoutLocked(core::PoseOffset change, const PoseLocks& locks)
 {
     for (const PoseAxis axis : poseAxes) {
-        if (locks[static_cast<std::size_t>(axis)]) {
+        if (core::isLocked(locks, axis)) {
             valueOf(change, axis) = 0.0;
         }
     }

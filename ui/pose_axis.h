@@ -1,26 +1,19 @@
 #pragma once
 
-#include "core/geometry/pose_offset.h"
+#include "core/geometry/pose_axis.h"
 
 #include <QString>
 #include <Qt>
 
-#include <array>
 #include <optional>
 
 namespace ui {
 
-/// The six degrees of freedom as the user meets them, in the order of the pose panel.
-enum class PoseAxis { Right, Up, AlongRay, Roll, LaoRao, CraCau };
+using core::poseAxes;
+using core::PoseAxis;
+using core::PoseLocks;
+using core::valueOf;
 
-inline constexpr std::array poseAxes{PoseAxis::Right, PoseAxis::Up,     PoseAxis::AlongRay,
-                                     PoseAxis::Roll,  PoseAxis::LaoRao, PoseAxis::CraCau};
-
-/// Degrees of freedom that editing by hand must not change, indexed by PoseAxis.
-using PoseLocks = std::array<bool, poseAxes.size()>;
-
-double& valueOf(core::PoseOffset& offset, PoseAxis axis);
-double valueOf(const core::PoseOffset& offset, PoseAxis axis);
 bool isShift(PoseAxis axis);   ///< mm; otherwise an angle in degrees
 QString labelOf(PoseAxis axis);
 QString explanationOf(PoseAxis axis);

@@ -18,6 +18,7 @@ struct RegisterArguments {
     std::vector<std::string> options;   ///< "key=value", keys of core::optionFields()
     std::vector<int> auxiliaryBranchIds;   ///< empty: the case's own
     std::vector<int> excludedBranchIds;   ///< empty: the case's own
+    std::vector<std::string> locks;   ///< ids of core::PoseAxis; empty: the case's own
     std::optional<int> frame;
     std::string outputFolder;   ///< empty: "<case>-registered" in the current folder
     OutputFormat format = OutputFormat::Text;

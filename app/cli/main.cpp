@@ -47,6 +47,8 @@ void addRegister(CLI::App& app, int& exitCode)
     command->add_option("--auxiliary", arguments->auxiliaryBranchIds, "Branches of the auxiliary problem, e.g. 1,2,5")
         ->delimiter(',');
     command->add_option("--exclude", arguments->excludedBranchIds, "Branches left out, e.g. 7,9")->delimiter(',');
+    command->add_option("--lock", arguments->locks, "What stays as it is, of " + core::poseAxisIds() + ", or none")
+        ->delimiter(',');
     command->add_option("--frame", arguments->frame, "Frame of the angiogram, from 0");
     command->add_option("--output", arguments->outputFolder,
                         "Folder for result.json, overlay.png and pose.tfm (default: CASE-registered)");

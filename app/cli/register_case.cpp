@@ -27,6 +27,21 @@ core::Result<core::RegistrationResult> registerWithProgress(const core::Registra
     });
 }
 
+core::Result<core::PoseLocks> locksFrom(const std::vector<std::string>& ids)
+{
+    core::PoseLocks locks{};
+    for (const std::string& id : ids) {
+        const auto axis = core::poseAxisFrom(id);
+        if (axis) {
+            locks[static_cast<std::size_t>(*axis)] = true;
+        } else if (id != "none") {
+            return core::Error{"There is no degree of freedom '" + id + "' to lock. Use " + core::poseAxisIds() +
+                               ", or none."};
+        }
+    }
+    return locks;
+}
+
 }   // namespace
 
 core::Status applyArguments(core::RegistrationCase& registrationCase, const RegisterArguments& arguments)
@@ -38,6 +53,13 @@ core::Status applyArguments(core::RegistrationCase& registrationCase, const Regi
         if (const auto status = core::setOption(registrationCase.options, assignment); !status) {
             return status;
         }
+    }
+    if (!arguments.locks.empty()) {
+        const auto locks = locksFrom(arguments.locks);
+        if (!locks) {
+            return locks.error();
+        }
+        registrationCase.options.locks = locks.value();
     }
     if (const std::string problem = core::findProblem(registrationCase.options); !problem.empty()) {
         return core::Error{problem};

@@ -49,8 +49,11 @@ bool PoseController::isMovedFromStart() const
 
 void PoseController::setLocks(const ui::PoseLocks& locks)
 {
-    locks_ = locks;
-    emit locksChanged();
+    core::RegistrationOptions options = document_.current().options;
+    if (options.locks != locks) {
+        options.locks = locks;
+        document_.push(std::make_unique<ChangeOptions>(document_, ChangeOptions::Values{options}, tr("Change locks")));
+    }
 }
 
 void PoseController::setOffset(const core::PoseOffset& fromStart)
@@ -68,7 +71,7 @@ void PoseController::nudge(const ui::Nudge& nudge)
         emit refused(tr("There is no pose to nudge yet: vessels, angiogram and geometry come first."));
         return;
     }
-    if (locks_[static_cast<std::size_t>(nudge.axis)]) {
+    if (core::isLocked(locks(), nudge.axis)) {
         emit refused(tr("“%1” is locked.").arg(ui::labelOf(nudge.axis)));
         return;
     }
@@ -103,8 +106,8 @@ void PoseController::drag(const core::PoseOffset& sinceStart)
     if (!dragStart_ || !context) {
         return;
     }
-    dragged_ =
-        core::applyOffset(*dragStart_, ui::withoutLocked(sinceStart, locks_), context->pivotInPatient, context->camera);
+    dragged_ = core::applyOffset(*dragStart_, ui::withoutLocked(sinceStart, locks()), context->pivotInPatient,
+                                 context->camera);
     emit previewed(*dragged_);
 }
 

@@ -19,8 +19,8 @@ public:
     /// The pose relative to the start pose; nothing while there is no tree, camera or start pose.
     std::optional<core::PoseOffset> currentOffset() const;
     bool isMovedFromStart() const;
-    const ui::PoseLocks& locks() const { return locks_; }
-    void setLocks(const ui::PoseLocks& locks);
+    const ui::PoseLocks& locks() const { return document_.current().options.locks; }
+    void setLocks(const ui::PoseLocks& locks);   ///< one step of undo
 
     void setOffset(const core::PoseOffset& fromStart);
     void nudge(const ui::Nudge& nudge);
@@ -32,7 +32,6 @@ public:
     void cancelDrag();
 
 signals:
-    void locksChanged();
     void previewed(const core::RigidTransform& cameraFromPatient);   ///< a drag under way
     void previewEnded();
     void refused(const QString& why);
@@ -48,7 +47,6 @@ private:
     int burstFor(int kind);
 
     CaseDocument& document_;
-    ui::PoseLocks locks_{};
     std::optional<core::RigidTransform> dragStart_;
     std::optional<core::RigidTransform> dragged_;
     QElapsedTimer sinceEdit_;

@@ -29,6 +29,7 @@ using MethodFunction = MethodSolution (*)(const RegistrationProblem& problem, co
 struct Method {
     MethodInfo info;
     MethodFunction solve = nullptr;
+    bool heedsLocks = true;   ///< can leave locked degrees of freedom as they are
 };
 
 /// Every method that runs, the default first.

@@ -43,7 +43,8 @@ const std::vector<Method>& table()
          solveDtIcp},
         {{"assembled-icp", "Assembled ICP",
           "Least squares on nearest pairs by OpenCV's SQPNP, repeated: what library parts make in an afternoon."},
-         solveAssembledIcp},
+         solveAssembledIcp,
+         false},
         {{"rgbr", "RGBR",
           "Edges found along the vessel walls' normals, a pose chosen by RANSAC with gradient matching "
           "(Markelj 2008; re-implementation, parameters ours)."},

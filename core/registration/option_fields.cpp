@@ -251,15 +251,13 @@ std::vector<OptionField> globalFields()
     };
 }
 
-/// Chance and threads.
+/// Chance.
 std::vector<OptionField> closingFields()
 {
     return {
         onlyFor(chance, within(number<&Options::randomSeed>("randomSeed", "Random seed", "",
                                                             "Another number draws other lots; the same repeats them."),
                                1, 1000000, 0)),
-        within(number<&Options::threads>("threads", "Threads", "", "Processor threads; never changes the result."), 1,
-               64, 0),
     };
 }
 

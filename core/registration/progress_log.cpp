@@ -3,12 +3,20 @@
 #include <algorithm>
 
 namespace core {
+namespace {
+
+constexpr std::size_t usualReports = 256;
+
+}   // namespace
 
 Verdict ProgressLog::report(IterationReport report)
 {
     progress_ = std::clamp(report.progress, progress_, 1.0);
     report.progress = progress_;
     report.iteration = iterations() + 1;
+    if (history_.empty()) {
+        history_.reserve(usualReports);
+    }
     history_.push_back(report);
     if (observe_ && observe_(report) == Verdict::Stop) {
         isStopped_ = true;

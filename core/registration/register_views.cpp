@@ -193,6 +193,9 @@ Result<std::vector<std::unique_ptr<JointView>>> makeViews(std::span<const Regist
     if (inputs.size() < 2) {
         return Error{"A joint registration needs at least two views."};
     }
+    if (isAnyLocked(options.locks)) {
+        return Error{"A joint registration cannot keep single degrees of freedom. Unlock them first."};
+    }
     std::vector<std::unique_ptr<JointView>> views;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
         auto problem = makeProblem(inputs[k], options);
@@ -249,7 +252,8 @@ Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
 
     MultiViewResult result;
     result.corrections = best.corrections;
-    result.uncertainty = poseUncertainty(solve.information(best), solve.prior(), views.front()->problem.tree.spreadMm);
+    result.uncertainty =
+        poseUncertainty(solve.information(best), solve.prior(), best.first, views.front()->problem.tree.spreadMm);
     result.trustworthy = true;
     for (std::size_t k = 0; k < views.size(); ++k) {
         MethodSolution solution;

@@ -12,6 +12,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct RegistrationInput {
     Centerline2d target;
     ProjectionCamera camera;
     RigidTransform initialCameraFromPatient;
+    std::optional<RigidTransform> lockReference{};   ///< what locked angles are counted from; nothing: the start
     std::vector<int> auxiliaryBranchIds{};   ///< {p'}; empty means the nodes
     std::vector<int> excludedBranchIds{};   ///< not used at all
     std::shared_ptr<const ImageF> image{};   ///< the frame that shows the target; null: image methods draw the target

@@ -2,6 +2,7 @@
 
 #include "core/registration/method.h"
 
+#include <algorithm>
 #include <locale>
 #include <sstream>
 
@@ -15,6 +16,19 @@ std::string plain(double number)
     text.imbue(std::locale::classic());
     text << number;
     return text.str();
+}
+
+std::string findProblem(const PoseLocks& locks, const Method& method)
+{
+    if (std::find(locks.begin(), locks.end(), false) == locks.end()) {
+        return "All six degrees of freedom are locked: nothing is left to find. Unlock at least one.";
+    }
+    if (isAnyLocked(locks) && !method.heedsLocks) {
+        return std::string(method.info.label) +
+               " solves for all six degrees of freedom at once and cannot keep one. Unlock them, or choose another "
+               "method.";
+    }
+    return {};
 }
 
 }   // namespace
@@ -35,7 +49,7 @@ std::string findProblem(const RegistrationOptions& options)
                    " to " + plain(field.max) + ".";
         }
     }
-    return {};
+    return findProblem(options.locks, *findMethod(options.method));
 }
 
 }   // namespace core

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/geometry/pose_axis.h"
+
 #include <span>
 #include <string>
 #include <string_view>
@@ -95,7 +97,7 @@ struct RegistrationOptions {
     double priorLateralMm = 30.0;   ///< 1-σ of the start pose across the ray
     double priorDepthMm = 30.0;   ///< 1-σ of the start pose along the ray
 
-    int threads = 1;   ///< never changes the result
+    PoseLocks locks{};   ///< degrees of freedom that stay as they are at the start; for all methods but a few
 
     bool operator==(const RegistrationOptions&) const = default;
 };

@@ -12,9 +12,18 @@ namespace {
 // Skeletons step from pixel to pixel: directions settle only over several points.
 constexpr int targetTangentReach = 3;
 
+void reserve(TreeSamples& samples, std::size_t count)
+{
+    samples.points.reserve(count);
+    samples.tangents.reserve(count);
+    samples.radiusMm.reserve(count);
+    samples.branchIndex.reserve(count);
+}
+
 TreeSamples samplesOf(const VesselTree& tree)
 {
     TreeSamples samples;
+    reserve(samples, tree.pointCount());
     for (const VesselBranch& branch : tree.branches) {
         const std::vector<Eigen::Vector3d> tangents = tangentsOf(branch.pointsInPatient);
         const std::size_t count = branch.pointsInPatient.size();
@@ -131,6 +140,14 @@ std::string findProblem(const RegistrationInput& input, const VesselTree& usedTr
     return {};
 }
 
+/// Locked shifts hold for the centroid of the whole tree, the pivot that users see, whatever branches are excluded.
+PoseFreedom freedomOf(const RegistrationInput& input, const PoseLocks& locks, const RegistrationProblem& problem)
+{
+    const PoseFreedom::Frame frame{input.lockReference.value_or(problem.start).rotation,
+                                   centroidInPatient(input.tree) - problem.tree.centroid};
+    return {locks, frame, aboutCentroid(problem.start, problem.tree.centroid)};
+}
+
 }   // namespace
 
 bool TreeSamples::hasRadius() const
@@ -159,6 +176,7 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
     for (const Curve2d& curve : input.target.curves) {
         problem.givenTargetPoints.insert(problem.givenTargetPoints.end(), curve.pointsPx.begin(), curve.pointsPx.end());
     }
+    problem.freedom = freedomOf(input, options.locks, problem);
     problem.auxiliary = auxiliaryPoints(problem.tree, input.auxiliaryBranchIds, options);
     problem.auxiliaryIsChosen = !input.auxiliaryBranchIds.empty();
     problem.image = input.image;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/registration/pose/pose_freedom.h"
 #include "core/registration/registration.h"
 
 #include <cstdint>
@@ -36,6 +37,7 @@ struct RegistrationProblem {
     ProjectionCamera camera;
     RigidTransform start;   ///< cameraFromPatient, exactly rigid
     TreeSamples tree;   ///< without the excluded branches
+    PoseFreedom freedom;   ///< by the options' locks
     TargetSamples target;
     std::vector<Eigen::Vector3d> givenTreePoints;   ///< of the used branches, before resampling
     std::vector<Eigen::Vector2d> givenTargetPoints;   ///< before resampling

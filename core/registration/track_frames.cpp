@@ -46,7 +46,9 @@ Result<TrackedFrame> FrameTracker::next(const Centerline2d& target)
     TrackedFrame frame;
     frame.time.targetMs = stopwatch.lapMs();
 
-    const StartPrior prediction = motion_.predict();
+    StartPrior prediction = motion_.predict();
+    prediction.freedom = problem_.freedom;
+    prediction.start = problem_.freedom.held(prediction.start);
     AgreementScore agreement(problem_, lines);
     Alignment alignment(points_, problem_.camera, lines);
     CentroidPose pose = refine(alignment, prediction, prediction.start, fromPrediction).pose;
@@ -69,7 +71,7 @@ Result<TrackedFrame> FrameTracker::next(const Centerline2d& target)
 CentroidPose FrameTracker::searchAround(const TargetLines& lines, const CentroidPose& prediction,
                                         const CentroidPose& refined) const
 {
-    const StartPrior anywhereNear = startPrior(prediction, options_);
+    const StartPrior anywhereNear = startPrior(prediction, options_, problem_.freedom);
     PoseRanking ranking(problem_, lines, anywhereNear);
     ranking.add(refined);
     const PoseSearch search(problem_, lines, options_);

@@ -12,14 +12,20 @@ std::vector<double> quantiles(std::vector<double> values, const std::vector<doub
     if (values.empty()) {
         return result;
     }
-    std::sort(values.begin(), values.end());
+    // Order statistics by selection: of a few fractions, sorting would be most of the work.
+    const auto ranked = [&](std::size_t rank) {
+        const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);
+        std::nth_element(values.begin(), place, values.end());
+        return *place;
+    };
     for (std::size_t k = 0; k < fractions.size(); ++k) {
         const double position = std::clamp(fractions[k], 0.0, 1.0) * static_cast<double>(values.size() - 1);
         const auto below = static_cast<std::size_t>(position);
         const std::size_t above = std::min(below + 1, values.size() - 1);
         const double share = position - static_cast<double>(below);
         // An infinite neighbour must not turn an exact hit into NaN.
-        result[k] = share > 0.0 ? (1.0 - share) * values[below] + share * values[above] : values[below];
+        const double lower = ranked(below);
+        result[k] = share > 0.0 ? (1.0 - share) * lower + share * ranked(above) : lower;
     }
     return result;
 }

@@ -2,6 +2,7 @@
 
 #include "core/vessel/polyline.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -26,10 +27,31 @@ std::vector<BranchEnd> endsOf(const VesselTree& tree)
     return ends;
 }
 
-bool passesNear(const VesselBranch& branch, const Eigen::Vector3d& point, double toleranceMm)
+/// A branch and the box around it, which most points are far from.
+struct BoxedBranch {
+    const VesselBranch* branch;
+    Eigen::AlignedBox3d box;
+
+    bool passesNear(const Eigen::Vector3d& point, double toleranceMm) const
+    {
+        const double squared = toleranceMm * toleranceMm;
+        const auto& points = branch->pointsInPatient;
+        return box.squaredExteriorDistance(point) <= squared &&
+               std::any_of(points.begin(), points.end(),
+                           [&](const Eigen::Vector3d& p) { return (p - point).squaredNorm() <= squared; });
+    }
+};
+
+std::vector<BoxedBranch> boxed(const VesselTree& tree)
 {
-    return std::any_of(branch.pointsInPatient.begin(), branch.pointsInPatient.end(),
-                       [&](const Eigen::Vector3d& p) { return (p - point).norm() <= toleranceMm; });
+    std::vector<BoxedBranch> all;
+    for (const VesselBranch& branch : tree.branches) {
+        all.push_back({&branch, {}});
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            all.back().box.extend(point);
+        }
+    }
+    return all;
 }
 
 }   // namespace
@@ -58,6 +80,7 @@ const VesselBranch* VesselTree::find(int branchId) const
 std::vector<VesselNode> findNodes(const VesselTree& tree, double toleranceMm)
 {
     std::vector<VesselNode> nodes;
+    const std::vector<BoxedBranch> branches = boxed(tree);
     for (const BranchEnd& end : endsOf(tree)) {
         const bool known = std::any_of(nodes.begin(), nodes.end(), [&](const VesselNode& node) {
             return (node.pointInPatient - end.point).norm() <= toleranceMm;
@@ -66,9 +89,9 @@ std::vector<VesselNode> findNodes(const VesselTree& tree, double toleranceMm)
             continue;
         }
         VesselNode node{end.point, {}};
-        for (const VesselBranch& branch : tree.branches) {
-            if (passesNear(branch, end.point, toleranceMm)) {
-                node.branchIds.push_back(branch.id);
+        for (const BoxedBranch& boxedBranch : branches) {
+            if (boxedBranch.passesNear(end.point, toleranceMm)) {
+                node.branchIds.push_back(boxedBranch.branch->id);
             }
         }
         nodes.push_back(std::move(node));

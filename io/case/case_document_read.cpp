@@ -194,6 +194,11 @@ void readPoses(const Json& poses, CaseDocument& document)
         document.values.cameraFromPatient = *current;
         document.hasCurrentPose = true;
     }
+    for (const Json& id : member(poses, "locked")) {
+        if (const auto axis = core::poseAxisFrom(id.get<std::string>())) {   // the schema knows no others
+            document.values.options.locks[static_cast<std::size_t>(*axis)] = true;
+        }
+    }
 }
 
 void readOptions(const Json& root, CaseDocument& document)

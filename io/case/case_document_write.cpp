@@ -156,6 +156,17 @@ Json geometryJson(const core::RegistrationCase& registrationCase)
     return geometry;
 }
 
+Json lockedJson(const core::PoseLocks& locks)
+{
+    Json ids = Json::array();
+    for (const core::PoseAxis axis : core::poseAxes) {
+        if (core::isLocked(locks, axis)) {
+            ids.push_back(core::idOf(axis));
+        }
+    }
+    return ids;
+}
+
 }   // namespace
 
 std::string caseDocumentText(const core::RegistrationCase& registrationCase, const std::filesystem::path& folder)
@@ -171,6 +182,9 @@ std::string caseDocumentText(const core::RegistrationCase& registrationCase, con
         root["pose"]["initial"]["cameraFromPatient"] = rowsOf(registrationCase.initialCameraFromPatient);
     }
     root["pose"]["current"]["cameraFromPatient"] = rowsOf(registrationCase.cameraFromPatient);
+    if (core::isAnyLocked(registrationCase.options.locks)) {
+        root["pose"]["locked"] = lockedJson(registrationCase.options.locks);
+    }
     root["method"] = registrationCase.options.method;
     root["options"] = Json::parse(optionsJson(registrationCase.options));
     return prettyJson(withExtraKeys(root.dump(), registrationCase.extraKeys));

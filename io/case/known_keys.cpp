@@ -47,6 +47,7 @@ std::string knownCaseKeys(core::VesselInputKind vesselKind)
     }
     keys["pose"]["initial"] = object({"cameraFromPatient"});
     keys["pose"]["current"] = object({"cameraFromPatient"});
+    keys["pose"]["locked"] = "";
     keys["options"] = Json::object();
     for (const core::OptionField& field : core::optionFields()) {
         keys["options"][std::string(field.key)] = "";

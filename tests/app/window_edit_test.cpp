@@ -1,6 +1,7 @@
 #include "tests/app/open_window.h"
 #include "tests/support/matchers.h"
 #include "ui/panels/branch_delegate.h"
+#include "ui/panels/lock_dot.h"
 
 #include <QListView>
 
@@ -75,12 +76,27 @@ TEST(WindowEdit, KeepsLockedDegreesOfFreedom)
     ui::PoseLocks locks{};
     locks[static_cast<std::size_t>(ui::PoseAxis::Right)] = true;
     w.controller.pose().setLocks(locks);
+    EXPECT_EQ(w.history().count(), 1);
     w.press(Qt::Key_N);
 
     w.press(Qt::Key_Right);
-    EXPECT_EQ(w.history().count(), 0);
+    EXPECT_EQ(w.history().count(), 1);
     w.press(Qt::Key_Up);
     EXPECT_NEAR(w.controller.pose().currentOffset()->upMm, 1.0, 1e-9);
+}
+
+TEST(WindowEdit, LocksByItsDotAsOneStepOfUndo)
+{
+    OpenWindow w;
+    w.openSample();
+    auto* dot = w.window.pose().findChildren<ui::LockDot*>()[2];
+
+    QTest::mouseClick(dot, Qt::LeftButton);
+    EXPECT_TRUE(core::isLocked(w.current().options.locks, ui::PoseAxis::AlongRay));
+    EXPECT_TRUE(dot->isChecked());
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_FALSE(core::isAnyLocked(w.current().options.locks));
+    EXPECT_FALSE(dot->isChecked());
 }
 
 class WindowDrag : public ::testing::Test {

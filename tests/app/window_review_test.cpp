@@ -109,23 +109,23 @@ TEST(WindowReview, CopiesThePoseAsAMatrix)
     }
 }
 
-TEST(WindowReview, SaysThatRegisterDoesNotHeedLocks)
+TEST(WindowReview, SaysThatRegisterKeepsWhatIsLocked)
 {
     OpenWindow w;
     w.openSample();
-    const auto warns = [&w] {
+    const auto says = [&w] {
         const auto labels = w.window.registration().findChildren<QLabel*>();
         return std::ranges::any_of(labels, [](const QLabel* label) {
-            return label->isVisible() && label->text().contains(QStringLiteral("Register moves all six"));
+            return label->isVisible() && label->text().contains(QStringLiteral("Register keeps the locked"));
         });
     };
-    EXPECT_FALSE(warns());
+    EXPECT_FALSE(says());
     ui::PoseLocks locks{};
     locks[2] = true;
     w.controller.pose().setLocks(locks);
-    EXPECT_TRUE(warns());
+    EXPECT_TRUE(says());
     w.controller.pose().setLocks({});
-    EXPECT_FALSE(warns());
+    EXPECT_FALSE(says());
 }
 
 TEST(WindowReview, FindsKeysByTyping)

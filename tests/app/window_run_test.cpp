@@ -35,6 +35,30 @@ TEST(WindowRun, RegistersByKeyAsOneStepOfUndo)
     EXPECT_FALSE(w.current().result);
 }
 
+TEST(WindowRun, KeepsWhatIsLocked)
+{
+    OpenWindow w;
+    w.openSample();
+    w.press(Qt::Key_N);
+    w.press(Qt::Key_PageUp);
+    w.press(Qt::Key_Left, Qt::AltModifier);
+    w.press(Qt::Key_N);
+    const core::PoseOffset before = *w.controller.pose().currentOffset();
+    ui::PoseLocks locks{};
+    locks[static_cast<std::size_t>(ui::PoseAxis::AlongRay)] = true;
+    locks[static_cast<std::size_t>(ui::PoseAxis::LaoRao)] = true;
+    w.controller.pose().setLocks(locks);
+
+    w.press(Qt::Key_R);
+    w.waitForRun();
+
+    ASSERT_TRUE(w.current().result);
+    const core::PoseOffset after = *w.controller.pose().currentOffset();
+    EXPECT_NEAR(after.alongRayMm, before.alongRayMm, 1e-9);
+    EXPECT_NEAR(after.laoRaoDeg, before.laoRaoDeg, 1e-9);
+    EXPECT_GT(std::abs(after.craCauDeg - before.craCauDeg), 1e-3);
+}
+
 TEST(WindowRun, StopsAndKeepsAPoseThatCanBeUndone)
 {
     OpenWindow w;

@@ -1,4 +1,5 @@
 #include "core/simulation/simulated_case.h"
+#include "io/case_file.h"
 #include "io/pose_file.h"
 #include "io/vessel_tree_file.h"
 #include "io/volume_file.h"
@@ -146,6 +147,24 @@ TEST_F(CliOnSimulatedCase, UnknownMethodsAndOptionsAreUsageErrors)
     const auto option = runCli({"register", casePath_, "--set", "magic=1"});
     EXPECT_EQ(option.exitCode, 2);
     EXPECT_NE(option.messages.find("magic"), std::string::npos);
+}
+
+TEST_F(CliOnSimulatedCase, KeepsLockedDegreesOfFreedom)
+{
+    const auto outcome =
+        runCli({"register", casePath_, "--lock", "lao-rao,cra-cau,roll", "--output", folder_.file("locked"), "--json"});
+    ASSERT_TRUE(outcome.exitCode == 0 || outcome.exitCode == 4) << outcome.exitCode << outcome.messages;
+    const auto found = io::readPose(folder_.file("locked/result.json"));
+    std::vector<std::string> warnings;
+    const auto loaded = io::loadCase(casePath_, warnings);
+    ASSERT_TRUE(found && loaded);
+    EXPECT_LT((found.value().rotation - loaded.value().cameraFromPatient.rotation).norm(), 1e-12);
+    EXPECT_GT((found.value().translation - loaded.value().cameraFromPatient.translation).norm(), 0.1);
+
+    const auto unknown = runCli({"register", casePath_, "--lock", "sideways"});
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_NE(unknown.messages.find("along-ray"), std::string::npos);
+    EXPECT_EQ(runCli({"register", casePath_, "--method", "assembled-icp", "--lock", "roll"}).exitCode, 2);
 }
 
 TEST_F(CliOnSimulatedCase, InputsAreNeverOverwritten)

@@ -53,6 +53,7 @@ TEST(SaveCase, RestoresEveryBit)
     original.excludedBranchIds = {11};
     original.frame = 7;
     original.options.finalScalePx = 1.0 / 3.0 + 1.0;
+    original.options.locks = {true, false, true, false, true, false};
     original.traceOptions.sensitivity = 1.1;
     original.cArm.rollDeg = {0.1 + 0.2, core::Origin::User, ""};
     original.cameraFromPatient.translation.x() = 1.0 / 3.0;

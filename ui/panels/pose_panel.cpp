@@ -51,7 +51,7 @@ PosePanel::Row PosePanel::makeRow(PoseAxis axis)
     row.field->setToolTip(explanationOf(axis));
     row.label->setToolTip(explanationOf(axis));
     row.lock->setAccessibleName(tr("Lock %1").arg(labelOf(axis)));
-    row.lock->setToolTip(tr("Lock against nudging, dragging and typing. Register still finds all six and says so."));
+    row.lock->setToolTip(tr("Keep this value: nudging, dragging, typing and Register leave it as it is."));
     row.label->setBuddy(row.field);
     connect(row.field, &NumberField::edited, this, [this, axis](double value) { editAxis(axis, value); });
     connect(row.lock, &QAbstractButton::clicked, this, [this, axis] { toggleLock(axis); });
@@ -102,9 +102,10 @@ void PosePanel::editAxis(PoseAxis axis, double value)
 
 void PosePanel::toggleLock(PoseAxis axis)
 {
-    locks_[static_cast<std::size_t>(axis)] = !locks_[static_cast<std::size_t>(axis)];
-    showLocks(locks_);
-    emit locksEdited(locks_);
+    PoseLocks wanted = locks_;
+    wanted[static_cast<std::size_t>(axis)] = !wanted[static_cast<std::size_t>(axis)];
+    emit locksEdited(wanted);
+    showLocks(locks_);   // as they are now: the edit may have been refused
 }
 
 }   // namespace ui

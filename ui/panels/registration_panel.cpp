@@ -8,6 +8,8 @@
 #include <QPushButton>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace ui {
 namespace {
 
@@ -26,7 +28,7 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
       optionSection_(new Section(tr("Method and options"), Folding::Foldable)),
       register_(new QPushButton(tr("Register  R"))),
       stop_(new QPushButton(tr("Stop"))),
-      lockNote_(roleLabel("attention"))
+      lockNote_(roleLabel("hint"))
 {
     register_->setProperty("role", "primary");
     register_->setAccessibleName(tr("Register"));
@@ -59,7 +61,6 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
     connect(method_, &QComboBox::activated, this, &RegistrationPanel::chooseMethod);
     connect(form_, &OptionForm::edited, this, &RegistrationPanel::optionsEdited);
     showOptions(options_);
-    showLocks(0);
     updateButtons();
 }
 
@@ -88,6 +89,7 @@ void RegistrationPanel::showOptions(const core::RegistrationOptions& options)
     method_->setCurrentIndex(index);
     summary_->setText(index >= 0 ? method_->itemData(index, Qt::ToolTipRole).toString() : QString());
     form_->showOptions(options);
+    showLocks(static_cast<int>(std::ranges::count(options.locks, true)));
     showAuxiliary(auxiliaryCount_);
 }
 
@@ -102,8 +104,8 @@ void RegistrationPanel::showAuxiliary(int branchCount)
 void RegistrationPanel::showLocks(int count)
 {
     lockNote_->setVisible(count > 0);
-    lockNote_->setText(count == 1 ? tr("The lock holds for your hand only: Register moves all six.")
-                                  : tr("The %1 locks hold for your hand only: Register moves all six.").arg(count));
+    lockNote_->setText(count == 1 ? tr("Register keeps the locked degree of freedom.")
+                                  : tr("Register keeps the %1 locked degrees of freedom.").arg(count));
 }
 
 void RegistrationPanel::showReady(const QString& whyNot)

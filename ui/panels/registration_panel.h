@@ -19,7 +19,6 @@ public:
 
     void showOptions(const core::RegistrationOptions& options);   ///< silent
     void showAuxiliary(int branchCount);   ///< 0: the nodes
-    void showLocks(int count);   ///< degrees of freedom locked by hand, which a run does not heed
     void showReady(const QString& whyNot);   ///< empty: Register can be pressed
     void setRunning(bool running);
     QPushButton* registerButton() const { return register_; }
@@ -30,6 +29,7 @@ signals:
     void stopRequested();
 
 private:
+    void showLocks(int count);
     QHBoxLayout* methodRow();
     void chooseMethod(int index);
     void updateButtons();

@@ -2,19 +2,21 @@
 #include "core/evaluation/protocols/protocol_rows.h"
 #include "core/simulation/simulated_case.h"
 
+#include <numbers>
+
 namespace core {
 namespace {
 
 constexpr int anatomies = 10;
 
-enum class Pivot { Centroid, Source };   ///< OBJ and CAM of ALGORITHMS §4.2
+enum class Pivot { Centroid, Source, SourceByNorm };   ///< OBJ, CAM and CAM of fixed length (ALGORITHMS §4.2)
 enum class Target { Exact, Degraded };
 
 struct Setting {
     Condition condition;
     Pivot pivot = Pivot::Centroid;
-    double rotationStdDeg = 0.0;   ///< per axis
-    double translationStdMm = 0.0;   ///< per axis
+    double rotationStdDeg = 0.0;   ///< per axis, or the whole turn
+    double translationStdMm = 0.0;   ///< per axis, or the whole shift
     Target target = Target::Exact;
     double depthStdMm = 0.0;   ///< besides
 };
@@ -26,6 +28,11 @@ const std::vector<Setting>& settings()
         {{"obj-2-5", "2°/5 mm about the centroid (OBJ), exact target", true}, Pivot::Centroid, 2, 5, Target::Exact},
         {{"degraded-cam-2-5", "CAM 2°/5 mm, degraded target", true}, Pivot::Source, 2, 5, Target::Degraded},
         {{"degraded-obj-2-5", "OBJ 2°/5 mm, degraded target", true}, Pivot::Centroid, 2, 5, Target::Degraded},
+        {{"cam-norm-2-5", "2° and 5 mm about the source in a random direction, exact target", false},
+         Pivot::SourceByNorm,
+         2,
+         5,
+         Target::Exact},
         {{"cam-3-8", "CAM 3°/8 mm, exact target", false}, Pivot::Source, 3, 8, Target::Exact},
         {{"cam-5-10", "CAM 5°/10 mm, exact target", false}, Pivot::Source, 5, 10, Target::Exact},
         {{"degraded-cam-5-10", "CAM 5°/10 mm, degraded target", false}, Pivot::Source, 5, 10, Target::Degraded},
@@ -38,13 +45,28 @@ const std::vector<Setting>& settings()
     return rows;
 }
 
+RigidTransform perturbed(const RigidTransform& truth, const SharedPhantom& phantom, const Setting& setting,
+                         CounterRandom& random)
+{
+    const double deg = setting.rotationStdDeg;
+    const double mm = setting.translationStdMm;
+    switch (setting.pivot) {
+        case Pivot::Centroid:
+            return perturbedAboutCentroid(truth, phantom.centroid, deg, mm, random);
+        case Pivot::Source:
+            return perturbedAboutSource(truth, deg, mm, random);
+        case Pivot::SourceByNorm:
+            break;
+    }
+    Vector6d twist;
+    twist.head<3>() = randomDirection(deg * std::numbers::pi / 180.0, random);
+    twist.tail<3>() = randomDirection(mm, random);
+    return expSe3(twist) * truth;
+}
+
 RigidTransform startPose(const SharedPhantom& phantom, const Setting& setting, CounterRandom random)
 {
-    const RigidTransform& truth = phantom.scene.trueCameraFromPatient;
-    RigidTransform start =
-        setting.pivot == Pivot::Centroid
-            ? perturbedAboutCentroid(truth, phantom.centroid, setting.rotationStdDeg, setting.translationStdMm, random)
-            : perturbedAboutSource(truth, setting.rotationStdDeg, setting.translationStdMm, random);
+    RigidTransform start = perturbed(phantom.scene.trueCameraFromPatient, phantom, setting, random);
     start.translation.z() += setting.depthStdMm * random.normal();
     return start;
 }

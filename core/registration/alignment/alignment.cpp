@@ -131,6 +131,7 @@ void Alignment::look(const CentroidPose& pose, double scalePx, Agreement& agreem
 void Alignment::collectRows(const CentroidPose& pose, double scalePx, std::vector<ResidualRow>& rows) const
 {
     rows.clear();
+    rows.reserve(points_.size());
     const double perSquaredScale = -0.5 / (scalePx * scalePx);
     Match found;
     for (const AlignmentPoint& point : points_) {
@@ -150,6 +151,7 @@ void Alignment::collectRows(const CentroidPose& pose, double scalePx, std::vecto
 void Alignment::collectResiduals(const CentroidPose& pose, double limitPx, std::vector<double>& residuals) const
 {
     residuals.clear();
+    residuals.reserve(points_.size());
     Match found;
     for (const AlignmentPoint& point : points_) {
         const bool agrees = match(point, pose, limitPx, found) && found.gate > agreeingGate;
@@ -160,6 +162,7 @@ void Alignment::collectResiduals(const CentroidPose& pose, double limitPx, std::
 double Alignment::medianDistancePx(const CentroidPose& pose, std::vector<double>& scratch) const
 {
     scratch.clear();
+    scratch.reserve(points_.size());
     for (const AlignmentPoint& point : points_) {
         const auto pixel = project(camera_, pose.rotation * point.fromCentroid + pose.centroidInCamera);
         scratch.push_back(

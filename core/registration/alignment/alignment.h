@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/registration/matching/target_lines.h"
-#include "core/registration/pose/centroid_pose.h"
+#include "core/registration/pose/start_prior.h"
 
 #include <algorithm>
 

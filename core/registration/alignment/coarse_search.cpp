@@ -33,6 +33,12 @@ std::vector<double> anglesWithin(double reachDeg, double stepDeg)
     return angles;
 }
 
+/// None but 0 where the angle is locked.
+std::vector<double> anglesWithin(double reachDeg, const SearchReach& reach, PoseAxis axis)
+{
+    return anglesWithin(reach.freedom.isLocked(axis) ? 0.0 : reachDeg, reach.stepDeg);
+}
+
 /// How near two poses must be to lead to the same optimum.
 struct Basin {
     double shiftMm;
@@ -69,13 +75,22 @@ std::vector<CoarseCandidate> distinct(std::vector<CoarseCandidate> candidates, c
 
 }   // namespace
 
-/// Scores of all shifts of one orientation: shift (c − half, r − half) blocks.
+/// Scores of all shifts of one orientation: shift (c − halfColumns, r − halfRows) blocks.
 struct CoarseSearch::Shifts {
-    int half;
-    int side;
+    int halfColumns;
+    int halfRows;
+    int columns;
+    int rows;
     std::vector<std::uint16_t> sums;
 
-    explicit Shifts(int reach) : half(reach), side(2 * reach + 1), sums(static_cast<std::size_t>(side * side)) {}
+    Shifts(int blocks, const PoseFreedom& freedom)
+        : halfColumns(freedom.isLocked(PoseAxis::Right) ? 0 : blocks),
+          halfRows(freedom.isLocked(PoseAxis::Up) ? 0 : blocks),
+          columns(2 * halfColumns + 1),
+          rows(2 * halfRows + 1),
+          sums(static_cast<std::size_t>(columns * rows))
+    {
+    }
 };
 
 CoarseSearch::CoarseSearch(const ProjectionCamera& camera, const TargetLines& target, double closenessPx)
@@ -102,8 +117,8 @@ CoarseSearch::CoarseSearch(const ProjectionCamera& camera, const TargetLines& ta
 
 void CoarseSearch::addPoint(double u, double v, Shifts& shifts) const
 {
-    const int column = static_cast<int>(std::lround(u / phasePx)) + (margin_ - shifts.half) * phases;
-    const int row = static_cast<int>(std::lround(v / phasePx)) + (margin_ - shifts.half) * phases;
+    const int column = static_cast<int>(std::lround(u / phasePx)) + (margin_ - shifts.halfColumns) * phases;
+    const int row = static_cast<int>(std::lround(v / phasePx)) + (margin_ - shifts.halfRows) * phases;
     // Floor division: points may lie far to the left of the image.
     const int phaseColumn = ((column % phases) + phases) % phases;
     const int phaseRow = ((row % phases) + phases) % phases;
@@ -112,11 +127,11 @@ void CoarseSearch::addPoint(double u, double v, Shifts& shifts) const
     const std::uint8_t* phase =
         &closeness_[static_cast<std::size_t>((phaseRow * phases + phaseColumn) * blockColumns_ * blockRows_)];
 
-    const int from = std::clamp(-firstColumn, 0, shifts.side);
-    const int to = std::clamp(blockColumns_ - firstColumn, from, shifts.side);
-    for (int r = std::max(0, -firstRow); r < std::min(shifts.side, blockRows_ - firstRow); ++r) {
+    const int from = std::clamp(-firstColumn, 0, shifts.columns);
+    const int to = std::clamp(blockColumns_ - firstColumn, from, shifts.columns);
+    for (int r = std::max(0, -firstRow); r < std::min(shifts.rows, blockRows_ - firstRow); ++r) {
         const std::uint8_t* source = phase + (firstRow + r) * blockColumns_ + firstColumn;
-        std::uint16_t* sum = &shifts.sums[static_cast<std::size_t>(r * shifts.side)];
+        std::uint16_t* sum = &shifts.sums[static_cast<std::size_t>(r * shifts.columns)];
         for (int c = from; c < to; ++c) {
             sum[c] = static_cast<std::uint16_t>(sum[c] + source[c]);
         }
@@ -154,8 +169,8 @@ void CoarseSearch::keepBest(const CentroidPose& pose, std::size_t pointCount, co
     }
     const double depthMm = pose.centroidInCamera.z();
     for (std::size_t rank = 0; rank < keptPerOrientation && sums[rank] >= 0; ++rank) {
-        const int column = static_cast<int>(best[rank]) % shifts.side - shifts.half;
-        const int row = static_cast<int>(best[rank]) / shifts.side - shifts.half;
+        const int column = static_cast<int>(best[rank]) % shifts.columns - shifts.halfColumns;
+        const int row = static_cast<int>(best[rank]) / shifts.columns - shifts.halfRows;
         CoarseCandidate candidate{pose, sums[rank] / (255.0 * static_cast<double>(pointCount))};
         candidate.pose.centroidInCamera.x() += column * blockPx * depthMm / camera_.fx;
         candidate.pose.centroidInCamera.y() += row * blockPx * depthMm / camera_.fy;
@@ -172,27 +187,29 @@ std::vector<CoarseCandidate> CoarseSearch::find(std::span<const AlignmentPoint> 
     const double pxPerMm = 1.0 / millimetresPerPixel(camera_, depthMm);
     const double radiusPx =
         std::min(reach.radiusMm * pxPerMm, beyondHalfImage * std::max(camera_.width, camera_.height));
-    Shifts shifts(static_cast<int>(std::ceil(radiusPx / blockPx)));
+    Shifts shifts(static_cast<int>(std::ceil(radiusPx / blockPx)), reach.freedom);
     std::vector<CoarseCandidate> found;
-    const std::vector<double> tilts = anglesWithin(reach.tiltDeg, reach.stepDeg);
-    const std::vector<double> rolls = anglesWithin(reach.rollDeg, reach.stepDeg);
+    const std::vector<double> tiltsX = anglesWithin(reach.tiltDeg, reach, PoseAxis::CraCau);
+    const std::vector<double> tiltsY = anglesWithin(reach.tiltDeg, reach, PoseAxis::LaoRao);
+    const std::vector<double> rolls = anglesWithin(reach.rollDeg, reach, PoseAxis::Roll);
     const double longestTilt = beyondReach * reach.tiltDeg * radiansPerDegree;
     double tiltsDone = 0.0;
     bool isStopped = false;
-    for (const double tiltX : tilts) {
-        for (const double tiltY : tilts) {
+    for (const double tiltX : tiltsX) {
+        for (const double tiltY : tiltsY) {
             if (isStopped || std::hypot(tiltX, tiltY) > longestTilt) {
                 continue;
             }
             for (const double roll : rolls) {
                 CentroidPose pose = start;
                 pose.rotation = expSo3({0.0, 0.0, roll}) * expSo3({tiltX, tiltY, 0.0}) * start.rotation;
+                pose = reach.freedom.held(pose);
                 scoreOrientation(points, pose, shifts);
                 keepBest(pose, points.size(), shifts, found);
             }
         }
         tiltsDone += 1.0;
-        isStopped = isStopped || proceed(tiltsDone / static_cast<double>(tilts.size())) == Verdict::Stop;
+        isStopped = isStopped || proceed(tiltsDone / static_cast<double>(tiltsX.size())) == Verdict::Stop;
     }
     return distinct(std::move(found), {basinPx / pxPerMm, basinSteps * reach.stepDeg * radiansPerDegree});
 }

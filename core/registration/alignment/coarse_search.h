@@ -15,6 +15,7 @@ struct SearchReach {
     double tiltDeg = 10.0;   ///< of the tilt's axis-angle length
     double rollDeg = 10.0;
     double stepDeg = 4.0;
+    PoseFreedom freedom{};   ///< locked degrees of freedom are not searched
 };
 
 struct CoarseCandidate {

@@ -108,8 +108,9 @@ std::optional<CentroidPose> refineWithExactPartners(const RegistrationProblem& p
     }
     CentroidPose refined = pose;
     for (int k = 0; k < maxSteps; ++k) {
-        const Vector6d step = dampedStep(search.equations(std::max(3.0 * medianPx, exactPx)), leastDamping);
-        refined = moved(refined, step);
+        const double scalePx = std::max(3.0 * medianPx, exactPx);
+        const Vector6d step = problem.freedom.dampedStep(search.equations(scalePx), leastDamping, refined);
+        refined = problem.freedom.moved(refined, step);
         search.match(refined);
         medianPx = search.medianPx();
         if (step.tail<3>().norm() < settledMm) {

@@ -18,8 +18,8 @@ FinalRefinement::FinalRefinement(const RegistrationProblem& problem, const Targe
     : problem_(problem),
       prior_(prior),
       options_(options),
-      few_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), fewPoints)), problem.camera, target),
-      all_(alignmentPoints(problem.tree), problem.camera, target)
+      target_(target),
+      few_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), fewPoints)), problem.camera, target)
 {
 }
 
@@ -31,13 +31,16 @@ RefinementResult FinalRefinement::refine(const CentroidPose& pose, const Refinem
         result.pose = *exact;
         return result;
     }
-    all_.resetVisibility();
+    if (!all_) {
+        all_.emplace(alignmentPoints(problem_.tree), problem_.camera, target_);
+    }
+    all_->resetVisibility();
     const double startScalePx = std::max(result.scalePx, options_.finalScalePx);
     const RefinementSchedule schedule{startScalePx, options_.finalScalePx, 0.7, 2, 20, options_.maxIterations};
-    result = core::refine(all_, prior_, result.pose, schedule, observe);
+    result = core::refine(*all_, prior_, result.pose, schedule, observe);
     if (result.stopReason != StopReason::StoppedByUser) {
         const auto exact = refineWithExactPartners(problem_, result.pose);
-        result.pose = exact ? *exact : refineTolerantly(all_, prior_, result.pose, result.scalePx);
+        result.pose = exact ? *exact : refineTolerantly(*all_, prior_, result.pose, result.scalePx);
     }
     return result;
 }

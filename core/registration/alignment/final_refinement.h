@@ -3,6 +3,8 @@
 #include "core/registration/alignment/graduated_refinement.h"
 #include "core/registration/registration_problem.h"
 
+#include <optional>
+
 namespace core {
 
 /// From a roughly refined pose to the answer: few points until the noise shows, then all of them, then what the data
@@ -18,8 +20,9 @@ private:
     const RegistrationProblem& problem_;
     const StartPrior& prior_;
     const RegistrationOptions& options_;
+    const TargetLines& target_;
     Alignment few_;
-    Alignment all_;
+    std::optional<Alignment> all_;   ///< made when first needed: exact partners never do
 };
 
 }   // namespace core

@@ -32,9 +32,9 @@ public:
     /// Tries one step; the distance that the tree moved, mm.
     double step(double spreadMm)
     {
-        const Vector6d step = dampedStep(current_.equations, damping_.factor());
+        const Vector6d step = prior_.freedom.dampedStep(current_.equations, damping_.factor(), pose_);
         const double promised = predictedDecrease(current_.equations, step);
-        const CentroidPose trial = moved(pose_, step);
+        const CentroidPose trial = prior_.freedom.moved(pose_, step);
         lookAt(trial, trial_);
         const double gained = current_.loss - trial_.loss;
         const double lengthMm = spreadMm * step.head<3>().norm() + step.tail<3>().norm();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration/pose/centroid_pose.h"
+#include "core/registration/pose/start_prior.h"
 
 #include <deque>
 #include <optional>

@@ -7,6 +7,7 @@ namespace core {
 namespace {
 
 constexpr std::size_t usedPoints = 200;
+constexpr std::size_t mostHypotheses = 64;   // no search finds as many
 constexpr double perUnitOfPrior = 0.01;   // a start off by 2σ in all six parameters costs a fifth of the score
 constexpr double sameTurn = 0.02;
 constexpr double sameShiftMm = 3.0;
@@ -24,6 +25,7 @@ PoseRanking::PoseRanking(const RegistrationProblem& problem, const TargetLines& 
       points_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), usedPoints)), problem.camera, target),
       agreement_(problem, target)
 {
+    ranked_.reserve(mostHypotheses);
 }
 
 void PoseRanking::add(const CentroidPose& hypothesis)

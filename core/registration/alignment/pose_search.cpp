@@ -11,7 +11,7 @@ constexpr std::size_t searchPoints = 90;
 constexpr std::size_t auxiliaryCandidates = 4;
 
 // 3σ of the start poses that headers give (ALGORITHMS §4.4): 15 mm across the ray, 1° per angle and some roll.
-constexpr SearchReach nearbyReach{45.0, 8.0, 8.0, 4.0};
+const SearchReach nearbyReach{45.0, 8.0, 8.0, 4.0};
 constexpr double nearbyClosenessPx = 11.0;
 constexpr double wideStepDeg = 7.5;
 constexpr double wideClosenessPx = 16.0;
@@ -25,8 +25,9 @@ std::vector<CentroidPose> posesOf(const std::vector<CoarseCandidate>& candidates
     return poses;
 }
 
-SearchReach within(SearchReach reach, const RegistrationOptions& options)
+SearchReach within(SearchReach reach, const RegistrationOptions& options, const PoseFreedom& freedom)
 {
+    reach.freedom = freedom;
     reach.radiusMm = std::min(reach.radiusMm, options.searchRadiusMm);
     reach.tiltDeg = std::min(reach.tiltDeg, options.searchTiltDeg);
     reach.rollDeg = std::min(reach.rollDeg, options.searchRollDeg);
@@ -45,13 +46,14 @@ std::vector<CentroidPose> PoseSearch::nearby(const CentroidPose& start, const Se
 {
     const auto points = alignmentPoints(problem_.tree, strideFor(problem_.tree.size(), searchPoints));
     const CoarseSearch search(problem_.camera, target_, nearbyClosenessPx);
-    return posesOf(search.find(points, start, within(nearbyReach, options_), observe), points.size());
+    return posesOf(search.find(points, start, within(nearbyReach, options_, problem_.freedom), observe), points.size());
 }
 
 std::vector<CentroidPose> PoseSearch::wide(const CentroidPose& start, const SearchObserver& observe) const
 {
     const auto points = alignmentPoints(problem_.tree, strideFor(problem_.tree.size(), searchPoints));
-    const SearchReach reach{options_.searchRadiusMm, options_.searchTiltDeg, options_.searchRollDeg, wideStepDeg};
+    const SearchReach reach{options_.searchRadiusMm, options_.searchTiltDeg, options_.searchRollDeg, wideStepDeg,
+                            problem_.freedom};
     const CoarseSearch search(problem_.camera, target_, wideClosenessPx);
     return posesOf(search.find(points, start, reach, observe), points.size());
 }
@@ -65,7 +67,8 @@ std::vector<CentroidPose> PoseSearch::ofAuxiliary(const CentroidPose& start, con
     }
     const auto points = alignmentPoints(problem_.tree, thinned);
     const CoarseSearch search(problem_.camera, target_, nearbyClosenessPx);
-    return posesOf(search.find(points, start, within(nearbyReach, options_), observe), auxiliaryCandidates);
+    return posesOf(search.find(points, start, within(nearbyReach, options_, problem_.freedom), observe),
+                   auxiliaryCandidates);
 }
 
 CentroidPose PoseSearch::recentred(const CentroidPose& start) const
@@ -78,7 +81,7 @@ CentroidPose PoseSearch::recentred(const CentroidPose& start) const
     const double depthMm = std::max(minProjectableDepthMm, start.centroidInCamera.z());
     const Eigen::Vector3d ray = rayThroughPixel(problem_.camera, middlePx);
     moved.centroidInCamera = ray * (depthMm / ray.z());
-    return moved;
+    return problem_.freedom.held(moved);
 }
 
 }   // namespace core

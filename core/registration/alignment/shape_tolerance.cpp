@@ -48,25 +48,17 @@ NormalEquations ofIndependentRows(const std::vector<ResidualRow>& rows, double r
     return sum;
 }
 
-/// Step of the shift alone: rows and columns of the turn drop out.
-Vector6d shiftStep(NormalEquations equations)
-{
-    equations.hessian.topRows<3>().setZero();
-    equations.hessian.leftCols<3>().setZero();
-    equations.gradient.head<3>().setZero();
-    return dampedStep(equations, leastDamping);
-}
-
 /// Lays the turned tree over the vessels.
 CentroidPose settleShift(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose, double scalePx,
                          double rowVariance)
 {
+    const PoseFreedom shifts = prior.freedom.alsoLocking({PoseAxis::Roll, PoseAxis::LaoRao, PoseAxis::CraCau}, pose);
     CentroidPose settled = pose;
     for (int k = 0; k < maxSteps; ++k) {
         NormalEquations equations = alignment.look(settled, scalePx).equations;
         prior.add(settled, rowVariance, equations);
-        const Vector6d step = shiftStep(equations);
-        settled = moved(settled, step);
+        const Vector6d step = shifts.dampedStep(equations, leastDamping, settled);
+        settled = shifts.moved(settled, step);
         if (step.norm() < settledMm) {
             break;
         }
@@ -89,8 +81,8 @@ CentroidPose refineTolerantly(const Alignment& alignment, const StartPrior& prio
     for (int k = 0; k < maxSteps; ++k) {
         NormalEquations equations = ShapeField(rows, noise.rowVariance()).equations(offsetPx);
         prior.add(refined, 1.0, equations);
-        const Vector6d step = dampedStep(equations, leastDamping);
-        refined = moved(refined, step);
+        const Vector6d step = prior.freedom.dampedStep(equations, leastDamping, refined);
+        refined = prior.freedom.moved(refined, step);
         if (step.tail<3>().norm() < settledMm) {
             break;
         }

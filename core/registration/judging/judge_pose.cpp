@@ -17,7 +17,7 @@ RegistrationResult judgePose(const RegistrationProblem& problem, const Registrat
     const auto lines = solution.targetLines ? solution.targetLines
                                             : std::make_shared<const TargetLines>(problem.target, problem.camera);
     const ProjectedTree projected = projectTree(problem, pose, lines->index());
-    const StartPrior prior = startPrior(aboutCentroid(problem.start, problem.tree.centroid), options);
+    const StartPrior prior = startPrior(aboutCentroid(problem.start, problem.tree.centroid), options, problem.freedom);
 
     RegistrationResult result;
     result.cameraFromPatient = pose;

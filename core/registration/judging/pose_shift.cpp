@@ -2,6 +2,7 @@
 
 #include "core/registration/alignment/graduated_refinement.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace core {
@@ -21,15 +22,27 @@ double meanShiftMm(const TreeSamples& tree, const RigidTransform& a, const Rigid
     return sum / static_cast<double>(tree.size());
 }
 
+/// The trace of J C Jᵀ over the points, J = [−[a]× | I] without its last row: quadratic in the arm a, so that the
+/// arms' first and second moments are enough.
 double expectedShiftMm(const TreeSamples& tree, const RigidTransform& pose, const PoseUncertainty& uncertainty)
 {
-    double variance = 0.0;
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
     for (const Eigen::Vector3d& point : tree.points) {
-        Eigen::Matrix<double, 2, 6> J;
-        J << -skew(pose.rotation * (point - tree.centroid)).topRows<2>(), Eigen::Matrix<double, 2, 3>::Identity();
-        variance += (J * uncertainty.covariance * J.transpose()).trace();
+        const Eigen::Vector3d arm = point - tree.centroid;
+        mean += arm;
+        squares += arm * arm.transpose();
     }
-    return std::sqrt(variance / static_cast<double>(tree.size()));
+    const auto count = static_cast<double>(tree.size());
+    const Eigen::Vector3d m = pose.rotation * mean / count;
+    const Eigen::Matrix3d s = pose.rotation * squares * pose.rotation.transpose() / count;
+    const Matrix6d& c = uncertainty.covariance;
+    // Shift in x: ωy az − ωz ay + δx; in y: ωz ax − ωx az + δy.
+    const double x = c(1, 1) * s(2, 2) + c(2, 2) * s(1, 1) - 2.0 * c(1, 2) * s(1, 2) + c(3, 3) +
+                     2.0 * (c(1, 3) * m.z() - c(2, 3) * m.y());
+    const double y = c(2, 2) * s(0, 0) + c(0, 0) * s(2, 2) - 2.0 * c(0, 2) * s(0, 2) + c(4, 4) +
+                     2.0 * (c(2, 4) * m.x() - c(0, 4) * m.z());
+    return std::sqrt(std::max(0.0, x + y));
 }
 
 double settlingShiftMm(const RegistrationProblem& problem, const TargetLines& target, const RigidTransform& pose,
@@ -37,7 +50,7 @@ double settlingShiftMm(const RegistrationProblem& problem, const TargetLines& ta
 {
     const TreeSamples& tree = problem.tree;
     Alignment alignment(alignmentPoints(tree, strideFor(tree.size(), usedPoints)), problem.camera, target);
-    const StartPrior prior = startPrior(aboutCentroid(problem.start, tree.centroid), options);
+    const StartPrior prior = startPrior(aboutCentroid(problem.start, tree.centroid), options, problem.freedom);
     const RefinementResult settled = refine(alignment, prior, aboutCentroid(pose, tree.centroid), settle);
     return meanShiftMm(tree, pose, cameraFromPatient(settled.pose, tree.centroid));
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/registration/matching/target_lines.h"
-#include "core/registration/pose/centroid_pose.h"
+#include "core/registration/pose/start_prior.h"
 #include "core/registration/registration_problem.h"
 
 namespace core {
@@ -12,6 +12,12 @@ PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const Target
                                 const RigidTransform& cameraFromPatient, const StartPrior& prior);
 
 /// The same from what images tell about a pose: information for steps (rad, mm) about the centroid in camera axes.
-PoseUncertainty poseUncertainty(const Matrix6d& imageInformation, const StartPrior& prior, double spreadMm);
+/// Locked degrees of freedom are certain.
+PoseUncertainty poseUncertainty(const Matrix6d& imageInformation, const StartPrior& prior, const CentroidPose& pose,
+                                double spreadMm);
+
+/// Inverse of the covariance that a pose without locks has.
+Matrix6d poseInformation(const RegistrationProblem& problem, const TargetLines& target, const CentroidPose& pose,
+                         const StartPrior& prior);
 
 }   // namespace core

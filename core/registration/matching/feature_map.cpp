@@ -1,96 +1,103 @@
 #include "core/registration/matching/feature_map.h"
 
 #include <cassert>
-#include <cstdlib>
+#include <cmath>
 #include <limits>
 
 namespace core {
 namespace {
 
-constexpr int marginPx = 64;
+constexpr int marginPx = 32;
 constexpr std::int32_t none = -1;
 
-/// One parabola of the lower envelope: the column's nearest point, and from which cell on it is the lowest.
-struct Parabola {
-    int column;
-    std::int32_t squaredRows;
-    std::int32_t point;
-    double from;
+/// A row of cells: the nearest point of the same column, or none, and how many rows away it is.
+struct Row {
+    std::int32_t* point;
+    std::int32_t* rowsAway;
 };
 
-/// Spreads every seed up and down its column, as far as no other seed is nearer.
-void fillColumns(std::vector<std::int32_t>& cells, const std::vector<std::int32_t>& rowOfPoint, int columns, int rows)
+/// Takes over what the row beside it knows, where that is nearer. Without branches: compilers make wide instructions
+/// of it.
+void takeNearer(const Row& here, const Row& beside, std::size_t columns)
 {
-    const auto width = static_cast<std::size_t>(columns);
-    for (std::size_t i = width; i < cells.size(); ++i) {
-        if (cells[i] == none) {
-            cells[i] = cells[i - width];
-        }
-    }
-    for (int row = rows - 2; row >= 0; --row) {
-        std::int32_t* here = &cells[static_cast<std::size_t>(row) * width];
-        const std::int32_t* below = here + width;
-        for (std::size_t column = 0; column < width; ++column) {
-            if (below[column] == none || below[column] == here[column]) {
-                continue;
-            }
-            const auto distanceTo = [&](std::int32_t point) {
-                return std::abs(rowOfPoint[static_cast<std::size_t>(point)] - row);
-            };
-            if (here[column] == none || distanceTo(below[column]) < distanceTo(here[column])) {
-                here[column] = below[column];
-            }
-        }
+    for (std::size_t k = 0; k < columns; ++k) {
+        const std::int32_t away = beside.rowsAway[k] + 1;
+        const bool isNearer = away < here.rowsAway[k];
+        here.point[k] = isNearer ? beside.point[k] : here.point[k];
+        here.rowsAway[k] = isNearer ? away : here.rowsAway[k];
     }
 }
 
-/// Lower envelope of the parabolas of one row.
+/// Spreads every seed up and down its column, as far as no other seed is nearer.
+void fillColumns(std::vector<std::int32_t>& point, std::vector<std::int32_t>& rowsAway, std::size_t columns)
+{
+    const std::size_t rows = point.size() / columns;
+    const auto row = [&](std::size_t number) { return Row{&point[number * columns], &rowsAway[number * columns]}; };
+    for (std::size_t r = 1; r < rows; ++r) {
+        takeNearer(row(r), row(r - 1), columns);
+    }
+    for (std::size_t r = rows - 1; r-- > 0;) {
+        takeNearer(row(r), row(r + 1), columns);
+    }
+}
+
+/// Lower envelope of the parabolas (squared distance) of one row's columns.
 class RowSweep {
 public:
-    explicit RowSweep(int columns) : halfInverse_(static_cast<std::size_t>(columns))
+    explicit RowSweep(int columns)
+        : halfInverse_(static_cast<std::size_t>(columns)), envelope_(static_cast<std::size_t>(columns))
     {
         for (int k = 1; k < columns; ++k) {
             halfInverse_[static_cast<std::size_t>(k)] = 0.5 / k;   // divisions would take half of the time
         }
-        envelope_.reserve(halfInverse_.size());
     }
 
     void add(int column, std::int32_t squaredRows, std::int32_t point)
     {
+        const std::int32_t offset = squaredRows + column * column;
         double from = 0.0;
-        while (!envelope_.empty()) {
-            const Parabola& last = envelope_.back();
-            from = static_cast<double>(squaredRows - last.squaredRows + column * column - last.column * last.column) *
+        while (size_ > 0) {
+            const Parabola& last = envelope_[size_ - 1];
+            from = static_cast<double>(offset - last.offset) *
                    halfInverse_[static_cast<std::size_t>(column - last.column)];
             if (from > last.from) {
                 break;
             }
-            envelope_.pop_back();
+            --size_;
         }
-        if (envelope_.empty()) {
-            from = 0.0;
+        if (size_ == 0) {
+            from = -1.0;
         }
         if (from < static_cast<double>(halfInverse_.size())) {
-            envelope_.push_back({column, squaredRows, point, from});
+            envelope_[size_++] = {from, column, offset, point};
         }
     }
 
     /// Writes the nearest point of every cell and forgets the row.
     void finish(std::int32_t* nearest)
     {
-        std::size_t current = 0;
-        for (std::size_t column = 0; column < halfInverse_.size(); ++column) {
-            while (current + 1 < envelope_.size() && envelope_[current + 1].from <= static_cast<double>(column)) {
-                ++current;
+        int column = 0;
+        for (std::size_t k = 0; k < size_; ++k) {
+            const auto columns = static_cast<int>(halfInverse_.size());
+            const int end = k + 1 < size_ ? static_cast<int>(std::ceil(envelope_[k + 1].from)) : columns;
+            for (; column < end; ++column) {
+                nearest[column] = envelope_[k].point;
             }
-            nearest[column] = envelope_[current].point;
         }
-        envelope_.clear();
+        size_ = 0;
     }
 
 private:
+    /// A column's nearest point, and from which cell on it is the nearest of the row.
+    struct Parabola {
+        double from;
+        std::int32_t column;
+        std::int32_t offset;   ///< squared rows and squared column
+        std::int32_t point;
+    };
     std::vector<double> halfInverse_;
-    std::vector<Parabola> envelope_;
+    std::vector<Parabola> envelope_;   ///< room for all columns
+    std::size_t size_ = 0;
 };
 
 }   // namespace
@@ -102,27 +109,27 @@ FeatureMap::FeatureMap(std::vector<Eigen::Vector2d> pointsPx, int imageWidth, in
       rows_((imageHeight + 2 * marginPx + cellPx - 1) / cellPx)
 {
     assert(!points_.empty());
-    nearest_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), none);
-    std::vector<std::int32_t> rowOfPoint(points_.size());
+    const auto width = static_cast<std::size_t>(columns_);
+    nearest_.assign(width * static_cast<std::size_t>(rows_), none);
+    std::vector<std::int32_t> rowsAway(nearest_.size(), 2 * rows_);
     for (std::size_t i = 0; i < points_.size(); ++i) {
         // Points outside the table stand at its border, the nearest place that still leads to them.
         const double column = std::clamp((points_[i].x() + offsetPx_) / cellPx, 0.0, columns_ - 1.0);
         const double row = std::clamp((points_[i].y() + offsetPx_) / cellPx, 0.0, rows_ - 1.0);
-        rowOfPoint[i] = static_cast<std::int32_t>(row);
-        nearest_[static_cast<std::size_t>(rowOfPoint[i]) * static_cast<std::size_t>(columns_) +
-                 static_cast<std::size_t>(column)] = static_cast<std::int32_t>(i);
+        const std::size_t cell = static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
+        nearest_[cell] = static_cast<std::int32_t>(i);
+        rowsAway[cell] = 0;
     }
-    fillColumns(nearest_, rowOfPoint, columns_, rows_);
+    fillColumns(nearest_, rowsAway, width);
     RowSweep sweep(columns_);
-    for (int row = 0; row < rows_; ++row) {
-        std::int32_t* cells = &nearest_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_)];
+    for (std::size_t row = 0; row < nearest_.size(); row += width) {
         for (int column = 0; column < columns_; ++column) {
-            if (cells[column] != none) {
-                const std::int32_t rowsAway = rowOfPoint[static_cast<std::size_t>(cells[column])] - row;
-                sweep.add(column, rowsAway * rowsAway, cells[column]);
+            const std::size_t cell = row + static_cast<std::size_t>(column);
+            if (nearest_[cell] != none) {
+                sweep.add(column, rowsAway[cell] * rowsAway[cell], nearest_[cell]);
             }
         }
-        sweep.finish(cells);
+        sweep.finish(&nearest_[row]);
     }
 }
 

@@ -60,7 +60,7 @@ AngioPose::AngioPose(const RegistrationProblem& problem, const RegistrationOptio
       progress_(progress),
       target_(std::make_shared<const TargetLines>(problem.target, problem.camera)),
       start_(aboutCentroid(problem.start, problem.tree.centroid)),
-      prior_(startPrior(start_, options)),
+      prior_(startPrior(start_, options, problem.freedom)),
       search_(problem, *target_, options),
       ranking_(problem, *target_, prior_)
 {
@@ -185,7 +185,7 @@ std::vector<Hypothesis> AngioPose::alternatives() const
         return result;
     }
     const ScoredPose& best = refined_.front();
-    const Matrix6d information = poseUncertainty(problem_, *target_, inPatient(best.pose), prior_).covariance.inverse();
+    const Matrix6d information = poseInformation(problem_, *target_, best.pose, prior_);
     for (std::size_t k = 1; k < refined_.size(); ++k) {
         const Vector6d step = stepBetween(best.pose, refined_[k].pose);
         if (refined_[k].score >= nearlyAsGood * best.score &&

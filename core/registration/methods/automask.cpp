@@ -124,12 +124,12 @@ MethodSolution solveAutoMask(const RegistrationProblem& problem, const Registrat
         simplex.maxEvaluations = std::max(1, static_cast<int>(share * options.automaskEvaluations));
         similarity.beginStage(blurPx, {problem.start, search.inPatient(search.best())});
         search.changeCost("radiographs", 0.0, std::numeric_limits<double>::infinity());
-        const PoseParameters parameters(search.best(), clinicalUnits(4.0, 4.0, 8.0, 20.0));
+        const PoseParameters parameters(search.best(), clinicalUnits(4.0, 4.0, 8.0, 20.0), problem.freedom);
         const auto cost = [&](const Eigen::VectorXd& x, Eigen::VectorXd&) {
             const CentroidPose pose = parameters.pose(x);
             return search.note(pose, -similarity.of(search.inPatient(pose)));
         };
-        isConverged = minimise(cost, Vector6d::Zero(), simplex, [&] { return search.isStopped(); }).isConverged;
+        isConverged = minimise(cost, parameters.origin(), simplex, [&] { return search.isStopped(); }).isConverged;
         simplex.firstStep *= 0.5;
     }
     MethodSolution solution = search.solution(isConverged ? StopReason::Converged : StopReason::IterationLimit);

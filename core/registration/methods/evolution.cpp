@@ -19,7 +19,7 @@ MethodSolution solveEvolution(const RegistrationProblem& problem, const Registra
 
     PoseTrials search(problem, options.evolutionEvaluations, progress);
     search.changeCost("evolution", 0.0, std::numeric_limits<double>::infinity());
-    const PoseParameters parameters(search.start(), clinicalUnits(3.0, 3.0, 10.0, 20.0));
+    const PoseParameters parameters(search.start(), clinicalUnits(3.0, 3.0, 10.0, 20.0), problem.freedom);
     const auto cost = [&](const Eigen::VectorXd& x) {
         const CentroidPose pose = parameters.pose(x);
         return search.note(pose, -brightness.of(pose, 1.0));
@@ -28,7 +28,7 @@ MethodSolution solveEvolution(const RegistrationProblem& problem, const Registra
                                      static_cast<std::uint64_t>(options.randomSeed)};
     const auto isStopped = [&] { return search.isStopped(); };
     const auto evolve = options.evolutionStrategy != 0.0 ? evolveOneByOne : evolveByCovariance;
-    const bool isConverged = evolve(cost, Vector6d::SizeAtCompileTime, evolution, isStopped);
+    const bool isConverged = evolve(cost, parameters.count(), evolution, isStopped);
 
     MethodSolution solution = search.solution(isConverged ? StopReason::Converged : StopReason::IterationLimit);
     solution.time.targetMs = targetMs;

@@ -85,7 +85,7 @@ MethodSolution solveGradientMatching(const RegistrationProblem& problem, const R
     const int budget = evaluationsPerRound * options.powellRounds;
     PoseTrials search(problem, budget, progress);
     search.changeCost("walls", options.gradientScalePx, std::numeric_limits<double>::infinity());
-    const PoseParameters parameters(search.start(), clinicalUnits(1.0, 2.0, 2.0, 10.0));
+    const PoseParameters parameters(search.start(), clinicalUnits(1.0, 2.0, 2.0, 10.0), problem.freedom);
     MinimiseOptions powell;
     powell.minimiser = Minimiser::Powell;
     powell.firstStep = 1.0;
@@ -96,7 +96,7 @@ MethodSolution solveGradientMatching(const RegistrationProblem& problem, const R
             const CentroidPose pose = parameters.pose(x);
             return search.note(pose, -agreement.of(search.inPatient(pose)));
         },
-        Vector6d::Zero(), powell, [&] { return search.isStopped(); });
+        parameters.origin(), powell, [&] { return search.isStopped(); });
 
     MethodSolution solution = search.solution(minimum.isConverged ? StopReason::Converged : StopReason::IterationLimit);
     solution.time.targetMs = targetMs;

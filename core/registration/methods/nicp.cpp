@@ -55,7 +55,7 @@ bool settle(const RegistrationProblem& problem, const VesselBrightness& brightne
     for (int i = 0; i < iterations && !search.isStopped(); ++i) {
         const CentroidPose pose = search.best();
         const double before = search.bestCost();
-        const Vector6d direction = dampedStep(brightness.pull(pose, widening), 1e-3);
+        const Vector6d direction = problem.freedom.dampedStep(brightness.pull(pose, widening), 1e-3, pose);
         const double unitPx = meanMotionPx(problem, pose, direction);
         if (!(unitPx > 0.0)) {
             return true;
@@ -63,7 +63,7 @@ bool settle(const RegistrationProblem& problem, const VesselBrightness& brightne
         motionPx *= 2.0;
         do {
             motionPx *= 0.5;
-            const CentroidPose next = moved(pose, motionPx / unitPx * direction);
+            const CentroidPose next = problem.freedom.moved(pose, motionPx / unitPx * direction);
             search.note(next, -brightness.of(next, widening));
         } while (!(search.bestCost() < before) && motionPx > settledPx && !search.isStopped());
         if (!(search.bestCost() < before)) {

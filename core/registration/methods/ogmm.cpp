@@ -36,7 +36,7 @@ MethodSolution solveOgmm(const RegistrationProblem& problem, const RegistrationO
     for (int level = 0; level < levels && !search.isStopped(); ++level) {
         OrientedMixture mixture(problem, mixtureOptions);
         search.changeCost("mixtures", mixtureOptions.scalePx, std::numeric_limits<double>::infinity());
-        const PoseParameters parameters(search.best(), metricUnits(problem.tree.spreadMm));
+        const PoseParameters parameters(search.best(), metricUnits(problem.tree.spreadMm), problem.freedom);
         const auto cost = [&](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
             const CentroidPose pose = parameters.pose(x);
             Vector6d stepGradient;
@@ -44,7 +44,7 @@ MethodSolution solveOgmm(const RegistrationProblem& problem, const RegistrationO
             gradient = parameters.gradient(x, stepGradient);
             return search.note(pose, distance);
         };
-        isConverged = minimise(cost, Vector6d::Zero(), lbfgs, [&] { return search.isStopped(); }).isConverged;
+        isConverged = minimise(cost, parameters.origin(), lbfgs, [&] { return search.isStopped(); }).isConverged;
         mixtureOptions.scalePx *= ratio;
     }
     MethodSolution solution = search.solution(isConverged ? StopReason::Converged : StopReason::IterationLimit);

@@ -86,7 +86,7 @@ std::vector<Scored> ParticleSearch::filterParticles()
             for (double& value : step) {
                 value = width * random.normal();
             }
-            CentroidPose pose = moved(particle.pose, step.cwiseProduct(spread));
+            CentroidPose pose = problem_.freedom.moved(particle.pose, step.cwiseProduct(spread));
             for (int k = 0; k < stepsPerSurvivor; ++k) {
                 pose = kernel_.stepped(pose, likelihoodScalePx, false);
             }
@@ -165,12 +165,14 @@ std::vector<Scored> ParticleSearch::walkOutOfPlane()
             const int x = cell.x + dx;
             const int y = cell.y + dy;
             const bool isInside = x >= 0 && y >= 0 && x < across && y < across;
+            const bool isFree = (dx == 0 || !problem_.freedom.isLocked(PoseAxis::CraCau)) &&
+                                (dy == 0 || !problem_.freedom.isLocked(PoseAxis::LaoRao));
             const auto number = static_cast<std::size_t>(isInside ? y * across + x : 0);
-            if (isInside && !isSeen[number]) {
+            if (isInside && isFree && !isSeen[number]) {
                 isSeen[number] = true;
                 Vector6d turn = Vector6d::Zero();
                 turn.head<2>() = cellDeg * perDeg * Eigen::Vector2d(dx, dy);
-                waiting.push_back({x, y, moved(solved.back().pose, turn)});
+                waiting.push_back({x, y, problem_.freedom.moved(solved.back().pose, turn)});
             }
         }
     }
@@ -186,7 +188,8 @@ void ParticleSearch::refine(const std::vector<Scored>& best)
         points.emplace_back(point - problem_.tree.centroid);
     }
     const GridIndex target(problem_.target.points);
-    const KernelProblem full{points, problem_.camera, &target, {}};
+    KernelProblem full{points, problem_.camera, &target, {}};
+    full.freedom = {problem_.freedom, RigidTransform(), Eigen::Vector3d::Zero()};
     KernelDistances distances;
     const auto costOf = [&](const CentroidPose& pose) {
         measure(full, {pose.rotation, pose.centroidInCamera}, distances);

@@ -3,6 +3,7 @@
 #include "core/registration/picture/vessel_picture.h"
 #include "core/registration/picture/wall_sites.h"
 #include "core/registration/pose/pose_trials.h"
+#include "core/registration/pose/start_prior.h"
 #include "core/support/random.h"
 #include "core/support/stopwatch.h"
 
@@ -35,6 +36,7 @@ class Rgbr {
 public:
     Rgbr(const RegistrationProblem& problem, const RegistrationOptions& options, ProgressLog& progress)
         : options_(options),
+          freedom_(problem.freedom),
           spreadMm_(problem.tree.spreadMm),
           gradients_(vesselPicture(problem), problem.camera, blurPx),
           sites_(wallSites(problem.tree, mostSites)),
@@ -53,6 +55,7 @@ private:
     double distanceMm(const Correspondence& pair, const CentroidPose& pose) const;
 
     const RegistrationOptions& options_;
+    const PoseFreedom& freedom_;
     double spreadMm_;
     BackprojectedGradients gradients_;
     std::vector<WallSite> sites_;
@@ -151,7 +154,7 @@ CentroidPose Rgbr::chooseByRansac(const std::vector<Correspondence>& pairs, cons
 /// Least distances to the edges' rays, held to where it comes from as far as one view leaves the pose open.
 CentroidPose Rgbr::fit(std::span<const Correspondence> pairs, const CentroidPose& from) const
 {
-    StartPrior prior{from, {}};
+    StartPrior prior{from, {}, freedom_};
     prior.std << rotationStd, rotationStd, rotationStd, lateralStdMm, lateralStdMm, depthStdMm;
     CentroidPose pose = from;
     for (int step = 0; step < fitSteps; ++step) {
@@ -171,7 +174,7 @@ CentroidPose Rgbr::fit(std::span<const Correspondence> pairs, const CentroidPose
             equations.gradient += rows.transpose() * (mmPerPx * (*pixel - pair.pixel));
         }
         prior.add(pose, pairStdMm * pairStdMm, equations);
-        pose = moved(pose, dampedStep(equations, 0.0));
+        pose = freedom_.moved(pose, freedom_.dampedStep(equations, 0.0, pose));
     }
     return pose;
 }

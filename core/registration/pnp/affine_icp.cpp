@@ -64,7 +64,9 @@ RigidTransform rigidPart(const KernelProblem& problem, const RigidTransform& sta
     KernelSchedule schedule;
     schedule.maxIterations = rigidIterations;
     schedule.finalScalePx = 1e3;
-    return KernelPnp({points, problem.camera, problem.target, partnersPx}, {}, schedule).solve(start).pose;
+    KernelProblem known{points, problem.camera, problem.target, partnersPx};
+    known.freedom = problem.freedom;
+    return KernelPnp(known, {}, schedule).solve(start).pose;
 }
 
 }   // namespace

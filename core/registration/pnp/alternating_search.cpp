@@ -120,7 +120,8 @@ void AlternatingSearch::solveAuxiliary(const Stage& stage)
     if (!isSolvableAlone(points, seed_.points)) {
         return;
     }
-    const KernelProblem held{points, problem_.camera, seed_.target.get(), partnersPx};
+    KernelProblem held{points, problem_.camera, seed_.target.get(), partnersPx};
+    held.freedom = seed_.freedom;
     const auto observe = [&](const KernelIteration& step) { return reportStep(stage, step); };
     pose_ = solver_.solve(held, SearchStage::Auxiliary, pose_, observe).pose;
 }

@@ -30,8 +30,8 @@ public:
     {
         const NormalEquations equations = huberEquations(problem_, current_, huberPx_);
         for (int attempt = 0; attempt < triesPerStep; ++attempt) {
-            const Vector6d step = dampedStep(equations, damping_.factor(), freedom_);
-            const RigidTransform candidate = expSe3(step) * pose_;
+            const Vector6d step = problem_.freedom.dampedStep(equations, damping_.factor(), pose_, freedom_);
+            const RigidTransform candidate = problem_.freedom.moved(pose_, step);
             measure(problem_, candidate, trial_);
             const double loss = huberLoss(problem_, trial_, huberPx_);
             if (loss < loss_) {
@@ -140,8 +140,10 @@ KernelPnpResult DistanceDescent::descend(const KernelProblem& problem, Freedom f
 KernelPnpResult DistanceDescent::descendSmoothly(const KernelProblem& problem, const RigidTransform& start,
                                                  const KernelObserver& observe) const
 {
-    const Eigen::Vector3d centroid = meanOf(problem.points);
-    const PoseParameters parameters(aboutCentroid(start, centroid), metricUnits(spreadOf(problem.points, centroid)));
+    const SourceFreedom& freedom = problem.freedom;
+    const Eigen::Vector3d centroid = freedom.isFull() ? meanOf(problem.points) : freedom.centroidInStart();
+    const PoseParameters parameters(aboutCentroid(start, centroid), metricUnits(spreadOf(problem.points, centroid)),
+                                    freedom.aboutCentroid());
     KernelDistances distances;
     KernelPnpResult result;
     bool isStopped = false;
@@ -166,7 +168,7 @@ KernelPnpResult DistanceDescent::descendSmoothly(const KernelProblem& problem, c
     options.tolerance = 1e-6;
     options.relativeTolerance = settledShare;
     options.maxEvaluations = options_.maxIterations;
-    const Minimum minimum = minimise(cost, Vector6d::Zero(), options, [&] { return isStopped; });
+    const Minimum minimum = minimise(cost, parameters.origin(), options, [&] { return isStopped; });
     result.stopReason = isStopped             ? StopReason::StoppedByUser
                         : minimum.isConverged ? StopReason::Converged
                                               : StopReason::IterationLimit;

@@ -27,8 +27,8 @@ public:
         motionPx_ = 0.5 * scalePx_;
     }
 
-    /// One step against the gradient, the components weighed by `metric`; false when none lowers the cost.
-    bool step(const Vector6d& metric);
+    /// One step against the gradient, turns and shifts weighed by `metric`; false when none lowers the cost.
+    bool step(const Vector6d& metric, Freedom freedom);
 
     const RigidTransform& pose() const { return pose_; }
     const KernelDistances& distances() const { return current_; }
@@ -50,18 +50,18 @@ private:
     KernelDistances trial_;
 };
 
-bool OneScale::step(const Vector6d& metric)
+bool OneScale::step(const Vector6d& metric, Freedom freedom)
 {
     NormalEquations equations = kernelEquations(problem_, current_, scalePx_);
     addPrior(prior_, pose_, equations);
-    const Vector6d direction = -metric.cwiseProduct(equations.gradient);
+    const Vector6d direction = problem_.freedom.descent(equations.gradient, metric, pose_, freedom);
     const double unitPx = largestMotionPx(direction);
     if (!(unitPx > 0.0)) {
         return false;
     }
     const double slope = 2.0 * equations.gradient.dot(direction) / unitPx;   // per px of motion
     for (double motionPx = motionPx_; motionPx >= settledPx; motionPx *= 0.5) {
-        const RigidTransform candidate = expSe3(motionPx / unitPx * direction) * pose_;
+        const RigidTransform candidate = problem_.freedom.moved(pose_, motionPx / unitPx * direction);
         measure(problem_, candidate, trial_, scalePx_);
         const double cost = costOf(candidate, trial_);
         if (cost <= cost_ + armijo * slope * motionPx) {
@@ -108,6 +108,7 @@ KernelPnpResult KernelAscent::solve(const KernelProblem& problem, SearchStage st
     const PosePrior none;
     const PosePrior& prior = stage == SearchStage::Full ? options_.prior : none;
     const Vector6d weights = weightsOf(options_.metric, stage, depthMm_);
+    const Freedom freedom = stage == SearchStage::Turn ? Freedom::Rotation : Freedom::Full;
     const double ratio = std::pow(options_.finalScalePx / options_.startScalePx, 1.0 / (scaleCount - 1));
 
     KernelPnpResult result;
@@ -118,7 +119,7 @@ KernelPnpResult KernelAscent::solve(const KernelProblem& problem, SearchStage st
         ascent.begin(result.pose);
         result.stopReason = StopReason::IterationLimit;
         for (int i = 0; i < options_.iterationsPerScale; ++i) {
-            if (!ascent.step(weights)) {
+            if (!ascent.step(weights, freedom)) {
                 result.stopReason = StopReason::Converged;
                 break;
             }

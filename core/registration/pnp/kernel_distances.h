@@ -3,7 +3,7 @@
 #include "core/geometry/projection_camera.h"
 #include "core/registration/matching/neighbour_search.h"
 #include "core/registration/matching/point_index.h"
-#include "core/registration/pose/damped_step.h"
+#include "core/registration/pnp/source_freedom.h"
 
 #include <span>
 #include <vector>
@@ -18,6 +18,7 @@ struct KernelProblem {
     std::span<const Eigen::Vector2d> fixedPartnersPx;   ///< not empty: one partner per point, held whatever the pose
     const NeighbourSearch* search = nullptr;   ///< for further partners by the rule below; unused with fixed ones
     Neighbours neighbours = Neighbours::Closest;
+    SourceFreedom freedom{};   ///< of the pose
 };
 
 /// A partner besides the nearest.

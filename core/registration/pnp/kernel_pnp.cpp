@@ -83,8 +83,8 @@ KernelPnp::Outcome KernelPnp::improve()
     const double pull = priorCost(prior_, pose_);
 
     for (int attempt = 0; attempt < triesPerStep; ++attempt) {
-        const Vector6d step = dampedStep(equations, damping_.factor(), schedule_.freedom);
-        const RigidTransform candidate = expSe3(step) * pose_;
+        const Vector6d step = problem_.freedom.dampedStep(equations, damping_.factor(), pose_, schedule_.freedom);
+        const RigidTransform candidate = problem_.freedom.moved(pose_, step);
         const bool isTiny = stepLengthMm(step) < settledMm;
         if (isAllowed(candidate)) {
             measure(problem_, candidate, trial_, scalePx);

@@ -78,6 +78,7 @@ SeedProblem makeSeedProblem(const RegistrationProblem& problem, const Registrati
     for (const int index : problem.auxiliary) {
         seed.auxiliary.push_back(seed.points[static_cast<std::size_t>(index)]);
     }
+    seed.freedom = {problem.freedom, problem.start, problem.tree.centroid};
     const double depthMm = (problem.start * problem.tree.centroid).z();
     seed.nearestMm = std::max(0.0, depthMm - depthGuardMm);
     seed.farthestMm = depthMm + depthGuardMm;

@@ -27,11 +27,12 @@ struct SeedProblem {
     std::unique_ptr<PointIndex> target;   ///< by option `index`
     std::unique_ptr<NeighbourSearch> search;   ///< null when only the nearest points count
     Neighbours neighbours = Neighbours::Closest;
+    SourceFreedom freedom;
 
     /// All points, matched anew at every look.
     KernelProblem full(const ProjectionCamera& camera) const
     {
-        return {points, camera, target.get(), {}, search.get(), neighbours};
+        return {points, camera, target.get(), {}, search.get(), neighbours, freedom};
     }
 };
 

@@ -20,7 +20,9 @@ NormalEquations aboutCentroid(const NormalEquations& equations, const Eigen::Vec
 }   // namespace
 
 SparseKernel::SparseKernel(const RegistrationProblem& problem, std::size_t most)
-    : camera_(problem.camera), target_(problem.target.points, problem.camera.width, problem.camera.height)
+    : camera_(problem.camera),
+      freedom_(problem.freedom),
+      target_(problem.target.points, problem.camera.width, problem.camera.height)
 {
     const std::size_t stride = std::max<std::size_t>(1, (problem.tree.size() + most - 1) / most);
     for (std::size_t i = 0; i < problem.tree.size(); i += stride) {
@@ -37,13 +39,11 @@ double SparseKernel::agreement(const CentroidPose& pose, double scalePx)
 CentroidPose SparseKernel::stepped(const CentroidPose& pose, double scalePx, bool inPlaneOnly)
 {
     measure(problem(), {pose.rotation, pose.centroidInCamera}, distances_);
-    NormalEquations equations = aboutCentroid(kernelEquations(problem(), distances_, scalePx), pose.centroidInCamera);
-    if (inPlaneOnly) {
-        equations.hessian.topRows<2>().setZero();
-        equations.hessian.leftCols<2>().setZero();
-        equations.gradient.head<2>().setZero();
-    }
-    return moved(pose, dampedStep(equations, damping));
+    const NormalEquations equations =
+        aboutCentroid(kernelEquations(problem(), distances_, scalePx), pose.centroidInCamera);
+    const PoseFreedom freedom =
+        inPlaneOnly ? freedom_.alsoLocking({PoseAxis::LaoRao, PoseAxis::CraCau}, pose) : freedom_;
+    return freedom.moved(pose, freedom.dampedStep(equations, damping, pose));
 }
 
 }   // namespace core

@@ -2,7 +2,6 @@
 
 #include "core/registration/matching/feature_map.h"
 #include "core/registration/pnp/kernel_distances.h"
-#include "core/registration/pose/centroid_pose.h"
 #include "core/registration/registration_problem.h"
 
 namespace core {
@@ -23,6 +22,7 @@ private:
     KernelProblem problem() const { return {points_, camera_, &target_, {}}; }
 
     ProjectionCamera camera_;
+    PoseFreedom freedom_;
     std::vector<Eigen::Vector3d> points_;   ///< from the centroid: there a centroid pose is a rigid motion
     FeatureMap target_;
     KernelDistances distances_;

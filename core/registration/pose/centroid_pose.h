@@ -2,7 +2,6 @@
 
 #include "core/geometry/rigid_transform.h"
 #include "core/registration/pose/damped_step.h"
-#include "core/registration/registration_options.h"
 
 namespace core {
 
@@ -21,19 +20,5 @@ CentroidPose moved(const CentroidPose& pose, const Vector6d& step);
 
 /// Step that leads from one pose to the other; inverse of moved.
 Vector6d stepBetween(const CentroidPose& from, const CentroidPose& to);
-
-/// How far the start pose may be trusted (ALGORITHMS §6.6 a): independent normal errors about the centroid.
-struct StartPrior {
-    CentroidPose start;
-    Vector6d std = Vector6d::Ones();   ///< rad, mm
-
-    /// Σ ((θ_k − θ_k0)/σ_k)².
-    double cost(const CentroidPose& pose) const;
-
-    /// Adds `variance` · cost for steps about `pose`.
-    void add(const CentroidPose& pose, double variance, NormalEquations& equations) const;
-};
-
-StartPrior startPrior(const CentroidPose& start, const RegistrationOptions& options);
 
 }   // namespace core

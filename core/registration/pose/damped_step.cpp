@@ -11,22 +11,26 @@ constexpr double minFactor = 1e-10;
 constexpr double maxFactor = 1e10;
 
 /// Solves in the parameters scaled to unit diagonal: raw radians and millimetres differ by 1e9 in condition.
+/// `hessian` is symmetric, both triangles filled.
+template <class Matrix, class Vector>
+Vector solveScaled(Matrix hessian, const Vector& gradient, double damping)
+{
+    const double tiny = 1e-300;
+    const Vector scale = hessian.diagonal().unaryExpr([tiny](double h) { return h > tiny ? 1.0 / std::sqrt(h) : 0.0; });
+    hessian = scale.asDiagonal() * hessian * scale.asDiagonal();
+    hessian.diagonal().setConstant(1.0 + damping);
+    const Vector scaledGradient = scale.cwiseProduct(gradient);
+    return -scale.cwiseProduct(hessian.ldlt().solve(scaledGradient));
+}
+
 template <int Count>
-Vector6d solveScaled(const NormalEquations& equations, double damping)
+Vector6d stepOfFirst(const NormalEquations& equations, double damping)
 {
     using Matrix = Eigen::Matrix<double, Count, Count>;
     using Vector = Eigen::Matrix<double, Count, 1>;
-    const Vector diagonal = equations.hessian.diagonal().head<Count>();
-    const double tiny = 1e-300;
-    const Vector scale = diagonal.unaryExpr([tiny](double h) { return h > tiny ? 1.0 / std::sqrt(h) : 0.0; });
-
-    Matrix scaled = equations.hessian.topLeftCorner<Count, Count>().template selfadjointView<Eigen::Lower>();
-    scaled = scale.asDiagonal() * scaled * scale.asDiagonal();
-    scaled.diagonal().setConstant(1.0 + damping);
-    const Vector scaledGradient = scale.cwiseProduct(equations.gradient.head<Count>());
-
+    const Matrix hessian = equations.hessian.topLeftCorner<Count, Count>().template selfadjointView<Eigen::Lower>();
     Vector6d step = Vector6d::Zero();
-    step.head<Count>() = -scale.cwiseProduct(scaled.ldlt().solve(scaledGradient));
+    step.head<Count>() = solveScaled<Matrix, Vector>(hessian, equations.gradient.head<Count>(), damping);
     return step;
 }
 
@@ -34,7 +38,16 @@ Vector6d solveScaled(const NormalEquations& equations, double damping)
 
 Vector6d dampedStep(const NormalEquations& equations, double damping, Freedom freedom)
 {
-    return freedom == Freedom::Full ? solveScaled<6>(equations, damping) : solveScaled<3>(equations, damping);
+    return freedom == Freedom::Full ? stepOfFirst<6>(equations, damping) : stepOfFirst<3>(equations, damping);
+}
+
+Vector6d dampedStep(const NormalEquations& equations, double damping, const StepBasis& basis)
+{
+    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
+    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1>;
+    const Matrix6d full = equations.hessian.selfadjointView<Eigen::Lower>();
+    const Matrix hessian = basis.transpose() * full * basis;
+    return basis * solveScaled<Matrix, Vector>(hessian, basis.transpose() * equations.gradient, damping);
 }
 
 double predictedDecrease(const NormalEquations& equations, const Vector6d& step)

@@ -18,6 +18,12 @@ enum class Freedom { Rotation, Full };
 /// Parameters that the data do not move at all stay zero.
 Vector6d dampedStep(const NormalEquations& equations, double damping, Freedom freedom = Freedom::Full);
 
+/// Allowed steps, one column each.
+using StepBasis = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
+
+/// The same among the combinations of the columns of `basis`, which are independent.
+Vector6d dampedStep(const NormalEquations& equations, double damping, const StepBasis& basis);
+
 /// What the undamped model promises for a step; positive when it lowers the cost.
 double predictedDecrease(const NormalEquations& equations, const Vector6d& step);
 

@@ -1,31 +1,47 @@
 #include "core/registration/pose/pose_parameters.h"
 
-#include <cmath>
 #include <numbers>
 
 namespace core {
 namespace {
 
-/// exp(ω + d) ≈ exp(J d) exp(ω).
-Eigen::Matrix3d leftJacobianSo3(const Eigen::Vector3d& omega)
+/// Without locks the angles are counted from the origin, where they are far from each other.
+PoseFreedom countedFrom(const CentroidPose& origin, const PoseFreedom& freedom)
 {
-    const double angle = omega.norm();
-    const Eigen::Matrix3d cross = skew(omega);
-    if (angle < 1e-4) {
-        return Eigen::Matrix3d::Identity() + 0.5 * cross + cross * cross / 6.0;
-    }
-    return Eigen::Matrix3d::Identity() + (1.0 - std::cos(angle)) / (angle * angle) * cross +
-           (angle - std::sin(angle)) / (angle * angle * angle) * cross * cross;
+    return freedom.isFull() ? PoseFreedom({}, {origin.rotation, {0.0, 0.0, 0.0}}, origin) : freedom;
 }
 
 }   // namespace
 
-Vector6d PoseParameters::gradient(const Vector6d& x, const Vector6d& stepGradient) const
+PoseParameters::PoseParameters(const CentroidPose& origin, const Vector6d& unit, const PoseFreedom& freedom)
+    : freedom_(countedFrom(origin, freedom)), origin_(freedom_.coordinates(origin)), unit_(unit)
 {
-    const Eigen::Vector3d omega = x.head<3>().cwiseProduct(unit_.head<3>());
-    Vector6d gradient = stepGradient;
-    gradient.head<3>() = leftJacobianSo3(omega).transpose() * stepGradient.head<3>();
-    return gradient.cwiseProduct(unit_);
+    for (Eigen::Index k = 0; k < unit.size(); ++k) {
+        if (!freedom.isLocked(k)) {
+            free_.push_back(k);
+        }
+    }
+}
+
+CentroidPose PoseParameters::pose(const Eigen::VectorXd& x) const
+{
+    Vector6d coordinates = origin_;
+    for (Eigen::Index i = 0; i < count(); ++i) {
+        const Eigen::Index k = free_[static_cast<std::size_t>(i)];
+        coordinates[k] += unit_[k] * x[i];
+    }
+    return freedom_.held(freedom_.poseAt(coordinates));
+}
+
+Eigen::VectorXd PoseParameters::gradient(const Eigen::VectorXd& x, const Vector6d& stepGradient) const
+{
+    const Vector6d ofCoordinates = freedom_.stepsPerCoordinate(pose(x)).transpose() * stepGradient;
+    Eigen::VectorXd gradient(count());
+    for (Eigen::Index i = 0; i < count(); ++i) {
+        const Eigen::Index k = free_[static_cast<std::size_t>(i)];
+        gradient[i] = unit_[k] * ofCoordinates[k];
+    }
+    return gradient;
 }
 
 Vector6d metricUnits(double spreadMm)

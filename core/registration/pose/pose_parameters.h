@@ -1,25 +1,31 @@
 #pragma once
 
-#include "core/registration/pose/centroid_pose.h"
+#include "core/registration/pose/pose_freedom.h"
+
+#include <vector>
 
 namespace core {
 
-/// Six numbers about a pose, each worth about the same to the image: rotation vector about the tree's centroid, then
-/// shift, both divided by their unit.
+/// The free coordinates of a pose (see PoseFreedom) counted from an origin and divided by their unit, so that each is
+/// worth about the same to the image.
 class PoseParameters {
 public:
-    PoseParameters(const CentroidPose& origin, const Vector6d& unit) : origin_(origin), unit_(unit) {}
+    /// `unit`: of the six coordinates, rad and mm; those that are locked drop out.
+    PoseParameters(const CentroidPose& origin, const Vector6d& unit, const PoseFreedom& freedom);
 
-    CentroidPose pose(const Vector6d& x) const { return moved(origin_, x.cwiseProduct(unit_)); }
+    Eigen::Index count() const { return static_cast<Eigen::Index>(free_.size()); }
+    Eigen::VectorXd origin() const { return Eigen::VectorXd::Zero(count()); }
+
+    CentroidPose pose(const Eigen::VectorXd& x) const;
 
     /// Gradient for x from the gradient for further steps (rad, mm) about pose(x).
-    Vector6d gradient(const Vector6d& x, const Vector6d& stepGradient) const;
-
-    const CentroidPose& origin() const { return origin_; }
+    Eigen::VectorXd gradient(const Eigen::VectorXd& x, const Vector6d& stepGradient) const;
 
 private:
-    CentroidPose origin_;
-    Vector6d unit_;   ///< rad, mm
+    PoseFreedom freedom_;
+    Vector6d origin_;   ///< coordinates at x = 0
+    Vector6d unit_;
+    std::vector<Eigen::Index> free_;   ///< numbers of the free coordinates
 };
 
 /// Units of `spreadMm` per radian and of 1 mm per mm: x is in mm of motion.

@@ -1,4 +1,4 @@
-#include "core/registration/pose/centroid_pose.h"
+#include "core/registration/pose/start_prior.h"
 
 #include <gtest/gtest.h>
 

@@ -91,7 +91,7 @@ TEST(PoseParameters, GradientMatchesDifferences)
 {
     CounterRandom random(7);
     const CentroidPose origin{expSo3(Eigen::Vector3d(0.3, -0.5, 0.9)), Eigen::Vector3d(5.0, -7.0, 800.0)};
-    const PoseParameters parameters(origin, clinicalUnits(30.0, 40.0, 2.0, 10.0));
+    const PoseParameters parameters(origin, clinicalUnits(30.0, 40.0, 2.0, 10.0), {});
     const Eigen::Vector3d point(20.0, -30.0, 40.0);
     const Eigen::Vector3d pull(0.3, 0.8, -0.4);
     const auto cost = [&](const Vector6d& x) {
@@ -100,7 +100,7 @@ TEST(PoseParameters, GradientMatchesDifferences)
     };
     Vector6d x;
     for (double& value : x) {
-        value = random.normal();
+        value = 0.5 * random.normal();
     }
     const CentroidPose pose = parameters.pose(x);
     Vector6d stepGradient;

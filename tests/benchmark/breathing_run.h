@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/evaluation/trial.h"
+#include "core/registration/track_frames.h"
+
+namespace benchmarks {
+
+/// A run in which the tree of a trial breathes, 10 mm up and down and 3° of tilt, seen with jittered points.
+struct BreathingRun {
+    core::RegistrationProblem first;   ///< registered in the frame before
+    std::vector<core::Centerline2d> targets;   ///< of the frames that follow
+    std::vector<core::RigidTransform> truth;
+    std::shared_ptr<const core::VesselTree> tree;
+
+    /// Mean projection distance of a frame's pose, px.
+    double errorPx(const core::RigidTransform& pose, std::size_t frame) const;
+};
+
+BreathingRun breathingRun(const core::Trial& trial, std::size_t frames);
+
+}   // namespace benchmarks
