@@ -36,13 +36,7 @@ Result<Centerline2d> targetOf(const RegistrationCase& registrationCase)
     if (!registrationCase.angiogram || registrationCase.angiogram->frames.empty()) {
         return Error{"There is no angiogram yet. Open an image first."};
     }
-    const Angiogram& angiogram = *registrationCase.angiogram;
-    if (registrationCase.frame < 0 || registrationCase.frame >= angiogram.frameCount()) {
-        return Error{"Frame " + std::to_string(registrationCase.frame) + " does not exist: the image has frames 0 to " +
-                     std::to_string(angiogram.frameCount() - 1) + "."};
-    }
-    auto trace = traceAngiogram(angiogram.frames[static_cast<std::size_t>(registrationCase.frame)], angiogram.polarity,
-                                registrationCase.traceOptions);
+    auto trace = traceFrame(*registrationCase.angiogram, registrationCase.frame, registrationCase.traceOptions);
     if (!trace) {
         return trace.error();
     }

@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "core/tracing/steady_frame.h"
 #include "core/tracing/subtract_run.h"
 #include "core/tracing/trace_angiogram.h"
 #include "io/angiogram_file.h"
@@ -64,7 +65,7 @@ core::Result<Picture> chosenPicture(const TraceAngiogramArguments& arguments, co
         return core::Error{arguments.imagePath + ": frame " + std::to_string(frame) +
                            " does not exist. It has frames 0 to " + std::to_string(angiogram.frameCount() - 1) + "."};
     }
-    return Picture{angiogram.frames[static_cast<std::size_t>(frame)], "frame " + std::to_string(frame)};
+    return Picture{core::steadyFrame(angiogram.frames, frame), "frame " + std::to_string(frame)};
 }
 
 core::Status writeTrace(const core::AngiogramTrace& trace, const TraceAngiogramArguments& arguments)

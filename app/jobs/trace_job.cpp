@@ -11,9 +11,7 @@ namespace {
 
 core::Result<SharedCenterline> trace(const TraceRequest& request)
 {
-    const core::Angiogram& angiogram = *request.angiogram;
-    auto traced = core::traceAngiogram(angiogram.frames[static_cast<std::size_t>(request.frame)], angiogram.polarity,
-                                       request.options);
+    auto traced = core::traceFrame(*request.angiogram, request.frame, request.options);
     if (!traced) {
         return traced.error();
     }

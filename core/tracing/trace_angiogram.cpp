@@ -8,7 +8,9 @@
 #include "core/tracing/curve_refinement.h"
 #include "core/tracing/field_mask.h"
 #include "core/tracing/flatten_background.h"
+#include "core/tracing/lines_across.h"
 #include "core/tracing/skeleton_graph.h"
+#include "core/tracing/steady_frame.h"
 #include "core/tracing/suspect_curves.h"
 #include "core/tracing/vessel_branches.h"
 #include "core/tracing/vessel_threshold.h"
@@ -101,6 +103,9 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
     trace.vesselMask = wholeVessels(vesselPixels(evidence), evidence, options);
     const SkeletonGraph branches = vesselBranches(trace.vesselMask, evidence, trace.fieldMask, options);
     for (const auto& path : orderedCurves(branches, crossingInRadii * options.maxVesselRadiusPx)) {
+        if (runsStraightAcross(path, trace.fieldMask)) {
+            continue;
+        }
         trace.centerline.curves.push_back(centredCurve(path, static_cast<int>(trace.centerline.curves.size()) + 1,
                                                        opacity, options.maxVesselRadiusPx));
     }
@@ -111,6 +116,15 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
     }
     trace.suspectCurves = suspectCurves(trace.centerline, std::max(frame.width, frame.height));
     return trace;
+}
+
+Result<AngiogramTrace> traceFrame(const Angiogram& run, int frame, const TraceOptions& options)
+{
+    if (frame < 0 || frame >= run.frameCount()) {
+        return Error{"Frame " + std::to_string(frame) + " does not exist: the image has frames 0 to " +
+                     std::to_string(run.frameCount() - 1) + "."};
+    }
+    return traceAngiogram(steadyFrame(run.frames, frame), run.polarity, options);
 }
 
 Result<Centerline2d> traceMask(const Mask2d& mask, const TraceOptions& options)

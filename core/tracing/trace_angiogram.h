@@ -34,6 +34,9 @@ struct AngiogramTrace {
 /// §4.4 "actual pipeline"). Fails when the frame is empty, flat, not finite, or shows nothing vessel-like.
 Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& options = {});
 
+/// The same for one frame of a run, with less noise where the run stands still (see `steadyFrame`).
+Result<AngiogramTrace> traceFrame(const Angiogram& run, int frame, const TraceOptions& options = {});
+
 /// Curves of a drawn mask (e.g. a PNG): thinning and ordering only.
 Result<Centerline2d> traceMask(const Mask2d& mask, const TraceOptions& options = {});
 

@@ -1,5 +1,6 @@
 #include "core/tracing/volume/split_by_seeds.h"
 
+#include "core/tracing/volume/chambers.h"
 #include "core/tracing/volume/chosen_pieces.h"
 #include "core/tracing/volume/distance_map.h"
 
@@ -34,6 +35,13 @@ public:
             if (const auto voxel = voxelNear(mask_, place)) {
                 push(*voxel, label);
             }
+        }
+    }
+
+    void start(const std::vector<std::uint32_t>& voxels, std::uint8_t label)
+    {
+        for (const std::uint32_t voxel : voxels) {
+            push(voxel, label);
         }
     }
 
@@ -96,6 +104,7 @@ void splitBySeeds(VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPa
     Flood flood(mask, distances);
     flood.start(seedsInPatient, vessel);
     flood.start(avoidInPatient, other);
+    flood.start(voxelsBeyondNecks(mask, distances, seedsInPatient, progress), other);
     flood.run(progress);
     for (std::uint8_t& voxel : mask.voxels) {
         voxel = voxel == vessel ? 1 : 0;

@@ -9,8 +9,9 @@
 namespace core {
 
 /// Takes out of a mask what is reached from a place to avoid on a wider way than from a seed, so that vessels that hang
-/// together part at their narrowest place (flooding of the distance map from markers, Meyer 1994). Places (LPS mm) that
-/// lie in nothing are ignored. Incomplete when stopped.
+/// together part at their narrowest place (flooding of the distance map from markers, Meyer 1994). What lies beyond
+/// necks (see `voxelsBeyondNecks`) is avoided as well. Places (LPS mm) that lie in nothing are ignored. Incomplete when
+/// stopped.
 void splitBySeeds(VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient,
                   const std::vector<Eigen::Vector3d>& avoidInPatient, int threads, TracingProgress& progress);
 

@@ -115,7 +115,7 @@ Result<ChosenLumen> chosenLumen(VoxelMask whole, const VesselTracingOptions& opt
     progress.advance(chosenShare);
     chosen.lumen = croppedMask(whole, chosen.box);
     whole = {};
-    if (!options.avoidInPatient.empty()) {
+    if (!options.seedsInPatient.empty()) {
         splitBySeeds(chosen.lumen, options.seedsInPatient, options.avoidInPatient, threadCount(options.threads),
                      progress);
     }
