@@ -58,7 +58,7 @@ QString studyLine(const core::RegistrationCase& current)
 CaseController::CaseController(ui::MainWindow& window, QObject* parent)
     : QObject(parent),
       window_(window),
-      notices_(window, [this] { return registration_.isRunning() || session_.isLoading(); }),
+      notices_(window, [this] { return registration_.isRunning() || session_.isLoading() || tracing_.isRunning(); }),
       sync_(window, document_),
       branches_(document_),
       pose_(document_),
@@ -67,7 +67,10 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       review_(document_, sync_, window),
       look_(document_, sync_, window),
       replay_(document_, sync_, window),
-      judgement_({document_, target_, pose_, registration_, sync_, look_, replay_, window})
+      judgement_({document_, target_, pose_, registration_, sync_, look_, replay_, window}),
+      slices_(document_, branches_, window),
+      tracing_(document_, window),
+      treeActions_(document_, branches_, tracing_, window)
 {
     connectEditing();
     connectBranches();
@@ -127,6 +130,11 @@ void CaseController::connectBranches()
     ui::BranchPanel& panel = window_.branches();
     connect(&branches_, &BranchController::marksChanged, this, [this] { sync_.showMarks(branches_.marks()); });
     connect(&branches_, &BranchController::refused, &notices_, &Notices::showNote);
+    connect(&treeActions_, &TreeActions::refused, &notices_, &Notices::showNote);
+    connect(&treeActions_, &TreeActions::adviceChanged, this, &CaseController::showSteps);
+    connect(&tracing_, &TracingController::traced, &notices_, &Notices::showNote);
+    connect(&tracing_, &TracingController::failed, this,
+            [this](const QString& reason) { notices_.showProblem(tr("Vessels cannot be traced"), reason); });
     connect(&panel, &ui::BranchPanel::hovered, &branches_, &BranchController::hover);
     connect(&panel, &ui::BranchPanel::selectionEdited, &branches_, &BranchController::select);
     connect(&panel, &ui::BranchPanel::auxiliaryToggled, &branches_, &BranchController::toggleAuxiliary);
@@ -359,6 +367,7 @@ void CaseController::showSteps()
     facts.isRunning = registration_.isRunning();
     facts.poseEdited = pose_.isMovedFromStart();
     facts.exported = exported_;
+    facts.treePieces = treeActions_.advice().pieceCount();
     window_.steps().showStates(stepStates(current, facts));
 }
 

@@ -3,6 +3,8 @@
 #include "app/document/case_document.h"
 #include "app/editing/branch_controller.h"
 #include "app/editing/pose_controller.h"
+#include "app/editing/tracing_controller.h"
+#include "app/editing/tree_actions.h"
 #include "app/files/session_controller.h"
 #include "app/notices.h"
 #include "app/registration/registration_controller.h"
@@ -11,6 +13,7 @@
 #include "app/review/look_controller.h"
 #include "app/review/replay_controller.h"
 #include "app/review/review_controller.h"
+#include "app/review/slice_controller.h"
 #include "app/review/view_sync.h"
 #include "ui/main_window.h"
 
@@ -36,6 +39,7 @@ public:
     PoseController& pose() { return pose_; }
     BranchController& branches() { return branches_; }
     TargetProvider& target() { return target_; }
+    TracingController& tracing() { return tracing_; }
     const SharedJudgement& judgement() const { return judgement_.current(); }
 
 private:
@@ -68,6 +72,9 @@ private:
     LookController look_;
     ReplayController replay_;
     JudgementController judgement_;
+    SliceController slices_;
+    TracingController tracing_;
+    TreeActions treeActions_;
     QTimer clock_;   ///< keeps "Autosaved 12 s ago" true
     bool exported_ = false;
 };

@@ -30,6 +30,7 @@ inline const Setting<bool> reduceMotion{"window/reduceMotion", false};
 inline const Setting<bool> noticeAccepted{"window/noticeAccepted", false};
 inline const Setting<double> overlayOpacity{"view/overlayOpacity", 0.9};
 inline const Setting<bool> identityHidden{"view/identityHidden", false};
+inline const Setting<int> cornerView{"view/corner", 0};   ///< 0: 3-D, then axial, coronal, sagittal
 inline const Setting<int> exportWidthPx{"export/widthPx", 1024};
 inline const Setting<bool> exportResiduals{"export/residuals", true};
 }   // namespace settings

@@ -13,10 +13,14 @@ QString text(const char* words, int n = -1)
     return QCoreApplication::translate("app::StepStates", words, nullptr, n);
 }
 
-StepState vessels(const core::RegistrationCase& current)
+StepState vessels(const core::RegistrationCase& current, const StepFacts& facts)
 {
     if (!current.tree) {
-        return {StepMark::Open, {}, text("Open a centreline: VTP, VTK, CSV or SWC.")};
+        return {StepMark::Open, {}, text("Open a CT angiogram, a segmentation, a surface or a centreline.")};
+    }
+    if (facts.treePieces > 1) {
+        return {StepMark::Look, text("%1 pieces").arg(facts.treePieces),
+                text("The vessels are in pieces. Below the branch list is how to join them.")};
     }
     const auto count = static_cast<int>(current.tree->branches.size());
     return {StepMark::Done, count == 1 ? text("1 branch") : text("%1 branches").arg(count), {}};
@@ -117,13 +121,8 @@ StepState review(const core::RegistrationCase& current)
 std::array<ui::StepState, ui::stepCount> stepStates(const core::RegistrationCase& current, const StepFacts& facts)
 {
     const StepState exported = facts.exported ? StepState{StepMark::Done, text("written"), {}} : StepState{};
-    return {vessels(current),
-            angiogram(current, facts),
-            geometry(current),
-            startPose(current),
-            registration(current, facts),
-            review(current),
-            exported};
+    return {vessels(current, facts),      angiogram(current, facts), geometry(current), startPose(current),
+            registration(current, facts), review(current),           exported};
 }
 
 }   // namespace app

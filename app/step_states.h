@@ -11,6 +11,7 @@ struct StepFacts {
     bool isTracing = false;
     bool isRunning = false;
     bool poseEdited = false;   ///< the pose differs from the start pose
+    int treePieces = 0;   ///< that do not touch one another; 0: not known yet
     bool exported = false;   ///< the pose as it is has been exported
 };
 

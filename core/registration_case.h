@@ -31,11 +31,16 @@ struct RegistrationCase {
 
     InputFile centerlineFile;   ///< centrelines, or what they are traced from; a folder for a DICOM series
     VesselInput vesselInput;   ///< what that file is, and how it is traced
-    std::shared_ptr<const Volume> volume;   ///< the scan the tree was traced from, or null
+    std::shared_ptr<const Volume> volume;   ///< the scan the tree was traced from or lies in, or null
+    InputFile scanFile;   ///< of `volume`, where the tree does not come from it
+    std::string scanSeriesId;   ///< of `scanFile`, where that is a DICOM folder
     StudyIdentity scanIdentity;   ///< of the patient in the scan, where it is DICOM
+    std::shared_ptr<const VoxelMask> lumen;   ///< the voxels the tree was traced from, or null
     std::shared_ptr<const VesselTree> tree;   ///< null until loaded
+    bool isTreeEdited = false;   ///< by hand: no longer what the file gives, so that the case keeps the tree itself
     std::vector<int> auxiliaryBranchIds;
     std::vector<int> excludedBranchIds;
+    std::vector<int> hiddenBranchIds;   ///< count, but are not drawn
 
     InputFile imageFile;
     std::shared_ptr<const Angiogram> angiogram;   ///< null until loaded

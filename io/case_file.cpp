@@ -53,8 +53,8 @@ CaseDocument examine(const std::string& text)
 /// The input that `path` is, if any.
 std::string inputAt(const RegistrationCase& registrationCase, const std::string& path)
 {
-    for (const core::InputFile* file :
-         {&registrationCase.centerlineFile, &registrationCase.imageFile, &registrationCase.targetFile}) {
+    for (const core::InputFile* file : {&registrationCase.centerlineFile, &registrationCase.scanFile,
+                                        &registrationCase.imageFile, &registrationCase.targetFile}) {
         std::error_code absent;
         if (!file->path.empty() && fs::equivalent(file->path, path, absent)) {
             return file->path;

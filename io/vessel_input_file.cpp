@@ -127,6 +127,11 @@ VesselInputKind kindOfVtk(const std::string& path)
 
 }   // namespace
 
+std::shared_ptr<const core::VoxelMask> sharedLumen(LoadedVessels& vessels)
+{
+    return vessels.lumen.voxels.empty() ? nullptr : std::make_shared<const core::VoxelMask>(std::move(vessels.lumen));
+}
+
 core::Result<VesselInputKind> vesselInputKindOf(const std::string& path)
 {
     if (std::filesystem::is_directory(path)) {

@@ -24,6 +24,9 @@ struct LoadedVessels {
     std::vector<std::string> warnings;
 };
 
+/// The lumen for keeping, moved out of `vessels`; null where there is none.
+std::shared_ptr<const core::VoxelMask> sharedLumen(LoadedVessels& vessels);
+
 /// What a file or folder offers as vessel input: told by content; a label image by its values, so the voxels are not
 /// read for it: volumes count as `Volume` unless the header calls them labels.
 core::Result<core::VesselInputKind> vesselInputKindOf(const std::string& path);

@@ -1,5 +1,7 @@
 #include "ui/main_window.h"
 
+#include "ui/slices/corner_views.h"
+#include "ui/slices/slices_page.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tree_view.h"
 
@@ -35,6 +37,10 @@ MainWindow::MainWindow(QWidget* parent)
       steps_(new StepBar),
       branches_(new BranchPanel),
       treeView_(new TreeView),
+      slices_(new SliceModel(this)),
+      corner_(new CornerViews(treeView_, *slices_)),
+      slicesPage_(new SlicesPage(*slices_)),
+      tracing_(new TracingPanel),
       angiogramView_(new AngiogramView),
       welcome_(new WelcomePage),
       centre_(new QStackedWidget),
@@ -69,20 +75,16 @@ MainWindow::MainWindow(QWidget* parent)
     setCentralWidget(central);
     setMinimumSize(900, 560);
     resize(1440, 900);
+    connectSlices();
     angiogramView_->setFocus();
     qApp->installEventFilter(this);
 }
 
 QWidget* MainWindow::makeLeftColumn()
 {
-    auto* tree = new QWidget;
-    auto* layout = new QVBoxLayout(tree);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(treeView_);
-    tree->setMinimumHeight(120);
+    corner_->setMinimumHeight(120);
     leftSplitter_->addWidget(column(branches_));
-    leftSplitter_->addWidget(column(tree));
+    leftSplitter_->addWidget(column(corner_));
     leftSplitter_->setStretchFactor(0, 3);
     leftSplitter_->setStretchFactor(1, 2);
     leftSplitter_->setSizes({420, 300});
@@ -101,6 +103,8 @@ QWidget* MainWindow::makeCentre()
     layout->addWidget(angiogramView_);
     centre_->addWidget(welcome_);
     centre_->addWidget(imageFrame_);
+    slicesPage_->setSidePanel(tracing_);
+    centre_->addWidget(slicesPage_);
     centre_->setMinimumWidth(320);
     return centre_;
 }
@@ -126,7 +130,29 @@ QWidget* MainWindow::makeRightColumn()
 
 void MainWindow::showImagePage()
 {
-    centre_->setCurrentWidget(imageFrame_);
+    centre_->setCurrentWidget(slicesLarge_ ? static_cast<QWidget*>(slicesPage_) : imageFrame_);
+}
+
+void MainWindow::setSlicesLarge(bool large)
+{
+    slicesLarge_ = large;
+    if (centre_->currentWidget() != welcome_) {
+        showImagePage();
+    }
+    QWidget* shown = large ? static_cast<QWidget*>(&slicesPage_->view(core::BodyPlane::Axial)) : angiogramView_;
+    shown->setFocus(Qt::OtherFocusReason);
+}
+
+void MainWindow::connectSlices()
+{
+    std::vector<SliceView*> views{&corner_->slice()};
+    for (const core::BodyPlane plane : core::bodyPlanes) {
+        views.push_back(&slicesPage_->view(plane));
+    }
+    for (SliceView* view : views) {
+        connect(view, &SliceView::pointPicked, this, &MainWindow::pointPicked);
+    }
+    connect(treeView_, &TreeView::pointPicked, this, &MainWindow::pointPicked);
 }
 
 void MainWindow::showWelcomePage()

@@ -9,6 +9,8 @@
 #include "ui/panels/result_panel.h"
 #include "ui/panels/step_bar.h"
 #include "ui/panels/welcome_page.h"
+#include "ui/slices/slice_model.h"
+#include "ui/slices/tracing_panel.h"
 #include "ui/window_actions.h"
 
 #include <QMainWindow>
@@ -20,6 +22,8 @@ class QStackedWidget;
 namespace ui {
 
 class AngiogramView;
+class CornerViews;
+class SlicesPage;
 class TreeView;
 
 /// Places views and panels. Knows no case: whoever owns it connects the parts.
@@ -30,6 +34,10 @@ public:
 
     AngiogramView& angiogramView() { return *angiogramView_; }
     TreeView& treeView() { return *treeView_; }
+    SliceModel& slices() { return *slices_; }
+    CornerViews& corner() { return *corner_; }
+    SlicesPage& slicesPage() { return *slicesPage_; }
+    TracingPanel& tracing() { return *tracing_; }
     HeaderBar& header() { return *header_; }
     StepBar& steps() { return *steps_; }
     BranchPanel& branches() { return *branches_; }
@@ -41,7 +49,8 @@ public:
     WelcomePage& welcome() { return *welcome_; }
     WindowActions& actions() { return *actions_; }
 
-    void showImagePage();
+    void showImagePage();   ///< the angiogram, or the slices while these are large
+    void setSlicesLarge(bool large);
     void showWelcomePage();
     void focusStep(Step step);   ///< brings the step's part of the window to the user
 
@@ -54,6 +63,8 @@ signals:
     void closeRequested();
     void hideKeyHeld(bool held);   ///< H pressed and released
     void escapePressed();
+    /// A left click (or Enter) in a slice, or on a branch in the 3-D view.
+    void pointPicked(const Eigen::Vector3d& pointInPatient);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -64,6 +75,7 @@ protected:
 private:
     QWidget* makeLeftColumn();
     QWidget* makeCentre();
+    void connectSlices();
     QWidget* makeRightColumn();
     bool takesKey(QObject* watched) const;
     bool filterKey(QEvent* event);
@@ -73,6 +85,10 @@ private:
     StepBar* steps_;
     BranchPanel* branches_;
     TreeView* treeView_;
+    SliceModel* slices_;
+    CornerViews* corner_;
+    SlicesPage* slicesPage_;
+    TracingPanel* tracing_;
     AngiogramView* angiogramView_;
     WelcomePage* welcome_;
     QStackedWidget* centre_;
@@ -85,6 +101,7 @@ private:
     BottomStrip* strip_;
     QSplitter* columns_;
     QSplitter* leftSplitter_;
+    bool slicesLarge_ = false;
     bool hideHeld_ = false;
     bool closeAllowed_ = false;
 };

@@ -11,7 +11,7 @@
 namespace ui {
 namespace {
 
-enum class Menu { File, Edit, Registration, View, Theme, Help };
+enum class Menu { File, Edit, Vessels, Registration, View, Theme, Help };
 enum class Kind { Plain, Switch };
 
 struct ActionRow {
@@ -50,6 +50,26 @@ const std::vector<ActionRow>& rows()
         {Command::ToggleExcluded, Menu::Edit,
          QT_TRANSLATE_NOOP("ui::WindowActions", "Exclude or include selected branches"), "X"},
         {Command::SelectAll, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Select all branches"), "Ctrl+A"},
+        {Command::TraceScan, Menu::Vessels, QT_TRANSLATE_NOOP("ui::WindowActions", "Trace the scan again"), "Ctrl+T"},
+        {Command::FindBranch, Menu::Vessels, QT_TRANSLATE_NOOP("ui::WindowActions", "Find a branch"), "Ctrl+F"},
+        {Command::RenameBranch, Menu::Vessels, QT_TRANSLATE_NOOP("ui::WindowActions", "Rename branch"), "F2"},
+        {Command::CutBranch, Menu::Vessels, QT_TRANSLATE_NOOP("ui::WindowActions", "Cut branch at the cross-hair"),
+         "Ctrl+K"},
+        {Command::JoinBranches, Menu::Vessels, QT_TRANSLATE_NOOP("ui::WindowActions", "Join two branches"), "Ctrl+J"},
+        {Command::SmoothBranches, Menu::Vessels, QT_TRANSLATE_NOOP("ui::WindowActions", "Smooth branches"), "Ctrl+M"},
+        {Command::RootAtBranch, Menu::Vessels,
+         QT_TRANSLATE_NOOP("ui::WindowActions", "Root at the branch's end near the cross-hair"), "Ctrl+Home"},
+        {Command::HideBranches, Menu::Vessels, QT_TRANSLATE_NOOP("ui::WindowActions", "Hide or show branches"),
+         "Shift+H"},
+        {Command::ShowAllBranches, Menu::Vessels, QT_TRANSLATE_NOOP("ui::WindowActions", "Show all branches"),
+         "Ctrl+Shift+H"},
+        {Command::DeleteBranches, Menu::Vessels, QT_TRANSLATE_NOOP("ui::WindowActions", "Delete branches"), "Delete"},
+        {Command::DeleteSubtrees, Menu::Vessels,
+         QT_TRANSLATE_NOOP("ui::WindowActions", "Delete branches and what leaves them"), "Shift+Delete"},
+        {Command::PruneTree, Menu::Vessels, QT_TRANSLATE_NOOP("ui::WindowActions", "Prune short or thin branches …"),
+         "Ctrl+P"},
+        {Command::MendGap, Menu::Vessels, QT_TRANSLATE_NOOP("ui::WindowActions", "Join the pieces at the next gap"),
+         "Ctrl+G"},
         {Command::Register, Menu::Registration, QT_TRANSLATE_NOOP("ui::WindowActions", "Register"), "R"},
         {Command::Stop, Menu::Registration, QT_TRANSLATE_NOOP("ui::WindowActions", "Stop and keep the best pose"),
          "Shift+R"},
@@ -83,6 +103,10 @@ const std::vector<ActionRow>& rows()
         {Command::HideIdentity, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Hide patient identity"), "Shift+P",
          Kind::Switch},
         {Command::ResetTreeView, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Reset 3-D view"), "3"},
+        {Command::NextCornerView, Menu::View,
+         QT_TRANSLATE_NOOP("ui::WindowActions", "3-D, axial, coronal, sagittal below the branches"), "2"},
+        {Command::SlicesLarge, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Slices instead of the angiogram"),
+         "M", Kind::Switch},
         {Command::FullScreen, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Full screen"), "F11", Kind::Switch},
         {Command::ReduceMotion, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Reduce motion"), "", Kind::Switch},
         {Command::ThemeDark, Menu::Theme, QT_TRANSLATE_NOOP("ui::WindowActions", "Dark"), "", Kind::Switch},
@@ -125,6 +149,21 @@ constexpr std::array viewNotes{
             QT_TRANSLATE_NOOP("ui::WindowActions", "pick a branch (Ctrl adds)")},
 };
 
+constexpr std::array sliceNotes{
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "click, left drag, Ctrl+arrows"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "cross-hair, linked with all views")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "Enter"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "picks the point at the cross-hair, as a click does")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "wheel, ↑ ↓, PgUp PgDn"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "slices (Shift 10)")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "right drag"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "window and level; a right click opens the menu")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "middle drag, Ctrl+wheel"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "pan and zoom")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "double click"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "all slices large, and back")},
+};
+
 QString translated(const char* text)
 {
     return QCoreApplication::translate("ui::WindowActions", text);
@@ -147,7 +186,8 @@ bool startsGroup(Command command)
 {
     return command == Command::Save || command == Command::ExportOverlay || command == Command::Close ||
            command == Command::Nudge || command == Command::ToggleAuxiliary || command == Command::Outline ||
-           command == Command::Cine || command == Command::FullScreen;
+           command == Command::Cine || command == Command::RenameBranch || command == Command::DeleteBranches ||
+           command == Command::FullScreen;
 }
 
 }   // namespace
@@ -175,6 +215,7 @@ void WindowActions::fillMenus(QMenuBar* menuBar)
     std::map<Menu, QMenu*> menus;
     menus[Menu::File] = menuBar->addMenu(tr("&File"));
     menus[Menu::Edit] = menuBar->addMenu(tr("&Edit"));
+    menus[Menu::Vessels] = menuBar->addMenu(tr("&Vessels"));
     menus[Menu::Registration] = menuBar->addMenu(tr("&Registration"));
     menus[Menu::View] = menuBar->addMenu(tr("&View"));
     menus[Menu::Help] = menuBar->addMenu(tr("&Help"));
@@ -204,6 +245,7 @@ std::vector<KeyLine> WindowActions::keySheet() const
     }
     addNotes(lines, tr("In nudge mode"), nudgeNotes);
     addNotes(lines, tr("On the angiogram"), viewNotes);
+    addNotes(lines, tr("On a slice"), sliceNotes);
     return lines;
 }
 

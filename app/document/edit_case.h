@@ -17,12 +17,24 @@ using MovePose = SetFields<&RegistrationCase::cameraFromPatient, &RegistrationCa
 using ShowFrame = SetFields<&RegistrationCase::frame>;
 using ChooseAuxiliary = SetFields<&RegistrationCase::auxiliaryBranchIds>;
 using ExcludeBranches = SetFields<&RegistrationCase::excludedBranchIds, &RegistrationCase::result>;
+using HideBranches = SetFields<&RegistrationCase::hiddenBranchIds>;
+using RelabelTree = SetFields<&RegistrationCase::tree, &RegistrationCase::isTreeEdited>;
+using EditTree =
+    SetFields<&RegistrationCase::tree, &RegistrationCase::isTreeEdited, &RegistrationCase::auxiliaryBranchIds,
+              &RegistrationCase::excludedBranchIds, &RegistrationCase::hiddenBranchIds,
+              &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
+using TraceTree = SetFields<&RegistrationCase::vesselInput, &RegistrationCase::lumen, &RegistrationCase::tree,
+                            &RegistrationCase::isTreeEdited, &RegistrationCase::auxiliaryBranchIds,
+                            &RegistrationCase::excludedBranchIds, &RegistrationCase::hiddenBranchIds,
+                            &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
 using ChangeOptions = SetFields<&RegistrationCase::options>;
 using ChangeGeometry = SetFields<&RegistrationCase::cArm, &RegistrationCase::cameraOverride,
                                  &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
 using JoinInputs =
     SetFields<&RegistrationCase::title, &RegistrationCase::centerlineFile, &RegistrationCase::vesselInput,
-              &RegistrationCase::volume, &RegistrationCase::scanIdentity, &RegistrationCase::tree,
+              &RegistrationCase::volume, &RegistrationCase::scanFile, &RegistrationCase::scanSeriesId,
+              &RegistrationCase::scanIdentity, &RegistrationCase::lumen, &RegistrationCase::tree,
+              &RegistrationCase::isTreeEdited, &RegistrationCase::hiddenBranchIds,
               &RegistrationCase::auxiliaryBranchIds, &RegistrationCase::excludedBranchIds, &RegistrationCase::imageFile,
               &RegistrationCase::angiogram, &RegistrationCase::frame, &RegistrationCase::targetFile,
               &RegistrationCase::givenTarget, &RegistrationCase::cArm, &RegistrationCase::cameraOverride,
@@ -31,6 +43,18 @@ using JoinInputs =
 /// The edit that makes the document's case like `wanted`, geometry only.
 std::unique_ptr<QUndoCommand> changeGeometry(CaseDocument& document, const RegistrationCase& wanted,
                                              const QString& text);
+
+/// The edit that puts an edited tree into the case. Marks of branches that are gone go too; a pose at the start stays
+/// there; what the last run said no longer holds.
+std::unique_ptr<QUndoCommand> editTree(CaseDocument& document, core::VesselTree tree, const QString& text);
+
+/// The edit that puts a newly traced tree into the case, with how it was traced.
+struct TracedTree {
+    core::VesselInput input;
+    std::shared_ptr<const core::VoxelMask> lumen;
+    std::shared_ptr<const core::VesselTree> tree;
+};
+std::unique_ptr<QUndoCommand> takeTrace(CaseDocument& document, const TracedTree& traced, const QString& text);
 
 /// The edit that takes over the inputs of `wanted` and all that hangs on them.
 std::unique_ptr<QUndoCommand> joinInputs(CaseDocument& document, const RegistrationCase& wanted, const QString& text);

@@ -151,6 +151,7 @@ void BranchController::followDocument()
     ui::BranchMarks marks = marks_;
     marks.auxiliary = {current.auxiliaryBranchIds.begin(), current.auxiliaryBranchIds.end()};
     marks.excluded = {current.excludedBranchIds.begin(), current.excludedBranchIds.end()};
+    marks.hidden = {current.hiddenBranchIds.begin(), current.hiddenBranchIds.end()};
     std::erase_if(marks.selected, [&current](int id) { return !current.tree || !current.tree->find(id); });
     if (marks.hovered && (!current.tree || !current.tree->find(*marks.hovered))) {
         marks.hovered.reset();

@@ -5,13 +5,44 @@
 namespace app {
 namespace {
 
+/// Whether most of a tree lies within a scan: then it is of this scan, however it was made.
+bool liesIn(const core::VolumeGeometry& scan, const core::VesselTree& tree)
+{
+    const Eigen::Affine3d voxelFromPatient = scan.patientFromVoxel().inverse();
+    std::size_t inside = 0;
+    for (const core::VesselBranch& branch : tree.branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            inside += scan.contains((voxelFromPatient * point).array().round().cast<int>()) ? 1 : 0;
+        }
+    }
+    return 2 * inside > tree.pointCount();
+}
+
+/// The scan of the case stays beside vessels that come from elsewhere but lie in it.
+void putScan(core::RegistrationCase& target, const LoadedInputs& inputs)
+{
+    if (!inputs.volume && target.volume && liesIn(target.volume->geometry, *inputs.tree)) {
+        if (target.vesselInput.kind == core::VesselInputKind::Volume) {
+            target.scanFile = target.centerlineFile;
+            target.scanSeriesId = target.vesselInput.seriesId;
+        }
+        return;
+    }
+    target.volume = inputs.volume;
+    target.scanIdentity = inputs.scanIdentity;
+    target.scanFile = {};
+    target.scanSeriesId.clear();
+}
+
 void putTree(core::RegistrationCase& target, const LoadedInputs& inputs)
 {
+    putScan(target, inputs);
     target.tree = inputs.tree;
     target.centerlineFile = inputs.centerlineFile;
     target.vesselInput = inputs.vesselInput;
-    target.volume = inputs.volume;
-    target.scanIdentity = inputs.scanIdentity;
+    target.lumen = inputs.lumen;
+    target.isTreeEdited = false;
+    target.hiddenBranchIds.clear();
     target.auxiliaryBranchIds.clear();
     target.excludedBranchIds.clear();
 }

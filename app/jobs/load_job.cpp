@@ -63,6 +63,7 @@ core::Status addVessels(LoadedInputs& inputs, const QString& path, const QString
     io::LoadedVessels vessels = std::move(read).value();
     inputs.tree = std::make_shared<core::VesselTree>(std::move(vessels.tree));
     inputs.volume = vessels.volume;
+    inputs.lumen = io::sharedLumen(vessels);
     inputs.scanIdentity = vessels.identity;
     inputs.vesselInput = vessels.input;
     inputs.warnings.insert(inputs.warnings.end(), vessels.warnings.begin(), vessels.warnings.end());

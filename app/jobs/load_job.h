@@ -20,6 +20,7 @@ struct LoadedInputs {
     core::InputFile centerlineFile;
     core::VesselInput vesselInput;
     std::shared_ptr<const core::Volume> volume;
+    std::shared_ptr<const core::VoxelMask> lumen;
     core::StudyIdentity scanIdentity;
     std::shared_ptr<const core::VesselTree> tree;
     core::InputFile imageFile;

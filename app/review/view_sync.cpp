@@ -74,7 +74,7 @@ void ViewSync::refresh()
     if (current.angiogram != shownAngiogram_) {
         showAngiogram();
     }
-    if (current.tree != shownTree_) {
+    if (current.tree != shownTree_ || current.hiddenBranchIds != shownHidden_) {
         showTree();
     }
     showCamera();
@@ -96,12 +96,14 @@ void ViewSync::refresh()
 void ViewSync::showTree()
 {
     shownTree_ = document_.current().tree;
+    shownHidden_ = document_.current().hiddenBranchIds;
     const core::VesselTree tree = shownTree_ ? *shownTree_ : core::VesselTree{};
+    const core::VesselTree drawn = core::without(tree, shownHidden_);
     ui::AngiogramView& view = window_.angiogramView();
     view.scene().clearResiduals();
-    view.scene().setTree(tree);
+    view.scene().setTree(drawn);
     view.setPivot(shownTree_ ? core::centroidInPatient(tree) : Eigen::Vector3d::Zero());
-    window_.treeView().scene().setTree(tree);
+    window_.treeView().scene().setTree(drawn);
     window_.branches().showTree(tree);
 }
 
@@ -174,6 +176,7 @@ void ViewSync::showMarks(const ui::BranchMarks& marks)
     window_.treeView().scene().setMarks(marks);
     window_.treeView().requestRender();
     window_.branches().showMarks(marks);
+    window_.slices().setMarks(marks);
     window_.registration().showAuxiliary(static_cast<int>(marks.auxiliary.size()));
 }
 

@@ -50,6 +50,7 @@ private:
     ui::MainWindow& window_;
     const CaseDocument& document_;
     std::shared_ptr<const core::VesselTree> shownTree_;
+    std::vector<int> shownHidden_;
     std::shared_ptr<const core::Angiogram> shownAngiogram_;
     std::optional<core::ProjectionCamera> shownCamera_;
     int shownFrame_ = -1;

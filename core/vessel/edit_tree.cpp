@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -82,6 +83,11 @@ VesselBranch reversedBranch(VesselBranch branch)
     std::reverse(branch.pointsInPatient.begin(), branch.pointsInPatient.end());
     std::reverse(branch.radiusMm.begin(), branch.radiusMm.end());
     return branch;
+}
+
+const Eigen::Vector3d& endOf(const VesselBranch& branch, bool atBack)
+{
+    return atBack ? branch.pointsInPatient.back() : branch.pointsInPatient.front();
 }
 
 /// Points on the straight way between two ends, as dense as the branch that is continued.
@@ -165,29 +171,40 @@ Result<VesselTree> cutAt(const VesselTree& tree, int branchId, std::size_t point
 
 Result<VesselTree> joined(const VesselTree& tree, int firstId, int secondId)
 {
-    if (tree.find(firstId) == nullptr || tree.find(secondId) == nullptr) {
-        return noSuchBranch(tree.find(firstId) == nullptr ? firstId : secondId);
+    const VesselBranch* first = tree.find(firstId);
+    const VesselBranch* second = tree.find(secondId);
+    if (first == nullptr || second == nullptr) {
+        return noSuchBranch(first == nullptr ? firstId : secondId);
     }
-    if (firstId == secondId) {
+    BranchEnd from{firstId, true};
+    BranchEnd to{secondId, false};
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const bool firstBack : {true, false}) {
+        for (const bool secondBack : {false, true}) {
+            const double way = (endOf(*first, firstBack) - endOf(*second, secondBack)).norm();
+            if (way < shortest) {
+                shortest = way;
+                from.atBack = firstBack;
+                to.atBack = secondBack;
+            }
+        }
+    }
+    return joinedOver(tree, from, to);
+}
+
+Result<VesselTree> joinedOver(const VesselTree& tree, const BranchEnd& first, const BranchEnd& second)
+{
+    if (tree.find(first.branchId) == nullptr || tree.find(second.branchId) == nullptr) {
+        return noSuchBranch(tree.find(first.branchId) == nullptr ? first.branchId : second.branchId);
+    }
+    if (first.branchId == second.branchId) {
         return Error{"A branch cannot be joined to itself. Choose two branches."};
     }
-    VesselTree result = without(tree, {secondId});
-    VesselBranch& stays = *findBranch(result, firstId);
-    VesselBranch whole = stays;
-    VesselBranch other = *tree.find(secondId);
-    const auto apart = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).norm(); };
-    const double fromFront = std::min(apart(whole.pointsInPatient.front(), other.pointsInPatient.front()),
-                                      apart(whole.pointsInPatient.front(), other.pointsInPatient.back()));
-    const double fromBack = std::min(apart(whole.pointsInPatient.back(), other.pointsInPatient.front()),
-                                     apart(whole.pointsInPatient.back(), other.pointsInPatient.back()));
-    const bool isTurned = fromFront < fromBack;
-    if (isTurned) {
-        whole = reversedBranch(std::move(whole));
-    }
-    const Eigen::Vector3d end = whole.pointsInPatient.back();
-    if (apart(end, other.pointsInPatient.back()) < apart(end, other.pointsInPatient.front())) {
-        other = reversedBranch(std::move(other));
-    }
+    VesselTree result = without(tree, {second.branchId});
+    VesselBranch& stays = *findBranch(result, first.branchId);
+    VesselBranch whole = first.atBack ? stays : reversedBranch(stays);
+    VesselBranch other = *tree.find(second.branchId);
+    other = second.atBack ? reversedBranch(std::move(other)) : std::move(other);
     const bool bothHaveRadii = hasRadii(whole) && hasRadii(other);
     if (!bothHaveRadii) {
         whole.radiusMm.clear();
@@ -195,14 +212,42 @@ Result<VesselTree> joined(const VesselTree& tree, int firstId, int secondId)
     }
     bridge(whole, other.pointsInPatient.front(),
            bothHaveRadii ? std::optional<double>(other.radiusMm.front()) : std::nullopt);
-    const std::ptrdiff_t skip = apart(whole.pointsInPatient.back(), other.pointsInPatient.front()) < 1e-6 ? 1 : 0;
+    const double step = (whole.pointsInPatient.back() - other.pointsInPatient.front()).norm();
+    const std::ptrdiff_t skip = step < 1e-6 ? 1 : 0;
     whole.pointsInPatient.insert(whole.pointsInPatient.end(), other.pointsInPatient.begin() + skip,
                                  other.pointsInPatient.end());
     if (bothHaveRadii) {
         whole.radiusMm.insert(whole.radiusMm.end(), other.radiusMm.begin() + skip, other.radiusMm.end());
     }
-    stays = isTurned ? reversedBranch(std::move(whole)) : std::move(whole);
+    stays = first.atBack ? std::move(whole) : reversedBranch(std::move(whole));
     return result;
+}
+
+Result<VesselTree> extendedTo(const VesselTree& tree, const BranchEnd& end, const Eigen::Vector3d& pointInPatient)
+{
+    VesselTree result = tree;
+    VesselBranch* branch = findBranch(result, end.branchId);
+    if (branch == nullptr) {
+        return noSuchBranch(end.branchId);
+    }
+    VesselBranch longer = end.atBack ? *branch : reversedBranch(*branch);
+    const bool knowsRadii = hasRadii(longer);
+    bridge(longer, pointInPatient, knowsRadii ? std::optional(longer.radiusMm.back()) : std::nullopt);
+    longer.pointsInPatient.push_back(pointInPatient);
+    if (knowsRadii) {
+        longer.radiusMm.push_back(longer.radiusMm.back());
+    }
+    *branch = end.atBack ? std::move(longer) : reversedBranch(std::move(longer));
+    return result;
+}
+
+std::size_t nearestPoint(const VesselTree& tree, int branchId, const Eigen::Vector3d& pointInPatient)
+{
+    const auto& points = tree.find(branchId)->pointsInPatient;
+    const auto nearest = std::min_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+        return (a - pointInPatient).squaredNorm() < (b - pointInPatient).squaredNorm();
+    });
+    return static_cast<std::size_t>(nearest - points.begin());
 }
 
 Result<VesselTree> smoothedBranch(const VesselTree& tree, int branchId, double widthMm)
@@ -236,6 +281,17 @@ Result<VesselTree> renamed(const VesselTree& tree, int branchId, const std::stri
         return noSuchBranch(branchId);
     }
     branch->name = name;
+    return result;
+}
+
+Result<VesselTree> withGeneration(const VesselTree& tree, int branchId, int generation)
+{
+    VesselTree result = tree;
+    VesselBranch* branch = findBranch(result, branchId);
+    if (branch == nullptr) {
+        return noSuchBranch(branchId);
+    }
+    branch->generation = std::max(-1, generation);
     return result;
 }
 

@@ -28,9 +28,27 @@ Result<VesselTree> cutAt(const VesselTree& tree, int branchId, std::size_t point
 /// Two branches made one over their nearest ends: id, name and direction of the first; the gap is bridged straight.
 Result<VesselTree> joined(const VesselTree& tree, int firstId, int secondId);
 
+/// An end of a branch: its first or its last point.
+struct BranchEnd {
+    int branchId = 0;
+    bool atBack = true;
+};
+
+/// As `joined`, over the ends given.
+Result<VesselTree> joinedOver(const VesselTree& tree, const BranchEnd& first, const BranchEnd& second);
+
+/// The branch led on from one of its ends, straight, to a point: of another branch that it then touches.
+Result<VesselTree> extendedTo(const VesselTree& tree, const BranchEnd& end, const Eigen::Vector3d& pointInPatient);
+
 /// The branch as a smoothing spline: bends narrower than about `widthMm` are taken out; its ends stay.
 Result<VesselTree> smoothedBranch(const VesselTree& tree, int branchId, double widthMm);
 
+/// Index of the branch's point nearest to a place; the branch must exist.
+std::size_t nearestPoint(const VesselTree& tree, int branchId, const Eigen::Vector3d& pointInPatient);
+
 Result<VesselTree> renamed(const VesselTree& tree, int branchId, const std::string& name);
+
+/// The branch counted as of a generation; −1: unknown.
+Result<VesselTree> withGeneration(const VesselTree& tree, int branchId, int generation);
 
 }   // namespace core

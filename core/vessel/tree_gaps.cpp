@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 
 namespace core {
 namespace {
@@ -122,6 +123,25 @@ std::vector<TreeGap> findGaps(const VesselTree& tree, double longestMm)
     std::stable_sort(gaps.begin(), gaps.end(),
                      [](const TreeGap& a, const TreeGap& b) { return worthOf(a) > worthOf(b); });
     return gaps;
+}
+
+int pieceCount(const VesselTree& tree)
+{
+    const std::vector<std::size_t> piece = piecesOf(tree);
+    return static_cast<int>(std::set<std::size_t>(piece.begin(), piece.end()).size());
+}
+
+Result<VesselTree> mended(const VesselTree& tree, const TreeGap& gap)
+{
+    const auto endAt = [&tree](int branchId, const Eigen::Vector3d& point) {
+        const VesselBranch* branch = tree.find(branchId);
+        const bool isFront = branch != nullptr && (branch->pointsInPatient.front() - point).norm() <
+                                                      (branch->pointsInPatient.back() - point).norm();
+        return BranchEnd{branchId, !isFront};
+    };
+    const BranchEnd from = endAt(gap.fromBranchId, gap.fromInPatient);
+    return gap.toIsEnd ? joinedOver(tree, from, endAt(gap.toBranchId, gap.toInPatient))
+                       : extendedTo(tree, from, gap.toInPatient);
 }
 
 }   // namespace core

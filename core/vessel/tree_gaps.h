@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/support/result.h"
 #include "core/vessel/vessel_tree.h"
 
 #include <vector>
@@ -20,5 +21,12 @@ struct TreeGap {
 /// Where a tree that is in pieces is best mended: for each piece but the largest the most plausible gap to another one,
 /// the most plausible first (near, and straight on). Gaps longer than `longestMm` are no gaps.
 std::vector<TreeGap> findGaps(const VesselTree& tree, double longestMm = 25.0);
+
+/// How many pieces do not touch one another.
+int pieceCount(const VesselTree& tree);
+
+/// The tree with a gap closed: the two branches become one where both end there (see `joinedOver`), else the one is led
+/// on to the other's side.
+Result<VesselTree> mended(const VesselTree& tree, const TreeGap& gap);
 
 }   // namespace core

@@ -1,6 +1,7 @@
 #include "io/case/case_document.h"
 #include "io/case/known_keys.h"
 #include "io/case/option_values.h"
+#include "io/case/tree_values.h"
 #include "io/case/vessel_key.h"
 #include "io/support/json_text.h"
 #include "io/support/pose_matrix.h"
@@ -88,12 +89,46 @@ core::VesselTracingOptions tracingOptions(const Json& json)
     return options;
 }
 
+/// The tree as the user left it: it stands for what the input gives.
+void readEditedTree(const Json& vessel, CaseDocument& document)
+{
+    const Json& edited = member(vessel, "editedTree");
+    if (!edited.is_object()) {
+        return;
+    }
+    auto tree = treeFromJson(edited.dump());
+    if (!tree) {
+        document.problems.push_back("vessel.editedTree: " + tree.error().message +
+                                    " Remove the key to go back to the vessels as they were before the edits.");
+        return;
+    }
+    document.values.tree = std::make_shared<const core::VesselTree>(std::move(tree).value());
+    document.values.isTreeEdited = true;
+}
+
+std::string seriesIdOf(const Json& input)
+{
+    return member(input, "dicom").is_object() ? input["dicom"].value("seriesInstanceUid", "") : "";
+}
+
+/// A volume beside vessels of another kind is the scan they lie in.
+void readScan(const Json& vessel, core::RegistrationCase& values)
+{
+    const Json& scan = member(vessel, vesselKey(core::VesselInputKind::Volume));
+    if (values.vesselInput.kind != core::VesselInputKind::Volume && scan.is_object()) {
+        values.scanFile = inputFile(scan);
+        values.scanSeriesId = seriesIdOf(scan);
+    }
+}
+
 /// The first of the four kinds that the case names; centrelines before what they would be traced from.
 void readVessel(const Json& vessel, CaseDocument& document)
 {
     core::RegistrationCase& values = document.values;
     values.auxiliaryBranchIds = vessel.value("auxiliaryBranches", std::vector<int>());
     values.excludedBranchIds = vessel.value("excludedBranches", std::vector<int>());
+    values.hiddenBranchIds = vessel.value("hiddenBranches", std::vector<int>());
+    readEditedTree(vessel, document);
     values.vesselInput.labels = vessel.value("labels", std::vector<int>());
     values.vesselInput.unitMm = vessel.value("unitMm", 1.0);
     values.vesselInput.tracing = tracingOptions(member(vessel, "tracing"));
@@ -102,8 +137,8 @@ void readVessel(const Json& vessel, CaseDocument& document)
         if (input.is_object()) {
             values.centerlineFile = inputFile(input);
             values.vesselInput.kind = kind;
-            values.vesselInput.seriesId =
-                member(input, "dicom").is_object() ? input["dicom"].value("seriesInstanceUid", "") : "";
+            values.vesselInput.seriesId = seriesIdOf(input);
+            readScan(vessel, values);
             return;
         }
     }

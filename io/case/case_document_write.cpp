@@ -1,5 +1,6 @@
 #include "io/case/case_document.h"
 #include "io/case/option_values.h"
+#include "io/case/tree_values.h"
 #include "io/case/vessel_key.h"
 #include "io/support/json_text.h"
 #include "io/support/pose_matrix.h"
@@ -91,6 +92,13 @@ Json vesselJson(const core::RegistrationCase& registrationCase, const std::files
     if (!input.seriesId.empty()) {
         file["dicom"]["seriesInstanceUid"] = input.seriesId;
     }
+    if (input.kind != core::VesselInputKind::Volume && !registrationCase.scanFile.path.empty()) {
+        Json& scan = vessel[vesselKey(core::VesselInputKind::Volume)];
+        scan = fileJson(registrationCase.scanFile, folder);
+        if (!registrationCase.scanSeriesId.empty()) {
+            scan["dicom"]["seriesInstanceUid"] = registrationCase.scanSeriesId;
+        }
+    }
     if (input.kind != core::VesselInputKind::Centerline) {
         vessel["tracing"] = tracingJson(input.tracing);
     }
@@ -102,6 +110,12 @@ Json vesselJson(const core::RegistrationCase& registrationCase, const std::files
     }
     vessel["auxiliaryBranches"] = registrationCase.auxiliaryBranchIds;
     vessel["excludedBranches"] = registrationCase.excludedBranchIds;
+    if (!registrationCase.hiddenBranchIds.empty()) {
+        vessel["hiddenBranches"] = registrationCase.hiddenBranchIds;
+    }
+    if (registrationCase.isTreeEdited && registrationCase.tree) {
+        vessel["editedTree"] = Json::parse(treeJson(*registrationCase.tree));
+    }
     return vessel;
 }
 

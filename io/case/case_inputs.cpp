@@ -6,6 +6,7 @@
 #include "io/file_hash.h"
 #include "io/support/file_error.h"
 #include "io/vessel_input_file.h"
+#include "io/volume_file.h"
 
 #include <filesystem>
 
@@ -36,8 +37,57 @@ core::Status checkHash(core::InputFile& file, core::Result<std::string> hash, st
     return core::Done{};
 }
 
+/// The scan that vessels of another origin lie in: good to have, but the case opens without it.
+void readScan(RegistrationCase& values, std::vector<std::string>& warnings)
+{
+    if (values.scanFile.path.empty()) {
+        return;
+    }
+    auto read = readVolume(values.scanFile.path, values.scanSeriesId);
+    if (!read) {
+        warnings.push_back(read.error().message);
+        return;
+    }
+    LoadedVolume scan = std::move(read).value();
+    values.scanIdentity = scan.identity;
+    values.volume = std::make_shared<const core::Volume>(std::move(scan.volume));
+    core::VesselInput input;
+    input.kind = core::VesselInputKind::Volume;
+    input.seriesId = values.scanSeriesId;
+    if (const auto checked = checkHash(values.scanFile, sha256OfVesselInput(values.scanFile.path, input), warnings);
+        !checked) {
+        warnings.push_back(checked.error().message);
+    }
+}
+
+/// What an edited tree came from: its scan is read for the slices. The tree is the case's own, so that it opens
+/// without.
+void readOrigin(RegistrationCase& values, std::vector<std::string>& warnings, const ReadObserver& observe)
+{
+    const std::string& path = values.centerlineFile.path;
+    if (values.vesselInput.kind == core::VesselInputKind::Volume) {
+        if (auto read = readVolume(path, values.vesselInput.seriesId, observe)) {
+            LoadedVolume scan = std::move(read).value();
+            values.scanIdentity = scan.identity;
+            values.volume = std::make_shared<const core::Volume>(std::move(scan.volume));
+        } else {
+            warnings.push_back(read.error().message);
+        }
+    }
+    const core::InputFile noted = values.centerlineFile;
+    if (const auto checked = checkHash(values.centerlineFile, sha256OfVesselInput(path, values.vesselInput), warnings);
+        !checked) {
+        values.centerlineFile = noted;
+        warnings.push_back(checked.error().message + " The edited vessels are in the case; it opens without the file.");
+    }
+}
+
 core::Status readVesselInput(RegistrationCase& values, std::vector<std::string>& warnings, const ReadObserver& observe)
 {
+    if (values.isTreeEdited) {
+        readOrigin(values, warnings, observe);
+        return core::Done{};
+    }
     auto read = readVessels(values.centerlineFile.path, values.vesselInput, observe);
     if (!read) {
         return read.error();
@@ -45,6 +95,7 @@ core::Status readVesselInput(RegistrationCase& values, std::vector<std::string>&
     LoadedVessels vessels = std::move(read).value();
     values.vesselInput = vessels.input;
     values.volume = vessels.volume;
+    values.lumen = sharedLumen(vessels);
     values.scanIdentity = vessels.identity;
     values.tree = std::make_shared<const core::VesselTree>(std::move(vessels.tree));
     warnings.insert(warnings.end(), vessels.warnings.begin(), vessels.warnings.end());
@@ -57,6 +108,7 @@ core::Status readInputs(RegistrationCase& values, std::vector<std::string>& warn
     if (auto read = readVesselInput(values, warnings, partOf(observe, 0.0, 0.9)); !read) {
         return read;
     }
+    readScan(values, warnings);
     auto angiogram = io::readAngiogram(values.imageFile.path);
     if (!angiogram) {
         return angiogram.error();
@@ -151,6 +203,7 @@ core::Status complete(CaseDocument& document, std::vector<std::string>& warnings
     fillFromHeader(values.cArm, angiogram.cArm);
     dropUnknownBranches(values.auxiliaryBranchIds, *values.tree, "auxiliaryBranches", warnings);
     dropUnknownBranches(values.excludedBranchIds, *values.tree, "excludedBranches", warnings);
+    dropUnknownBranches(values.hiddenBranchIds, *values.tree, "hiddenBranches", warnings);
     if (!document.hasCurrentPose) {
         const auto start = core::startPoseOf(values);
         if (!start) {
@@ -168,6 +221,7 @@ void makePathsAbsolute(RegistrationCase& values, const std::string& casePath)
 {
     const fs::path folder = fs::absolute(casePath).parent_path();
     makeAbsolute(values.centerlineFile, folder);
+    makeAbsolute(values.scanFile, folder);
     makeAbsolute(values.imageFile, folder);
     makeAbsolute(values.targetFile, folder);
 }

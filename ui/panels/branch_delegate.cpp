@@ -15,6 +15,8 @@ constexpr int margin = 14;
 constexpr int residualWidth = 44;
 constexpr int pillWidth = 40;
 constexpr int crossWidth = 20;
+constexpr int nameIndent = 20;
+constexpr int generationWidth = 30;
 
 void paintBackground(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index)
 {
@@ -32,11 +34,11 @@ void paintBackground(QPainter& painter, const QStyleOptionViewItem& option, cons
 QColor residualTone(const QModelIndex& index)
 {
     const QVariant residual = index.data(BranchModel::ResidualRole);
-    const auto* model = static_cast<const BranchModel*>(index.model());
-    if (!residual.isValid() || model->scaleMaximumMm() <= 0.0) {
+    const double scaleMm = index.data(BranchModel::ResidualScaleRole).toDouble();
+    if (!residual.isValid() || scaleMm <= 0.0) {
         return toQColor(activePalette().hint);
     }
-    return toQColor(residualColor(std::clamp(residual.toDouble() / model->scaleMaximumMm(), 0.0, 1.0)));
+    return toQColor(residualColor(std::clamp(residual.toDouble() / scaleMm, 0.0, 1.0)));
 }
 
 /// The tone as text: deep enough to be read on the light theme's paper.
@@ -77,7 +79,24 @@ void paintCross(QPainter& painter, const QRect& area, bool excluded)
     painter.drawLine(centre + QPointF(-3.5, 3.5), centre + QPointF(3.5, -3.5));
 }
 
+/// From behind the chip to the generation.
+QRect nameRectIn(const QStyleOptionViewItem& option, int right)
+{
+    const int left = option.rect.left() + margin + nameIndent;
+    return {left, option.rect.top(), right - left - generationWidth, option.rect.height()};
+}
+
+int lengthWidthOf(const QStyleOptionViewItem& option)
+{
+    return option.fontMetrics.horizontalAdvance(QStringLiteral("0000 mm"));
+}
+
 }   // namespace
+
+void BranchDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex&) const
+{
+    editor->setGeometry(nameRectIn(option, auxiliaryRect(option.rect).left()).adjusted(-6, 1, generationWidth, -1));
+}
 
 void BranchDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const
 {
@@ -92,20 +111,27 @@ void BranchDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
 
     const QRect pill = auxiliaryRect(row);
     const QString length = tr("%1 mm").arg(index.data(BranchModel::LengthRole).toDouble(), 0, 'f', 0);
-    const int lengthWidth = option.fontMetrics.horizontalAdvance(QStringLiteral("0000 mm"));
+    const int lengthWidth = lengthWidthOf(option);
     const QRect lengthRect(pill.left() - lengthWidth - 10, row.top(), lengthWidth, row.height());
-    const QRect nameRect(row.left() + margin + 20, row.top(), lengthRect.left() - row.left() - margin - 26,
-                         row.height());
+    const bool hidden = index.data(BranchModel::HiddenRole).toBool();
+    const int generation = index.data(BranchModel::GenerationRole).toInt();
+    const QRect nameRect = nameRectIn(option, lengthRect.left());
 
     QFont name = option.font;
     name.setWeight(QFont::DemiBold);
     name.setStrikeOut(excluded);
+    name.setItalic(hidden);
     painter->setFont(name);
-    painter->setPen(toQColor(excluded ? tones.hint : tones.textStrong));
+    painter->setPen(toQColor(excluded || hidden ? tones.hint : tones.textStrong));
     painter->drawText(
         nameRect, Qt::AlignLeft | Qt::AlignVCenter,
         QFontMetrics(name).elidedText(index.data(BranchModel::NameRole).toString(), Qt::ElideRight, nameRect.width()));
     painter->setFont(option.font);
+    if (generation >= 0) {
+        painter->setPen(toQColor(tones.hint));
+        const QRect generationRect(nameRect.right(), row.top(), generationWidth - 4, row.height());
+        painter->drawText(generationRect, Qt::AlignRight | Qt::AlignVCenter, tr("g%1").arg(generation));
+    }
     painter->setPen(toQColor(tones.label));
     painter->drawText(lengthRect, Qt::AlignRight | Qt::AlignVCenter, length);
     if (!excluded) {
@@ -118,6 +144,7 @@ void BranchDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     painter->setPen(readable(residualTone(index)));
     painter->drawText(row.adjusted(0, 0, -margin, 0), Qt::AlignRight | Qt::AlignVCenter,
                       excluded             ? tr("out")
+                      : hidden             ? tr("hidden")
                       : residual.isValid() ? QString::number(residual.toDouble(), 'f', 2)
                                            : QString());
     painter->restore();

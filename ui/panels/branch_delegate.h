@@ -4,7 +4,8 @@
 
 namespace ui {
 
-/// Paints a branch row (chip, name, length, auxiliary pill, exclude cross, residual) and takes clicks on its switches.
+/// Paints a branch row (chip, name, generation, length, auxiliary pill, exclude cross, residual) and takes clicks on
+/// its switches.
 class BranchDelegate : public QStyledItemDelegate {
     Q_OBJECT
 public:
@@ -12,6 +13,9 @@ public:
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+    void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                              const QModelIndex& index) const override;
 
     static QRect auxiliaryRect(const QRect& row);
     static QRect excludeRect(const QRect& row);

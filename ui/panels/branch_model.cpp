@@ -3,15 +3,26 @@
 #include "ui/panels/result_sentences.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace ui {
+namespace {
+
+double meanRadiusMm(const core::VesselBranch& branch)
+{
+    const auto& radii = branch.radiusMm;
+    return radii.empty() ? -1.0 : std::accumulate(radii.begin(), radii.end(), 0.0) / static_cast<double>(radii.size());
+}
+
+}   // namespace
 
 void BranchModel::setTree(const core::VesselTree& tree)
 {
     beginResetModel();
     rows_.clear();
     for (const core::VesselBranch& branch : tree.branches) {
-        rows_.push_back({branch.id, displayName(branch), branch.lengthMm()});
+        rows_.push_back({branch.id, displayName(branch), QString::fromStdString(branch.name), branch.lengthMm(),
+                         meanRadiusMm(branch), branch.generation});
     }
     residualMm_.clear();
     endResetModel();
@@ -55,8 +66,20 @@ QVariant BranchModel::data(const QModelIndex& index, int role) const
             return description(row);
         case IdRole:
             return row.id;
+        case Qt::EditRole:
+            return row.ownName;
         case LengthRole:
             return row.lengthMm;
+        case RadiusRole:
+            return row.radiusMm;
+        case GenerationRole:
+            return row.generation;
+        case OrderRole:
+            return index.row();
+        case HiddenRole:
+            return marks_.hidden.contains(row.id);
+        case ResidualScaleRole:
+            return scaleMaximumMm_;
         case AuxiliaryRole:
             return marks_.auxiliary.contains(row.id);
         case ExcludedRole:
@@ -72,6 +95,19 @@ QVariant BranchModel::data(const QModelIndex& index, int role) const
     }
 }
 
+bool BranchModel::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+    if (role == Qt::EditRole) {
+        emit renamed(rows_[static_cast<std::size_t>(index.row())].id, value.toString());
+    }
+    return false;   // the owner answers with another tree
+}
+
+Qt::ItemFlags BranchModel::flags(const QModelIndex& index) const
+{
+    return QAbstractListModel::flags(index) | Qt::ItemIsEditable;
+}
+
 void BranchModel::refresh()
 {
     if (!rows_.empty()) {
@@ -82,6 +118,15 @@ void BranchModel::refresh()
 QString BranchModel::description(const Row& row) const
 {
     QStringList parts{tr("%1, %2 mm long").arg(row.name).arg(row.lengthMm, 0, 'f', 0)};
+    if (row.radiusMm >= 0.0) {
+        parts << tr("radius %1 mm").arg(row.radiusMm, 0, 'f', 1);
+    }
+    if (row.generation >= 0) {
+        parts << tr("generation %1").arg(row.generation);
+    }
+    if (marks_.hidden.contains(row.id)) {
+        parts << tr("hidden");
+    }
     if (marks_.auxiliary.contains(row.id)) {
         parts << tr("in the auxiliary set");
     }

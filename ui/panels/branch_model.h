@@ -13,7 +13,20 @@ namespace ui {
 class BranchModel : public QAbstractListModel {
     Q_OBJECT
 public:
-    enum Role { IdRole = Qt::UserRole, NameRole, LengthRole, AuxiliaryRole, ExcludedRole, HoveredRole, ResidualRole };
+    enum Role {
+        IdRole = Qt::UserRole,
+        NameRole,
+        LengthRole,
+        RadiusRole,   ///< mean, mm; −1 where unknown
+        GenerationRole,   ///< −1 where unknown
+        OrderRole,   ///< place in the tree
+        AuxiliaryRole,
+        ExcludedRole,
+        HiddenRole,
+        HoveredRole,
+        ResidualRole,
+        ResidualScaleRole   ///< end of the scale of residuals, mm; 0: none
+    };
 
     using QAbstractListModel::QAbstractListModel;
 
@@ -21,18 +34,24 @@ public:
     void setMarks(const BranchMarks& marks);
     void setResiduals(const std::map<int, double>& residualMm, double scaleMaximumMm);   ///< medians by branch id
 
-    int idAt(int row) const { return rows_[static_cast<std::size_t>(row)].id; }
     int rowOf(int branchId) const;   ///< −1 when there is none
-    double scaleMaximumMm() const { return scaleMaximumMm_; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;   ///< a wish: see `renamed`
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+signals:
+    void renamed(int branchId, const QString& name);
 
 private:
     struct Row {
         int id = 0;
-        QString name;
+        QString name;   ///< as shown
+        QString ownName;   ///< empty where the branch has none
         double lengthMm = 0.0;
+        double radiusMm = -1.0;
+        int generation = -1;
     };
     void refresh();
     QString description(const Row& row) const;

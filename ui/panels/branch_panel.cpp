@@ -3,22 +3,66 @@
 #include "ui/panels/branch_delegate.h"
 #include "ui/panels/branch_model.h"
 
+#include <QAction>
+#include <QComboBox>
 #include <QEvent>
+#include <QHBoxLayout>
 #include <QItemSelectionModel>
+#include <QLineEdit>
 #include <QListView>
 #include <QMenu>
+#include <QPushButton>
 #include <QScopedValueRollback>
+#include <QSortFilterProxyModel>
+
+#include <array>
 
 namespace ui {
+namespace {
+
+constexpr int largestGenerationOffered = 6;
+
+struct Order {
+    const char* label;
+    int role;
+    Qt::SortOrder direction;
+};
+
+/// What the list can be sorted by; long, wide and ill-fitting branches come first.
+constexpr std::array orders{
+    Order{QT_TRANSLATE_NOOP("ui::BranchPanel", "as in the tree"), BranchModel::OrderRole, Qt::AscendingOrder},
+    Order{QT_TRANSLATE_NOOP("ui::BranchPanel", "by name"), BranchModel::NameRole, Qt::AscendingOrder},
+    Order{QT_TRANSLATE_NOOP("ui::BranchPanel", "by length"), BranchModel::LengthRole, Qt::DescendingOrder},
+    Order{QT_TRANSLATE_NOOP("ui::BranchPanel", "by radius"), BranchModel::RadiusRole, Qt::DescendingOrder},
+    Order{QT_TRANSLATE_NOOP("ui::BranchPanel", "by generation"), BranchModel::GenerationRole, Qt::AscendingOrder},
+    Order{QT_TRANSLATE_NOOP("ui::BranchPanel", "by residual"), BranchModel::ResidualRole, Qt::DescendingOrder}};
+
+int idAt(const QModelIndex& index)
+{
+    return index.data(BranchModel::IdRole).toInt();
+}
+
+}   // namespace
 
 BranchPanel::BranchPanel(QWidget* parent)
     : Section(tr("Branches"), Folding::Fixed, parent),
       model_(new BranchModel(this)),
+      shown_(new QSortFilterProxyModel(this)),
       list_(new QListView),
+      filter_(new QLineEdit),
+      order_(new QComboBox),
+      filterRow_(makeFilterRow()),
+      adviceRow_(makeAdviceRow()),
       empty_(roleLabel("hint", tr("No vessels yet. Open a centreline: VTP, VTK, CSV or SWC.")))
 {
     auto* delegate = new BranchDelegate(this);
-    list_->setModel(model_);
+    shown_->setSourceModel(model_);
+    shown_->setFilterRole(BranchModel::NameRole);
+    shown_->setFilterCaseSensitivity(Qt::CaseInsensitive);
+    shown_->setSortCaseSensitivity(Qt::CaseInsensitive);
+    shown_->setSortLocaleAware(true);
+    sortBy(0);
+    list_->setModel(shown_);
     list_->setItemDelegate(delegate);
     list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     list_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -36,16 +80,110 @@ BranchPanel::BranchPanel(QWidget* parent)
     layout()->itemAt(0)->layout()->setContentsMargins(14, 0, 14, 0);
     empty_->setContentsMargins(14, 0, 14, 0);
     contentLayout()->addWidget(empty_, 1);
+    contentLayout()->addWidget(filterRow_);
     contentLayout()->addWidget(list_, 1);
+    contentLayout()->addWidget(adviceRow_);
 
     connect(delegate, &BranchDelegate::auxiliaryClicked, this,
             [this](int id) { emit auxiliaryToggled(affectedBy(id)); });
     connect(delegate, &BranchDelegate::excludeClicked, this, [this](int id) { emit excludedToggled(affectedBy(id)); });
-    connect(list_, &QListView::entered, this,
-            [this](const QModelIndex& index) { emit hovered(model_->idAt(index.row())); });
+    connect(list_, &QListView::entered, this, [this](const QModelIndex& index) { emit hovered(idAt(index)); });
+    connect(model_, &BranchModel::renamed, this, &BranchPanel::renamed);
     connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &BranchPanel::reportSelection);
     connect(list_, &QWidget::customContextMenuRequested, this, &BranchPanel::showContextMenu);
     showTree({});
+    showAdvice({}, false);
+}
+
+QWidget* BranchPanel::makeFilterRow()
+{
+    filter_->setPlaceholderText(tr("Find a branch"));
+    filter_->setAccessibleName(tr("Find a branch"));
+    filter_->setClearButtonEnabled(true);
+    order_->setAccessibleName(tr("Order of the branches"));
+    order_->setToolTip(tr("Order of the branches"));
+    for (const Order& order : orders) {
+        order_->addItem(tr(order.label));
+    }
+    connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) {
+        const QScopedValueRollback quiet(showing_, true);
+        shown_->setFilterFixedString(text);
+        selectMarked();
+    });
+    connect(order_, &QComboBox::currentIndexChanged, this, &BranchPanel::sortBy);
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(14, 0, 14, 0);
+    layout->setSpacing(6);
+    layout->addWidget(filter_, 1);
+    layout->addWidget(order_);
+    return row;
+}
+
+QWidget* BranchPanel::makeAdviceRow()
+{
+    advice_ = roleLabel("attention");
+    advice_->setWordWrap(true);
+    mend_ = new QPushButton(tr("Join"));
+    mend_->setProperty("role", "link");
+    mend_->setToolTip(tr("Closes the gap; undo opens it again (Ctrl+G)."));
+    auto* show = new QPushButton(tr("Show"));
+    show->setProperty("role", "link");
+    show->setToolTip(tr("Selects both branches and moves the cross-hair to the gap."));
+    connect(mend_, &QPushButton::clicked, this, &BranchPanel::adviceTaken);
+    connect(show, &QPushButton::clicked, this, &BranchPanel::adviceShown);
+    connect(this, &BranchPanel::adviceMendable, show, &QWidget::setVisible);
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(14, 4, 8, 6);
+    layout->setSpacing(2);
+    layout->addWidget(advice_, 1);
+    layout->addWidget(show);
+    layout->addWidget(mend_);
+    return row;
+}
+
+void BranchPanel::sortBy(int choice)
+{
+    const Order& order = orders[static_cast<std::size_t>(choice)];
+    shown_->setSortRole(order.role);
+    shown_->sort(0, order.direction);
+}
+
+void BranchPanel::showAdvice(const QString& text, bool isMendable)
+{
+    advice_->setText(text);
+    mend_->setVisible(isMendable);
+    emit adviceMendable(isMendable);
+    adviceRow_->setVisible(!text.isEmpty());
+}
+
+void BranchPanel::setEditActions(const QList<QAction*>& actions)
+{
+    editActions_ = actions;
+}
+
+void BranchPanel::editName(int branchId)
+{
+    if (!indexOf(branchId).isValid()) {
+        filter_->clear();
+    }
+    const QModelIndex index = indexOf(branchId);
+    list_->scrollTo(index);
+    list_->setFocus();
+    list_->edit(index);
+}
+
+void BranchPanel::focusFilter()
+{
+    filter_->setFocus(Qt::ShortcutFocusReason);
+    filter_->selectAll();
+}
+
+QModelIndex BranchPanel::indexOf(int branchId) const
+{
+    const int row = model_->rowOf(branchId);
+    return row < 0 ? QModelIndex() : shown_->mapFromSource(model_->index(row));
 }
 
 void BranchPanel::showTree(const core::VesselTree& tree)
@@ -54,6 +192,8 @@ void BranchPanel::showTree(const core::VesselTree& tree)
     model_->setTree(tree);
     empty_->setVisible(tree.branches.empty());
     list_->setVisible(!tree.branches.empty());
+    filterRow_->setVisible(!tree.branches.empty());
+    selectMarked();
     setHint(tree.branches.empty() ? QString() : tr("A auxiliary · X exclude"));
 }
 
@@ -62,13 +202,17 @@ void BranchPanel::showMarks(const BranchMarks& marks)
     const QScopedValueRollback quiet(showing_, true);
     marks_ = marks;
     model_->setMarks(marks);
-    if (selectedIds() == marks.selected) {
-        return;
+    if (selectedIds() != marks.selected) {
+        selectMarked();
     }
+}
+
+void BranchPanel::selectMarked()
+{
     QItemSelection selection;
-    for (const int id : marks.selected) {
-        if (const int row = model_->rowOf(id); row >= 0) {
-            selection.select(model_->index(row), model_->index(row));
+    for (const int id : marks_.selected) {
+        if (const QModelIndex index = indexOf(id); index.isValid()) {
+            selection.select(index, index);
         }
     }
     list_->selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
@@ -94,7 +238,7 @@ std::set<int> BranchPanel::selectedIds() const
 {
     std::set<int> ids;
     for (const QModelIndex& index : list_->selectionModel()->selectedIndexes()) {
-        ids.insert(model_->idAt(index.row()));
+        ids.insert(idAt(index));
     }
     return ids;
 }
@@ -111,7 +255,7 @@ void BranchPanel::showContextMenu(const QPoint& position)
     if (!index.isValid()) {
         return;
     }
-    const std::set<int> affected = affectedBy(model_->idAt(index.row()));
+    const std::set<int> affected = affectedBy(idAt(index));
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(tr("Auxiliary on or off\tA"), this, [this, affected] { emit auxiliaryToggled(affected); });
@@ -119,6 +263,14 @@ void BranchPanel::showContextMenu(const QPoint& position)
     menu->addSeparator();
     menu->addAction(tr("Only these auxiliary"), this, [this, affected] { emit onlyTheseAuxiliary(affected); });
     menu->addAction(tr("No auxiliary branches (use the nodes)"), this, &BranchPanel::auxiliaryCleared);
+    menu->addSeparator();
+    menu->addActions(editActions_);
+    QMenu* generations = menu->addMenu(tr("Generation"));
+    for (int generation = 0; generation <= largestGenerationOffered; ++generation) {
+        generations->addAction(QString::number(generation), this,
+                               [this, affected, generation] { emit generationChosen(affected, generation); });
+    }
+    generations->addAction(tr("unknown"), this, [this, affected] { emit generationChosen(affected, -1); });
     menu->popup(list_->viewport()->mapToGlobal(position));
 }
 

@@ -8,7 +8,12 @@
 #include <optional>
 #include <set>
 
+class QAction;
+class QComboBox;
+class QLineEdit;
 class QListView;
+class QPushButton;
+class QSortFilterProxyModel;
 
 namespace ui {
 
@@ -24,6 +29,11 @@ public:
     void showTree(const core::VesselTree& tree);
     void showMarks(const BranchMarks& marks);   ///< silent
     void showResiduals(const std::map<int, double>& residualMm, double scaleMaximumMm);
+    /// What the tree needs mending for, "" for nothing; `isMendable`: it can be done at a click.
+    void showAdvice(const QString& text, bool isMendable);
+    void setEditActions(const QList<QAction*>& actions);   ///< for the context menu
+    void editName(int branchId);
+    void focusFilter();
     QListView* list() const { return list_; }
 
 signals:
@@ -33,18 +43,36 @@ signals:
     void excludedToggled(const std::set<int>& branchIds);
     void onlyTheseAuxiliary(const std::set<int>& branchIds);
     void auxiliaryCleared();
+    void renamed(int branchId, const QString& name);
+    void generationChosen(const std::set<int>& branchIds, int generation);
+    void adviceTaken();
+    void adviceShown();
+    void adviceMendable(bool isMendable);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    QWidget* makeFilterRow();
+    QWidget* makeAdviceRow();
+    void sortBy(int choice);
+    void selectMarked();
+    QModelIndex indexOf(int branchId) const;   ///< in the list as it is sorted and filtered
     std::set<int> selectedIds() const;
     std::set<int> affectedBy(int branchId) const;   ///< the selection when it contains the branch, else the branch
     void showContextMenu(const QPoint& position);
     void reportSelection();
 
     BranchModel* model_;
+    QSortFilterProxyModel* shown_;
     QListView* list_;
+    QLineEdit* filter_;
+    QComboBox* order_;
+    QWidget* filterRow_;
+    QWidget* adviceRow_;
+    QLabel* advice_;
+    QPushButton* mend_;
+    QList<QAction*> editActions_;
     QLabel* empty_;
     BranchMarks marks_;
     bool showing_ = false;   ///< true while the owner, not the user, changes the selection

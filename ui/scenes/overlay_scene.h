@@ -24,6 +24,7 @@ struct BranchMarks {
     std::set<int> selected;
     std::set<int> auxiliary;
     std::set<int> excluded;
+    std::set<int> hidden;   ///< not in the scenes' trees; lists and slices show that
 
     bool operator==(const BranchMarks&) const = default;
 };

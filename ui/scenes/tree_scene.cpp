@@ -14,6 +14,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,6 +36,25 @@ struct PatientAxis {
 // Patient LPS: x to the left, y to the back, z to the head.
 const std::array<PatientAxis, 6> patientAxes{
     {{'L', {1, 0, 0}}, {'R', {-1, 0, 0}}, {'P', {0, 1, 0}}, {'A', {0, -1, 0}}, {'H', {0, 0, 1}}, {'F', {0, 0, -1}}}};
+
+Eigen::AlignedBox3d boxOf(const core::VesselTree& tree)
+{
+    Eigen::AlignedBox3d box;
+    for (const core::VesselBranch& branch : tree.branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            box.extend(point);
+        }
+    }
+    return box;
+}
+
+/// Whether a view of one tree shows the other one too: an edited tree does not jump.
+bool lieTogether(const core::VesselTree& shown, const core::VesselTree& next)
+{
+    const Eigen::AlignedBox3d before = boxOf(shown);
+    const Eigen::AlignedBox3d after = boxOf(next);
+    return !before.isEmpty() && !after.isEmpty() && before.contains(after.center()) && after.contains(before.center());
+}
 
 }   // namespace
 
@@ -144,9 +164,9 @@ TreeScene::~TreeScene()
 
 void TreeScene::setTree(const core::VesselTree& tree)
 {
+    parts_->isViewStale = parts_->isViewStale || !lieTogether(parts_->tree, tree);
     parts_->tree = tree;
     parts_->isTreeStale = true;
-    parts_->isViewStale = true;
 }
 
 void TreeScene::setCamera(const core::ProjectionCamera& camera, double sourceToDetectorMm)
@@ -216,18 +236,23 @@ void TreeScene::panBy(double rightDevicePx, double upDevicePx)
     pan(parts_->camera(), parts_->ground->GetSize()[1], rightDevicePx, upDevicePx);
 }
 
-std::optional<int> TreeScene::branchAt(int xDevicePx, int yDevicePxFromBottom) const
+Eigen::Vector2d TreeScene::deviceFromPatient(const Eigen::Vector3d& pointInPatient) const
+{
+    return parts_->screen() * pointInPatient;
+}
+
+std::optional<TreePick> TreeScene::pickAt(int xDevicePx, int yDevicePxFromBottom) const
 {
     const ScreenFromPatient toScreen = parts_->screen();
     const Eigen::Vector2d mouse(xDevicePx + 0.5, yDevicePxFromBottom + 0.5);
-    std::optional<int> nearest;
+    std::optional<TreePick> nearest;
     double distance = pickTolerancePx * parts_->pixelScale;
     for (const core::VesselBranch& branch : parts_->tree.branches) {
         for (const Eigen::Vector3d& point : branch.pointsInPatient) {
             const double here = (toScreen * point - mouse).norm();
             if (here < distance) {
                 distance = here;
-                nearest = branch.id;
+                nearest = TreePick{branch.id, point};
             }
         }
     }

@@ -18,6 +18,16 @@ QColor colorOf(const Color& color)
     return {color.red, color.green, color.blue};
 }
 
+void paintCrosshair(QPainter& painter, const QPointF& at, const QColor& color)
+{
+    constexpr double near = 4.0;
+    constexpr double far = 10.0;
+    painter.setPen(QPen(color, 1.2));
+    for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
+        painter.drawLine(at + near * way, at + far * way);
+    }
+}
+
 }   // namespace
 
 TreeView::TreeView(QWidget* parent) : VtkView(parent)
@@ -41,6 +51,14 @@ void TreeView::resetView()
     requestRender();
 }
 
+void TreeView::setCrosshair(std::optional<Eigen::Vector3d> pointInPatient)
+{
+    if (pointInPatient != crosshair_) {
+        crosshair_ = pointInPatient;
+        update();
+    }
+}
+
 void TreeView::prepareFrame()
 {
     scene_.setPixelScale(devicePixelRatio());
@@ -50,6 +68,10 @@ void TreeView::paintAnnotations(QPainter& painter)
 {
     const Palette& tones = ui::palette(theme_);
     const double ratio = devicePixelRatio();
+    if (crosshair_) {
+        const Eigen::Vector2d device = scene_.deviceFromPatient(*crosshair_);
+        paintCrosshair(painter, {device.x() / ratio, height() - device.y() / ratio}, colorOf(tones.accent));
+    }
     QFont small = font();
     small.setPixelSize(11);
     painter.setFont(small);
@@ -73,7 +95,8 @@ void TreeView::mouseMoveEvent(QMouseEvent* event)
 {
     const QPointF step = event->position() - lastAt_;
     if (pressed_ == Qt::NoButton) {
-        hover(branchAt(event->position()));
+        const auto pick = pickAt(event->position());
+        hover(pick ? std::optional(pick->branchId) : std::nullopt);
         return;
     }
     const QPointF way = event->position() - pressedAt_;
@@ -98,11 +121,16 @@ void TreeView::mouseReleaseEvent(QMouseEvent* event)
         return;
     }
     pressed_ = Qt::NoButton;
+    const auto pick = isDragging_ ? std::nullopt : pickAt(event->position());
+    if (pick && event->button() == Qt::RightButton) {
+        emit menuRequested(pick->branchId, pick->pointInPatient, event->globalPosition().toPoint());
+    }
     if (isDragging_ || event->button() != Qt::LeftButton) {
         return;
     }
-    if (const auto branch = branchAt(event->position())) {
-        emit branchClicked(*branch, event->modifiers());
+    if (pick) {
+        emit branchClicked(pick->branchId, event->modifiers());
+        emit pointPicked(pick->pointInPatient);
     } else {
         emit backgroundClicked();
     }
@@ -127,10 +155,10 @@ void TreeView::leaveEvent(QEvent*)
     hover(std::nullopt);
 }
 
-std::optional<int> TreeView::branchAt(const QPointF& position) const
+std::optional<TreePick> TreeView::pickAt(const QPointF& position) const
 {
     const double ratio = devicePixelRatio();
-    return scene_.branchAt(static_cast<int>(position.x() * ratio), static_cast<int>((height() - position.y()) * ratio));
+    return scene_.pickAt(static_cast<int>(position.x() * ratio), static_cast<int>((height() - position.y()) * ratio));
 }
 
 void TreeView::hover(std::optional<int> branchId)

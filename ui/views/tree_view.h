@@ -19,11 +19,14 @@ public:
     TreeScene& scene() { return scene_; }   ///< call requestRender() after changing it
     void setTheme(ThemeMode mode);
     void resetView();
+    void setCrosshair(std::optional<Eigen::Vector3d> pointInPatient);   ///< the place that the slices show
 
 signals:
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
     void backgroundClicked();
+    void pointPicked(const Eigen::Vector3d& pointInPatient);   ///< of the branch that was clicked
+    void menuRequested(int branchId, const Eigen::Vector3d& pointInPatient, const QPoint& globalPosition);
 
 protected:
     void prepareFrame() override;
@@ -36,7 +39,7 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    std::optional<int> branchAt(const QPointF& position) const;
+    std::optional<TreePick> pickAt(const QPointF& position) const;
     void hover(std::optional<int> branchId);
 
     TreeScene scene_;
@@ -46,6 +49,7 @@ private:
     Qt::MouseButton pressed_ = Qt::NoButton;
     bool isDragging_ = false;
     std::optional<int> hovered_;
+    std::optional<Eigen::Vector3d> crosshair_;
 };
 
 }   // namespace ui

@@ -1,6 +1,7 @@
 #include "tests/app/session/random_user.h"
 
 #include "ui/panels/number_field.h"
+#include "ui/slices/slice_view.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tree_view.h"
 
@@ -80,6 +81,20 @@ const std::vector<Press>& presses()
                                          {Key_Y, Qt::ControlModifier},
                                          {Key_Y, Qt::ControlModifier},
                                          {Key_C, Qt::ControlModifier},
+                                         {Key_M},
+                                         {Key_2},
+                                         {Key_Delete},
+                                         {Key_Delete, Qt::ShiftModifier},
+                                         {Key_K, Qt::ControlModifier},
+                                         {Key_J, Qt::ControlModifier},
+                                         {Key_M, Qt::ControlModifier},
+                                         {Key_H, Qt::ShiftModifier},
+                                         {Key_H, Qt::ControlModifier | Qt::ShiftModifier},
+                                         {Key_Home, Qt::ControlModifier},
+                                         {Key_G, Qt::ControlModifier},
+                                         {Key_F2},
+                                         {Key_P, Qt::ControlModifier},
+                                         {Key_T, Qt::ControlModifier},
                                          {Key_Escape},
                                          {Key_F1}};
     return keys;
@@ -138,9 +153,10 @@ void RandomUser::act()
     static constexpr std::array choices{Choice{40, &RandomUser::pressKey},    Choice{3, &RandomUser::holdKey},
                                         Choice{14, &RandomUser::dragInImage}, Choice{10, &RandomUser::wheelOverImage},
                                         Choice{8, &RandomUser::clickInImage}, Choice{5, &RandomUser::workInTreeView},
-                                        Choice{6, &RandomUser::clickBranch},  Choice{5, &RandomUser::typeNumber},
-                                        Choice{3, &RandomUser::changeChoice}, Choice{4, &RandomUser::clickButton},
-                                        Choice{1, &RandomUser::resizeWindow}, Choice{1, &RandomUser::saveAndExport}};
+                                        Choice{6, &RandomUser::clickBranch},  Choice{4, &RandomUser::workInSlices},
+                                        Choice{5, &RandomUser::typeNumber},   Choice{3, &RandomUser::changeChoice},
+                                        Choice{4, &RandomUser::clickButton},  Choice{1, &RandomUser::resizeWindow},
+                                        Choice{1, &RandomUser::saveAndExport}};
     int total = 0;
     for (const Choice& choice : choices) {
         total += choice.weight;
@@ -233,6 +249,25 @@ void RandomUser::workInTreeView()
         drag(view, below(2) == 0 ? Qt::LeftButton : Qt::RightButton, Qt::NoModifier);
     } else {
         QTest::mouseClick(&view, Qt::LeftButton, {}, somewhereIn(view));
+    }
+}
+
+void RandomUser::workInSlices()
+{
+    const auto views = usable<ui::SliceView>(window_);
+    if (views.empty()) {
+        return;
+    }
+    note(QStringLiteral("slices"));
+    ui::SliceView& view = *views[static_cast<std::size_t>(below(static_cast<int>(views.size())))];
+    static constexpr std::array keys{Qt::Key_Up, Qt::Key_PageDown, Qt::Key_Home, Qt::Key_Return};
+    static constexpr std::array buttons{Qt::LeftButton, Qt::MiddleButton, Qt::RightButton};
+    if (below(3) == 0) {
+        QTest::keyClick(&view, keys[static_cast<std::size_t>(below(4))]);
+    } else if (below(2) == 0) {
+        QTest::mouseClick(&view, buttons[static_cast<std::size_t>(below(3))], {}, somewhereIn(view));
+    } else {
+        drag(view, buttons[static_cast<std::size_t>(below(3))], Qt::NoModifier);
     }
 }
 

@@ -30,6 +30,7 @@ private:
     void wheelOverImage();
     void clickInImage();
     void workInTreeView();
+    void workInSlices();
     void clickBranch();
     void typeNumber();
     void changeChoice();

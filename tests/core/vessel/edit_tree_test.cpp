@@ -211,4 +211,43 @@ TEST(TreeGaps, AdvisesToMendABrokenVessel)
     EXPECT_TRUE(core::findGaps(tree, 3.0).empty());
 }
 
+TEST(TreeGaps, AreClosedByJoiningEndsOrLeadingOnToASide)
+{
+    VesselTree tree = smallTree();
+    tree.branches.push_back(straight(12, {36, 0.5, 20}, {50, 1, 20}, 1.8));
+    tree.branches.push_back(straight(13, {0, 9, 50}, {0, 30, 50}, 1.0));
+    EXPECT_EQ(core::pieceCount(tree), 3);
+
+    for (int round = 0; round < 2; ++round) {
+        const std::vector<core::TreeGap> gaps = core::findGaps(tree);
+        ASSERT_FALSE(gaps.empty());
+        const auto whole = core::mended(tree, gaps.front());
+        ASSERT_TRUE(whole) << whole.error().message;
+        tree = whole.value();
+    }
+    EXPECT_EQ(core::pieceCount(tree), 1);
+    EXPECT_EQ(tree.branches.size(), smallTree().branches.size() + 1);   // one joined, one led on
+    EXPECT_NEAR(tree.find(13)->pointsInPatient.front().y(), 0.0, 1e-9);
+    EXPECT_EQ(tree.find(13)->radiusMm.size(), tree.find(13)->pointsInPatient.size());
+    EXPECT_TRUE(core::findGaps(tree).empty());
+}
+
+TEST(EditTree, CountsABranchAsAskedAndFindsItsNearestPoint)
+{
+    EXPECT_EQ(core::withGeneration(smallTree(), 4, 3).value().find(4)->generation, 3);
+    EXPECT_EQ(core::withGeneration(smallTree(), 4, -7).value().find(4)->generation, -1);
+    EXPECT_FALSE(core::withGeneration(smallTree(), 99, 1));
+    const std::size_t point = core::nearestPoint(smallTree(), 1, {2, 0, 31.2});
+    EXPECT_NEAR(smallTree().find(1)->pointsInPatient[point].z(), 31.0, 1.01);
+}
+
+TEST(EditTree, LeadsABranchOnFromEitherEnd)
+{
+    const auto longer = core::extendedTo(smallTree(), {1, false}, {0, 0, -8});
+    ASSERT_TRUE(longer);
+    EXPECT_EQ(longer.value().find(1)->pointsInPatient.front(), Eigen::Vector3d(0, 0, -8));
+    EXPECT_NEAR(longer.value().find(1)->lengthMm(), smallTree().find(1)->lengthMm() + 8.0, 1e-9);
+    EXPECT_EQ(longer.value().find(1)->pointsInPatient.back(), smallTree().find(1)->pointsInPatient.back());
+}
+
 }   // namespace

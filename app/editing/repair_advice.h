@@ -1,0 +1,40 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "core/vessel/tree_gaps.h"
+
+#include <QFutureWatcher>
+#include <QObject>
+
+#include <memory>
+#include <vector>
+
+namespace app {
+
+/// Into how many pieces the tree is broken, and where it is best mended. Looked for on a worker after each change.
+class RepairAdvice : public QObject {
+    Q_OBJECT
+public:
+    explicit RepairAdvice(CaseDocument& document, QObject* parent = nullptr);
+
+    int pieceCount() const { return found_.pieceCount; }
+    const std::vector<core::TreeGap>& gaps() const { return found_.gaps; }
+    bool isLooking() const { return watcher_.isRunning(); }
+
+signals:
+    void changed();
+
+private:
+    struct Found {
+        int pieceCount = 0;
+        std::vector<core::TreeGap> gaps;
+    };
+    void followDocument();
+
+    CaseDocument& document_;
+    std::shared_ptr<const core::VesselTree> tree_;
+    QFutureWatcher<Found> watcher_;
+    Found found_;
+};
+
+}   // namespace app

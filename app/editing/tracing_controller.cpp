@@ -1,0 +1,214 @@
+#include "app/editing/tracing_controller.h"
+
+#include "app/document/edit_case.h"
+#include "core/tracing/volume/blood_level.h"
+#include "ui/main_window.h"
+#include "ui/slices/slices_page.h"
+
+#include <QtConcurrentRun>
+
+#include <utility>
+
+namespace app {
+namespace {
+
+/// Values between which a threshold makes sense: those of the scan, for CT those of blood and bone.
+std::optional<std::pair<double, double>> thresholdRange(const ui::SliceModel& slices)
+{
+    if (!slices.volume()) {
+        return std::nullopt;
+    }
+    if (slices.isHounsfield()) {
+        return std::pair(-200.0, 1200.0);
+    }
+    const ui::GreyWindow whole = ui::windowOfValues(*slices.volume());
+    return std::pair(whole.level - whole.width, whole.level + whole.width);
+}
+
+std::vector<ui::SliceMark> marksAt(const std::vector<Eigen::Vector3d>& points)
+{
+    std::vector<ui::SliceMark> marks;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        marks.push_back({points[i], QString::number(i + 1)});
+    }
+    return marks;
+}
+
+}   // namespace
+
+TracingController::TracingController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
+    : QObject(parent), document_(document), window_(window)
+{
+    connectPanel();
+    connect(&document, &CaseDocument::changed, this, &TracingController::followDocument);
+    connect(&document, &CaseDocument::stateChanged, this, [this] {
+        window_.tracing().showWhyNot(whyNot());
+        if (waiting_ && !document_.isLocked()) {
+            finish(*std::exchange(waiting_, std::nullopt));
+        }
+    });
+    connect(&job_, &VesselTraceJob::advanced, this, [this](double fraction) {
+        window_.strip().showProgress(tr("Tracing the vessels of the scan … %1 %").arg(100.0 * fraction, 0, 'f', 0),
+                                     fraction);
+    });
+    connect(&job_, &VesselTraceJob::finished, this, &TracingController::finish);
+    connect(&job_, &VesselTraceJob::failed, this, [this](const QString& reason) {
+        ended();
+        emit failed(reason);
+    });
+    connect(&job_, &VesselTraceJob::stopped, this, [this] {
+        ended();
+        emit traced(tr("Stopped: the vessels are as they were"));
+    });
+    connect(&level_, &QFutureWatcherBase::finished, this, [this] {
+        if (level_.future().resultCount() > 0) {
+            window_.tracing().showFound(level_.result());
+        }
+    });
+    connect(window.actions()[ui::Command::SlicesLarge], &QAction::toggled, this, [this](bool large) {
+        setPick(ui::TracingPick::Nothing);
+        if (large) {
+            findThreshold();
+        }
+        showPreview();
+    });
+    connect(window.actions()[ui::Command::TraceScan], &QAction::triggered, this, [this] {
+        window_.actions()[ui::Command::SlicesLarge]->setChecked(true);
+        start();
+    });
+    followDocument();
+}
+
+void TracingController::connectPanel()
+{
+    ui::TracingPanel& panel = window_.tracing();
+    connect(&panel, &ui::TracingPanel::optionsEdited, this, &TracingController::setDraft);
+    connect(&panel, &ui::TracingPanel::pickWanted, this, &TracingController::setPick);
+    connect(&panel, &ui::TracingPanel::previewChanged, this, &TracingController::showPreview);
+    connect(&panel, &ui::TracingPanel::placeChosen, &window_.slices(), &ui::SliceModel::setCrosshair);
+    connect(&panel, &ui::TracingPanel::traceRequested, this, &TracingController::start);
+    connect(&panel, &ui::TracingPanel::stopRequested, this, &TracingController::stop);
+    connect(&window_.strip(), &ui::BottomStrip::stopRequested, this, &TracingController::stop);
+    connect(&window_, &ui::MainWindow::escapePressed, this, [this] { setPick(ui::TracingPick::Nothing); });
+    for (const core::BodyPlane plane : core::bodyPlanes) {
+        connect(&window_.slicesPage().view(plane), &ui::SliceView::pointPicked, this,
+                [this](const Eigen::Vector3d& point) { addPoint(pick_, point); });
+    }
+}
+
+QString TracingController::whyNot() const
+{
+    const core::RegistrationCase& current = document_.current();
+    if (current.centerlineFile.path.empty() || current.vesselInput.kind == core::VesselInputKind::Centerline) {
+        return tr("These vessels were not traced: open a scan, a segmentation or a surface.");
+    }
+    return document_.isLocked() ? tr("A registration is running. Stop it first.") : QString();
+}
+
+void TracingController::followDocument()
+{
+    const core::RegistrationCase& current = document_.current();
+    ui::TracingPanel& panel = window_.tracing();
+    if (current.volume != shownVolume_) {
+        shownVolume_ = current.volume;
+        level_.setFuture({});
+        panel.showFound(std::nullopt);
+        panel.showRange(thresholdRange(window_.slices()), {});
+        if (window_.actions()[ui::Command::SlicesLarge]->isChecked()) {
+            findThreshold();
+        }
+    }
+    if (current.vesselInput != shownInput_) {
+        shownInput_ = current.vesselInput;
+        setDraft(shownInput_.tracing);
+    }
+    panel.showWhyNot(whyNot());
+    window_.actions()[ui::Command::TraceScan]->setEnabled(whyNot().isEmpty() && window_.slices().hasScan());
+    showPreview();
+}
+
+void TracingController::setDraft(const core::VesselTracingOptions& draft)
+{
+    draft_ = draft;
+    window_.tracing().showOptions(draft);
+    window_.slices().setPoints(ui::SliceMarkKind::Seed, marksAt(draft.seedsInPatient));
+    window_.slices().setPoints(ui::SliceMarkKind::Avoid, marksAt(draft.avoidInPatient));
+}
+
+void TracingController::setPick(ui::TracingPick pick)
+{
+    pick_ = pick;
+    window_.tracing().showPick(pick);
+}
+
+void TracingController::addPoint(ui::TracingPick kind, const Eigen::Vector3d& pointInPatient)
+{
+    if (kind == ui::TracingPick::Nothing) {
+        return;
+    }
+    core::VesselTracingOptions draft = draft_;
+    (kind == ui::TracingPick::Seed ? draft.seedsInPatient : draft.avoidInPatient).push_back(pointInPatient);
+    setDraft(draft);
+}
+
+void TracingController::showPreview()
+{
+    const ui::TracingPanel& panel = window_.tracing();
+    const bool isLarge = window_.actions()[ui::Command::SlicesLarge]->isChecked();
+    window_.slices().setPreviewFrom(isLarge && panel.isPreviewWanted() ? panel.thresholdShown() : std::nullopt);
+}
+
+void TracingController::findThreshold()
+{
+    if (!shownVolume_ || window_.tracing().thresholdShown() || level_.isRunning()) {
+        return;
+    }
+    level_.setFuture(QtConcurrent::run([volume = shownVolume_]() -> std::optional<double> {
+        const auto level = core::findBloodLevel(*volume, core::patientAxisOrder(volume->geometry), std::nullopt);
+        return level ? std::optional(level.value().threshold) : std::nullopt;
+    }));
+}
+
+void TracingController::start()
+{
+    if (isRunning() || !whyNot().isEmpty()) {
+        return;
+    }
+    setPick(ui::TracingPick::Nothing);
+    const core::RegistrationCase& current = document_.current();
+    VesselTraceRequest request{current.centerlineFile.path, current.vesselInput, current.volume};
+    request.input.tracing = draft_;
+    startedFrom_ = document_.state();
+    window_.tracing().setRunning(true);
+    window_.strip().showBusy(tr("Tracing the vessels of the scan …"));
+    job_.start(std::move(request));
+}
+
+void TracingController::finish(const VesselTrace& result)
+{
+    ended();
+    if (document_.state().caseNumber != startedFrom_.caseNumber) {
+        return;   // another case has been opened since
+    }
+    if (document_.isLocked()) {
+        waiting_ = result;
+        return;
+    }
+    if (!draft_.threshold) {
+        window_.tracing().showFound(result.threshold);
+    }
+    if (!document_.push(takeTrace(document_, {result.input, result.lumen, result.tree}, tr("Trace vessels")))) {
+        return;
+    }
+    const int count = static_cast<int>(result.tree->branches.size());
+    QStringList notes{count == 1 ? tr("Traced: 1 branch.") : tr("Traced: %1 branches.").arg(count)};
+    emit traced((notes + result.warnings).join(QLatin1Char(' ')));
+}
+
+void TracingController::ended()
+{
+    window_.tracing().setRunning(false);
+    window_.strip().showIdle(tr("Ready"));
+}
+
+}   // namespace app

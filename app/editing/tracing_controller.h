@@ -1,0 +1,54 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/jobs/vessel_trace_job.h"
+#include "ui/slices/tracing_panel.h"
+
+#include <QObject>
+
+namespace ui {
+class MainWindow;
+}
+
+namespace app {
+
+/// Tracing the vessels of a scan by hand-set threshold, seeds and limits. What is set is a draft until a trace has
+/// succeeded: then tree and settings enter the case as one step.
+class TracingController : public QObject {
+    Q_OBJECT
+public:
+    TracingController(CaseDocument& document, ui::MainWindow& window, QObject* parent = nullptr);
+
+    bool isRunning() const { return job_.isRunning(); }
+    void start();
+    void stop() { job_.stop(); }
+    void addPoint(ui::TracingPick kind, const Eigen::Vector3d& pointInPatient);
+
+signals:
+    void traced(const QString& note);
+    void failed(const QString& reason);
+
+private:
+    void connectPanel();
+    void followDocument();
+    void setDraft(const core::VesselTracingOptions& draft);
+    void setPick(ui::TracingPick pick);
+    void showPreview();
+    void findThreshold();   ///< that "automatic" comes to, on a worker
+    void finish(const VesselTrace& traced);
+    void ended();
+    QString whyNot() const;
+
+    CaseDocument& document_;
+    ui::MainWindow& window_;
+    VesselTraceJob job_;
+    core::VesselTracingOptions draft_;
+    core::VesselInput shownInput_;
+    std::shared_ptr<const core::Volume> shownVolume_;
+    CaseState startedFrom_;
+    std::optional<VesselTrace> waiting_;   ///< for the end of a registration
+    ui::TracingPick pick_ = ui::TracingPick::Nothing;
+    QFutureWatcher<std::optional<double>> level_;
+};
+
+}   // namespace app

@@ -1,0 +1,219 @@
+#include "app/editing/tree_actions.h"
+
+#include "core/vessel/edit_tree.h"
+#include "ui/dialogs/prune_dialog.h"
+#include "ui/main_window.h"
+#include "ui/panels/result_sentences.h"
+#include "ui/slices/corner_views.h"
+#include "ui/slices/slices_page.h"
+#include "ui/views/tree_view.h"
+
+#include <QCoreApplication>
+#include <QListView>
+#include <QMenu>
+
+#include <array>
+
+namespace app {
+namespace {
+
+using ui::Command;
+
+/// The commands that change single branches, in the order of the menus.
+constexpr std::array branchCommands{Command::RenameBranch,   Command::CutBranch,     Command::JoinBranches,
+                                    Command::SmoothBranches, Command::RootAtBranch,  Command::HideBranches,
+                                    Command::DeleteBranches, Command::DeleteSubtrees};
+
+int countGone(const core::VesselTree& tree, const ui::PruneLimits& limits)
+{
+    const auto left = core::pruned(tree, limits.minLengthMm, limits.minRadiusMm);
+    return left ? static_cast<int>(tree.branches.size() - left.value().branches.size()) : -1;
+}
+
+void openMenu(QMenu* menu, const QPoint& globalPosition)
+{
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->popup(globalPosition);
+}
+
+}   // namespace
+
+TreeActions::TreeActions(CaseDocument& document, BranchController& branches, TracingController& tracing,
+                         ui::MainWindow& window, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      branches_(branches),
+      tracing_(tracing),
+      window_(window),
+      tree_(document, branches),
+      advice_(document)
+{
+    connectCommands();
+    connectList();
+    connectViews();
+    connect(&tree_, &TreeController::refused, this, &TreeActions::refused);
+    connect(&advice_, &RepairAdvice::changed, this, &TreeActions::showAdvice);
+    connect(&document, &CaseDocument::changed, this, &TreeActions::enableCommands);
+    enableCommands();
+    showAdvice();
+}
+
+void TreeActions::connectCommands()
+{
+    const auto on = [this](Command command, auto act) {
+        connect(window_.actions()[command], &QAction::triggered, this, act);
+    };
+    on(Command::DeleteBranches, [this] { tree_.deleteSelected(); });
+    on(Command::DeleteSubtrees, [this] { tree_.deleteSelectedSubtrees(); });
+    on(Command::CutBranch, [this] { tree_.cutSelected(); });
+    on(Command::JoinBranches, [this] { tree_.joinSelected(); });
+    on(Command::SmoothBranches, [this] { tree_.smoothSelected(); });
+    on(Command::RootAtBranch, [this] { tree_.rootAtSelected(); });
+    on(Command::HideBranches, [this] { tree_.toggleHiddenSelected(); });
+    on(Command::ShowAllBranches, [this] { tree_.showAll(); });
+    on(Command::PruneTree, [this] { askToPrune(); });
+    on(Command::MendGap, [this] { mendGap(); });
+    on(Command::FindBranch, [this] { window_.branches().focusFilter(); });
+    on(Command::RenameBranch, [this] {
+        const std::set<int>& selected = branches_.marks().selected;
+        if (selected.size() == 1) {
+            window_.branches().editName(*selected.begin());
+        } else {
+            emit refused(tr("Select one branch: click it in the list or in a view."));
+        }
+    });
+}
+
+void TreeActions::connectList()
+{
+    ui::BranchPanel& panel = window_.branches();
+    QList<QAction*> actions;
+    for (const Command command : branchCommands) {
+        actions << window_.actions()[command];
+    }
+    panel.setEditActions(actions);
+    connect(&panel, &ui::BranchPanel::renamed, &tree_, &TreeController::rename);
+    connect(&panel, &ui::BranchPanel::generationChosen, &tree_, &TreeController::setGeneration);
+    connect(&panel, &ui::BranchPanel::adviceTaken, this, &TreeActions::mendGap);
+    connect(&panel, &ui::BranchPanel::adviceShown, this, &TreeActions::goToGap);
+}
+
+void TreeActions::connectViews()
+{
+    connect(&window_, &ui::MainWindow::pointPicked, &tree_, &TreeController::setPlace);
+    connect(&window_.slices(), &ui::SliceModel::crosshairChanged, this,
+            [this] { tree_.setPlace(window_.slices().crosshair()); });
+    connect(&window_.treeView(), &ui::TreeView::menuRequested, this, &TreeActions::openBranchMenu);
+    std::vector<ui::SliceView*> views{&window_.corner().slice()};
+    for (const core::BodyPlane plane : core::bodyPlanes) {
+        views.push_back(&window_.slicesPage().view(plane));
+    }
+    for (ui::SliceView* view : views) {
+        connect(view, &ui::SliceView::menuRequested, this, &TreeActions::openSliceMenu);
+    }
+}
+
+void TreeActions::enableCommands()
+{
+    const bool hasTree = document_.current().tree != nullptr;
+    for (const Command command : branchCommands) {
+        window_.actions()[command]->setEnabled(hasTree);
+    }
+    window_.actions()[Command::PruneTree]->setEnabled(hasTree);
+    window_.actions()[Command::FindBranch]->setEnabled(hasTree);
+    window_.actions()[Command::ShowAllBranches]->setEnabled(!document_.current().hiddenBranchIds.empty());
+}
+
+void TreeActions::askToPrune()
+{
+    const auto tree = document_.current().tree;
+    if (!tree) {
+        return;
+    }
+    auto* dialog =
+        new ui::PruneDialog([tree](const ui::PruneLimits& limits) { return countGone(*tree, limits); }, &window_);
+    connect(dialog, &ui::PruneDialog::pruneRequested, this,
+            [this](const ui::PruneLimits& limits) { tree_.prune(limits.minLengthMm, limits.minRadiusMm); });
+    dialog->open();
+}
+
+void TreeActions::showAdvice()
+{
+    const auto& tree = document_.current().tree;
+    const bool isBroken = tree && advice_.pieceCount() > 1;
+    const bool isMendable = isBroken && !advice_.gaps().empty();
+    window_.actions()[Command::MendGap]->setEnabled(isMendable);
+    QString text;
+    if (isMendable) {
+        const core::TreeGap& gap = advice_.gaps().front();
+        const auto nameOf = [&tree](int id) { return ui::displayName(*tree->find(id)); };
+        text = tr("%1 pieces · gap %2 mm between %3 and %4")
+                   .arg(advice_.pieceCount())
+                   .arg(gap.distanceMm, 0, 'f', 1)
+                   .arg(nameOf(gap.fromBranchId), nameOf(gap.toBranchId));
+    } else if (isBroken) {
+        text = tr("%1 pieces, too far apart to belong together").arg(advice_.pieceCount());
+    }
+    window_.branches().showAdvice(text, isMendable);
+    emit adviceChanged();
+}
+
+void TreeActions::goToGap()
+{
+    if (!advice_.gaps().empty()) {
+        const core::TreeGap& gap = advice_.gaps().front();
+        branches_.select({gap.fromBranchId, gap.toBranchId});
+        window_.slices().setCrosshair(0.5 * (gap.fromInPatient + gap.toInPatient));
+    }
+}
+
+void TreeActions::mendGap()
+{
+    if (!advice_.gaps().empty() && !advice_.isLooking()) {
+        tree_.mend(advice_.gaps().front());
+    }
+}
+
+void TreeActions::openBranchMenu(int branchId, const Eigen::Vector3d& pointInPatient, const QPoint& globalPosition)
+{
+    if (!branches_.marks().selected.contains(branchId)) {
+        branches_.select({branchId});
+    }
+    window_.slices().setCrosshair(pointInPatient);
+    tree_.setPlace(pointInPatient);
+    auto* menu = new QMenu(&window_);
+    menu->addAction(window_.actions()[Command::ToggleAuxiliary]);
+    menu->addAction(window_.actions()[Command::ToggleExcluded]);
+    menu->addSeparator();
+    for (const Command command : branchCommands) {
+        menu->addAction(window_.actions()[command]);
+    }
+    openMenu(menu, globalPosition);
+}
+
+void TreeActions::openSliceMenu(const Eigen::Vector3d& pointInPatient, const QPoint& globalPosition)
+{
+    window_.slices().setCrosshair(pointInPatient);
+    auto* menu = new QMenu(&window_);
+    if (window_.actions()[Command::TraceScan]->isEnabled()) {
+        menu->addAction(tr("Seed here"), this,
+                        [this, pointInPatient] { tracing_.addPoint(ui::TracingPick::Seed, pointInPatient); });
+        menu->addAction(tr("Avoid this place"), this,
+                        [this, pointInPatient] { tracing_.addPoint(ui::TracingPick::Avoid, pointInPatient); });
+        menu->addSeparator();
+    }
+    for (const ui::WindowPreset& preset : ui::windowPresets()) {
+        menu->addAction(QCoreApplication::translate("ui::WindowPreset", preset.name), this,
+                        [this, window = preset.window] { window_.slices().setWindow(window); });
+    }
+    if (!branches_.marks().selected.empty()) {
+        menu->addSeparator();
+        menu->addAction(window_.actions()[Command::CutBranch]);
+        menu->addAction(window_.actions()[Command::RootAtBranch]);
+    }
+    menu->addSeparator();
+    menu->addAction(window_.actions()[Command::SlicesLarge]);
+    openMenu(menu, globalPosition);
+}
+
+}   // namespace app

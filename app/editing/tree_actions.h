@@ -1,0 +1,43 @@
+#pragma once
+
+#include "app/editing/repair_advice.h"
+#include "app/editing/tracing_controller.h"
+#include "app/editing/tree_controller.h"
+
+namespace app {
+
+/// How the user reaches the edits of the tree: menus, keys, the branch list, and clicks in the 3-D view and the slices.
+class TreeActions : public QObject {
+    Q_OBJECT
+public:
+    TreeActions(CaseDocument& document, BranchController& branches, TracingController& tracing, ui::MainWindow& window,
+                QObject* parent = nullptr);
+
+    TreeController& tree() { return tree_; }
+    const RepairAdvice& advice() const { return advice_; }
+
+signals:
+    void refused(const QString& why);
+    void adviceChanged();
+
+private:
+    void connectCommands();
+    void connectList();
+    void connectViews();
+    void enableCommands();
+    void showAdvice();
+    void goToGap();
+    void mendGap();
+    void askToPrune();
+    void openBranchMenu(int branchId, const Eigen::Vector3d& pointInPatient, const QPoint& globalPosition);
+    void openSliceMenu(const Eigen::Vector3d& pointInPatient, const QPoint& globalPosition);
+
+    CaseDocument& document_;
+    BranchController& branches_;
+    TracingController& tracing_;
+    ui::MainWindow& window_;
+    TreeController tree_;
+    RepairAdvice advice_;
+};
+
+}   // namespace app

@@ -1,0 +1,218 @@
+#include "app/editing/tree_controller.h"
+
+#include "app/document/edit_case.h"
+#include "core/vessel/edit_tree.h"
+#include "core/vessel/root_tree.h"
+#include "ui/panels/result_sentences.h"
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+constexpr double smoothWidthMm = 8.0;   // bends narrower than this are taken out
+
+QString words(const core::Error& error)
+{
+    return QString::fromStdString(error.message);
+}
+
+}   // namespace
+
+TreeController::TreeController(CaseDocument& document, BranchController& branches, QObject* parent)
+    : QObject(parent), document_(document), branches_(branches)
+{
+}
+
+bool TreeController::hasSelection()
+{
+    const bool has = tree() && !branches_.marks().selected.empty();
+    if (!has) {
+        emit refused(tr("Select a branch first: click it in the list or in a view."));
+    }
+    return has;
+}
+
+std::optional<int> TreeController::onlySelected()
+{
+    const std::set<int>& selected = branches_.marks().selected;
+    if (!tree() || selected.size() != 1) {
+        emit refused(tr("Select one branch: click it in the list or in a view."));
+        return std::nullopt;
+    }
+    return *selected.begin();
+}
+
+QString TreeController::namesOf(const std::set<int>& branchIds) const
+{
+    const core::VesselBranch* only = branchIds.size() == 1 ? tree()->find(*branchIds.begin()) : nullptr;
+    return only ? ui::displayName(*only) : tr("%1 branches").arg(branchIds.size());
+}
+
+bool TreeController::apply(const Edited& edited, const QString& text)
+{
+    if (!edited) {
+        emit refused(words(edited.error()));
+        return false;
+    }
+    return document_.push(editTree(document_, edited.value(), text));
+}
+
+void TreeController::relabel(const Edited& edited, const QString& text)
+{
+    if (!edited) {
+        emit refused(words(edited.error()));
+        return;
+    }
+    document_.push(std::make_unique<RelabelTree>(
+        document_, RelabelTree::Values{std::make_shared<const core::VesselTree>(edited.value()), true}, text));
+}
+
+void TreeController::deleteSelected()
+{
+    if (!hasSelection()) {
+        return;
+    }
+    const std::set<int> gone = branches_.marks().selected;
+    const core::VesselTree left = core::without(*tree(), {gone.begin(), gone.end()});
+    if (left.branches.empty()) {
+        emit refused(tr("At least one branch has to stay."));
+        return;
+    }
+    apply(left, tr("Delete %1").arg(namesOf(gone)));
+}
+
+void TreeController::deleteSelectedSubtrees()
+{
+    if (!hasSelection()) {
+        return;
+    }
+    Edited left = *tree();
+    for (const int id : branches_.marks().selected) {
+        if (left && left.value().find(id)) {   // else it went with another one
+            left = core::withoutSubtree(left.value(), id);
+        }
+    }
+    apply(left, tr("Delete %1 and what leaves it").arg(namesOf(branches_.marks().selected)));
+}
+
+void TreeController::cutSelected()
+{
+    const auto id = onlySelected();
+    if (!id) {
+        return;
+    }
+    if (!place_) {
+        emit refused(tr("Click the place of the cut first, in a slice or on the branch in the 3-D view."));
+        return;
+    }
+    apply(core::cutAt(*tree(), *id, core::nearestPoint(*tree(), *id, *place_)), tr("Cut %1").arg(namesOf({*id})));
+}
+
+void TreeController::joinSelected()
+{
+    const std::set<int> pair = branches_.marks().selected;
+    if (!tree() || pair.size() != 2) {
+        emit refused(tr("Select the two branches to join: Ctrl adds the second one."));
+        return;
+    }
+    const QString text = tr("Join %1 and %2").arg(namesOf({*pair.begin()}), namesOf({*pair.rbegin()}));
+    apply(core::joined(*tree(), *pair.begin(), *pair.rbegin()), text);
+}
+
+void TreeController::smoothSelected()
+{
+    if (!hasSelection()) {
+        return;
+    }
+    Edited smooth = *tree();
+    for (const int id : branches_.marks().selected) {
+        smooth = smooth ? core::smoothedBranch(smooth.value(), id, smoothWidthMm) : smooth;
+    }
+    apply(smooth, tr("Smooth %1").arg(namesOf(branches_.marks().selected)));
+}
+
+void TreeController::rootAtSelected()
+{
+    const auto id = onlySelected();
+    if (!id) {
+        return;
+    }
+    const auto& points = tree()->find(*id)->pointsInPatient;
+    const Eigen::Vector3d place = place_.value_or(points.front());
+    const bool isFront = (points.front() - place).norm() <= (points.back() - place).norm();
+    apply(core::rootedAt(*tree(), isFront ? points.front() : points.back()), tr("Root at %1").arg(namesOf({*id})));
+}
+
+void TreeController::toggleHiddenSelected()
+{
+    if (!hasSelection()) {
+        return;
+    }
+    const std::set<int>& selected = branches_.marks().selected;
+    std::set<int> hidden = branches_.marks().hidden;
+    const bool shows = std::ranges::includes(hidden, selected);
+    for (const int id : selected) {
+        shows ? static_cast<void>(hidden.erase(id)) : static_cast<void>(hidden.insert(id));
+    }
+    const QString text = shows ? tr("Show %1").arg(namesOf(selected)) : tr("Hide %1").arg(namesOf(selected));
+    document_.push(
+        std::make_unique<HideBranches>(document_, HideBranches::Values{{hidden.begin(), hidden.end()}}, text));
+}
+
+void TreeController::showAll()
+{
+    if (!document_.current().hiddenBranchIds.empty()) {
+        document_.push(std::make_unique<HideBranches>(document_, HideBranches::Values{{}}, tr("Show all branches")));
+    }
+}
+
+void TreeController::prune(double minLengthMm, double minRadiusMm)
+{
+    if (!tree()) {
+        return;
+    }
+    const Edited left = core::pruned(*tree(), minLengthMm, minRadiusMm);
+    if (left && left.value().branches.size() == tree()->branches.size()) {
+        emit refused(tr("No end branch is shorter or thinner than that."));
+        return;
+    }
+    const auto gone = left ? tree()->branches.size() - left.value().branches.size() : 0;
+    apply(left, gone == 1 ? tr("Prune 1 branch") : tr("Prune %1 branches").arg(gone));
+}
+
+void TreeController::rename(int branchId, const QString& name)
+{
+    const core::VesselBranch* branch = tree() ? tree()->find(branchId) : nullptr;
+    const std::string wanted = name.trimmed().toStdString();
+    if (branch && branch->name != wanted) {
+        relabel(core::renamed(*tree(), branchId, wanted), tr("Rename %1").arg(ui::displayName(*branch)));
+    }
+}
+
+void TreeController::setGeneration(const std::set<int>& branchIds, int generation)
+{
+    if (!tree() || branchIds.empty()) {
+        return;
+    }
+    Edited counted = *tree();
+    for (const int id : branchIds) {
+        counted = counted ? core::withGeneration(counted.value(), id, generation) : counted;
+    }
+    relabel(counted, tr("Set generation of %1").arg(namesOf(branchIds)));
+}
+
+void TreeController::mend(const core::TreeGap& gap)
+{
+    if (!tree()) {
+        return;
+    }
+    Edited whole = core::mended(*tree(), gap);
+    const core::VesselBranch& first = tree()->branches.front();
+    if (whole && first.generation >= 0) {   // the branches beyond the gap now count from the root
+        whole = core::rootedAt(whole.value(), first.pointsInPatient.front());
+    }
+    apply(whole, tr("Join %1 and %2").arg(namesOf({gap.fromBranchId}), namesOf({gap.toBranchId})));
+}
+
+}   // namespace app

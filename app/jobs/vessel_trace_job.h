@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/registration_case.h"
+#include "core/support/result.h"
+
+#include <QFutureWatcher>
+#include <QObject>
+#include <QTimer>
+
+#include <atomic>
+#include <memory>
+
+namespace app {
+
+/// What to trace a vessel tree from. The scan is taken as it lies in memory; other inputs are read again.
+struct VesselTraceRequest {
+    std::string path;
+    core::VesselInput input;
+    std::shared_ptr<const core::Volume> volume;
+};
+
+struct VesselTrace {
+    core::VesselInput input;
+    std::shared_ptr<const core::VoxelMask> lumen;
+    std::shared_ptr<const core::VesselTree> tree;
+    double threshold = 0.0;   ///< where the lumen begins
+    QStringList warnings;
+};
+
+/// Traces a tree off the GUI thread; asked to stop it ends within a second and leaves nothing. A destroyed job stops
+/// its work and drops it.
+class VesselTraceJob : public QObject {
+    Q_OBJECT
+public:
+    explicit VesselTraceJob(QObject* parent = nullptr);
+    ~VesselTraceJob() override;
+
+    void start(VesselTraceRequest request);
+    void stop();
+    bool isRunning() const { return running_; }
+
+signals:
+    void advanced(double fraction);
+    void finished(const app::VesselTrace& traced);
+    void failed(const QString& reason);
+    void stopped();
+
+private:
+    /// What job and worker share: it outlives the job when that is dropped first.
+    struct Shared {
+        std::atomic<bool> isStopWished{false};
+        std::atomic<double> fraction{0.0};
+    };
+    void publish();
+
+    std::shared_ptr<Shared> shared_ = std::make_shared<Shared>();
+    QTimer poll_;
+    QFutureWatcher<core::Result<VesselTrace>> watcher_;
+    bool running_ = false;
+};
+
+}   // namespace app

@@ -1,0 +1,79 @@
+#include "io/case/tree_values.h"
+
+#include <nlohmann/json.hpp>
+
+namespace io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json branchJson(const core::VesselBranch& branch)
+{
+    Json json{{"id", branch.id}};
+    if (!branch.name.empty()) {
+        json["name"] = branch.name;
+    }
+    if (branch.generation >= 0) {
+        json["generation"] = branch.generation;
+    }
+    const bool hasRadii = branch.radiusMm.size() == branch.pointsInPatient.size();
+    Json& points = json["pointsMm"] = Json::array();
+    for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
+        const Eigen::Vector3d& point = branch.pointsInPatient[i];
+        Json values = Json::array({point.x(), point.y(), point.z()});
+        if (hasRadii) {
+            values.push_back(branch.radiusMm[i]);
+        }
+        points.push_back(std::move(values));
+    }
+    return json;
+}
+
+core::VesselBranch branchFrom(const Json& json)
+{
+    core::VesselBranch branch;
+    branch.id = json.at("id").get<int>();
+    branch.name = json.value("name", "");
+    branch.generation = json.value("generation", -1);
+    for (const Json& values : json.at("pointsMm")) {
+        branch.pointsInPatient.emplace_back(values.at(0).get<double>(), values.at(1).get<double>(),
+                                            values.at(2).get<double>());
+        if (values.size() > 3) {
+            branch.radiusMm.push_back(values[3].get<double>());
+        }
+    }
+    if (branch.radiusMm.size() != branch.pointsInPatient.size()) {
+        branch.radiusMm.clear();   // a radius is known for all points or for none
+    }
+    return branch;
+}
+
+}   // namespace
+
+std::string treeJson(const core::VesselTree& tree)
+{
+    Json json;
+    Json& branches = json["branches"] = Json::array();
+    for (const core::VesselBranch& branch : tree.branches) {
+        branches.push_back(branchJson(branch));
+    }
+    return json.dump();
+}
+
+core::Result<core::VesselTree> treeFromJson(std::string_view json)
+{
+    const Json root = Json::parse(json);
+    core::VesselTree tree;
+    for (const Json& branch : root.at("branches")) {
+        tree.branches.push_back(branchFrom(branch));
+        if (tree.find(tree.branches.back().id) != &tree.branches.back()) {
+            return core::Error{"branch " + std::to_string(tree.branches.back().id) + " is there twice."};
+        }
+    }
+    if (std::string problem = core::findProblem(tree); !problem.empty()) {
+        return core::Error{std::move(problem)};
+    }
+    return tree;
+}
+
+}   // namespace io

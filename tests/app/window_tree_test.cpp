@@ -1,0 +1,257 @@
+#include "io/case_file.h"
+#include "tests/app/open_window.h"
+#include "ui/dialogs/prune_dialog.h"
+#include "ui/panels/number_field.h"
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QListView>
+#include <QTemporaryDir>
+
+namespace app {
+namespace {
+
+using test::OpenWindow;
+
+/// The sample case, with the list of its branches.
+class WindowTree : public ::testing::Test {
+protected:
+    void SetUp() override { w.openSample(); }
+
+    QListView& list() { return *w.window.branches().list(); }
+    const core::VesselTree& tree() { return *w.current().tree; }
+    int idAt(std::size_t index) { return tree().branches[index].id; }
+    void select(const std::set<int>& ids) { w.controller.branches().select(ids); }
+    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
+    {
+        QTest::keyClick(&list(), key, modifiers);
+    }
+    QString rowText(int row) { return list().model()->index(row, 0).data().toString(); }
+
+    OpenWindow w;
+};
+
+TEST_F(WindowTree, DeletesBranchesWithTheirMarksAndBringsThemBack)
+{
+    const auto before = w.current().tree;
+    const int gone = idAt(before->branches.size() - 1);
+    select({gone});
+    press(Qt::Key_A);
+    ASSERT_EQ(w.current().auxiliaryBranchIds, std::vector{gone});
+
+    press(Qt::Key_Delete);
+    EXPECT_EQ(tree().branches.size(), before->branches.size() - 1);
+    EXPECT_EQ(tree().find(gone), nullptr);
+    EXPECT_TRUE(w.current().auxiliaryBranchIds.empty());
+    EXPECT_TRUE(w.current().isTreeEdited);
+    EXPECT_TRUE(w.history().undoText().startsWith(QStringLiteral("Delete")));
+    EXPECT_TRUE(w.controller.branches().marks().selected.empty());
+    EXPECT_EQ(list().model()->rowCount(), static_cast<int>(tree().branches.size()));
+
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(w.current().tree, before);
+    EXPECT_EQ(w.current().auxiliaryBranchIds, std::vector{gone});
+    EXPECT_FALSE(w.current().isTreeEdited);
+}
+
+TEST_F(WindowTree, NeverDeletesEverything)
+{
+    const auto before = w.current().tree;
+    press(Qt::Key_A, Qt::ControlModifier);
+    press(Qt::Key_Delete);
+    EXPECT_EQ(w.current().tree, before);
+}
+
+TEST_F(WindowTree, DropsTheResultButKeepsAMovedPose)
+{
+    w.press(Qt::Key_R);
+    w.waitForRun();
+    ASSERT_TRUE(w.current().result);
+    const core::RigidTransform pose = w.current().cameraFromPatient;
+    select({idAt(tree().branches.size() - 1)});
+    press(Qt::Key_Delete);
+    EXPECT_FALSE(w.current().result);
+    EXPECT_LT(test::distance(w.current().cameraFromPatient, pose), 1e-12);
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_TRUE(w.current().result);
+}
+
+TEST_F(WindowTree, CutsJoinsAndSmooths)
+{
+    const auto before = w.current().tree;
+    const int id = idAt(0);
+    const auto& points = tree().branches[0].pointsInPatient;
+    emit w.window.treeView().pointPicked(points[points.size() / 2]);   // as a click on the branch does
+    select({id});
+    press(Qt::Key_K, Qt::ControlModifier);
+    ASSERT_EQ(tree().branches.size(), before->branches.size() + 1);
+    const int part = tree().branches.back().id;
+    EXPECT_NEAR(static_cast<double>(tree().find(id)->pointsInPatient.size()), 0.5 * static_cast<double>(points.size()),
+                1.6);
+
+    select({id, part});
+    press(Qt::Key_J, Qt::ControlModifier);
+    ASSERT_EQ(tree().branches.size(), before->branches.size());
+    EXPECT_EQ(tree().find(id)->pointsInPatient.size(), points.size());
+    EXPECT_NEAR(tree().find(id)->lengthMm(), before->find(id)->lengthMm(), 1e-9);
+
+    select({id});
+    press(Qt::Key_M, Qt::ControlModifier);
+    EXPECT_LT(tree().find(id)->lengthMm(), before->find(id)->lengthMm());
+    EXPECT_EQ(tree().find(id)->pointsInPatient.front(), points.front());
+    EXPECT_EQ(w.history().count(), 3);
+}
+
+TEST_F(WindowTree, RenamesInTheListAndKeepsTheResult)
+{
+    w.press(Qt::Key_R);
+    w.waitForRun();
+    const int id = idAt(2);
+    select({id});
+    press(Qt::Key_F2);
+    auto* editor = list().findChild<QLineEdit*>();
+    ASSERT_TRUE(editor);
+    QTest::keyClick(editor, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(editor, QStringLiteral("LAD x"));   // letters that are commands elsewhere
+    QTest::keyClick(editor, Qt::Key_Return);
+    QApplication::processEvents();
+    EXPECT_EQ(tree().find(id)->name, "LAD x");
+    EXPECT_TRUE(w.current().result);
+    EXPECT_TRUE(w.current().excludedBranchIds.empty());
+    EXPECT_EQ(w.controller.branches().marks().selected, std::set{id});
+    EXPECT_EQ(list().selectionModel()->selectedIndexes().size(), 1);
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_NE(tree().find(id)->name, "LAD x");
+}
+
+TEST_F(WindowTree, HidesBranchesFromTheViewsOnly)
+{
+    const int id = idAt(1);
+    ASSERT_TRUE(w.window.angiogramView().scene().extentOf(id));
+    select({id});
+    press(Qt::Key_H, Qt::ShiftModifier);
+    EXPECT_EQ(w.current().hiddenBranchIds, std::vector{id});
+    EXPECT_FALSE(w.window.angiogramView().scene().extentOf(id));
+    EXPECT_TRUE(tree().find(id));
+    press(Qt::Key_H, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_TRUE(w.current().hiddenBranchIds.empty());
+    EXPECT_TRUE(w.window.angiogramView().scene().extentOf(id));
+}
+
+TEST_F(WindowTree, PrunesWhatTheDialogCounts)
+{
+    press(Qt::Key_P, Qt::ControlModifier);
+    const QList<QDialog*> asked = w.dialogs("pruneDialog");
+    ASSERT_EQ(asked.size(), 1);
+    auto* length = asked.front()->findChildren<ui::NumberField*>().front();
+    double shortest = 1e9;
+    for (const core::VesselBranch& branch : tree().branches) {
+        shortest = std::min(shortest, branch.lengthMm());
+    }
+    length->setFocus();
+    length->selectAll();
+    QTest::keyClicks(length, QString::number(shortest + 0.1, 'f', 1));
+    QTest::keyClick(length, Qt::Key_Tab);
+    const std::size_t before = tree().branches.size();
+    OpenWindow::clickButton(asked.front(), QStringLiteral("Prune"));
+    EXPECT_LT(tree().branches.size(), before);
+    EXPECT_TRUE(w.history().undoText().startsWith(QStringLiteral("Prune")));
+}
+
+TEST_F(WindowTree, RootsAtTheChosenEnd)
+{
+    const int id = idAt(tree().branches.size() - 1);
+    const Eigen::Vector3d end = tree().find(id)->pointsInPatient.back();
+    emit w.window.treeView().pointPicked(end);
+    select({id});
+    press(Qt::Key_Home, Qt::ControlModifier);
+    EXPECT_EQ(tree().branches.front().pointsInPatient.front(), end);
+    EXPECT_EQ(tree().branches.front().generation, 0);
+}
+
+TEST_F(WindowTree, AdvisesHowToMendABrokenTree)
+{
+    const auto found = [this](int pieces) {
+        return QTest::qWaitFor(
+            [this, pieces] {
+                QApplication::processEvents();
+                const bool isShown = w.window.actions()[ui::Command::MendGap]->isEnabled();
+                return isShown == (pieces > 1);
+            },
+            test::patienceMs);
+    };
+    // Cut a branch far from its ends, take a piece of it away: the rest is a piece of its own.
+    const int id = idAt(0);
+    const auto points = tree().branches[0].pointsInPatient;
+    for (const double share : {0.45, 0.55}) {
+        emit w.window.treeView().pointPicked(
+            points[static_cast<std::size_t>(share * static_cast<double>(points.size()))]);
+        select({share < 0.5 ? id : tree().branches.back().id});
+        press(Qt::Key_K, Qt::ControlModifier);
+    }
+    const int middle = tree().branches[tree().branches.size() - 2].id;
+    select({middle});
+    press(Qt::Key_Delete);
+    ASSERT_TRUE(found(2));
+    const std::size_t before = tree().branches.size();
+
+    press(Qt::Key_G, Qt::ControlModifier);
+    EXPECT_EQ(tree().branches.size(), before - 1);
+    EXPECT_TRUE(w.history().undoText().startsWith(QStringLiteral("Join")));
+    EXPECT_TRUE(found(1));
+}
+
+TEST_F(WindowTree, SortsAndFiltersTheList)
+{
+    auto* order = w.window.branches().findChild<QComboBox*>();
+    ASSERT_TRUE(order);
+    order->setCurrentText(QStringLiteral("by length"));
+    double last = 1e9;
+    for (int row = 0; row < list().model()->rowCount(); ++row) {
+        const QString name = rowText(row);
+        for (const core::VesselBranch& branch : tree().branches) {
+            if (ui::displayName(branch) == name) {
+                EXPECT_LE(branch.lengthMm(), last);
+                last = branch.lengthMm();
+            }
+        }
+    }
+    const int id = idAt(3);
+    const QString name = ui::displayName(*tree().find(id));
+    press(Qt::Key_F, Qt::ControlModifier);
+    QTest::keyClicks(QApplication::focusWidget(), name);
+    ASSERT_GE(list().model()->rowCount(), 1);
+    EXPECT_LT(list().model()->rowCount(), static_cast<int>(tree().branches.size()));
+    const QRect row = list().visualRect(list().model()->index(0, 0));
+    QTest::mouseClick(list().viewport(), Qt::LeftButton, Qt::NoModifier, row.topLeft() + QPoint(40, 8));
+    const std::set<int> selected = w.controller.branches().marks().selected;
+    ASSERT_EQ(selected.size(), 1U);
+    EXPECT_EQ(ui::displayName(*tree().find(*selected.begin())), rowText(0));
+}
+
+TEST_F(WindowTree, EditsSurviveSavingAndReopening)
+{
+    const QTemporaryDir folder;
+    select({idAt(1)});
+    press(Qt::Key_Delete);
+    select({idAt(1)});
+    press(Qt::Key_H, Qt::ShiftModifier);
+    const core::VesselTree edited = tree();
+    const QString path = folder.filePath(QStringLiteral("edited.angiopose"));
+    w.controller.saving().saveTo(path);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !w.controller.document().isModified(); }, test::patienceMs));
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    w.history().setClean();
+
+    w.drop({path});
+    EXPECT_TRUE(w.current().isTreeEdited);
+    ASSERT_EQ(tree().branches.size(), edited.branches.size());
+    for (std::size_t i = 0; i < edited.branches.size(); ++i) {
+        EXPECT_EQ(tree().branches[i].id, edited.branches[i].id);
+        EXPECT_EQ(tree().branches[i].pointsInPatient, edited.branches[i].pointsInPatient);
+    }
+    EXPECT_EQ(w.current().hiddenBranchIds.size(), 1U);
+}
+
+}   // namespace
+}   // namespace app

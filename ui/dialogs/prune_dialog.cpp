@@ -1,0 +1,71 @@
+#include "ui/dialogs/prune_dialog.h"
+
+#include "ui/panels/number_field.h"
+#include "ui/panels/section.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QPushButton>
+
+namespace ui {
+
+PruneDialog::PruneDialog(std::function<int(const PruneLimits&)> countGone, QWidget* parent)
+    : QDialog(parent),
+      countGone_(std::move(countGone)),
+      length_(new NumberField({0.0, 1000.0, 1, tr("mm"), 1.0})),
+      radius_(new NumberField({0.0, 1000.0, 2, tr("mm"), 0.1})),
+      count_(roleLabel("body")),
+      prune_(new QPushButton(tr("Prune")))
+{
+    setObjectName(QStringLiteral("pruneDialog"));
+    setWindowTitle(tr("Prune"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(22, 20, 22, 16);
+    layout->setSpacing(12);
+    layout->addWidget(roleLabel("heading", tr("Remove end branches that are")));
+    length_->setAccessibleName(tr("shorter than"));
+    radius_->setAccessibleName(tr("on average thinner than (radius)"));
+    auto* form = new QFormLayout;
+    form->addRow(tr("shorter than"), length_);
+    form->addRow(tr("on average thinner than (radius)"), radius_);
+    layout->addLayout(form);
+    count_->setMinimumWidth(320);
+    layout->addWidget(count_);
+    auto* buttons = new QHBoxLayout;
+    auto* cancel = new QPushButton(tr("Cancel"));
+    prune_->setProperty("role", "primary");
+    prune_->setDefault(true);
+    buttons->addStretch(1);
+    buttons->addWidget(cancel);
+    buttons->addWidget(prune_);
+    layout->addLayout(buttons);
+    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    connect(prune_, &QPushButton::clicked, this, [this] {
+        emit pruneRequested(limits_);
+        accept();
+    });
+    connect(length_, &NumberField::edited, this, [this](double value) {
+        limits_.minLengthMm = value;
+        showCount();
+    });
+    connect(radius_, &NumberField::edited, this, [this](double value) {
+        limits_.minRadiusMm = value;
+        showCount();
+    });
+    length_->showValue(limits_.minLengthMm);
+    radius_->showValue(limits_.minRadiusMm);
+    showCount();
+}
+
+void PruneDialog::showCount()
+{
+    const int gone = countGone_(limits_);
+    count_->setText(gone < 0    ? tr("Nothing would be left. Lower the limits.")
+                    : gone == 0 ? tr("No branch goes.")
+                    : gone == 1 ? tr("1 branch goes.")
+                                : tr("%1 branches go.").arg(gone));
+    prune_->setEnabled(gone > 0);
+}
+
+}   // namespace ui

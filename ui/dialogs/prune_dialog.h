@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QDialog>
+
+#include <functional>
+
+class QLabel;
+class QPushButton;
+
+namespace ui {
+
+class NumberField;
+
+struct PruneLimits {
+    double minLengthMm = 5.0;
+    double minRadiusMm = 0.0;
+};
+
+/// Asks below which length and radius end branches go, and says how many that would be.
+class PruneDialog : public QDialog {
+    Q_OBJECT
+public:
+    /// `countGone` tells how many branches would go; a negative number: nothing would be left.
+    PruneDialog(std::function<int(const PruneLimits&)> countGone, QWidget* parent = nullptr);
+
+signals:
+    void pruneRequested(const ui::PruneLimits& limits);
+
+private:
+    void showCount();
+
+    std::function<int(const PruneLimits&)> countGone_;
+    PruneLimits limits_;
+    NumberField* length_;
+    NumberField* radius_;
+    QLabel* count_;
+    QPushButton* prune_;
+};
+
+}   // namespace ui

@@ -1,0 +1,99 @@
+#include "ui/slices/corner_views.h"
+
+#include "ui/slices/slices_page.h"
+#include "ui/views/tree_view.h"
+
+#include <QHBoxLayout>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace ui {
+
+CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
+    : QWidget(parent),
+      model_(model),
+      bar_(new QWidget),
+      stack_(new QStackedWidget),
+      treeView_(treeView),
+      slice_(new SliceView(model, core::BodyPlane::Axial))
+{
+    stack_->addWidget(treeView_);
+    stack_->addWidget(slice_);
+    auto* tabs = new QHBoxLayout(bar_);
+    tabs->setContentsMargins(10, 4, 6, 2);
+    tabs->setSpacing(2);
+    tabs_[0] = makeTab(tr("3-D"), std::nullopt);
+    for (std::size_t i = 0; i < core::bodyPlanes.size(); ++i) {
+        tabs_[i + 1] = makeTab(nameOf(core::bodyPlanes[i]), core::bodyPlanes[i]);
+    }
+    for (QToolButton* tab : tabs_) {
+        tabs->addWidget(tab);
+    }
+    tabs->addStretch(1);
+    auto* large = new QToolButton;
+    large->setText(QStringLiteral("⤢"));
+    large->setProperty("role", "tab");
+    large->setAccessibleName(tr("All slices, large"));
+    large->setToolTip(tr("All slices, large (M)"));
+    connect(large, &QToolButton::clicked, this, &CornerViews::roomRequested);
+    connect(slice_, &SliceView::roomRequested, this, &CornerViews::roomRequested);
+    tabs->addWidget(large);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(bar_);
+    layout->addWidget(stack_, 1);
+    connect(&model, &SliceModel::scanChanged, this, &CornerViews::followScan);
+    followScan();
+}
+
+QToolButton* CornerViews::makeTab(const QString& text, std::optional<core::BodyPlane> plane)
+{
+    auto* tab = new QToolButton;
+    tab->setText(text);
+    tab->setProperty("role", "tab");
+    tab->setCheckable(true);
+    connect(tab, &QToolButton::clicked, this, [this, plane] { showPlane(plane); });
+    return tab;
+}
+
+std::optional<core::BodyPlane> CornerViews::shownPlane() const
+{
+    return model_.hasScan() ? wanted_ : std::nullopt;
+}
+
+void CornerViews::showPlane(std::optional<core::BodyPlane> plane)
+{
+    if (plane != wanted_) {
+        wanted_ = plane;
+        emit planeChanged(plane);
+    }
+    const auto shown = shownPlane();
+    if (shown) {
+        slice_->setPlane(*shown);
+    }
+    stack_->setCurrentWidget(shown ? static_cast<QWidget*>(slice_) : treeView_);
+    for (std::size_t i = 0; i < tabs_.size(); ++i) {
+        tabs_[i]->setChecked(i == 0 ? !shown : shown == core::bodyPlanes[i - 1]);
+    }
+}
+
+void CornerViews::showNext()
+{
+    const auto& planes = core::bodyPlanes;
+    const auto now = wanted_ ? std::find(planes.begin(), planes.end(), *wanted_) : planes.end();
+    const auto next = now == planes.end() ? planes.begin() : now + 1;
+    showPlane(next == planes.end() ? std::nullopt : std::optional(*next));
+}
+
+void CornerViews::followScan()
+{
+    bar_->setVisible(model_.hasScan());
+    showPlane(wanted_);
+}
+
+}   // namespace ui

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "ui/slices/slice_view.h"
+
+#include <QWidget>
+
+#include <array>
+#include <optional>
+
+class QStackedWidget;
+class QToolButton;
+
+namespace ui {
+
+class TreeView;
+
+/// The place below the branches: the 3-D view, or one plane of the scan. The choice appears with a scan.
+class CornerViews : public QWidget {
+    Q_OBJECT
+public:
+    CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent = nullptr);
+
+    std::optional<core::BodyPlane> shownPlane() const;
+    void showPlane(std::optional<core::BodyPlane> plane);   ///< none: the 3-D view; waits for a scan
+    void showNext();
+    SliceView& slice() { return *slice_; }
+
+signals:
+    void planeChanged(std::optional<core::BodyPlane> plane);
+    void roomRequested();   ///< all slices, large
+
+private:
+    QToolButton* makeTab(const QString& text, std::optional<core::BodyPlane> plane);
+    void followScan();
+
+    SliceModel& model_;
+    QWidget* bar_;
+    QStackedWidget* stack_;
+    TreeView* treeView_;
+    SliceView* slice_;
+    std::array<QToolButton*, 4> tabs_{};   ///< 3-D, then `core::bodyPlanes`
+    std::optional<core::BodyPlane> wanted_;
+};
+
+}   // namespace ui

@@ -1,0 +1,187 @@
+#include "ui/slices/slice_annotations.h"
+
+#include "ui/scenes/branch_style.h"
+#include "ui/theme/active_theme.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+namespace {
+
+constexpr double farthestMm = 3.0;
+constexpr int letterPx = 12;
+constexpr int textPx = 11;
+constexpr double crosshairGapPx = 9.0;
+constexpr double markRadiusPx = 4.5;
+
+/// Images lie on black in every theme.
+const Palette& tones()
+{
+    return palette(ThemeMode::Dark);
+}
+
+QChar sideOf(const Eigen::Vector3d& direction)
+{
+    Eigen::Index axis = 0;
+    direction.cwiseAbs().maxCoeff(&axis);
+    const bool isPositive = direction[axis] > 0.0;
+    constexpr std::array positive{'L', 'P', 'H'};
+    constexpr std::array negative{'R', 'A', 'F'};
+    const auto at = static_cast<std::size_t>(axis);
+    return QLatin1Char(isPositive ? positive[at] : negative[at]);
+}
+
+void drawOutlined(QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& color)
+{
+    painter.setPen(toQColor(tones().canvas, 0.85));
+    for (const QPointF& shift : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
+        painter.drawText(box.translated(shift), flags, text);
+    }
+    painter.setPen(color);
+    painter.drawText(box, flags, text);
+}
+
+void drawWithHalo(QPainter& painter, const QLineF& line, const QColor& color, double width)
+{
+    painter.setPen(QPen(toQColor(tones().canvas, 0.6 * color.alphaF()), width + 1.6, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(line);
+    painter.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(line);
+}
+
+void paintBranch(QPainter& painter, const SliceOverlay& overlay, const core::VesselBranch& branch)
+{
+    const BranchStyle style = branchStyle(branch.id, overlay.model.marks());
+    const double reach = visibleDistanceMm(overlay.grid);
+    const auto& points = branch.pointsInPatient;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double before = overlay.grid.distanceMm(points[i - 1]);
+        const double after = overlay.grid.distanceMm(points[i]);
+        const bool crosses = (before <= 0.0) != (after <= 0.0);
+        const double nearest = std::min(std::abs(before), std::abs(after));
+        if (!crosses && nearest > reach) {
+            continue;
+        }
+        const QPointF from = overlay.widgetFromPatient(points[i - 1]);
+        const QPointF to = overlay.widgetFromPatient(points[i]);
+        QColor color = toQColor(style.color, style.opacity * (crosses ? 1.0 : 0.15 + 0.75 * (1.0 - nearest / reach)));
+        drawWithHalo(painter, {from, to}, color, 1.6 * style.widthFactor);
+        if (crosses) {
+            const double share = before / (before - after);
+            const QPointF at = from + share * (to - from);
+            painter.setPen(QPen(toQColor(tones().canvas, 0.7), 1.0));
+            painter.setBrush(toQColor(style.color));
+            const double radius = 2.6 * style.widthFactor;
+            painter.drawEllipse(at, radius, radius);
+        }
+    }
+}
+
+void paintMark(QPainter& painter, const QPointF& at, SliceMarkKind kind, const QString& label, double opacity)
+{
+    const Color tone = kind == SliceMarkKind::Seed    ? tones().fine
+                       : kind == SliceMarkKind::Avoid ? tones().attention
+                                                      : tones().accent;
+    QPainterPath sign;   // told apart by shape: seed +, avoid ×, landmark ring
+    const double r = markRadiusPx;
+    if (kind == SliceMarkKind::Seed) {
+        sign.moveTo(at - QPointF(r, 0));
+        sign.lineTo(at + QPointF(r, 0));
+        sign.moveTo(at - QPointF(0, r));
+        sign.lineTo(at + QPointF(0, r));
+    } else if (kind == SliceMarkKind::Avoid) {
+        sign.moveTo(at - QPointF(r, r));
+        sign.lineTo(at + QPointF(r, r));
+        sign.moveTo(at + QPointF(-r, r));
+        sign.lineTo(at + QPointF(r, -r));
+    } else {
+        sign.addEllipse(at, r, r);
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(toQColor(tones().canvas, 0.8 * opacity), 4.0));
+    painter.drawPath(sign);
+    painter.setPen(QPen(toQColor(tone, opacity), 2.0));
+    painter.drawPath(sign);
+    if (!label.isEmpty()) {
+        drawOutlined(painter, QRectF(at + QPointF(r + 3, -8), QSizeF(80, 16)), Qt::AlignLeft | Qt::AlignVCenter, label,
+                     toQColor(tone, opacity));
+    }
+}
+
+}   // namespace
+
+double visibleDistanceMm(const core::SliceGrid& grid)
+{
+    return std::max(farthestMm, grid.thicknessMm);
+}
+
+void paintBranches(QPainter& painter, const SliceOverlay& overlay)
+{
+    const core::VesselTree* tree = overlay.model.tree();
+    if (!tree) {
+        return;
+    }
+    for (const core::VesselBranch& branch : tree->branches) {
+        if (!overlay.model.marks().hidden.contains(branch.id)) {
+            paintBranch(painter, overlay, branch);
+        }
+    }
+}
+
+void paintPoints(QPainter& painter, const SliceOverlay& overlay)
+{
+    const double reach = 2.0 * visibleDistanceMm(overlay.grid);
+    for (const auto& [kind, marks] : overlay.model.points()) {
+        for (const SliceMark& mark : marks) {
+            const double distance = std::abs(overlay.grid.distanceMm(mark.pointInPatient));
+            if (distance <= reach) {
+                paintMark(painter, overlay.widgetFromPatient(mark.pointInPatient), kind, mark.label,
+                          1.0 - 0.75 * distance / reach);
+            }
+        }
+    }
+}
+
+void paintCrosshair(QPainter& painter, const SliceOverlay& overlay)
+{
+    const QPointF at = overlay.widgetFromPatient(overlay.model.crosshair());
+    painter.setPen(QPen(toQColor(tones().accent, 0.55), 1.0));
+    const QRectF& area = overlay.area;
+    painter.drawLine(QLineF(area.left(), at.y(), at.x() - crosshairGapPx, at.y()));
+    painter.drawLine(QLineF(at.x() + crosshairGapPx, at.y(), area.right(), at.y()));
+    painter.drawLine(QLineF(at.x(), area.top(), at.x(), at.y() - crosshairGapPx));
+    painter.drawLine(QLineF(at.x(), at.y() + crosshairGapPx, at.x(), area.bottom()));
+}
+
+void paintSides(QPainter& painter, const SliceOverlay& overlay)
+{
+    const core::PlaneAxes axes = core::axesOf(overlay.plane);
+    QFont font = painter.font();
+    font.setPixelSize(letterPx);
+    font.setWeight(QFont::DemiBold);
+    painter.setFont(font);
+    const QRectF area = overlay.area.adjusted(5, 4, -5, -4);
+    const QColor color = toQColor(tones().text);
+    drawOutlined(painter, area, Qt::AlignLeft | Qt::AlignVCenter, sideOf(-axes.right), color);
+    drawOutlined(painter, area, Qt::AlignRight | Qt::AlignVCenter, sideOf(axes.right), color);
+    drawOutlined(painter, area, Qt::AlignHCenter | Qt::AlignTop, sideOf(-axes.down), color);
+    drawOutlined(painter, area, Qt::AlignHCenter | Qt::AlignBottom, sideOf(axes.down), color);
+}
+
+void paintTexts(QPainter& painter, const QRectF& area, const QStringList& top, const QStringList& bottom)
+{
+    QFont font = painter.font();
+    font.setPixelSize(textPx);
+    font.setWeight(QFont::Normal);
+    painter.setFont(font);
+    const QColor color = toQColor(tones().text);
+    const QRectF inner = area.adjusted(8, 6, -8, -6);
+    drawOutlined(painter, inner, Qt::AlignLeft | Qt::AlignTop, top.join(QLatin1Char('\n')), color);
+    drawOutlined(painter, inner, Qt::AlignLeft | Qt::AlignBottom, bottom.join(QLatin1Char('\n')), color);
+}
+
+}   // namespace ui

@@ -1,0 +1,131 @@
+#include "ui/slices/slice_model.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace ui {
+namespace {
+
+constexpr std::size_t sampledVoxels = 40000;
+constexpr double airHu = -500.0;   // below this lies air, which only CT has
+
+/// Values spread evenly over the scan, ascending.
+std::vector<double> sampledValues(const core::Volume& volume)
+{
+    const std::size_t count = volume.voxels.size();
+    const std::size_t step = std::max<std::size_t>(1, count / sampledVoxels) | 1U;   // odd: no column twice
+    std::vector<double> values;
+    for (std::size_t i = 0; i < count; i += step) {
+        values.push_back(volume.value(i));
+    }
+    std::ranges::sort(values);
+    return values;
+}
+
+}   // namespace
+
+const std::vector<WindowPreset>& windowPresets()
+{
+    static const std::vector<WindowPreset> presets{
+        {QT_TRANSLATE_NOOP("ui::WindowPreset", "CTA"), {600.0, 200.0}},
+        {QT_TRANSLATE_NOOP("ui::WindowPreset", "Bone"), {2000.0, 500.0}},
+        {QT_TRANSLATE_NOOP("ui::WindowPreset", "Soft tissue"), {400.0, 40.0}},
+        {QT_TRANSLATE_NOOP("ui::WindowPreset", "Lung"), {1500.0, -600.0}},
+    };
+    return presets;
+}
+
+GreyWindow windowOfValues(const core::Volume& volume)
+{
+    const std::vector<double> values = sampledValues(volume);
+    if (values.empty()) {
+        return {};
+    }
+    const double low = values[values.size() / 50];
+    const double high = values[values.size() - 1 - values.size() / 200];
+    return {std::max(high - low, 1.0), 0.5 * (low + high)};
+}
+
+void SliceModel::setScan(std::shared_ptr<const core::Volume> volume, std::shared_ptr<const core::VoxelMask> lumen)
+{
+    if (volume == volume_ && lumen == lumen_) {
+        return;
+    }
+    const core::VolumeGeometry* before = geometry();
+    const core::VolumeGeometry kept = before ? *before : core::VolumeGeometry{};   // empty: never like a scan
+    const bool isNewVolume = volume != volume_;
+    volume_ = std::move(volume);
+    lumen_ = std::move(lumen);
+    if (isNewVolume && volume_) {
+        const std::vector<double> values = sampledValues(*volume_);
+        isHounsfield_ = !values.empty() && values.front() < airHu;
+        window_ = isHounsfield_ ? windowPresets().front().window : windowOfValues(*volume_);
+    }
+    const core::VolumeGeometry* now = geometry();
+    if (now && (kept.size != now->size || kept.originInPatient != now->originInPatient)) {
+        crosshair_ = core::centreOf(*now);
+    }
+    emit scanChanged();
+}
+
+void SliceModel::setTree(std::shared_ptr<const core::VesselTree> tree)
+{
+    if (tree != tree_) {
+        tree_ = std::move(tree);
+        emit lookChanged();
+    }
+}
+
+void SliceModel::setMarks(const BranchMarks& marks)
+{
+    if (marks != marks_) {
+        marks_ = marks;
+        emit lookChanged();
+    }
+}
+
+void SliceModel::setPoints(SliceMarkKind kind, std::vector<SliceMark> points)
+{
+    if (points != points_[kind]) {
+        points_[kind] = std::move(points);
+        emit lookChanged();
+    }
+}
+
+void SliceModel::setCrosshair(const Eigen::Vector3d& pointInPatient)
+{
+    const core::VolumeGeometry* where = geometry();
+    if (!where) {
+        return;
+    }
+    const Eigen::Vector3d inside = core::clampedTo(*where, pointInPatient);
+    if (inside != crosshair_) {
+        crosshair_ = inside;
+        emit crosshairChanged();
+    }
+}
+
+void SliceModel::setWindow(const GreyWindow& window)
+{
+    const GreyWindow valid{std::max(window.width, 1.0), window.level};
+    if (valid != window_) {
+        window_ = valid;
+        emit lookChanged();
+    }
+}
+
+void SliceModel::setPreviewFrom(std::optional<double> threshold)
+{
+    if (threshold != previewFrom_) {
+        previewFrom_ = threshold;
+        emit lookChanged();
+    }
+}
+
+const core::VolumeGeometry* SliceModel::geometry() const
+{
+    return volume_ ? &volume_->geometry : lumen_ ? &lumen_->geometry : nullptr;
+}
+
+}   // namespace ui

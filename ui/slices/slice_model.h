@@ -1,0 +1,82 @@
+#pragma once
+
+#include "core/imaging/volume_slice.h"
+#include "core/vessel/vessel_tree.h"
+#include "ui/scenes/overlay_scene.h"
+#include "ui/slices/slice_picture.h"
+
+#include <QObject>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace ui {
+
+enum class SliceMarkKind { Seed, Avoid, Landmark };
+
+/// A point to show in the slices.
+struct SliceMark {
+    Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();
+    QString label;
+
+    bool operator==(const SliceMark&) const = default;
+};
+
+/// What all slice views show in common: the scan, what was traced in it, and the cross-hair that links them.
+class SliceModel : public QObject {
+    Q_OBJECT
+public:
+    using QObject::QObject;
+
+    /// Either may be null; without a scan the lumen is shown alone. A new scan puts the cross-hair in its middle and
+    /// chooses the window.
+    void setScan(std::shared_ptr<const core::Volume> volume, std::shared_ptr<const core::VoxelMask> lumen);
+    void setTree(std::shared_ptr<const core::VesselTree> tree);
+    void setMarks(const BranchMarks& marks);
+    void setPoints(SliceMarkKind kind, std::vector<SliceMark> points);   ///< replaces those of this kind
+    void setCrosshair(const Eigen::Vector3d& pointInPatient);   ///< kept within the scan
+    void setWindow(const GreyWindow& window);
+    void setPreviewFrom(std::optional<double> threshold);   ///< tints what is not below it
+
+    bool hasScan() const { return geometry() != nullptr; }
+    const core::VolumeGeometry* geometry() const;   ///< of the scan, or of the lumen; null without either
+    const std::shared_ptr<const core::Volume>& volume() const { return volume_; }
+    const std::shared_ptr<const core::VoxelMask>& lumen() const { return lumen_; }
+    const core::VesselTree* tree() const { return tree_.get(); }
+    const BranchMarks& marks() const { return marks_; }
+    const std::map<SliceMarkKind, std::vector<SliceMark>>& points() const { return points_; }
+    const Eigen::Vector3d& crosshair() const { return crosshair_; }
+    const GreyWindow& window() const { return window_; }
+    std::optional<double> previewFrom() const { return previewFrom_; }
+    bool isHounsfield() const { return isHounsfield_; }   ///< the values look like those of CT
+
+signals:
+    void scanChanged();
+    void crosshairChanged();
+    void lookChanged();   ///< window, preview, branches, points
+
+private:
+    std::shared_ptr<const core::Volume> volume_;
+    std::shared_ptr<const core::VoxelMask> lumen_;
+    std::shared_ptr<const core::VesselTree> tree_;
+    BranchMarks marks_;
+    std::map<SliceMarkKind, std::vector<SliceMark>> points_;
+    Eigen::Vector3d crosshair_ = Eigen::Vector3d::Zero();
+    GreyWindow window_;
+    std::optional<double> previewFrom_;
+    bool isHounsfield_ = false;
+};
+
+/// A named window of CT.
+struct WindowPreset {
+    const char* name;   ///< to be translated in "ui::WindowPreset"
+    GreyWindow window;
+};
+const std::vector<WindowPreset>& windowPresets();
+
+/// The window that shows most of a scan's values.
+GreyWindow windowOfValues(const core::Volume& volume);
+
+}   // namespace ui

@@ -1,0 +1,149 @@
+#include "ui/slices/slice_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace ui {
+namespace {
+
+/// For each pixel of a line on the screen: between which two pixels of the slice it lies.
+struct Station {
+    int low = -1;   ///< −1: outside
+    int high = -1;
+    int nearest = -1;
+    float share = 0.0F;   ///< of the higher one
+};
+
+std::vector<Station> stationsAlong(int screenPx, int slicePx, double first, double step)
+{
+    std::vector<Station> stations(static_cast<std::size_t>(screenPx));
+    for (int i = 0; i < screenPx; ++i) {
+        const double at = first + i * step;
+        if (at < -0.5 || at >= slicePx - 0.5) {
+            continue;
+        }
+        Station& station = stations[static_cast<std::size_t>(i)];
+        const double inside = std::clamp(at, 0.0, slicePx - 1.0);
+        station.low = static_cast<int>(inside);
+        station.high = std::min(station.low + 1, slicePx - 1);
+        station.share = static_cast<float>(inside - station.low);
+        station.nearest = static_cast<int>(std::lround(inside));
+    }
+    return stations;
+}
+
+/// Grey levels of window and tints, one table for each tint: the picture is made of look-ups.
+class ToneTable {
+public:
+    ToneTable(const SliceTints& tints)
+    {
+        for (int grey = 0; grey < 256; ++grey) {
+            const auto at = static_cast<std::size_t>(grey);
+            const auto level = static_cast<std::uint8_t>(grey);
+            const Color plain{level, level, level};
+            tones_[0][at] = rgb(plain);
+            tones_[1][at] = rgb(mixed(plain, tints.lumen, tints.opacity));
+            tones_[2][at] = rgb(mixed(plain, tints.preview, tints.opacity));
+            tones_[3][at] = rgb(mixed(mixed(plain, tints.lumen, tints.opacity), tints.preview, tints.opacity));
+        }
+    }
+    QRgb operator()(int grey, bool isLumen, bool isPreview) const
+    {
+        return tones_[(isLumen ? 1U : 0U) + (isPreview ? 2U : 0U)][static_cast<std::size_t>(grey)];
+    }
+
+private:
+    static QRgb rgb(const Color& color) { return qRgb(color.red, color.green, color.blue); }
+    std::array<std::array<QRgb, 256>, 4> tones_{};
+};
+
+/// Two neighbouring rows of the slice mixed into one.
+void mixRows(const SliceContent& content, const Station& row, std::vector<float>& mixed)
+{
+    const auto width = static_cast<std::size_t>(content.grid.width);
+    const float* above = content.values.data() + static_cast<std::size_t>(row.low) * width;
+    const float* below = content.values.data() + static_cast<std::size_t>(row.high) * width;
+    for (std::size_t i = 0; i < width; ++i) {
+        mixed[i] = above[i] + row.share * (below[i] - above[i]);
+    }
+}
+
+struct RowPainter {
+    const std::vector<Station>& columns;
+    const ToneTable& tones;
+    float scale;
+    float offset;
+    float previewFrom;
+
+    void paint(const float* values, const std::uint8_t* lumen, QRgb* pixels) const
+    {
+        for (std::size_t x = 0; x < columns.size(); ++x) {
+            const Station& at = columns[x];
+            if (at.low < 0) {
+                continue;
+            }
+            float value = std::numeric_limits<float>::quiet_NaN();
+            int grey = 0;
+            if (values != nullptr) {
+                value = values[at.low] + at.share * (values[at.high] - values[at.low]);
+                const float scaled = value * scale + offset;
+                grey = scaled > 255.0F ? 255 : scaled > 0.0F ? static_cast<int>(scaled) : 0;   // NaN is black
+            }
+            const bool isLumen = lumen != nullptr && lumen[at.nearest] != 0;
+            pixels[x] = tones(grey, isLumen, value >= previewFrom);
+        }
+    }
+};
+
+}   // namespace
+
+double unitMmOf(const core::SliceGrid& grid)
+{
+    return std::min(grid.columnStep.norm(), grid.rowStep.norm());
+}
+
+QImage slicePicture(const SliceContent& content, const GreyWindow& window, const SliceTints& tints,
+                    const ImageViewport& viewport, const QSize& deviceSize, double devicePxPerPx)
+{
+    QImage picture(deviceSize, QImage::Format_RGB32);
+    picture.fill(Qt::black);
+    const core::SliceGrid& grid = content.grid;
+    if (grid.width == 0 || deviceSize.isEmpty()) {
+        return picture;
+    }
+    const double unitMm = unitMmOf(grid);
+    const double perColumn = unitMm / grid.columnStep.norm();
+    const double perRow = unitMm / grid.rowStep.norm();
+    const double half = 0.5 / devicePxPerPx;
+    const Eigen::Vector2d first = viewport.imageFromWidget({half, half});
+    const double step = 1.0 / (viewport.zoom() * devicePxPerPx);
+    const auto columns = stationsAlong(deviceSize.width(), grid.width, first.x() * perColumn, step * perColumn);
+    const auto rows = stationsAlong(deviceSize.height(), grid.height, first.y() * perRow, step * perRow);
+
+    const ToneTable tones(tints);
+    const double width = std::max(window.width, 1e-3);
+    const RowPainter painter{columns, tones, static_cast<float>(255.0 / width),
+                             static_cast<float>(127.5 - 255.0 * window.level / width),
+                             static_cast<float>(tints.previewFrom.value_or(std::numeric_limits<double>::infinity()))};
+    const bool hasValues = !content.values.empty();
+    std::vector<float> mixed(static_cast<std::size_t>(grid.width));
+    for (int y = 0; y < deviceSize.height(); ++y) {
+        const Station& row = rows[static_cast<std::size_t>(y)];
+        if (row.low < 0) {
+            continue;
+        }
+        if (hasValues) {
+            mixRows(content, row, mixed);
+        }
+        const std::uint8_t* lumen =
+            content.lumen.empty()
+                ? nullptr
+                : content.lumen.data() + static_cast<std::size_t>(row.nearest) * static_cast<std::size_t>(grid.width);
+        painter.paint(hasValues ? mixed.data() : nullptr, lumen, reinterpret_cast<QRgb*>(picture.scanLine(y)));
+    }
+    return picture;
+}
+
+}   // namespace ui

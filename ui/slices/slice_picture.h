@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/imaging/volume_slice.h"
+#include "ui/theme/theme.h"
+#include "ui/views/image_viewport.h"
+
+#include <QImage>
+
+#include <optional>
+#include <vector>
+
+namespace ui {
+
+/// Which values of a scan are grey: below the lower end black, above the upper white. In the scan's values (HU).
+struct GreyWindow {
+    double width = 600.0;
+    double level = 200.0;
+
+    bool operator==(const GreyWindow&) const = default;
+};
+
+/// What a slice holds; values and lumen are empty where there is no scan or nothing was traced.
+struct SliceContent {
+    core::SliceGrid grid;
+    std::vector<float> values;
+    std::vector<std::uint8_t> lumen;
+};
+
+struct SliceTints {
+    Color lumen;
+    Color preview;
+    double opacity = 0.35;
+    std::optional<double> previewFrom;   ///< tints what is not below this value
+};
+
+/// Pixel size of a slice on the screen: both directions in the same unit, mm of the finer one.
+double unitMmOf(const core::SliceGrid& grid);
+
+/// The slice as seen through a viewport whose image px are `unitMmOf(grid)` wide, interpolated; `size` in device px,
+/// `viewport` in device-independent ones. Black outside the scan.
+QImage slicePicture(const SliceContent& content, const GreyWindow& window, const SliceTints& tints,
+                    const ImageViewport& viewport, const QSize& deviceSize, double devicePxPerPx);
+
+}   // namespace ui

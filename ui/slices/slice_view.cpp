@@ -1,0 +1,182 @@
+#include "ui/slices/slice_view.h"
+
+#include "ui/slices/slice_annotations.h"
+#include "ui/theme/active_theme.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+namespace {
+
+Eigen::Vector2d toVector(const QPointF& point)
+{
+    return {point.x(), point.y()};
+}
+
+/// Numbers of the patient's axes, which have letters: x to the left, y to the back, z to the head.
+QString positionText(const Eigen::Vector3d& point)
+{
+    return SliceView::tr("x %1  y %2  z %3 mm")
+        .arg(point.x(), 0, 'f', 1)
+        .arg(point.y(), 0, 'f', 1)
+        .arg(point.z(), 0, 'f', 1);
+}
+
+}   // namespace
+
+SliceView::SliceView(SliceModel& model, core::BodyPlane plane, QWidget* parent)
+    : QWidget(parent), model_(model), plane_(plane)
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setAccessibleName(describe(plane));
+    connect(&model, &SliceModel::scanChanged, this, [this] {
+        isContentStale_ = true;
+        fit();
+    });
+    connect(&model, &SliceModel::crosshairChanged, this, qOverload<>(&QWidget::update));
+    connect(&model, &SliceModel::lookChanged, this, [this] {
+        isPictureStale_ = true;
+        update();
+    });
+}
+
+QString SliceView::describe(core::BodyPlane plane) const
+{
+    switch (plane) {
+        case core::BodyPlane::Axial:
+            return tr("Axial");
+        case core::BodyPlane::Coronal:
+            return tr("Coronal");
+        default:
+            return tr("Sagittal");
+    }
+}
+
+void SliceView::setPlane(core::BodyPlane plane)
+{
+    if (plane != plane_) {
+        plane_ = plane;
+        setAccessibleName(describe(plane));
+        isContentStale_ = true;
+        fit();
+    }
+}
+
+void SliceView::fit()
+{
+    cut();
+    const core::SliceGrid& grid = content_.grid;
+    if (grid.width > 0) {
+        const double unitMm = unitMmOf(grid);
+        viewport_.setImageSize(static_cast<int>(std::lround(grid.width * grid.columnStep.norm() / unitMm)),
+                               static_cast<int>(std::lround(grid.height * grid.rowStep.norm() / unitMm)));
+    }
+    viewport_.fit();
+    isPictureStale_ = true;
+    update();
+}
+
+void SliceView::cut()
+{
+    const core::VolumeGeometry* geometry = model_.geometry();
+    if (!geometry) {
+        content_ = {};
+        isPictureStale_ = true;
+        return;
+    }
+    const core::SliceGrid grid = core::sliceThrough(*geometry, plane_, model_.crosshair());
+    if (!isContentStale_ && grid == content_.grid) {
+        return;
+    }
+    content_.grid = grid;
+    content_.values = model_.volume() ? core::sliceValues(*model_.volume(), grid) : std::vector<float>{};
+    content_.lumen = model_.lumen() ? core::sliceMask(*model_.lumen(), grid) : std::vector<std::uint8_t>{};
+    isContentStale_ = false;
+    isPictureStale_ = true;
+}
+
+const core::SliceGrid& SliceView::grid()
+{
+    cut();
+    return content_.grid;
+}
+
+void SliceView::drawPicture()
+{
+    const double ratio = devicePixelRatio();
+    const QSize deviceSize = (QSizeF(size()) * ratio).toSize();
+    if (!isPictureStale_ && picture_.size() == deviceSize) {
+        return;
+    }
+    const Palette& tones = ui::palette(ThemeMode::Dark);
+    const bool isAlone = content_.values.empty();
+    const SliceTints tints{tones.accent, tones.attention, isAlone ? 0.6 : 0.35, model_.previewFrom()};
+    picture_ = slicePicture(content_, model_.window(), tints, viewport_, deviceSize, ratio);
+    picture_.setDevicePixelRatio(ratio);
+    isPictureStale_ = false;
+}
+
+void SliceView::paintEvent(QPaintEvent*)
+{
+    cut();
+    drawPicture();
+    QPainter painter(this);
+    painter.drawImage(QPointF(0, 0), picture_);
+    if (!model_.hasScan()) {
+        painter.setPen(toQColor(ui::palette(ThemeMode::Dark).label));
+        painter.drawText(rect(), Qt::AlignCenter, tr("No scan"));
+        return;
+    }
+    painter.setRenderHint(QPainter::Antialiasing);
+    const SliceOverlay overlay{model_, content_.grid, plane_,
+                               [this](const Eigen::Vector3d& point) { return widgetFromPatient(point); }, rect()};
+    paintBranches(painter, overlay);
+    paintPoints(painter, overlay);
+    paintCrosshair(painter, overlay);
+    paintSides(painter, overlay);
+    const Eigen::Vector3d at = pointer_ ? patientFromWidget(*pointer_) : model_.crosshair();
+    const auto value = model_.volume() ? core::valueAt(*model_.volume(), at) : std::nullopt;
+    const QString unit = model_.isHounsfield() ? tr(" HU") : QString();
+    const QString number = value ? QString::number(*value, 'f', 0) + unit : tr("outside");
+    const int index = core::sliceIndex(*model_.geometry(), plane_, model_.crosshair());
+    const int count = core::sliceCount(*model_.geometry(), plane_);
+    const QStringList top{tr("%1 %2 / %3").arg(describe(plane_)).arg(index + 1).arg(count)};
+    QStringList bottom{positionText(at)};
+    if (model_.volume()) {
+        bottom.prepend(tr("%1 · W %2 L %3")
+                           .arg(number)
+                           .arg(model_.window().width, 0, 'f', 0)
+                           .arg(model_.window().level, 0, 'f', 0));
+    }
+    paintTexts(painter, rect(), top, bottom);
+    if (hasFocus()) {
+        painter.setPen(QPen(toQColor(ui::palette(ThemeMode::Dark).accent, 0.7), 1.0));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    }
+}
+
+QPointF SliceView::widgetFromPatient(const Eigen::Vector3d& pointInPatient) const
+{
+    const core::SliceGrid& grid = content_.grid;
+    const double unitMm = unitMmOf(grid);
+    const Eigen::Vector2d pixel = grid.pixelOf(pointInPatient);
+    const Eigen::Vector2d at = viewport_.widgetFromImage(
+        {pixel.x() * grid.columnStep.norm() / unitMm, pixel.y() * grid.rowStep.norm() / unitMm});
+    return {at.x(), at.y()};
+}
+
+Eigen::Vector3d SliceView::patientFromWidget(const QPointF& position) const
+{
+    const core::SliceGrid& grid = content_.grid;
+    const double unitMm = unitMmOf(grid);
+    const Eigen::Vector2d at = viewport_.imageFromWidget(toVector(position));
+    return grid.pointAt({at.x() * unitMm / grid.columnStep.norm(), at.y() * unitMm / grid.rowStep.norm()});
+}
+
+}   // namespace ui

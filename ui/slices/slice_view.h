@@ -1,0 +1,75 @@
+#pragma once
+
+#include "ui/slices/slice_model.h"
+
+#include <QPointF>
+#include <QWidget>
+
+#include <optional>
+
+namespace ui {
+
+/// One plane of the scan with mask, centrelines and cross-hair. Left sets the cross-hair, middle drag moves, right drag
+/// changes window and level, wheel and ↑ ↓ go through the slices, Ctrl+wheel zooms, Ctrl+arrows move the cross-hair,
+/// double click asks for more room.
+class SliceView : public QWidget {
+    Q_OBJECT
+public:
+    SliceView(SliceModel& model, core::BodyPlane plane, QWidget* parent = nullptr);
+
+    core::BodyPlane plane() const { return plane_; }
+    void setPlane(core::BodyPlane plane);
+    void fit();
+    void stepBy(int slices);   ///< along the normal
+    QPointF widgetFromPatient(const Eigen::Vector3d& pointInPatient) const;
+    Eigen::Vector3d patientFromWidget(const QPointF& position) const;   ///< in the plane of the slice
+    const core::SliceGrid& grid();   ///< of the slice shown
+    QSize sizeHint() const override { return {320, 320}; }
+    QSize minimumSizeHint() const override { return {80, 80}; }
+
+signals:
+    void pointPicked(const Eigen::Vector3d& pointInPatient);   ///< left click, or Enter at the cross-hair
+    void branchHovered(std::optional<int> branchId);
+    void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
+    void menuRequested(const Eigen::Vector3d& pointInPatient, const QPoint& globalPosition);
+    void roomRequested();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    void cut();   ///< takes over another slice where the cross-hair left the shown one
+    void drawPicture();
+    void changeWindow(const QPointF& step);
+    bool goThroughSlices(const QKeyEvent& event);   ///< false: not its key
+    bool moveCrosshair(int key);
+    std::optional<int> branchAt(const QPointF& position) const;
+    void hover(const std::optional<QPointF>& position);
+    QString describe(core::BodyPlane plane) const;
+
+    SliceModel& model_;
+    core::BodyPlane plane_;
+    SliceContent content_;
+    ImageViewport viewport_;
+    QImage picture_;
+    bool isContentStale_ = true;
+    bool isPictureStale_ = true;
+    Qt::MouseButton pressed_ = Qt::NoButton;
+    bool isDragging_ = false;
+    QPointF pressedAt_;
+    QPointF lastAt_;
+    double wheelSteps_ = 0.0;
+    std::optional<QPointF> pointer_;
+    std::optional<int> hovered_;
+};
+
+}   // namespace ui

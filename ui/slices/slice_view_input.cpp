@@ -1,0 +1,230 @@
+#include "ui/slices/slice_annotations.h"
+#include "ui/slices/slice_view.h"
+
+#include <QApplication>
+#include <QContextMenuEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+// Mouse and keys in a slice.
+
+namespace ui {
+namespace {
+
+constexpr double zoomPerWheelStep = 1.15;
+constexpr double pickTolerancePx = 8.0;
+constexpr int fastSlices = 10;
+
+Eigen::Vector2d toVector(const QPointF& point)
+{
+    return {point.x(), point.y()};
+}
+
+}   // namespace
+
+void SliceView::stepBy(int slices)
+{
+    if (model_.hasScan()) {
+        const core::SliceGrid& shown = grid();
+        model_.setCrosshair(model_.crosshair() + slices * shown.thicknessMm * shown.normal);
+    }
+}
+
+void SliceView::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    viewport_.setWidgetSize(width(), height());
+    isPictureStale_ = true;
+}
+
+void SliceView::mousePressEvent(QMouseEvent* event)
+{
+    if (pressed_ != Qt::NoButton || !model_.hasScan()) {
+        return;
+    }
+    pressed_ = event->button();
+    pressedAt_ = lastAt_ = event->position();
+    isDragging_ = false;
+}
+
+void SliceView::mouseMoveEvent(QMouseEvent* event)
+{
+    const QPointF step = event->position() - lastAt_;
+    const QPointF way = event->position() - pressedAt_;
+    if (pressed_ == Qt::NoButton) {
+        hover(event->position());
+        return;
+    }
+    isDragging_ = isDragging_ || way.manhattanLength() >= QApplication::startDragDistance() / 2;
+    if (!isDragging_) {
+        return;
+    }
+    lastAt_ = event->position();
+    pointer_ = event->position();
+    if (pressed_ == Qt::LeftButton) {
+        model_.setCrosshair(patientFromWidget(event->position()));
+    } else if (pressed_ == Qt::MiddleButton) {
+        viewport_.panBy(toVector(step));
+        isPictureStale_ = true;
+    } else if (pressed_ == Qt::RightButton) {
+        changeWindow(step);
+    }
+    update();
+}
+
+/// Right widens, down darkens: what is looked at keeps its place in the range.
+void SliceView::changeWindow(const QPointF& step)
+{
+    const GreyWindow& now = model_.window();
+    const double perPx = std::max(1.0, now.width / 300.0);
+    model_.setWindow({now.width + perPx * step.x(), now.level + perPx * step.y()});
+}
+
+void SliceView::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() != pressed_) {
+        return;
+    }
+    pressed_ = Qt::NoButton;
+    if (isDragging_ || !model_.hasScan()) {
+        return;
+    }
+    const Eigen::Vector3d point = patientFromWidget(event->position());
+    if (event->button() == Qt::RightButton) {
+        emit menuRequested(point, event->globalPosition().toPoint());
+    } else if (event->button() == Qt::LeftButton) {
+        if (const auto branch = branchAt(event->position())) {
+            emit branchClicked(*branch, event->modifiers());
+        }
+        model_.setCrosshair(point);
+        emit pointPicked(model_.crosshair());
+    }
+}
+
+void SliceView::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton) {
+        emit roomRequested();
+    }
+}
+
+void SliceView::wheelEvent(QWheelEvent* event)
+{
+    event->accept();
+    const double steps = event->angleDelta().y() / 120.0;
+    if (event->modifiers().testFlag(Qt::ControlModifier)) {
+        viewport_.zoomAt(toVector(event->position()), std::pow(zoomPerWheelStep, steps));
+        isPictureStale_ = true;
+        update();
+        return;
+    }
+    wheelSteps_ += steps;
+    const int whole = static_cast<int>(wheelSteps_);
+    wheelSteps_ -= whole;
+    stepBy(whole);
+}
+
+void SliceView::keyPressEvent(QKeyEvent* event)
+{
+    if (!model_.hasScan() ||
+        !(event->modifiers().testFlag(Qt::ControlModifier) ? moveCrosshair(event->key()) : goThroughSlices(*event))) {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+bool SliceView::goThroughSlices(const QKeyEvent& event)
+{
+    const int stride = event.modifiers().testFlag(Qt::ShiftModifier) ? fastSlices : 1;
+    switch (event.key()) {
+        case Qt::Key_PageUp:
+        case Qt::Key_Up:
+            stepBy(stride);
+            return true;
+        case Qt::Key_PageDown:
+        case Qt::Key_Down:
+            stepBy(-stride);
+            return true;
+        case Qt::Key_Home:
+            stepBy(core::sliceCount(*model_.geometry(), plane_));
+            return true;
+        case Qt::Key_End:
+            stepBy(-core::sliceCount(*model_.geometry(), plane_));
+            return true;
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            emit pointPicked(model_.crosshair());
+            return true;
+        default:
+            return false;
+    }
+}
+
+bool SliceView::moveCrosshair(int key)
+{
+    const core::SliceGrid& shown = grid();
+    const Eigen::Vector3d step = key == Qt::Key_Left    ? (-shown.columnStep).eval()
+                                 : key == Qt::Key_Right ? shown.columnStep
+                                 : key == Qt::Key_Up    ? (-shown.rowStep).eval()
+                                 : key == Qt::Key_Down  ? shown.rowStep
+                                                        : Eigen::Vector3d::Zero().eval();
+    model_.setCrosshair(model_.crosshair() + step);
+    return !step.isZero();
+}
+
+void SliceView::contextMenuEvent(QContextMenuEvent* event)
+{
+    if (event->reason() == QContextMenuEvent::Keyboard && model_.hasScan()) {
+        const QPointF at = widgetFromPatient(model_.crosshair());
+        emit menuRequested(model_.crosshair(), mapToGlobal(at.toPoint()));
+    }
+    event->accept();   // the mouse asks by a right click that is no drag
+}
+
+void SliceView::leaveEvent(QEvent*)
+{
+    hover(std::nullopt);
+}
+
+std::optional<int> SliceView::branchAt(const QPointF& position) const
+{
+    const core::VesselTree* tree = model_.tree();
+    if (!tree) {
+        return std::nullopt;
+    }
+    const double reach = visibleDistanceMm(content_.grid);
+    std::optional<int> nearest;
+    double distance = pickTolerancePx;
+    for (const core::VesselBranch& branch : tree->branches) {
+        if (model_.marks().hidden.contains(branch.id)) {
+            continue;
+        }
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            if (std::abs(content_.grid.distanceMm(point)) > reach) {
+                continue;
+            }
+            const QPointF way = widgetFromPatient(point) - position;
+            const double here = std::hypot(way.x(), way.y());
+            if (here < distance) {
+                distance = here;
+                nearest = branch.id;
+            }
+        }
+    }
+    return nearest;
+}
+
+void SliceView::hover(const std::optional<QPointF>& position)
+{
+    pointer_ = model_.hasScan() ? position : std::nullopt;
+    update();
+    const auto branch = pointer_ ? branchAt(*pointer_) : std::nullopt;
+    if (branch != hovered_) {
+        hovered_ = branch;
+        emit branchHovered(branch);
+    }
+}
+
+}   // namespace ui

@@ -1,0 +1,93 @@
+#include "ui/slices/slices_page.h"
+
+#include "ui/panels/section.h"
+
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+
+constexpr int gapPx = 2;   // between the slices: tone, not lines
+
+}   // namespace
+
+QString nameOf(core::BodyPlane plane)
+{
+    switch (plane) {
+        case core::BodyPlane::Axial:
+            return SlicesPage::tr("Axial");
+        case core::BodyPlane::Coronal:
+            return SlicesPage::tr("Coronal");
+        default:
+            return SlicesPage::tr("Sagittal");
+    }
+}
+
+SlicesPage::SlicesPage(SliceModel& model, QWidget* parent) : QWidget(parent), model_(model), columns_(new QHBoxLayout)
+{
+    for (const core::BodyPlane plane : core::bodyPlanes) {
+        views_[plane] = new SliceView(model, plane);
+        connect(views_[plane], &SliceView::roomRequested, this, &SlicesPage::closeRequested);
+    }
+    auto* upright = new QVBoxLayout;
+    upright->setSpacing(gapPx);
+    upright->addWidget(views_[core::BodyPlane::Coronal]);
+    upright->addWidget(views_[core::BodyPlane::Sagittal]);
+    columns_->setSpacing(gapPx);
+    columns_->addWidget(views_[core::BodyPlane::Axial], 3);
+    columns_->addLayout(upright, 2);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(makeBar());
+    layout->addLayout(columns_, 1);
+    setProperty("role", "column");
+    setAttribute(Qt::WA_StyledBackground);
+}
+
+void SlicesPage::setSidePanel(QWidget* panel)
+{
+    columns_->addWidget(panel);
+}
+
+QWidget* SlicesPage::makeBar()
+{
+    auto* bar = new QWidget;
+    auto* layout = new QHBoxLayout(bar);
+    layout->setContentsMargins(10, 4, 10, 4);
+    layout->setSpacing(4);
+    layout->addWidget(roleLabel("label", tr("Window")));
+    fillPresets(*layout);
+    layout->addStretch(1);
+    auto* back = new QPushButton(tr("Back to the angiogram"));
+    back->setProperty("role", "link");
+    connect(back, &QPushButton::clicked, this, &SlicesPage::closeRequested);
+    layout->addWidget(back);
+    return bar;
+}
+
+void SlicesPage::fillPresets(QHBoxLayout& bar)
+{
+    const auto add = [&](const QString& name, const QString& tip, auto choose) {
+        auto* button = new QPushButton(name);
+        button->setProperty("role", "quiet");
+        button->setToolTip(tip);
+        connect(button, &QPushButton::clicked, this, choose);
+        bar.addWidget(button);
+    };
+    for (const WindowPreset& preset : windowPresets()) {
+        add(QCoreApplication::translate("ui::WindowPreset", preset.name),
+            tr("W %1 L %2 HU").arg(preset.window.width, 0, 'f', 0).arg(preset.window.level, 0, 'f', 0),
+            [this, window = preset.window] { model_.setWindow(window); });
+    }
+    add(tr("Automatic"), tr("From the values of this scan; right drag in a slice changes it by hand."), [this] {
+        if (model_.volume()) {
+            model_.setWindow(windowOfValues(*model_.volume()));
+        }
+    });
+}
+
+}   // namespace ui

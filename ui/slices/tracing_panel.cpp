@@ -1,0 +1,314 @@
+#include "ui/slices/tracing_panel.h"
+
+#include "ui/panels/number_field.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QListWidget>
+#include <QPushButton>
+#include <QScopedValueRollback>
+#include <QSignalBlocker>
+#include <QSlider>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+namespace {
+
+constexpr int listHeight = 96;
+constexpr int panelWidth = 250;
+
+QPushButton* switchButton(const QString& text, const QString& tip)
+{
+    auto* button = new QPushButton(text);
+    button->setCheckable(true);
+    button->setToolTip(tip);
+    return button;
+}
+
+QLayout* labelled(const QString& text, QWidget* field)
+{
+    auto* row = new QHBoxLayout;
+    row->addWidget(roleLabel("label", text), 1);
+    row->addWidget(field, 1);
+    return row;
+}
+
+QString pointText(const QString& kind, const Eigen::Vector3d& point)
+{
+    return TracingPanel::tr("%1  %2  %3  %4")
+        .arg(kind)
+        .arg(point.x(), 0, 'f', 1)
+        .arg(point.y(), 0, 'f', 1)
+        .arg(point.z(), 0, 'f', 1);
+}
+
+}   // namespace
+
+TracingPanel::TracingPanel(QWidget* parent)
+    : Section(tr("Trace vessels"), Folding::Fixed, parent),
+      thresholdBox_(new QWidget),
+      automatic_(new QCheckBox(tr("Automatic threshold"))),
+      threshold_(new NumberField({-32768.0, 65535.0, 0, tr("HU"), 5.0})),
+      slider_(new QSlider(Qt::Horizontal)),
+      preview_(new QCheckBox(tr("Show in the slices what is above"))),
+      seed_(
+          switchButton(tr("Seeds"), tr("Then click vessels in a slice: only what is connected to a seed is traced."))),
+      avoid_(switchButton(tr("Avoid"), tr("Then click heart, veins or bone in a slice: what is reached from there on "
+                                          "wider ways is left out."))),
+      points_(new QListWidget),
+      remove_(new QPushButton(tr("Remove"))),
+      minLength_(new NumberField({0.0, 1000.0, 1, tr("mm"), 1.0})),
+      minRadius_(new NumberField({0.0, 1000.0, 2, tr("mm"), 0.1})),
+      trace_(new QPushButton(tr("Trace"))),
+      stop_(new QPushButton(tr("Stop"))),
+      note_(roleLabel("hint"))
+{
+    contentLayout()->setSpacing(8);
+    auto* box = new QVBoxLayout(thresholdBox_);
+    box->setContentsMargins(0, 0, 0, 0);
+    box->addLayout(thresholdRows());
+    contentLayout()->addWidget(thresholdBox_);
+    contentLayout()->addLayout(pointRows());
+    contentLayout()->addLayout(limitRows());
+    contentLayout()->addLayout(buttonRow());
+    note_->setWordWrap(true);
+    contentLayout()->addWidget(note_);
+    contentLayout()->addStretch(1);
+    setFixedWidth(panelWidth);
+    showOptions({});
+    showRange(std::nullopt, {});
+    updateButtons();
+}
+
+QLayout* TracingPanel::thresholdRows()
+{
+    auto* rows = new QVBoxLayout;
+    rows->setSpacing(6);
+    slider_->setAccessibleName(tr("Threshold"));
+    threshold_->setAccessibleName(tr("Threshold"));
+    threshold_->setToolTip(tr("The vessels begin at this value of the scan."));
+    rows->addWidget(automatic_);
+    auto* row = new QHBoxLayout;
+    row->addWidget(slider_, 2);
+    row->addWidget(threshold_, 1);
+    rows->addLayout(row);
+    rows->addWidget(preview_);
+    connect(automatic_, &QCheckBox::toggled, this, [this](bool automatic) {
+        setThreshold(automatic ? std::nullopt : std::optional(found_.value_or(threshold_->value().value_or(200.0))));
+    });
+    connect(slider_, &QSlider::valueChanged, this, [this](int value) { setThreshold(value); });
+    connect(threshold_, &NumberField::edited, this, [this](double value) { setThreshold(value); });
+    connect(preview_, &QCheckBox::toggled, this, &TracingPanel::previewChanged);
+    return rows;
+}
+
+QLayout* TracingPanel::pointRows()
+{
+    auto* rows = new QVBoxLayout;
+    rows->setSpacing(6);
+    auto* row = new QHBoxLayout;
+    row->addWidget(seed_);
+    row->addWidget(avoid_);
+    row->addWidget(remove_);
+    rows->addLayout(row);
+    points_->setAccessibleName(tr("Seeds and places to avoid"));
+    points_->setFixedHeight(listHeight);
+    points_->setFrameShape(QFrame::NoFrame);
+    points_->installEventFilter(this);
+    rows->addWidget(points_);
+    connect(seed_, &QPushButton::toggled, this,
+            [this](bool on) { emit pickWanted(on ? TracingPick::Seed : TracingPick::Nothing); });
+    connect(avoid_, &QPushButton::toggled, this,
+            [this](bool on) { emit pickWanted(on ? TracingPick::Avoid : TracingPick::Nothing); });
+    connect(remove_, &QPushButton::clicked, this, &TracingPanel::removePoint);
+    connect(points_, &QListWidget::currentRowChanged, this, [this](int row) {
+        remove_->setEnabled(row >= 0 && !running_);
+        const auto seeds = static_cast<int>(options_.seedsInPatient.size());
+        if (row >= 0) {
+            emit placeChosen(row < seeds ? options_.seedsInPatient[static_cast<std::size_t>(row)]
+                                         : options_.avoidInPatient[static_cast<std::size_t>(row - seeds)]);
+        }
+    });
+    return rows;
+}
+
+QLayout* TracingPanel::limitRows()
+{
+    auto* rows = new QVBoxLayout;
+    rows->setSpacing(4);
+    minLength_->setAccessibleName(tr("Shortest branch"));
+    minLength_->setToolTip(tr("Branches that leave their parent's wall by less are removed."));
+    minRadius_->setAccessibleName(tr("Thinnest branch"));
+    minRadius_->setToolTip(tr("Branches whose mean radius is smaller are removed."));
+    rows->addLayout(labelled(tr("Shortest branch"), minLength_));
+    rows->addLayout(labelled(tr("Thinnest branch"), minRadius_));
+    connect(minLength_, &NumberField::edited, this, [this](double value) {
+        options_.minBranchLengthMm = value;
+        emit optionsEdited(options_);
+    });
+    connect(minRadius_, &NumberField::edited, this, [this](double value) {
+        options_.minBranchRadiusMm = value;
+        emit optionsEdited(options_);
+    });
+    return rows;
+}
+
+QLayout* TracingPanel::buttonRow()
+{
+    auto* row = new QHBoxLayout;
+    trace_->setProperty("role", "primary");
+    stop_->setToolTip(tr("Ends the tracing; the vessels stay as they were."));
+    row->addWidget(trace_, 5);
+    row->addWidget(stop_, 2);
+    connect(trace_, &QPushButton::clicked, this, &TracingPanel::traceRequested);
+    connect(stop_, &QPushButton::clicked, this, &TracingPanel::stopRequested);
+    return row;
+}
+
+void TracingPanel::showOptions(const core::VesselTracingOptions& options)
+{
+    const bool samePoints =
+        options.seedsInPatient == options_.seedsInPatient && options.avoidInPatient == options_.avoidInPatient;
+    options_ = options;
+    showThreshold();
+    minLength_->showValue(options.minBranchLengthMm);
+    minRadius_->showValue(options.minBranchRadiusMm);
+    if (!samePoints || points_->count() == 0) {
+        fillPoints();
+    }
+}
+
+void TracingPanel::showRange(std::optional<std::pair<double, double>> range, const QString&)
+{
+    hasValues_ = range.has_value();
+    thresholdBox_->setVisible(hasValues_);
+    if (range) {
+        const QSignalBlocker quiet(slider_);
+        slider_->setRange(static_cast<int>(std::floor(range->first)), static_cast<int>(std::ceil(range->second)));
+    }
+    showThreshold();
+}
+
+void TracingPanel::showFound(std::optional<double> threshold)
+{
+    found_ = threshold;
+    showThreshold();
+    emit previewChanged();
+}
+
+void TracingPanel::showPick(TracingPick pick)
+{
+    const QSignalBlocker quietSeed(seed_);
+    const QSignalBlocker quietAvoid(avoid_);
+    seed_->setChecked(pick == TracingPick::Seed);
+    avoid_->setChecked(pick == TracingPick::Avoid);
+    updateButtons();
+}
+
+void TracingPanel::showWhyNot(const QString& reason)
+{
+    whyNot_ = reason;
+    updateButtons();
+}
+
+void TracingPanel::setRunning(bool running)
+{
+    running_ = running;
+    updateButtons();
+}
+
+bool TracingPanel::isPreviewWanted() const
+{
+    return preview_->isChecked() && hasValues_;
+}
+
+std::optional<double> TracingPanel::thresholdShown() const
+{
+    return options_.threshold ? options_.threshold : found_;
+}
+
+void TracingPanel::setThreshold(std::optional<double> threshold)
+{
+    if (threshold == options_.threshold) {
+        return;
+    }
+    options_.threshold = threshold;
+    showThreshold();
+    preview_->setChecked(preview_->isChecked() || threshold);   // who moves it wants to see what it does
+    emit optionsEdited(options_);
+    emit previewChanged();
+}
+
+void TracingPanel::showThreshold()
+{
+    const QSignalBlocker quietBox(automatic_);
+    const QSignalBlocker quietSlider(slider_);
+    const auto shown = thresholdShown();
+    automatic_->setChecked(!options_.threshold);
+    threshold_->setEnabled(options_.threshold.has_value());
+    slider_->setEnabled(options_.threshold.has_value());
+    threshold_->showValue(shown);
+    if (shown) {
+        slider_->setValue(static_cast<int>(std::lround(*shown)));
+    }
+}
+
+void TracingPanel::fillPoints()
+{
+    const QSignalBlocker quiet(points_);
+    points_->clear();
+    int number = 0;
+    for (const Eigen::Vector3d& seed : options_.seedsInPatient) {
+        points_->addItem(pointText(tr("+ seed %1").arg(++number), seed));
+    }
+    number = 0;
+    for (const Eigen::Vector3d& point : options_.avoidInPatient) {
+        points_->addItem(pointText(tr("× avoid %1").arg(++number), point));
+    }
+    remove_->setEnabled(false);
+}
+
+void TracingPanel::removePoint()
+{
+    const int row = points_->currentRow();
+    const auto seeds = static_cast<int>(options_.seedsInPatient.size());
+    if (row < 0 || running_) {
+        return;
+    }
+    auto& points = row < seeds ? options_.seedsInPatient : options_.avoidInPatient;
+    points.erase(points.begin() + (row < seeds ? row : row - seeds));
+    fillPoints();
+    emit optionsEdited(options_);
+}
+
+bool TracingPanel::eventFilter(QObject* watched, QEvent* event)
+{
+    const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    if (watched == points_ && isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
+        event->accept();   // not the branches' Delete
+        if (event->type() == QEvent::KeyPress) {
+            removePoint();
+        }
+        return true;
+    }
+    return Section::eventFilter(watched, event);
+}
+
+void TracingPanel::updateButtons()
+{
+    trace_->setEnabled(!running_ && whyNot_.isEmpty());
+    trace_->setText(running_ ? tr("Tracing …") : tr("Trace"));
+    stop_->setEnabled(running_);
+    seed_->setEnabled(!running_);
+    avoid_->setEnabled(!running_);
+    remove_->setEnabled(!running_ && points_->currentRow() >= 0);
+    const bool picks = seed_->isChecked() || avoid_->isChecked();
+    note_->setText(!whyNot_.isEmpty() ? whyNot_
+                   : picks            ? tr("Click in a slice to place a point; Esc ends.")
+                                      : tr("The traced vessels replace the tree; undo brings it back."));
+}
+
+}   // namespace ui
