@@ -41,6 +41,7 @@ MainWindow::MainWindow(QWidget* parent)
       imageFrame_(new QWidget),
       geometry_(new GeometryPanel),
       pose_(new PosePanel),
+      landmarks_(new LandmarkPanel),
       registration_(new RegistrationPanel),
       result_(new ResultPanel),
       rightColumn_(new QScrollArea),
@@ -69,6 +70,7 @@ MainWindow::MainWindow(QWidget* parent)
     setCentralWidget(central);
     setMinimumSize(900, 560);
     resize(1440, 900);
+    connect(treeView_, &TreeView::pointPicked, this, &MainWindow::pointPicked);
     angiogramView_->setFocus();
     qApp->installEventFilter(this);
 }
@@ -114,6 +116,7 @@ QWidget* MainWindow::makeRightColumn()
     layout->addWidget(pose_);
     layout->addWidget(registration_);
     layout->addWidget(result_);
+    layout->addWidget(landmarks_);
     layout->addWidget(geometry_);
     layout->addStretch(1);
     rightColumn_->setProperty("role", "column");

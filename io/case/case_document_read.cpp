@@ -150,6 +150,9 @@ void readCArm(const Json& geometry, core::CArm& cArm)
         cArm.principalPointPx = {Eigen::Vector2d(point.value[0].get<double>(), point.value[1].get<double>()),
                                  point.origin, point.basis};
     }
+    if (const SourcedJson point = sourcedJson(member(geometry, "isocentreInPatientMm")); point.value.is_array()) {
+        cArm.isocentreInPatientMm = {pointFrom(point.value), point.origin, point.basis};
+    }
     if (const SourcedJson mirrored = sourcedJson(member(geometry, "mirrored")); mirrored.value.is_boolean()) {
         cArm.mirrored = {mirrored.value.get<bool>(), mirrored.origin, mirrored.basis};
     }
@@ -193,6 +196,12 @@ void readPoses(const Json& poses, CaseDocument& document)
     if (const auto current = readPose(poses, "current", document)) {
         document.values.cameraFromPatient = *current;
         document.hasCurrentPose = true;
+    }
+    for (const Json& landmark : poses.is_object() ? poses.value("landmarks", Json::array()) : Json::array()) {
+        document.values.landmarks.push_back(
+            {pointFrom(landmark["pointInPatientMm"]),
+             Eigen::Vector2d(landmark["pixel"][0].get<double>(), landmark["pixel"][1].get<double>()),
+             landmark.value("name", "")});
     }
 }
 
@@ -242,6 +251,9 @@ CaseDocument parseCaseDocument(std::string_view json)
     readCArm(geometry, document.values.cArm);
     readCamera(member(geometry, "camera"), document);
     readPoses(member(root, "pose"), document);
+    for (const Json& view : root.value("views", Json::array())) {
+        document.values.otherViews.push_back(inputFile(view));
+    }
     readOptions(root, document);
     document.values.extraKeys = unknownKeys(json, knownCaseKeys(document.values.vesselInput.kind));
     return document;

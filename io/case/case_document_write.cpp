@@ -150,10 +150,23 @@ Json geometryJson(const core::RegistrationCase& registrationCase)
         addSourced(geometry, "principalPointPx", std::vector<double>{point.value->x(), point.value->y()}, point.origin,
                    point.basis);
     }
+    if (const auto& point = cArm.isocentreInPatientMm; point.value) {
+        addSourced(geometry, "isocentreInPatientMm", pointJson(*point.value), point.origin, point.basis);
+    }
     if (const auto& mirrored = cArm.mirrored; mirrored.value) {
         addSourced(geometry, "mirrored", *mirrored.value, mirrored.origin, mirrored.basis);
     }
     return geometry;
+}
+
+Json landmarkJson(const core::Landmark& landmark)
+{
+    Json json{{"pointInPatientMm", pointJson(landmark.pointInPatient)},
+              {"pixel", {landmark.pixel.x(), landmark.pixel.y()}}};
+    if (!landmark.name.empty()) {
+        json["name"] = landmark.name;
+    }
+    return json;
 }
 
 }   // namespace
@@ -171,6 +184,12 @@ std::string caseDocumentText(const core::RegistrationCase& registrationCase, con
         root["pose"]["initial"]["cameraFromPatient"] = rowsOf(registrationCase.initialCameraFromPatient);
     }
     root["pose"]["current"]["cameraFromPatient"] = rowsOf(registrationCase.cameraFromPatient);
+    for (const core::Landmark& landmark : registrationCase.landmarks) {
+        root["pose"]["landmarks"].push_back(landmarkJson(landmark));
+    }
+    for (const core::InputFile& view : registrationCase.otherViews) {
+        root["views"].push_back(fileJson(view, folder));
+    }
     root["method"] = registrationCase.options.method;
     root["options"] = Json::parse(optionsJson(registrationCase.options));
     return prettyJson(withExtraKeys(root.dump(), registrationCase.extraKeys));

@@ -216,18 +216,23 @@ void TreeScene::panBy(double rightDevicePx, double upDevicePx)
     pan(parts_->camera(), parts_->ground->GetSize()[1], rightDevicePx, upDevicePx);
 }
 
-std::optional<int> TreeScene::branchAt(int xDevicePx, int yDevicePxFromBottom) const
+Eigen::Vector2d TreeScene::deviceFromPatient(const Eigen::Vector3d& pointInPatient) const
+{
+    return parts_->screen() * pointInPatient;
+}
+
+std::optional<TreePick> TreeScene::pickAt(int xDevicePx, int yDevicePxFromBottom) const
 {
     const ScreenFromPatient toScreen = parts_->screen();
     const Eigen::Vector2d mouse(xDevicePx + 0.5, yDevicePxFromBottom + 0.5);
-    std::optional<int> nearest;
+    std::optional<TreePick> nearest;
     double distance = pickTolerancePx * parts_->pixelScale;
     for (const core::VesselBranch& branch : parts_->tree.branches) {
         for (const Eigen::Vector3d& point : branch.pointsInPatient) {
             const double here = (toScreen * point - mouse).norm();
             if (here < distance) {
                 distance = here;
-                nearest = branch.id;
+                nearest = TreePick{branch.id, point};
             }
         }
     }

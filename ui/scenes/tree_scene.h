@@ -22,6 +22,12 @@ struct OrientationLetter {
     bool pointsToViewer = false;
 };
 
+/// A place on the tree that was pointed at.
+struct TreePick {
+    int branchId = 0;
+    Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();
+};
+
 /// Tree, source, detector plane with the image, and beam, in patient space. VTK without Qt; shows in one window.
 class TreeScene {
 public:
@@ -45,7 +51,8 @@ public:
     void zoomBy(double factor);
     void panBy(double rightDevicePx, double upDevicePx);
 
-    std::optional<int> branchAt(int xDevicePx, int yDevicePxFromBottom) const;
+    std::optional<TreePick> pickAt(int xDevicePx, int yDevicePxFromBottom) const;
+    Eigen::Vector2d deviceFromPatient(const Eigen::Vector3d& pointInPatient) const;   ///< px from the bottom left
     std::vector<OrientationLetter> orientationLetters() const;
 
 private:

@@ -41,6 +41,17 @@ void TreeView::resetView()
     requestRender();
 }
 
+void TreeView::showLandmarks(const std::vector<Eigen::Vector3d>& pointsInPatient,
+                             const std::optional<Eigen::Vector3d>& pendingInPatient)
+{
+    landmarks_ = pointsInPatient;
+    isLastPending_ = pendingInPatient.has_value();
+    if (pendingInPatient) {
+        landmarks_.push_back(*pendingInPatient);
+    }
+    update();
+}
+
 void TreeView::prepareFrame()
 {
     scene_.setPixelScale(devicePixelRatio());
@@ -53,6 +64,15 @@ void TreeView::paintAnnotations(QPainter& painter)
     QFont small = font();
     small.setPixelSize(11);
     painter.setFont(small);
+    for (std::size_t i = 0; i < landmarks_.size(); ++i) {
+        const Eigen::Vector2d device = scene_.deviceFromPatient(landmarks_[i]);
+        const QPointF at(device.x() / ratio, height() - device.y() / ratio);
+        const bool isPending = isLastPending_ && i + 1 == landmarks_.size();
+        painter.setPen(QPen(colorOf(isPending ? tones.attention : tones.accent), 1.6));
+        painter.drawEllipse(at, 5.0, 5.0);
+        painter.setPen(colorOf(tones.textStrong));
+        painter.drawText(at + QPointF(7.0, -5.0), QString::number(i + 1));
+    }
     for (const OrientationLetter& letter : scene_.orientationLetters()) {
         const QPointF at(letter.at.x() / ratio, height() - letter.at.y() / ratio);
         painter.setPen(colorOf(letter.pointsToViewer ? tones.text : tones.hint));
@@ -73,7 +93,8 @@ void TreeView::mouseMoveEvent(QMouseEvent* event)
 {
     const QPointF step = event->position() - lastAt_;
     if (pressed_ == Qt::NoButton) {
-        hover(branchAt(event->position()));
+        const auto pick = pickAt(event->position());
+        hover(pick ? std::optional(pick->branchId) : std::nullopt);
         return;
     }
     const QPointF way = event->position() - pressedAt_;
@@ -101,8 +122,9 @@ void TreeView::mouseReleaseEvent(QMouseEvent* event)
     if (isDragging_ || event->button() != Qt::LeftButton) {
         return;
     }
-    if (const auto branch = branchAt(event->position())) {
-        emit branchClicked(*branch, event->modifiers());
+    if (const auto pick = pickAt(event->position())) {
+        emit branchClicked(pick->branchId, event->modifiers());
+        emit pointPicked(pick->pointInPatient);
     } else {
         emit backgroundClicked();
     }
@@ -127,10 +149,10 @@ void TreeView::leaveEvent(QEvent*)
     hover(std::nullopt);
 }
 
-std::optional<int> TreeView::branchAt(const QPointF& position) const
+std::optional<TreePick> TreeView::pickAt(const QPointF& position) const
 {
     const double ratio = devicePixelRatio();
-    return scene_.branchAt(static_cast<int>(position.x() * ratio), static_cast<int>((height() - position.y()) * ratio));
+    return scene_.pickAt(static_cast<int>(position.x() * ratio), static_cast<int>((height() - position.y()) * ratio));
 }
 
 void TreeView::hover(std::optional<int> branchId)

@@ -19,11 +19,14 @@ public:
     TreeScene& scene() { return scene_; }   ///< call requestRender() after changing it
     void setTheme(ThemeMode mode);
     void resetView();
+    void showLandmarks(const std::vector<Eigen::Vector3d>& pointsInPatient,
+                       const std::optional<Eigen::Vector3d>& pendingInPatient);   ///< numbered from 1
 
 signals:
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
     void backgroundClicked();
+    void pointPicked(const Eigen::Vector3d& pointInPatient);   ///< of the branch that was clicked
 
 protected:
     void prepareFrame() override;
@@ -36,7 +39,7 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    std::optional<int> branchAt(const QPointF& position) const;
+    std::optional<TreePick> pickAt(const QPointF& position) const;
     void hover(std::optional<int> branchId);
 
     TreeScene scene_;
@@ -46,6 +49,8 @@ private:
     Qt::MouseButton pressed_ = Qt::NoButton;
     bool isDragging_ = false;
     std::optional<int> hovered_;
+    std::vector<Eigen::Vector3d> landmarks_;
+    bool isLastPending_ = false;
 };
 
 }   // namespace ui
