@@ -4,6 +4,7 @@
 #include "app/files/assemble_case.h"
 #include "app/settings.h"
 #include "app/step_states.h"
+#include "app/texts/geometry_state.h"
 #include "ui/dialogs/key_sheet.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/views/angiogram_view.h"
@@ -62,6 +63,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       sync_(window, document_),
       branches_(document_),
       pose_(document_),
+      landmarks_(document_, window),
       registration_(document_, target_),
       session_(window, document_, target_, registration_, notices_),
       review_(document_, sync_, window),
@@ -213,6 +215,8 @@ void CaseController::connectPose()
 
 void CaseController::connectReview()
 {
+    connect(&landmarks_, &LandmarkController::refused, &notices_, &Notices::showNote);
+    connect(&landmarks_, &LandmarkController::placed, &notices_, &Notices::showNote);
     connect(&look_, &LookController::branchWanted, &branches_, [this](int branchId) { branches_.select({branchId}); });
     connect(&replay_, &ReplayController::solutionShown, &review_, &ReviewController::stopMotion);
     connect(&window_, &ui::MainWindow::escapePressed, &replay_, &ReplayController::showItself);
@@ -275,7 +279,7 @@ void CaseController::followDocument()
     window_.registration().showReady(registration_.whyNotReady());
     judgement_.judge(document_.current().cameraFromPatient);
     judgement_.show();
-    showGeometry();
+    window_.geometryPanel().showGeometry(geometryState(document_.current()));
     showTitle();
     showSteps();
 }
@@ -369,30 +373,6 @@ void CaseController::showSteps()
     facts.exported = exported_;
     facts.treePieces = treeActions_.advice().pieceCount();
     window_.steps().showStates(stepStates(current, facts));
-}
-
-void CaseController::showGeometry()
-{
-    const core::RegistrationCase& current = document_.current();
-    ui::GeometryState state;
-    state.cArm = current.cArm;
-    state.cameraOverride = current.cameraOverride;
-    if (current.angiogram) {
-        const auto camera = core::cameraOf(current);
-        if (!camera) {
-            state.missing = QString::fromStdString(camera.error().message);
-        } else if (current.tree) {
-            if (const auto start = core::startPoseOf(current); !start) {
-                state.missing = QString::fromStdString(start.error().message);
-            }
-            const double depthMm = (current.cameraFromPatient * core::centroidInPatient(*current.tree)).z();
-            if (depthMm > core::minProjectableDepthMm) {
-                state.vesselMmPerPx = core::millimetresPerPixel(camera.value(), depthMm);
-            }
-        }
-        state.contradictions = core::findContradictions(current.cArm);
-    }
-    window_.geometryPanel().showGeometry(state);
 }
 
 }   // namespace app

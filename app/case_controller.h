@@ -2,6 +2,7 @@
 
 #include "app/document/case_document.h"
 #include "app/editing/branch_controller.h"
+#include "app/editing/landmark_controller.h"
 #include "app/editing/pose_controller.h"
 #include "app/editing/tracing_controller.h"
 #include "app/editing/tree_actions.h"
@@ -57,7 +58,6 @@ private:
     void setRunning(bool running);
     void showTitle();
     void showSteps();
-    void showGeometry();
 
     ui::MainWindow& window_;
     Notices notices_;
@@ -66,6 +66,7 @@ private:
     ViewSync sync_;
     BranchController branches_;
     PoseController pose_;
+    LandmarkController landmarks_;
     RegistrationController registration_;
     SessionController session_;
     ReviewController review_;

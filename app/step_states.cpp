@@ -1,5 +1,7 @@
 #include "app/step_states.h"
 
+#include "core/imaging/patient_match.h"
+
 #include <QCoreApplication>
 
 namespace app {
@@ -37,6 +39,10 @@ StepState angiogram(const core::RegistrationCase& current, const StepFacts& fact
     if (facts.isTracing) {
         return {StepMark::Open, text("tracing …"), {}};
     }
+    if (const std::string mismatch = core::findMismatch(current.scanIdentity, current.angiogram->identity);
+        !mismatch.empty()) {
+        return {StepMark::Look, text("another patient?"), QString::fromStdString(mismatch)};
+    }
     return {StepMark::Done, current.givenTarget ? text("given centreline") : text("frame %1").arg(current.frame), {}};
 }
 
@@ -62,7 +68,7 @@ StepState geometry(const core::RegistrationCase& current)
     if (current.cameraOverride) {
         return {StepMark::Done, text("from the case"), {}};
     }
-    if (const auto contradictions = core::findContradictions(current.cArm); !contradictions.empty()) {
+    if (const auto contradictions = core::contradictionsOf(current); !contradictions.empty()) {
         return {StepMark::Look, text("contradictory"), QString::fromStdString(contradictions.front())};
     }
     if (isAssumed(current.cArm)) {
@@ -72,7 +78,9 @@ StepState geometry(const core::RegistrationCase& current)
         case core::Origin::User:
             return {StepMark::Done, text("pixel spacing typed"), {}};
         case core::Origin::Derived:
-            return {StepMark::Done, text("pixel spacing derived"), {}};
+            return {StepMark::Look, text("pixel spacing derived"),
+                    text("The header gives no pixel spacing: %1. Type it, or press Enter in the field to confirm it.")
+                        .arg(QString::fromStdString(current.cArm.columnSpacingMm.basis))};
         default:
             return {StepMark::Done, text("from the header"), {}};
     }
@@ -86,7 +94,10 @@ StepState startPose(const core::RegistrationCase& current)
     if (const auto start = core::startPoseOf(current); !start) {
         return {StepMark::Look, text("missing"), QString::fromStdString(start.error().message)};
     }
-    return {StepMark::Done, current.hasInitialPose ? text("from the case") : text("from angles"), {}};
+    return {StepMark::Done,
+            current.hasInitialPose ? current.landmarks.empty() ? text("from the case") : text("from landmarks")
+                                   : text("from angles"),
+            {}};
 }
 
 StepState registration(const core::RegistrationCase& current, const StepFacts& facts)

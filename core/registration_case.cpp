@@ -1,5 +1,7 @@
 #include "core/registration_case.h"
 
+#include "core/geometry/geometry_checks.h"
+
 namespace core {
 
 Result<ProjectionCamera> cameraOf(const RegistrationCase& registrationCase)
@@ -17,15 +19,62 @@ Result<ProjectionCamera> cameraOf(const RegistrationCase& registrationCase)
                           registrationCase.angiogram->height());
 }
 
+std::vector<std::string> contradictionsOf(const RegistrationCase& registrationCase)
+{
+    if (!registrationCase.angiogram || registrationCase.cameraOverride) {
+        return {};
+    }
+    const Angiogram& angiogram = *registrationCase.angiogram;
+    return findContradictions(registrationCase.cArm, angiogram.gantry, {angiogram.width(), angiogram.height()});
+}
+
+CArm cArmOfFrame(const RegistrationCase& registrationCase)
+{
+    if (!registrationCase.angiogram) {
+        return registrationCase.cArm;
+    }
+    const auto& increments = registrationCase.angiogram->gantry.angleIncrementsDeg;
+    const auto frame = static_cast<std::size_t>(registrationCase.frame);
+    return registrationCase.frame >= 0 && frame < increments.size() ? turnedBy(registrationCase.cArm, increments[frame])
+                                                                    : registrationCase.cArm;
+}
+
+namespace {
+
+Result<RigidTransform> poseFromAngles(const RegistrationCase& registrationCase)
+{
+    const auto& isocentre = registrationCase.cArm.isocentreInPatientMm.value;
+    if (!isocentre && !registrationCase.tree) {
+        return Error{"There is no vessel tree yet. Open a centreline first."};
+    }
+    return cameraFromPatient(cArmOfFrame(registrationCase),
+                             isocentre ? *isocentre : centroidInPatient(*registrationCase.tree));
+}
+
+}   // namespace
+
 Result<RigidTransform> startPoseOf(const RegistrationCase& registrationCase)
 {
     if (registrationCase.hasInitialPose) {
         return registrationCase.initialCameraFromPatient;
     }
-    if (!registrationCase.tree) {
-        return Error{"There is no vessel tree yet. Open a centreline first."};
+    return poseFromAngles(registrationCase);
+}
+
+RegistrationCase withFrame(RegistrationCase registrationCase, int frame)
+{
+    const auto before = poseFromAngles(registrationCase);
+    registrationCase.frame = frame;
+    const bool turns = registrationCase.angiogram && !registrationCase.angiogram->gantry.angleIncrementsDeg.empty();
+    const auto after = poseFromAngles(registrationCase);
+    if (!turns || !before || !after) {
+        return registrationCase;
     }
-    return cameraFromPatient(registrationCase.cArm, centroidInPatient(*registrationCase.tree));
+    const RigidTransform laterFromEarlier = after.value() * before.value().inverse();
+    registrationCase.cameraFromPatient = laterFromEarlier * registrationCase.cameraFromPatient;
+    registrationCase.initialCameraFromPatient = laterFromEarlier * registrationCase.initialCameraFromPatient;
+    registrationCase.result.reset();
+    return registrationCase;
 }
 
 Result<Centerline2d> targetOf(const RegistrationCase& registrationCase)

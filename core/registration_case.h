@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/c_arm.h"
+#include "core/geometry/landmark.h"
 #include "core/imaging/angiogram.h"
 #include "core/imaging/volume.h"
 #include "core/registration/registration.h"
@@ -55,6 +56,8 @@ struct RegistrationCase {
     RigidTransform initialCameraFromPatient;
     bool hasInitialPose = false;   ///< false: the start pose follows from the angles
     RigidTransform cameraFromPatient;   ///< where the tree is now
+    std::vector<Landmark> landmarks;   ///< pairs the start pose can be found from
+    std::vector<InputFile> otherViews;   ///< cases of the same vessels in other views, registered together with this
 
     RegistrationOptions options;
     std::string extraKeys;   ///< JSON object with the keys of the case file that this version does not know
@@ -64,8 +67,18 @@ struct RegistrationCase {
 /// The camera of the case: the override, or what follows from the C-arm and the image size.
 Result<ProjectionCamera> cameraOf(const RegistrationCase& registrationCase);
 
-/// The start pose of the case: given, or from the angles with the tree's centroid in the isocentre.
+/// The C-arm when the chosen frame was taken: the gantry may turn during a run (ALGORITHMS §5.5).
+CArm cArmOfFrame(const RegistrationCase& registrationCase);
+
+/// What in the geometry of the case makes no sense, see findContradictions; nothing while a camera overrides it.
+std::vector<std::string> contradictionsOf(const RegistrationCase& registrationCase);
+
+/// The start pose of the case: given, or from the angles of the frame with the isocentre where the case has it, else in
+/// the tree's centroid.
 Result<RigidTransform> startPoseOf(const RegistrationCase& registrationCase);
+
+/// The case at another frame. Where the gantry turned in between, the poses turn with it about the isocentre.
+RegistrationCase withFrame(RegistrationCase registrationCase, int frame);
 
 /// The target of the case: the given centreline, or the traced frame.
 Result<Centerline2d> targetOf(const RegistrationCase& registrationCase);

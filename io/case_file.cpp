@@ -1,5 +1,7 @@
 #include "io/case_file.h"
 
+#include "core/geometry/geometry_checks.h"
+#include "io/angiogram_file.h"
 #include "io/case/case_document.h"
 #include "io/case/case_inputs.h"
 #include "io/case/case_schema.h"
@@ -117,6 +119,33 @@ core::Result<std::vector<std::string>> validateCase(const std::string& path)
             }
         }
         return std::move(document.problems);
+    } catch (const std::exception&) {
+        return fileError(path, "a value in it has the wrong kind. Compare it with the published schema.");
+    }
+}
+
+core::Result<std::vector<std::string>> doubtsOfCase(const std::string& path)
+{
+    const auto text = readCaseText(path);
+    if (!text) {
+        return text.error();
+    }
+    try {
+        RegistrationCase values = examine(text.value()).values;
+        makePathsAbsolute(values, path);
+        const auto angiogram = readAngiogram(values.imageFile.path);
+        if (!angiogram) {
+            return angiogram.error();
+        }
+        fillFromHeader(values.cArm, angiogram.value().cArm);
+        auto doubts = core::findContradictions(values.cArm, angiogram.value().gantry,
+                                               {angiogram.value().width(), angiogram.value().height()});
+        if (!values.cameraOverride && !values.hasInitialPose) {
+            for (std::string& missing : core::findMissing(values.cArm)) {
+                doubts.push_back(std::move(missing));
+            }
+        }
+        return doubts;
     } catch (const std::exception&) {
         return fileError(path, "a value in it has the wrong kind. Compare it with the published schema.");
     }

@@ -21,6 +21,10 @@ core::Result<core::RegistrationCase> loadCase(const std::string& path, std::vect
 /// Schema and meaning only, without loading the inputs: every problem found, empty when the case is fine.
 core::Result<std::vector<std::string>> validateCase(const std::string& path);
 
+/// What in a case's geometry is missing or makes no sense together with the header of its image, which is read.
+/// Nothing of it keeps the case from loading. Fails where the case or the image cannot be read.
+core::Result<std::vector<std::string>> doubtsOfCase(const std::string& path);
+
 /// Writes atomically (temporary file, flush, rename); paths relative to the case file, hashes of the inputs,
 /// keys unknown to this version kept.
 core::Status saveCase(const core::RegistrationCase& registrationCase, const std::string& path);

@@ -47,6 +47,7 @@ MainWindow::MainWindow(QWidget* parent)
       imageFrame_(new QWidget),
       geometry_(new GeometryPanel),
       pose_(new PosePanel),
+      landmarks_(new LandmarkPanel),
       registration_(new RegistrationPanel),
       result_(new ResultPanel),
       rightColumn_(new QScrollArea),
@@ -76,6 +77,7 @@ MainWindow::MainWindow(QWidget* parent)
     setMinimumSize(900, 560);
     resize(1440, 900);
     connectSlices();
+    connect(treeView_, &TreeView::pointPicked, this, &MainWindow::pointPicked);
     angiogramView_->setFocus();
     qApp->installEventFilter(this);
 }
@@ -118,6 +120,7 @@ QWidget* MainWindow::makeRightColumn()
     layout->addWidget(pose_);
     layout->addWidget(registration_);
     layout->addWidget(result_);
+    layout->addWidget(landmarks_);
     layout->addWidget(geometry_);
     layout->addStretch(1);
     rightColumn_->setProperty("role", "column");

@@ -4,6 +4,7 @@
 #include "ui/panels/branch_panel.h"
 #include "ui/panels/geometry_panel.h"
 #include "ui/panels/header_bar.h"
+#include "ui/panels/landmark_panel.h"
 #include "ui/panels/pose_panel.h"
 #include "ui/panels/registration_panel.h"
 #include "ui/panels/result_panel.h"
@@ -43,6 +44,7 @@ public:
     BranchPanel& branches() { return *branches_; }
     PosePanel& pose() { return *pose_; }
     GeometryPanel& geometryPanel() { return *geometry_; }
+    LandmarkPanel& landmarks() { return *landmarks_; }
     RegistrationPanel& registration() { return *registration_; }
     ResultPanel& result() { return *result_; }
     BottomStrip& strip() { return *strip_; }
@@ -95,6 +97,7 @@ private:
     QWidget* imageFrame_;
     GeometryPanel* geometry_;
     PosePanel* pose_;
+    LandmarkPanel* landmarks_;
     RegistrationPanel* registration_;
     ResultPanel* result_;
     QScrollArea* rightColumn_;

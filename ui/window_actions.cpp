@@ -41,6 +41,10 @@ const std::vector<ActionRow>& rows()
         {Command::Nudge, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Nudge mode"), "N", Kind::Switch},
         {Command::ResetPose, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Back to start pose"), "Backspace"},
         {Command::CopyPose, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Copy pose as matrix"), "Ctrl+C"},
+        {Command::Landmarks, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Click pairs of landmarks"), "L",
+         Kind::Switch},
+        {Command::PlaceByLandmarks, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Place vessels by landmarks"),
+         "Shift+L"},
         {Command::ToggleAuxiliary, Menu::Edit,
          QT_TRANSLATE_NOOP("ui::WindowActions", "Selected branches auxiliary on or off"), "A"},
         {Command::AuxiliaryInView, Menu::Edit,
@@ -79,6 +83,8 @@ const std::vector<ActionRow>& rows()
         {Command::FullRange, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Brightness: every grey value"), "9"},
         {Command::MoreContrast, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "More contrast"), "8"},
         {Command::LessContrast, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Less contrast"), "7"},
+        {Command::FromSource, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Seen from the source (mirrored)"),
+         "Q", Kind::Switch},
         {Command::Outline, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Vessels: centreline, outline, tube"),
          "O"},
         {Command::DepthCue, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Near vessels bright, far ones dim"),
@@ -133,6 +139,17 @@ constexpr std::array nudgeNotes{
             QT_TRANSLATE_NOOP("ui::WindowActions", "turn LAO/RAO and CRA/CAU by 1°")},
     KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "drag"),
             QT_TRANSLATE_NOOP("ui::WindowActions", "move; on the ring roll; Esc takes it back, then ends the mode")},
+};
+
+constexpr std::array landmarkNotes{
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "click"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "in 3-D or a slice, then in the image: one pair")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "drag"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "a node of the vessels to its place, or a cross elsewhere")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "Enter"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "place the vessels by the pairs")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "Del"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "remove the last pair")},
 };
 
 constexpr std::array viewNotes{
@@ -244,6 +261,7 @@ std::vector<KeyLine> WindowActions::keySheet() const
         }
     }
     addNotes(lines, tr("In nudge mode"), nudgeNotes);
+    addNotes(lines, tr("While clicking landmarks"), landmarkNotes);
     addNotes(lines, tr("On the angiogram"), viewNotes);
     addNotes(lines, tr("On a slice"), sliceNotes);
     return lines;

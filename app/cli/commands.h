@@ -20,10 +20,18 @@ struct RegisterArguments {
     std::vector<int> excludedBranchIds;   ///< empty: the case's own
     std::vector<std::string> locks;   ///< ids of core::PoseAxis; empty: the case's own
     std::optional<int> frame;
+    std::vector<std::string> otherViews;   ///< cases registered together with this one, beside its own `views`
     std::string outputFolder;   ///< empty: "<case>-registered" in the current folder
     OutputFormat format = OutputFormat::Text;
 };
 int runRegister(const RegisterArguments& arguments);
+
+struct TrackArguments {
+    std::string casePath;
+    std::string outputPath;   ///< table of poses
+    bool keepPose = false;   ///< follow from the case's pose instead of registering its frame first
+};
+int runTrack(const TrackArguments& arguments);
 
 struct ProjectArguments {
     std::string casePath;

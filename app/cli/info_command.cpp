@@ -1,6 +1,6 @@
 #include "app/cli/commands.h"
+#include "app/cli/describe_geometry.h"
 #include "app/cli/describe_volume.h"
-#include "app/texts/case_texts.h"
 #include "app/texts/number_text.h"
 #include "core/registration_case.h"
 #include "io/angiogram_file.h"
@@ -27,44 +27,6 @@ std::string extensionOf(const std::string& path)
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
     return extension;
-}
-
-Json sourcedJson(const core::Sourced<double>& sourced)
-{
-    Json json{{"value", nullptr}, {"origin", originText(sourced.origin)}};
-    if (sourced.value) {
-        json["value"] = *sourced.value;
-    }
-    if (!sourced.basis.empty()) {
-        json["basis"] = sourced.basis;
-    }
-    return json;
-}
-
-Json cameraJson(const core::ProjectionCamera& camera)
-{
-    return {{"fx", camera.fx}, {"fy", camera.fy}, {"cx", camera.cx}, {"cy", camera.cy}};
-}
-
-/// What the header says about geometry, and what follows from it.
-Json geometryJson(const core::CArm& cArm, const core::Angiogram& angiogram)
-{
-    Json json{
-        {"sourceToDetectorMm", sourcedJson(cArm.sourceToDetectorMm)},
-        {"sourceToPatientMm", sourcedJson(cArm.sourceToPatientMm)},
-        {"columnSpacingMm", sourcedJson(cArm.columnSpacingMm)},
-        {"rowSpacingMm", sourcedJson(cArm.rowSpacingMm)},
-        {"primaryAngleDeg", sourcedJson(cArm.primaryAngleDeg)},
-        {"secondaryAngleDeg", sourcedJson(cArm.secondaryAngleDeg)},
-    };
-    const auto camera = core::cameraFromCArm(cArm, angiogram.width(), angiogram.height());
-    if (camera) {
-        json["camera"] = cameraJson(camera.value());
-    } else {
-        json["cameraMissing"] = camera.error().message;
-    }
-    json["contradictions"] = core::findContradictions(cArm);
-    return json;
 }
 
 Json angiogramJson(const core::Angiogram& angiogram)
@@ -203,10 +165,13 @@ void printReadable(const Json& json, int indent)
         const std::string label =
             std::string(static_cast<std::size_t>(indent), ' ') + (json.is_array() ? "-" : key + ":");
         if (value.is_object() && value.contains("origin") && value.contains("value")) {
-            const std::string number =
-                value["value"].is_null() ? "missing" : fixedText(value["value"].get<double>(), 4);
-            std::printf("%-24s %s (%s%s)\n", label.c_str(), number.c_str(), value["origin"].get<std::string>().c_str(),
-                        value.contains("basis") ? (", " + value["basis"].get<std::string>()).c_str() : "");
+            const std::string number = value["value"].is_null()     ? "missing"
+                                       : value["value"].is_number() ? fixedText(value["value"].get<double>(), 4)
+                                                                    : value["value"].dump();
+            const std::string basis = value.contains("basis") ? ", " + value["basis"].get<std::string>() : "";
+            const std::string origin =
+                value["value"].is_null() ? "" : " (" + value["origin"].get<std::string>() + basis + ")";
+            std::printf("%-24s %s%s\n", label.c_str(), number.c_str(), origin.c_str());
         } else if (value.is_structured()) {
             if (!value.empty()) {
                 std::printf("%s\n", label.c_str());

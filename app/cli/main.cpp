@@ -50,6 +50,8 @@ void addRegister(CLI::App& app, int& exitCode)
     command->add_option("--lock", arguments->locks, "What stays as it is, of " + core::poseAxisIds() + ", or none")
         ->delimiter(',');
     command->add_option("--frame", arguments->frame, "Frame of the angiogram, from 0");
+    command->add_option("--view", arguments->otherViews,
+                        "Case of the same vessels in another view, registered together; may be repeated");
     command->add_option("--output", arguments->outputFolder,
                         "Folder for result.json, overlay.png and pose.tfm (default: CASE-registered)");
     command->add_flag_callback(
@@ -59,6 +61,18 @@ void addRegister(CLI::App& app, int& exitCode)
                "\n\nExample: angiopose-cli register case.angiopose --method angiopose --output result";
     });
     command->callback([arguments, &exitCode] { exitCode = runRegister(*arguments); });
+}
+
+void addTrack(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("track", "Follow the vessels of a case through the frames of its run");
+    auto arguments = std::make_shared<TrackArguments>();
+    command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
+    command->add_option("--output", arguments->outputPath, "Table of poses to write, .csv")->required();
+    command->add_flag("--keep-pose", arguments->keepPose,
+                      "Follow from the pose of the case (default: its frame is registered first)");
+    command->footer("Example: angiopose-cli track case.angiopose --output poses.csv");
+    command->callback([arguments, &exitCode] { exitCode = runTrack(*arguments); });
 }
 
 void addProject(CLI::App& app, int& exitCode)
@@ -212,6 +226,7 @@ int parseAndRun(int argc, char** argv)
         "Exit codes: 0 done, 2 wrong usage, 3 input missing or invalid, 4 result not trustworthy, 130 stopped.\n"
         "Help on a command: angiopose-cli COMMAND --help");
     addRegister(app, exitCode);
+    addTrack(app, exitCode);
     addProject(app, exitCode);
     addSimulate(app, exitCode);
     addTraceAngiogram(app, exitCode);

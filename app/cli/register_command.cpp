@@ -1,6 +1,7 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
 #include "app/cli/register_case.h"
+#include "app/cli/register_views.h"
 #include "app/texts/number_text.h"
 #include "core/registration/registration.h"
 #include "io/result_file.h"
@@ -63,6 +64,12 @@ int runRegister(const RegisterArguments& arguments)
     if (const auto status = applyArguments(registrationCase, arguments); !status) {
         printMessage(status.error().message);
         return exitUsage;
+    }
+    for (const std::string& path : arguments.otherViews) {
+        registrationCase.otherViews.push_back({fs::absolute(path).string(), ""});
+    }
+    if (!registrationCase.otherViews.empty()) {
+        return registerViewsOf(registrationCase, arguments, outputFolderOf(arguments));
     }
     const auto registered = registerCase(std::move(registrationCase), "registering");
     if (!registered) {

@@ -14,7 +14,9 @@ using core::RegistrationCase;
 /// A hand edit of the pose: what the last run said no longer holds.
 using MovePose = SetFields<&RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
 
-using ShowFrame = SetFields<&RegistrationCase::frame>;
+/// Another frame; where the gantry turned, the poses turn with it.
+using ShowFrame = SetFields<&RegistrationCase::frame, &RegistrationCase::initialCameraFromPatient,
+                            &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
 using ChooseAuxiliary = SetFields<&RegistrationCase::auxiliaryBranchIds>;
 using ExcludeBranches = SetFields<&RegistrationCase::excludedBranchIds, &RegistrationCase::result>;
 using HideBranches = SetFields<&RegistrationCase::hiddenBranchIds>;
@@ -30,6 +32,11 @@ using TraceTree = SetFields<&RegistrationCase::vesselInput, &RegistrationCase::l
 using ChangeOptions = SetFields<&RegistrationCase::options>;
 using ChangeGeometry = SetFields<&RegistrationCase::cArm, &RegistrationCase::cameraOverride,
                                  &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
+using ChangeLandmarks = SetFields<&RegistrationCase::landmarks>;
+
+/// A start pose found by hand or landmarks becomes the case's own.
+using PlaceVessels = SetFields<&RegistrationCase::hasInitialPose, &RegistrationCase::initialCameraFromPatient,
+                               &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
 using JoinInputs =
     SetFields<&RegistrationCase::title, &RegistrationCase::centerlineFile, &RegistrationCase::vesselInput,
               &RegistrationCase::volume, &RegistrationCase::scanFile, &RegistrationCase::scanSeriesId,

@@ -28,7 +28,7 @@ QStringList notesOf(const LoadedInputs& inputs, const core::RegistrationCase& op
         notes << QString::fromStdString(warning);
     }
     if (!inputs.wholeCase && opened.angiogram) {   // a case file has compared them itself
-        const std::string mismatch = core::findPatientMismatch(opened.scanIdentity, opened.angiogram->identity);
+        const std::string mismatch = core::findMismatch(opened.scanIdentity, opened.angiogram->identity);
         notes << (mismatch.empty() ? QStringList() : QStringList(QString::fromStdString(mismatch)));
     }
     return notes;

@@ -5,6 +5,7 @@
 #include "app/files/series_rows.h"
 #include "app/jobs/input_kind.h"
 #include "app/settings.h"
+#include "core/imaging/patient_match.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
 
@@ -34,6 +35,16 @@ SessionController::SessionController(ui::MainWindow& window, CaseDocument& docum
         }
     });
     fillRecent();
+}
+
+void SessionController::warnOfMismatch()
+{
+    const core::RegistrationCase& current = document_.current();
+    const std::string mismatch =
+        current.angiogram ? core::findMismatch(current.scanIdentity, current.angiogram->identity) : "";
+    if (!mismatch.empty()) {
+        notices_.showProblem(tr("Not the same patient?"), QString::fromStdString(mismatch));
+    }
 }
 
 void SessionController::begin(const QStringList& paths)
@@ -96,6 +107,7 @@ void SessionController::connectOpening()
         }
         fillRecent();
         notices_.showNote(notes.isEmpty() ? tr("Opened") : notes.join(QLatin1Char(' ')));
+        warnOfMismatch();
     });
     connect(&open_, &OpenController::failed, this, [this](const QString& reason, const QStringList& paths) {
         recovering_ = false;

@@ -38,6 +38,7 @@ signals:
     void exported();
 
 private:
+    void warnOfMismatch();   ///< loudly: scan and angiogram of different patients
     void connectFiles();
     void connectOpening();
     void connectSaving();

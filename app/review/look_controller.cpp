@@ -32,6 +32,11 @@ void LookController::connectOverlay()
         heldHidden_ = held;
         showStyle();
     });
+    connect(actions[ui::Command::FromSource], &QAction::toggled, this, [this, &view](bool on) {
+        view.setFromSource(on);
+        window_.strip().showStatus(on ? tr("Seen from the source: only the view is mirrored")
+                                      : tr("Seen from the detector"));
+    });
     connect(actions[ui::Command::DepthCue], &QAction::toggled, this, [this, &view](bool on) {
         view.scene().setDepthCue(on ? ui::DepthCue::NearBright : ui::DepthCue::None);
         view.update();

@@ -104,8 +104,10 @@ void ReviewController::showFrame(int frame)
         ++frameBurst_;
     }
     lastFrameMs_ = now;
-    document_.push(std::make_unique<ShowFrame>(document_, ShowFrame::Values{frame}, tr("Choose another frame"),
-                                               frameBursts + frameBurst_));
+    const core::RegistrationCase turned = core::withFrame(document_.current(), frame);
+    document_.push(std::make_unique<ShowFrame>(
+        document_, ShowFrame::Values{frame, turned.initialCameraFromPatient, turned.cameraFromPatient, turned.result},
+        tr("Choose another frame"), frameBursts + frameBurst_));
 }
 
 void ReviewController::setFlickering(bool on)

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace core {
 namespace {
@@ -84,27 +85,16 @@ Result<RigidTransform> cameraFromPatient(const CArm& cArm, const Eigen::Vector3d
     return RigidTransform{rotation, -(rotation * source)};
 }
 
-std::vector<std::string> findContradictions(const CArm& cArm)
+CArm turnedBy(CArm cArm, const Eigen::Vector2d& incrementsDeg)
 {
-    std::vector<std::string> found;
-    if (isPositive(cArm.sourceToDetectorMm) && isPositive(cArm.sourceToPatientMm)) {
-        const double magnification = *cArm.sourceToDetectorMm.value / *cArm.sourceToPatientMm.value;
-        if (magnification <= 1.0) {
-            found.emplace_back("SOD is not smaller than SID: the patient would lie behind the detector.");
-        } else if (magnification > 3.0) {
-            found.emplace_back("SID is more than three times SOD: the magnification is implausible.");
+    for (const auto& [angle, increment] :
+         {std::pair(&cArm.primaryAngleDeg, incrementsDeg.x()), std::pair(&cArm.secondaryAngleDeg, incrementsDeg.y())}) {
+        if (angle->value && increment != 0.0) {
+            *angle->value += increment;
+            angle->basis += " and this frame's increment";
         }
     }
-    if (isPositive(cArm.columnSpacingMm) && (*cArm.columnSpacingMm.value < 0.05 || *cArm.columnSpacingMm.value > 2.0)) {
-        found.emplace_back("The detector pixel spacing lies outside 0.05 to 2 mm.");
-    }
-    if (cArm.primaryAngleDeg.value && std::abs(*cArm.primaryAngleDeg.value) > 180.0) {
-        found.emplace_back("The primary angle lies outside ±180°.");
-    }
-    if (cArm.secondaryAngleDeg.value && std::abs(*cArm.secondaryAngleDeg.value) > 90.0) {
-        found.emplace_back("The secondary angle lies outside ±90°.");
-    }
-    return found;
+    return cArm;
 }
 
 }   // namespace core

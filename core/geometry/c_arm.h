@@ -6,7 +6,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace core {
 
@@ -32,7 +31,11 @@ struct CArm {
     Sourced<double> rollDeg;   ///< image turned clockwise on screen; no DICOM tag, 0 unless the user says
     Sourced<Eigen::Vector2d> principalPointPx;   ///< (cx, cy); missing: image centre
     Sourced<bool> mirrored;   ///< true: shown as seen from the source, fx > 0
+    Sourced<Eigen::Vector3d> isocentreInPatientMm;   ///< in the vessels' coordinates; missing: their centroid
 };
+
+/// The C-arm when it has turned by (primary, secondary) degrees since its angles were noted.
+CArm turnedBy(CArm cArm, const Eigen::Vector2d& incrementsDeg);
 
 /// Pin-hole camera of the C-arm: fx = −SID/Δu (positive when mirrored), fy = SID/Δv, ALGORITHMS §5.2.
 /// Fails naming the value that is missing or impossible and how to supply it.
@@ -44,8 +47,5 @@ Result<RigidTransform> cameraFromPatient(const CArm& cArm, const Eigen::Vector3d
 
 /// Unit vector from isocentre to detector in patient LPS for the given angles: LAO 90° points to the patient's left.
 Eigen::Vector3d detectorDirection(double primaryAngleDeg, double secondaryAngleDeg);
-
-/// Values that contradict each other or physics (SOD ≥ SID, magnification out of 1…3, …), in words for the user.
-std::vector<std::string> findContradictions(const CArm& cArm);
 
 }   // namespace core

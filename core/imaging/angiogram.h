@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/c_arm.h"
+#include "core/geometry/gantry_header.h"
 #include "core/imaging/image2d.h"
 
 #include <map>
@@ -17,6 +18,7 @@ struct StudyIdentity {
     std::string patientId;
     std::string birthDate;   ///< yyyy-mm-dd
     std::string sex;
+    std::string laterality;   ///< "L" or "R" of a paired body part
     std::string institution;
     std::string studyDate;   ///< yyyy-mm-dd
     std::string studyTime;   ///< hh:mm
@@ -35,6 +37,7 @@ struct Angiogram {
     double frameTimeMs = 0.0;   ///< 0 when unknown or a single frame
     int suggestedFrame = 0;   ///< the fullest frame: most vessel-like pixels
     CArm cArm;
+    GantryHeader gantry;
     StudyIdentity identity;
     std::vector<std::string> warnings;   ///< in plain words, e.g. "colour image converted to grey"
 

@@ -30,17 +30,35 @@ bool differs(const std::string& a, const std::string& b)
 std::string findPatientMismatch(const StudyIdentity& scan, const StudyIdentity& run)
 {
     std::string reasons;
+    int count = 0;
     const auto add = [&](bool isDifferent, const char* what) {
         if (isDifferent) {
             reasons += (reasons.empty() ? "" : ", ") + std::string(what);
+            ++count;
         }
     };
     add(differs(scan.patientId, run.patientId), "number");
     add(differs(scan.patientName, run.patientName), "name");
     add(differs(scan.birthDate, run.birthDate), "birth date");
+    add(differs(scan.sex, run.sex) && bare(scan.sex) != "o" && bare(run.sex) != "o", "sex");
     return reasons.empty() ? reasons
                            : "Scan and angiogram seem to be of different patients (" + reasons +
-                                 " differ). Check that both are the right ones.";
+                                 (count > 1 ? " differ" : " differs") + "). Check that both are the right ones.";
+}
+
+std::string findSideMismatch(const StudyIdentity& scan, const StudyIdentity& run)
+{
+    const std::string first = bare(scan.laterality), second = bare(run.laterality);
+    const bool areOpposite = (first == "l" && second == "r") || (first == "r" && second == "l");
+    return areOpposite ? "The scan is of the patient's " + std::string(first == "l" ? "left" : "right") +
+                             " side, the angiogram of the other. Check that both are the right ones."
+                       : "";
+}
+
+std::string findMismatch(const StudyIdentity& scan, const StudyIdentity& run)
+{
+    const std::string patient = findPatientMismatch(scan, run), side = findSideMismatch(scan, run);
+    return patient.empty() || side.empty() ? patient + side : patient + " " + side;
 }
 
 }   // namespace core

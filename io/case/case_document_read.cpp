@@ -185,6 +185,9 @@ void readCArm(const Json& geometry, core::CArm& cArm)
         cArm.principalPointPx = {Eigen::Vector2d(point.value[0].get<double>(), point.value[1].get<double>()),
                                  point.origin, point.basis};
     }
+    if (const SourcedJson point = sourcedJson(member(geometry, "isocentreInPatientMm")); point.value.is_array()) {
+        cArm.isocentreInPatientMm = {pointFrom(point.value), point.origin, point.basis};
+    }
     if (const SourcedJson mirrored = sourcedJson(member(geometry, "mirrored")); mirrored.value.is_boolean()) {
         cArm.mirrored = {mirrored.value.get<bool>(), mirrored.origin, mirrored.basis};
     }
@@ -234,6 +237,12 @@ void readPoses(const Json& poses, CaseDocument& document)
             document.values.options.locks[static_cast<std::size_t>(*axis)] = true;
         }
     }
+    for (const Json& landmark : poses.is_object() ? poses.value("landmarks", Json::array()) : Json::array()) {
+        document.values.landmarks.push_back(
+            {pointFrom(landmark["pointInPatientMm"]),
+             Eigen::Vector2d(landmark["pixel"][0].get<double>(), landmark["pixel"][1].get<double>()),
+             landmark.value("name", "")});
+    }
 }
 
 void readOptions(const Json& root, CaseDocument& document)
@@ -282,6 +291,9 @@ CaseDocument parseCaseDocument(std::string_view json)
     readCArm(geometry, document.values.cArm);
     readCamera(member(geometry, "camera"), document);
     readPoses(member(root, "pose"), document);
+    for (const Json& view : root.value("views", Json::array())) {
+        document.values.otherViews.push_back(inputFile(view));
+    }
     readOptions(root, document);
     document.values.extraKeys = unknownKeys(json, knownCaseKeys(document.values.vesselInput.kind));
     return document;

@@ -164,6 +164,9 @@ Json geometryJson(const core::RegistrationCase& registrationCase)
         addSourced(geometry, "principalPointPx", std::vector<double>{point.value->x(), point.value->y()}, point.origin,
                    point.basis);
     }
+    if (const auto& point = cArm.isocentreInPatientMm; point.value) {
+        addSourced(geometry, "isocentreInPatientMm", pointJson(*point.value), point.origin, point.basis);
+    }
     if (const auto& mirrored = cArm.mirrored; mirrored.value) {
         addSourced(geometry, "mirrored", *mirrored.value, mirrored.origin, mirrored.basis);
     }
@@ -179,6 +182,16 @@ Json lockedJson(const core::PoseLocks& locks)
         }
     }
     return ids;
+}
+
+Json landmarkJson(const core::Landmark& landmark)
+{
+    Json json{{"pointInPatientMm", pointJson(landmark.pointInPatient)},
+              {"pixel", {landmark.pixel.x(), landmark.pixel.y()}}};
+    if (!landmark.name.empty()) {
+        json["name"] = landmark.name;
+    }
+    return json;
 }
 
 }   // namespace
@@ -198,6 +211,12 @@ std::string caseDocumentText(const core::RegistrationCase& registrationCase, con
     root["pose"]["current"]["cameraFromPatient"] = rowsOf(registrationCase.cameraFromPatient);
     if (core::isAnyLocked(registrationCase.options.locks)) {
         root["pose"]["locked"] = lockedJson(registrationCase.options.locks);
+    }
+    for (const core::Landmark& landmark : registrationCase.landmarks) {
+        root["pose"]["landmarks"].push_back(landmarkJson(landmark));
+    }
+    for (const core::InputFile& view : registrationCase.otherViews) {
+        root["views"].push_back(fileJson(view, folder));
     }
     root["method"] = registrationCase.options.method;
     root["options"] = Json::parse(optionsJson(registrationCase.options));

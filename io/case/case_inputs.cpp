@@ -140,20 +140,6 @@ void fillFrom(core::Sourced<Value>& value, const core::Sourced<Value>& header)
     }
 }
 
-/// The case's own values win over the header's.
-void fillFromHeader(core::CArm& cArm, const core::CArm& header)
-{
-    fillFrom(cArm.sourceToDetectorMm, header.sourceToDetectorMm);
-    fillFrom(cArm.sourceToPatientMm, header.sourceToPatientMm);
-    fillFrom(cArm.columnSpacingMm, header.columnSpacingMm);
-    fillFrom(cArm.rowSpacingMm, header.rowSpacingMm);
-    fillFrom(cArm.primaryAngleDeg, header.primaryAngleDeg);
-    fillFrom(cArm.secondaryAngleDeg, header.secondaryAngleDeg);
-    fillFrom(cArm.rollDeg, header.rollDeg);
-    fillFrom(cArm.principalPointPx, header.principalPointPx);
-    fillFrom(cArm.mirrored, header.mirrored);
-}
-
 void dropUnknownBranches(std::vector<int>& ids, const core::VesselTree& tree, const char* key,
                          std::vector<std::string>& warnings)
 {
@@ -197,7 +183,7 @@ core::Status complete(CaseDocument& document, std::vector<std::string>& warnings
         warnings.push_back(values.imageFile.path + ": this is another DICOM image than the one the case was made for.");
     }
     warnings.insert(warnings.end(), angiogram.warnings.begin(), angiogram.warnings.end());
-    if (std::string mismatch = core::findPatientMismatch(values.scanIdentity, angiogram.identity); !mismatch.empty()) {
+    if (std::string mismatch = core::findMismatch(values.scanIdentity, angiogram.identity); !mismatch.empty()) {
         warnings.push_back(std::move(mismatch));
     }
     fillFromHeader(values.cArm, angiogram.cArm);
@@ -217,6 +203,20 @@ core::Status complete(CaseDocument& document, std::vector<std::string>& warnings
 
 }   // namespace
 
+void fillFromHeader(core::CArm& cArm, const core::CArm& header)
+{
+    fillFrom(cArm.sourceToDetectorMm, header.sourceToDetectorMm);
+    fillFrom(cArm.sourceToPatientMm, header.sourceToPatientMm);
+    fillFrom(cArm.columnSpacingMm, header.columnSpacingMm);
+    fillFrom(cArm.rowSpacingMm, header.rowSpacingMm);
+    fillFrom(cArm.primaryAngleDeg, header.primaryAngleDeg);
+    fillFrom(cArm.secondaryAngleDeg, header.secondaryAngleDeg);
+    fillFrom(cArm.rollDeg, header.rollDeg);
+    fillFrom(cArm.principalPointPx, header.principalPointPx);
+    fillFrom(cArm.mirrored, header.mirrored);
+    fillFrom(cArm.isocentreInPatientMm, header.isocentreInPatientMm);
+}
+
 void makePathsAbsolute(RegistrationCase& values, const std::string& casePath)
 {
     const fs::path folder = fs::absolute(casePath).parent_path();
@@ -224,6 +224,9 @@ void makePathsAbsolute(RegistrationCase& values, const std::string& casePath)
     makeAbsolute(values.scanFile, folder);
     makeAbsolute(values.imageFile, folder);
     makeAbsolute(values.targetFile, folder);
+    for (core::InputFile& view : values.otherViews) {
+        makeAbsolute(view, folder);
+    }
 }
 
 core::Result<RegistrationCase> loadInputs(CaseDocument document, const std::string& casePath,

@@ -28,7 +28,7 @@ std::string knownCaseKeys(core::VesselInputKind vesselKind)
     Json image = file;
     image["dicom"] = object({"studyInstanceUid", "seriesInstanceUid", "sopInstanceUid"});
 
-    Json keys = object({"format", "version", "title", "method"});
+    Json keys = object({"format", "version", "title", "views", "method"});
     Json vessel = file;
     vessel["dicom"] = object({"seriesInstanceUid"});
     keys["vessel"] =
@@ -44,9 +44,10 @@ std::string knownCaseKeys(core::VesselInputKind vesselKind)
         object({"minVesselRadiusPx", "maxVesselRadiusPx", "minBranchLengthPx", "minComponentLengthPx", "sensitivity"});
     keys["geometry"]["camera"] = object({"fx", "fy", "cx", "cy", "width", "height"});
     for (const char* key : {"sourceToDetectorMm", "sourceToPatientMm", "imagerPixelSpacingMm", "primaryAngleDeg",
-                            "secondaryAngleDeg", "rollDeg", "principalPointPx", "mirrored"}) {
+                            "secondaryAngleDeg", "rollDeg", "principalPointPx", "mirrored", "isocentreInPatientMm"}) {
         keys["geometry"][key] = sourced;
     }
+    keys["pose"] = object({"landmarks"});
     keys["pose"]["initial"] = object({"cameraFromPatient"});
     keys["pose"]["current"] = object({"cameraFromPatient"});
     keys["pose"]["locked"] = "";

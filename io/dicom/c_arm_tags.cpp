@@ -108,12 +108,6 @@ void readSpacing(const DicomDataset& data, CArm& cArm, std::vector<std::string>&
 {
     if (const auto imager = positivePair(data, imagerSpacingTag)) {
         setSpacing(cArm, *imager, Origin::Header, "(0018,1164) Imager Pixel Spacing");
-        const auto field = fieldSpacing(data);
-        if (field && std::abs(field->y() / imager->y() - 1.0) > 0.05) {
-            warnings.push_back("The imager pixel spacing (" + shortText(imager->y()) +
-                               " mm) does not fit the field of view (" + shortText(field->y()) +
-                               " mm per pixel): the image may be zoomed or resampled. Check the pixel spacing.");
-        }
         return;
     }
     const auto pixel = positivePair(data, pixelSpacingTag);
@@ -148,9 +142,6 @@ void readAngles(const DicomDataset& data, CArm& cArm, std::vector<std::string>& 
         warnings.emplace_back(
             "The header gives only isocentre angles (0018,9463), whose signs are not certain: enter "
             "LAO/RAO and CRA/CAU in the geometry.");
-    }
-    if (data.text(0x00181500) == "DYNAMIC") {
-        warnings.emplace_back("The C-arm moved during this run: the angles are those of the first frame.");
     }
     const double detectorTilt =
         std::max(std::abs(data.number(0x00181530).value_or(0.0)), std::abs(data.number(0x00181531).value_or(0.0)));
@@ -213,20 +204,23 @@ void readMirror(const DicomDataset& data, CArm& cArm, std::vector<std::string>& 
 
 }   // namespace
 
-core::CArm cArmOf(const DicomDataset& data, std::vector<std::string>& warnings)
+DicomDataset withFunctionalGroups(const DicomDataset& data)
 {
     DicomDataset flat = data;
     addFromGroups(flat, frameGroups);
     addFromGroups(flat, sharedGroups);
+    return flat;
+}
+
+core::CArm cArmOf(const DicomDataset& data, std::vector<std::string>& warnings)
+{
+    const DicomDataset flat = withFunctionalGroups(data);
     CArm cArm;
     readDistances(flat, cArm);
     readSpacing(flat, cArm, warnings);
     readAngles(flat, cArm, warnings);
     readPrincipalPoint(flat, cArm);
     readMirror(flat, cArm, warnings);
-    for (std::string& contradiction : core::findContradictions(cArm)) {
-        warnings.push_back(std::move(contradiction));
-    }
     return cArm;
 }
 

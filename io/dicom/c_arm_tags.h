@@ -13,4 +13,7 @@ namespace io {
 /// Enhanced XA: the functional groups of the first frame.
 core::CArm cArmOf(const DicomDataset& data, std::vector<std::string>& warnings);
 
+/// The data set with what only its functional groups hold (those of the first frame, then the shared ones) on top.
+DicomDataset withFunctionalGroups(const DicomDataset& data);
+
 }   // namespace io

@@ -1,9 +1,11 @@
 #include "io/dicom/read_dicom.h"
 
+#include "core/geometry/geometry_checks.h"
 #include "io/dicom/c_arm_tags.h"
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/dicom_text.h"
 #include "io/dicom/frame_source.h"
+#include "io/dicom/gantry_tags.h"
 
 #include <algorithm>
 
@@ -90,6 +92,11 @@ void describe(const DicomFile& file, const PixelLayout& layout, Angiogram& angio
     const std::string& modality = angiogram.identity.modality;
     if (isXray(modality)) {
         angiogram.cArm = cArmOf(file.dataset, angiogram.warnings);
+        angiogram.gantry = gantryHeaderOf(file.dataset, angiogram.frameCount(), angiogram.warnings);
+        const Eigen::Vector2i size(angiogram.width(), angiogram.height());
+        for (std::string& sentence : core::findContradictions(angiogram.cArm, angiogram.gantry, size)) {
+            angiogram.warnings.push_back(std::move(sentence));
+        }
     } else {
         angiogram.warnings.push_back("This is " +
                                      (modality.empty() ? "an image without modality" : "modality " + modality) +

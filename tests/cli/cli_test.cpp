@@ -270,4 +270,69 @@ TEST(Cli, ExoticFilesLoadOrAreRefusedClearly)
     EXPECT_GT(files, 100);
 }
 
+TEST(Cli, InfoTellsEveryGeometryTagAndWhatFollows)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/views-A/IM3.dcm");
+    const std::string image = test::dataFile("coronary-phantom-xa/views-A/IM3.dcm").string();
+    const auto geometry = nlohmann::json::parse(runCli({"info", image, "--json"}).output)["geometry"];
+    EXPECT_EQ(geometry["columnSpacingMm"]["origin"], "derived");
+    EXPECT_EQ(geometry["header"]["(0018,1111) Distance Source to Patient"], "720");
+    EXPECT_NEAR(geometry["magnification"].get<double>(), 891.0 / 720.0, 1e-12);
+    EXPECT_TRUE(geometry["contradictions"].empty());
+    const auto readable = runCli({"info", image});
+    EXPECT_NE(readable.output.find("Positioner Primary Angle: -0.8"), std::string::npos) << readable.output;
+    EXPECT_NE(readable.output.find("as from the detector"), std::string::npos);
+}
+
+TEST(Cli, ValidateWarnsOfGeometryThatMakesNoSense)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    const TemporaryFolder folder;
+    const fs::path phantom = test::dataFile("coronary-phantom-xa");
+    writeText(folder.file("case.angiopose"),
+              R"({"format": "angiopose-case", "version": 1, "vessel": {"centerline": {"path": ")" +
+                  (phantom / "tree/Centerlines.vtk").string() + R"("}}, "angiogram": {"image": {"path": ")" +
+                  (phantom / "views-A/IM3.dcm").string() + R"("}}, "geometry": {"sourceToPatientMm": 900}})");
+    const auto outcome = runCli({"validate", folder.file("case.angiopose")});
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_NE(outcome.messages.find("behind the detector"), std::string::npos);
+}
+
+TEST(Cli, RegistersTwoViewsTogether)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    const TemporaryFolder folder;
+    const fs::path cases = test::dataFile("coronary-phantom-xa/cases");
+    const auto outcome = runCli({"register", (cases / "IM3.angiopose").string(), "--view",
+                                 (cases / "IM4.angiopose").string(), "--output", folder.file("joint"), "--json"});
+    ASSERT_TRUE(outcome.exitCode == 0 || outcome.exitCode == 4) << outcome.messages;
+    const auto joint = nlohmann::json::parse(outcome.output);
+    ASSERT_EQ(joint["views"].size(), 2U);
+    for (const auto& view : joint["views"]) {
+        EXPECT_LT(view["metrics"]["medianProjectionDistancePx"].get<double>(), 5.0);
+    }
+    EXPECT_EQ(joint["views"][0]["geometryCorrection"]["turnDeg"], 0.0);
+    EXPECT_LT(joint["views"][1]["geometryCorrection"]["turnDeg"].get<double>(), 2.0);
+    const auto alone =
+        runCli({"register", (cases / "IM3.angiopose").string(), "--output", folder.file("alone"), "--json"});
+    EXPECT_LT(joint["uncertainty"]["depthSigmaMm"].get<double>(),
+              nlohmann::json::parse(alone.output)["uncertainty"]["depthSigmaMm"].get<double>());
+    for (const char* name : {"joint.json", "result.json", "overlay.png", "view-2/result.json", "view-2/pose.tfm"}) {
+        EXPECT_TRUE(fs::exists(fs::path(folder.file("joint")) / name)) << name;
+    }
+}
+
+TEST(Cli, FollowsTheVesselsThroughTheFramesOfARun)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    const TemporaryFolder folder;
+    const std::string path = test::dataFile("coronary-phantom-xa/cases/IM4.angiopose").string();
+    const auto outcome = runCli({"track", path, "--output", folder.file("poses.csv")});
+    ASSERT_TRUE(outcome.exitCode == 0 || outcome.exitCode == 4) << outcome.messages;
+    const std::string table = test::readText(folder.file("poses.csv"));
+    EXPECT_EQ(std::ranges::count(table, '\n'), 11) << table;   // header and ten frames
+    EXPECT_TRUE(table.starts_with("frame,trustworthy,searched,score,r11"));
+    EXPECT_EQ(runCli({"track", path, "--keep-pose"}).exitCode, 2);   // no --output
+}
+
 }   // namespace

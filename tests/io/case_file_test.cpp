@@ -57,6 +57,10 @@ TEST(SaveCase, RestoresEveryBit)
     original.options.locks = {true, false, true, false, true, false};
     original.traceOptions.sensitivity = 1.1;
     original.cArm.rollDeg = {0.1 + 0.2, core::Origin::User, ""};
+    original.cArm.isocentreInPatientMm = {Eigen::Vector3d(0.1, -1.0 / 3.0, 7e5), core::Origin::Derived, "clicked"};
+    original.landmarks = {{{1.0 / 3.0, -2.0, 600.5}, {10.1, 511.0 / 3.0}, "bifurcation 3 / 5"},
+                          {{1, 2, 3}, {4, 5}, ""}};
+    original.otherViews = {{folder.path("other.angiopose"), ""}};
     original.cameraFromPatient.translation.x() = 1.0 / 3.0;
     ASSERT_TRUE(io::saveCase(original, folder.path("copy.angiopose")));
 
@@ -66,6 +70,10 @@ TEST(SaveCase, RestoresEveryBit)
     EXPECT_EQ(copy.value().title, original.title);
     EXPECT_EQ(copy.value().cameraFromPatient.matrix(), original.cameraFromPatient.matrix());
     EXPECT_EQ(copy.value().initialCameraFromPatient.matrix(), original.initialCameraFromPatient.matrix());
+    EXPECT_EQ(copy.value().landmarks, original.landmarks);
+    EXPECT_EQ(copy.value().otherViews, original.otherViews);
+    EXPECT_EQ(copy.value().cArm.isocentreInPatientMm.value, original.cArm.isocentreInPatientMm.value);
+    EXPECT_EQ(copy.value().cArm.isocentreInPatientMm.basis, "clicked");
     EXPECT_EQ(copy.value().auxiliaryBranchIds, original.auxiliaryBranchIds);
     EXPECT_EQ(copy.value().excludedBranchIds, original.excludedBranchIds);
     EXPECT_EQ(copy.value().frame, 7);
@@ -515,6 +523,27 @@ TEST(ValidateCase, ListsEveryProblem)
     EXPECT_EQ(problems.value().size(), 3u);
     EXPECT_TRUE(anyContains(problems.value(), "gone.dcm"));
     EXPECT_TRUE(anyContains(problems.value(), "geometry.camera"));
+}
+
+TEST(DoubtsOfCase, HoldTheCaseAgainstTheHeaderOfItsImage)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    const auto phantom = test::dataFile("coronary-phantom-xa");
+    const auto doubtsWith = [&](const std::string& geometry) {
+        const test::ScratchFolder folder;
+        const std::string path =
+            folder.write("case.angiopose",
+                         R"({"format": "angiopose-case", "version": 1, "vessel": {"centerline": {"path": ")" +
+                             (phantom / "tree/Centerlines.vtk").string() + R"("}}, "angiogram": {"image": {"path": ")" +
+                             (phantom / "views-A/IM3.dcm").string() + R"("}}, "geometry": )" + geometry + "}");
+        const auto doubts = io::doubtsOfCase(path);
+        EXPECT_TRUE(doubts) << doubts.error().message;
+        return doubts ? doubts.value() : std::vector<std::string>{};
+    };
+    EXPECT_TRUE(doubtsWith("{}").empty());
+    ASSERT_EQ(doubtsWith(R"({"sourceToPatientMm": 900})").size(), 1U);
+    EXPECT_NE(doubtsWith(R"({"sourceToPatientMm": 900})").front().find("behind the detector"), std::string::npos);
+    EXPECT_NE(doubtsWith(R"({"imagerPixelSpacingMm": [0.2, 0.2]})").front().find("field of view"), std::string::npos);
 }
 
 TEST(CaseSchema, IsThePublishedFile)

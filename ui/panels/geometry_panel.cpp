@@ -1,43 +1,10 @@
 #include "ui/panels/geometry_panel.h"
 
+#include <QComboBox>
 #include <QGridLayout>
 
 namespace ui {
 namespace {
-
-/// How each value is shown, and what to assume when nobody knows it: a usual C-arm.
-struct ValueKind {
-    const char* label;
-    const char* help;
-    NumberFormat format;
-    double usual;
-};
-
-const ValueKind& kindOf(int value)
-{
-    static const std::array<ValueKind, 5> kinds{
-        {{QT_TRANSLATE_NOOP("ui::GeometryPanel", "SID"),
-          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Source to detector distance"),
-          {100.0, 3000.0, 1, QStringLiteral("mm"), 1.0},
-          1000.0},
-         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "SOD"),
-          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Source to isocentre distance"),
-          {100.0, 3000.0, 1, QStringLiteral("mm"), 1.0},
-          750.0},
-         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "pixel"),
-          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Pixel pitch on the detector"),
-          {0.01, 5.0, 4, QStringLiteral("mm"), 0.01},
-          0.3},
-         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "LAO / RAO"),
-          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Primary angle: LAO positive, RAO negative"),
-          {-180.0, 180.0, 1, QStringLiteral("°"), 1.0, NumberSign::Always},
-          0.0},
-         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "CRA / CAU"),
-          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Secondary angle: CRA positive, CAU negative"),
-          {-90.0, 90.0, 1, QStringLiteral("°"), 1.0, NumberSign::Always},
-          0.0}}};
-    return kinds[static_cast<std::size_t>(value)];
-}
 
 QString originWord(core::Origin origin)
 {
@@ -56,36 +23,47 @@ QString originWord(core::Origin origin)
     return GeometryPanel::tr("missing");
 }
 
-bool needsLook(core::Origin origin)
+/// A value that somebody should look at: not there, made up, or a needed one that the header only hints at.
+bool needsLook(GeometryValue value, core::Origin origin)
 {
-    return origin == core::Origin::Missing || origin == core::Origin::Assumed;
+    const bool isNeeded = kindOf(value).isNeeded;
+    return isNeeded && (origin == core::Origin::Missing || origin == core::Origin::Assumed ||
+                        (origin == core::Origin::Derived && value == GeometryValue::Spacing));
+}
+
+std::array<GeometryValue, geometryValueCount> allValues()
+{
+    std::array<GeometryValue, geometryValueCount> values{};
+    for (std::size_t i = 0; i < geometryValueCount; ++i) {
+        values[i] = static_cast<GeometryValue>(i);
+    }
+    return values;
 }
 
 }   // namespace
 
 GeometryPanel::GeometryPanel(QWidget* parent)
     : Section(tr("Geometry"), Folding::Foldable, parent),
+      shownFrom_(new QComboBox),
+      shownFromOrigin_(roleLabel("hint")),
+      seldom_(new Section(tr("Roll, centre, isocentre"), Folding::Foldable)),
+      header_(new Section(tr("What the header says"), Folding::Foldable)),
+      headerText_(roleLabel("hint")),
       camera_(roleLabel("label")),
       notes_(roleLabel("attentionBox")),
       assume_(new QPushButton(tr("Assume usual values"))),
       dropOverride_(new QPushButton(tr("Use distances and spacing instead")))
 {
-    auto* grid = new QGridLayout;
-    grid->setHorizontalSpacing(8);
-    grid->setVerticalSpacing(6);
-    grid->setColumnMinimumWidth(0, 84);
-    grid->setColumnStretch(1, 1);
-    for (int i = 0; i < ValueCount; ++i) {
-        rows_[static_cast<std::size_t>(i)] = makeRow(static_cast<Value>(i));
-        auto* label = roleLabel("label", tr(kindOf(i).label));
-        label->setToolTip(tr(kindOf(i).help));
-        grid->addWidget(label, i, 0);
-        grid->addWidget(rows_[static_cast<std::size_t>(i)].field, i, 1);
-        grid->addWidget(rows_[static_cast<std::size_t>(i)].origin, i, 2);
+    auto* usual = makeGrid();
+    auto* seldom = makeGrid();
+    for (const GeometryValue value : allValues()) {
+        addRow(value, value < firstSeldomValue ? usual : seldom);
     }
-    grid->setColumnMinimumWidth(2, 54);
-    camera_->setWordWrap(true);
-    notes_->setWordWrap(true);
+    addShownFrom(seldom);
+    for (QLabel* label : {camera_, notes_, headerText_}) {
+        label->setWordWrap(true);
+    }
+    headerText_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     for (QPushButton* button : {assume_, dropOverride_}) {
         button->setProperty("role", "quiet");
     }
@@ -93,61 +71,93 @@ GeometryPanel::GeometryPanel(QWidget* parent)
     connect(assume_, &QPushButton::clicked, this, &GeometryPanel::assumeMissing);
     connect(dropOverride_, &QPushButton::clicked, this, &GeometryPanel::cameraOverrideDropped);
 
-    contentLayout()->addLayout(grid);
+    seldom_->contentLayout()->addLayout(seldom);
+    header_->contentLayout()->addWidget(headerText_);
+    for (Section* part : {seldom_, header_}) {
+        part->layout()->setContentsMargins(0, 4, 0, 0);
+        part->setFolded(true);
+    }
+    contentLayout()->addLayout(usual);
     contentLayout()->addWidget(camera_);
     contentLayout()->addWidget(dropOverride_);
     contentLayout()->addWidget(notes_);
     contentLayout()->addWidget(assume_);
+    contentLayout()->addWidget(seldom_);
+    contentLayout()->addWidget(header_);
     setFolded(true);
     showGeometry({});
 }
 
-GeometryPanel::Row GeometryPanel::makeRow(Value value)
+QGridLayout* GeometryPanel::makeGrid()
 {
-    Row row{new NumberField(kindOf(value).format), roleLabel("hint")};
-    row.field->setAccessibleName(tr(kindOf(value).help));
-    row.field->setToolTip(tr(kindOf(value).help));
-    row.field->setPlaceholderText(tr("missing"));
-    connect(row.field, &NumberField::edited, this, [this, value](double number) { editValue(value, number); });
-    return row;
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(6);
+    grid->setColumnMinimumWidth(0, 84);
+    grid->setColumnStretch(1, 1);
+    grid->setColumnMinimumWidth(2, 54);
+    return grid;
 }
 
-core::Sourced<double>& GeometryPanel::valueIn(core::CArm& cArm, Value value)
+void GeometryPanel::addRow(GeometryValue value, QGridLayout* grid)
 {
-    switch (value) {
-        case Sid:
-            return cArm.sourceToDetectorMm;
-        case Sod:
-            return cArm.sourceToPatientMm;
-        case Spacing:
-            return cArm.columnSpacingMm;
-        case Primary:
-            return cArm.primaryAngleDeg;
-        case Secondary:
-        case ValueCount:
-            break;
+    const GeometryValueKind& kind = kindOf(value);
+    auto* label = roleLabel("label", tr(kind.label));
+    Row& made = row(value);
+    made = {new NumberField(kind.format), roleLabel("hint")};
+    made.field->setAccessibleName(tr(kind.help));
+    made.field->setPlaceholderText(tr("missing"));
+    for (QWidget* widget : {static_cast<QWidget*>(label), static_cast<QWidget*>(made.field)}) {
+        widget->setToolTip(tr(kind.help));
     }
-    return cArm.secondaryAngleDeg;
+    label->setBuddy(made.field);
+    connect(made.field, &NumberField::edited, this, [this, value](double number) { editValue(value, number); });
+    connect(made.field, &QLineEdit::returnPressed, this, [this, value] { confirmValue(value); });
+    const int line = grid->rowCount();
+    grid->addWidget(label, line, 0);
+    grid->addWidget(made.field, line, 1);
+    grid->addWidget(made.origin, line, 2);
+}
+
+void GeometryPanel::addShownFrom(QGridLayout* grid)
+{
+    shownFrom_->addItems({tr("as from the detector"), tr("mirrored")});
+    shownFrom_->setAccessibleName(tr("Side that the image is shown from"));
+    shownFrom_->setToolTip(
+        tr("Angiograms are shown as seen from the detector. A mirrored export shows left and right "
+           "exchanged: the projection is mirrored with it, the vessels never are."));
+    connect(shownFrom_, &QComboBox::activated, this, [this](int index) {
+        core::CArm cArm = state_.cArm;
+        cArm.mirrored = {index == 1, core::Origin::User, "chosen in the window"};
+        emit edited(cArm, tr("side of the image"));
+    });
+    const int line = grid->rowCount();
+    grid->addWidget(roleLabel("label", tr("image")), line, 0);
+    grid->addWidget(shownFrom_, line, 1);
+    grid->addWidget(shownFromOrigin_, line, 2);
 }
 
 void GeometryPanel::showGeometry(const GeometryState& state)
 {
-    cArm_ = state.cArm;
-    for (int i = 0; i < ValueCount; ++i) {
-        showRow(static_cast<Value>(i));
+    state_ = state;
+    for (const GeometryValue value : allValues()) {
+        showRow(value);
     }
+    showShownFrom();
+    showHeader();
     const auto& camera = state.cameraOverride;
     camera_->setVisible(camera.has_value());
-    dropOverride_->setVisible(camera.has_value() && core::cameraFromCArm(cArm_, camera->width, camera->height));
+    dropOverride_->setVisible(camera.has_value() && core::cameraFromCArm(state.cArm, camera->width, camera->height));
     if (camera) {
+        const QString side = camera->fx < 0.0 ? tr("seen from the detector") : tr("mirrored");
         camera_->setText(tr("Camera from the case file: f %1 px, centre %2, %3 px, %4.")
                              .arg(std::abs(camera->fx), 0, 'f', 1)
                              .arg(camera->cx, 0, 'f', 1)
                              .arg(camera->cy, 0, 'f', 1)
-                             .arg(camera->fx < 0.0 ? tr("seen from the detector") : tr("mirrored")));
+                             .arg(side));
     }
-    showNotes(state);
-    setHint(summary(state));
+    showNotes();
+    setHint(summary());
     const bool complete = state.missing.isEmpty();
     if (!complete && wasComplete_) {
         setFolded(false);
@@ -155,42 +165,77 @@ void GeometryPanel::showGeometry(const GeometryState& state)
     wasComplete_ = complete;
 }
 
-void GeometryPanel::showRow(Value value)
+void GeometryPanel::showRow(GeometryValue value)
 {
-    const core::Sourced<double>& sourced = valueIn(cArm_, value);
-    const Row& row = rows_[value];
+    const core::Sourced<double> sourced = shownValue(state_, value);
     const core::Origin origin = sourced.value ? sourced.origin : core::Origin::Missing;
-    row.field->showValue(sourced.value);
-    row.origin->setText(originWord(origin));
-    row.origin->setToolTip(QString::fromStdString(sourced.basis));
-    setRole(row.origin, needsLook(origin) ? "attention" : "hint");
+    const bool isLooked = needsLook(value, origin);
+    row(value).field->showValue(sourced.value);
+    row(value).field->setAsking(isLooked && state_.imageSizePx.x() > 0 && !state_.cameraOverride);
+    row(value).origin->setText(sourced.value || kindOf(value).isNeeded ? originWord(origin) : QString());
+    row(value).origin->setToolTip(QString::fromStdString(sourced.basis));
+    setRole(row(value).origin, isLooked ? "attention" : "hint");
 }
 
-void GeometryPanel::showNotes(const GeometryState& state)
+void GeometryPanel::showShownFrom()
+{
+    const auto& mirrored = state_.cArm.mirrored;
+    shownFrom_->setCurrentIndex(mirrored.value.value_or(false) ? 1 : 0);
+    shownFromOrigin_->setText(originWord(mirrored.value ? mirrored.origin : core::Origin::Assumed));
+    shownFromOrigin_->setToolTip(QString::fromStdString(mirrored.basis));
+}
+
+void GeometryPanel::showHeader()
+{
+    QStringList lines;
+    for (const core::HeaderTag& tag : state_.headerTags) {
+        lines << QStringLiteral("%1 %2: %3")
+                     .arg(QString::fromStdString(tag.tag), QString::fromStdString(tag.name),
+                          QString::fromStdString(tag.value));
+    }
+    headerText_->setText(lines.join(QLatin1Char('\n')));
+    header_->setVisible(!lines.isEmpty());
+    header_->setHint(tr("%1 tags").arg(lines.size()));
+}
+
+void GeometryPanel::showNotes()
 {
     QStringList notes;
-    if (!state.missing.isEmpty()) {
-        notes << state.missing;
+    if (!state_.missing.isEmpty()) {
+        notes << state_.missing;
     }
-    for (const std::string& contradiction : state.contradictions) {
+    for (const std::string& contradiction : state_.contradictions) {
         notes << QString::fromStdString(contradiction);
     }
-    notes_->setText(notes.join(QLatin1Char(' ')));
+    if (state_.cArm.mirrored.value.value_or(false) && !state_.cameraOverride) {
+        notes << tr("The image is taken as mirrored (%1): check that left and right are where they belong.")
+                     .arg(originWord(state_.cArm.mirrored.origin));
+    }
+    if (state_.turnedDeg.norm() > 0.0) {
+        notes << tr("The gantry turns during this run: at this frame by %1° LAO/RAO and %2° CRA/CAU since the first.")
+                     .arg(state_.turnedDeg.x(), 0, 'f', 1)
+                     .arg(state_.turnedDeg.y(), 0, 'f', 1);
+    }
+    notes_->setText(notes.join(QLatin1Char('\n')));
     notes_->setVisible(!notes.isEmpty());
-    assume_->setVisible(!state.missing.isEmpty());
+    assume_->setVisible(!state_.missing.isEmpty());
 }
 
-QString GeometryPanel::summary(const GeometryState& state) const
+QString GeometryPanel::summary() const
 {
-    if (!state.missing.isEmpty()) {
+    if (!state_.missing.isEmpty()) {
         return tr("incomplete");
     }
+    const core::CArm& cArm = state_.cArm;
     QStringList parts;
-    if (cArm_.sourceToDetectorMm.value) {
-        parts << tr("SID %1").arg(*cArm_.sourceToDetectorMm.value, 0, 'f', 0);
+    if (cArm.sourceToDetectorMm.value) {
+        parts << tr("SID %1").arg(*cArm.sourceToDetectorMm.value, 0, 'f', 0);
     }
-    if (state.vesselMmPerPx) {
-        parts << tr("%1 mm/px").arg(*state.vesselMmPerPx, 0, 'f', 3);
+    if (cArm.sourceToDetectorMm.value && cArm.sourceToPatientMm.value) {
+        parts << QStringLiteral("× %1").arg(*cArm.sourceToDetectorMm.value / *cArm.sourceToPatientMm.value, 0, 'f', 2);
+    }
+    if (state_.vesselMmPerPx) {
+        parts << tr("%1 mm/px").arg(*state_.vesselMmPerPx, 0, 'f', 3);
     }
     return parts.join(QStringLiteral(" · "));
 }
@@ -198,37 +243,38 @@ QString GeometryPanel::summary(const GeometryState& state) const
 void GeometryPanel::focusFirstMissing()
 {
     setFolded(false);
-    for (int i = 0; i < ValueCount; ++i) {
-        if (!valueIn(cArm_, static_cast<Value>(i)).value) {
-            rows_[static_cast<std::size_t>(i)].field->setFocus(Qt::OtherFocusReason);
+    for (const GeometryValue value : allValues()) {
+        if (kindOf(value).isNeeded && !shownValue(state_, value).value) {
+            row(value).field->setFocus(Qt::OtherFocusReason);
             return;
         }
     }
     rows_.front().field->setFocus(Qt::OtherFocusReason);
 }
 
-void GeometryPanel::editValue(Value value, double number)
+void GeometryPanel::editValue(GeometryValue value, double number)
 {
-    const core::Sourced<double> typed{number, core::Origin::User, "typed in the window"};
-    valueIn(cArm_, value) = typed;
-    if (value == Spacing) {
-        cArm_.rowSpacingMm = typed;
+    emit edited(withValue(state_, value, number, core::Origin::User, "typed in the window"), tr(kindOf(value).label));
+}
+
+void GeometryPanel::confirmValue(GeometryValue value)
+{
+    const core::Sourced<double> sourced = shownValue(state_, value);
+    if (sourced.value && needsLook(value, sourced.origin)) {
+        emit edited(withValue(state_, value, *sourced.value, core::Origin::User, "confirmed: " + sourced.basis),
+                    tr(kindOf(value).label));
     }
-    emit edited(cArm_, tr(kindOf(value).label));
 }
 
 void GeometryPanel::assumeMissing()
 {
-    for (int i = 0; i < ValueCount; ++i) {
-        auto& sourced = valueIn(cArm_, static_cast<Value>(i));
-        if (!sourced.value) {
-            sourced = {kindOf(i).usual, core::Origin::Assumed, "usual for a C-arm"};
-            if (i == Spacing) {
-                cArm_.rowSpacingMm = sourced;
-            }
+    GeometryState assumed = state_;
+    for (const GeometryValue value : allValues()) {
+        if (kindOf(value).isNeeded && !shownValue(state_, value).value) {
+            assumed.cArm = withValue(assumed, value, kindOf(value).usual, core::Origin::Assumed, "usual for a C-arm");
         }
     }
-    emit edited(cArm_, tr("missing values"));
+    emit edited(assumed.cArm, tr("missing values"));
 }
 
 }   // namespace ui

@@ -1,26 +1,19 @@
 #pragma once
 
-#include "core/geometry/c_arm.h"
-#include "ui/panels/number_field.h"
+#include "ui/panels/geometry_values.h"
 #include "ui/panels/section.h"
 
 #include <QPushButton>
 
 #include <array>
 
+class QComboBox;
+class QGridLayout;
+
 namespace ui {
 
-/// What the geometry panel shows.
-struct GeometryState {
-    core::CArm cArm;
-    std::optional<core::ProjectionCamera> cameraOverride;   ///< of the case file; wins over distances and spacing
-    std::optional<double> vesselMmPerPx;   ///< scale at the vessels, when there is a pose
-    std::vector<std::string> contradictions;
-    QString missing;   ///< what keeps the camera from being known; empty when nothing
-};
-
-/// Distances, spacing and angles of the C-arm, each with where it comes from. Values the image did not bring can be
-/// typed; every edit is reported as a whole C-arm.
+/// Distances, spacing, angles, roll, beam centre, isocentre and mirror of the C-arm, each with where it comes from, and
+/// what the header says. What the image did not bring can be typed; every edit is reported as a whole C-arm.
 class GeometryPanel : public Section {
     Q_OBJECT
 public:
@@ -34,21 +27,30 @@ signals:
     void cameraOverrideDropped();
 
 private:
-    enum Value { Sid, Sod, Spacing, Primary, Secondary, ValueCount };
     struct Row {
         NumberField* field;
         QLabel* origin;
     };
-    Row makeRow(Value value);
-    static core::Sourced<double>& valueIn(core::CArm& cArm, Value value);
-    void editValue(Value value, double number);
+    static QGridLayout* makeGrid();
+    void addRow(GeometryValue value, QGridLayout* grid);
+    void addShownFrom(QGridLayout* grid);
+    Row& row(GeometryValue value) { return rows_[static_cast<std::size_t>(value)]; }
+    void editValue(GeometryValue value, double number);
+    void confirmValue(GeometryValue value);
     void assumeMissing();
-    void showRow(Value value);
-    void showNotes(const GeometryState& state);
-    QString summary(const GeometryState& state) const;
+    void showRow(GeometryValue value);
+    void showShownFrom();
+    void showHeader();
+    void showNotes();
+    QString summary() const;
 
-    core::CArm cArm_;
-    std::array<Row, ValueCount> rows_{};
+    GeometryState state_;
+    std::array<Row, geometryValueCount> rows_{};
+    QComboBox* shownFrom_;
+    QLabel* shownFromOrigin_;
+    Section* seldom_;
+    Section* header_;
+    QLabel* headerText_;
     QLabel* camera_;
     QLabel* notes_;
     QPushButton* assume_;

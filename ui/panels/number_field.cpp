@@ -5,6 +5,7 @@
 #include <QFocusEvent>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QStyle>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -39,6 +40,15 @@ void NumberField::showValue(std::optional<double> value)
     if (!(hasFocus() && isModified())) {
         setText(textOf(value));
         setCursorPosition(0);
+    }
+}
+
+void NumberField::setAsking(bool asking)
+{
+    if (property("asking").toBool() != asking) {
+        setProperty("asking", asking);
+        style()->unpolish(this);
+        style()->polish(this);
     }
 }
 

@@ -27,6 +27,7 @@ public:
 
     void showValue(std::optional<double> value);   ///< silent; leaves text alone that the user is typing
     std::optional<double> value() const { return value_; }
+    void setAsking(bool asking);   ///< glows: somebody should type or confirm this
 
 signals:
     void edited(double value);

@@ -32,6 +32,7 @@ QWidget[role="welcome"] { background: @field@; }
 QScrollArea[role="column"], QScrollArea[role="column"] > QWidget > QWidget { border: none; background: @panel@; }
 QLineEdit[role="number"] { background: @field@; border: 1px solid @line@; border-radius: 3px; padding: 3px 8px;
   color: @textStrong@; selection-background-color: @accent@; }
+QLineEdit[role="number"][asking="true"] { background: @attentionBack@; border-color: @attention@; }
 QLineEdit[role="number"]:focus { border-color: @accent@; }
 QLineEdit[role="number"]:disabled, QLineEdit[role="number"][readOnly="true"] { color: @hint@; }
 QPushButton[role="primary"] { background: @accent@; border-color: @accent@; color: @onAccent@; font-weight: 600; }

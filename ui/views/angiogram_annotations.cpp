@@ -88,7 +88,8 @@ public:
         const core::ImageF& frame = scene_.frame();
         const Eigen::Vector2d topLeft = viewport_.widgetFromImage({-0.5, -0.5});
         const Eigen::Vector2d bottomRight = viewport_.widgetFromImage({frame.width - 0.5, frame.height - 0.5});
-        return part.intersects(QRectF(QPointF(topLeft.x(), topLeft.y()), QPointF(bottomRight.x(), bottomRight.y())));
+        return part.intersects(
+            QRectF(QPointF(topLeft.x(), topLeft.y()), QPointF(bottomRight.x(), bottomRight.y())).normalized());
     }
 
 private:
@@ -261,6 +262,10 @@ void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotation
     const double below = annotations.mode.text.isEmpty() ? 18.0 : 34.0;
     const double besideScale = annotations.scaleMaximumPx > 0.0 ? scaleBar(size).top() - 56.0 : 0.5 * size.height();
     letter({0.5 * size.width(), below}, annotations.sides.top);
+    if (!annotations.sideMark.isEmpty()) {
+        drawShadowedText(painter, QRectF(0.0, below + 10.0, size.width(), 18.0), Qt::AlignCenter, annotations.sideMark,
+                         colorOf(tones().attention));
+    }
     letter({0.5 * size.width(), size.height() - 18.0}, annotations.sides.bottom);
     letter({20.0, 0.5 * size.height()}, annotations.sides.left);
     letter({size.width() - 20.0, besideScale}, annotations.sides.right);

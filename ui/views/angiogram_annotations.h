@@ -28,6 +28,7 @@ struct AngiogramAnnotations {
     double scaleMaximumPx = 0.0;   ///< 0: no residual scale
     double scaleMaximumMm = 0.0;
     double mmPerImagePx = 0.0;   ///< at the vessel; 0: no ruler
+    QString sideMark;   ///< that image or view are mirrored; empty: as from the detector
     ImageSides sides;   ///< empty: nobody knows
     ModeLabel mode;
 };

@@ -139,6 +139,27 @@ void AngiogramView::setOrientationKnown(bool known)
     update();
 }
 
+void AngiogramView::setFromSource(bool fromSource)
+{
+    interaction_->viewport.setMirrored(fromSource);
+    update();
+}
+
+bool AngiogramView::isFromSource() const
+{
+    return interaction_->viewport.isMirrored();
+}
+
+QString AngiogramView::sideMark() const
+{
+    const bool isMirroredImage = interaction_->camera.fx > 0.0;
+    if (isFromSource()) {
+        return isMirroredImage ? tr("Mirrored image, mirrored back by the view")
+                               : tr("Seen from the source: the view is mirrored");
+    }
+    return isMirroredImage ? tr("Mirrored image: as seen from the source") : QString();
+}
+
 void AngiogramView::zoomTo(const ViewRect& part)
 {
     const double margin = 0.25 * std::max({part.width(), part.height(), 40.0});
@@ -228,6 +249,11 @@ void AngiogramView::drawPicture()
     scene_.setViewRect(
         interaction_->viewport.imageRectOf({0.0, 0.0}, {device.width() / ratio, device.height() / ratio}));
     scene_.draw(canvas);
+    if (isFromSource()) {
+        for (int row = 0; row < canvas.height; ++row) {
+            std::reverse(canvas.row(row), canvas.row(row) + canvas.width);
+        }
+    }
     if (interaction_->tool) {
         interaction_->tool->drawStrokes(canvas);
     }
@@ -246,6 +272,10 @@ void AngiogramView::paintEvent(QPaintEvent*)
     interaction_->annotations.sides = interaction_->isOrientationKnown
                                           ? imageSides(interaction_->camera, interaction_->cameraFromPatient)
                                           : ImageSides{};
+    interaction_->annotations.sideMark = sideMark();
+    if (isFromSource()) {
+        std::swap(interaction_->annotations.sides.left, interaction_->annotations.sides.right);
+    }
     painter.setFont(font());
     interaction_->annotations.mode =
         interaction_->tool ? ModeLabel{interaction_->tool->caption(), interaction_->tool->tone()} : ModeLabel{};

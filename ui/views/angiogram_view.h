@@ -38,6 +38,8 @@ public:
     void setCutout(Cutout::Shape shape);   ///< follows the mouse
     Cutout::Shape cutout() const { return cutout_; }
     void setOrientationKnown(bool known);   ///< letters at the edges tell where the patient's sides are
+    void setFromSource(bool fromSource);   ///< mirrors what is seen, and nothing else
+    bool isFromSource() const;
     void fitToWindow();
     void zoomTo(const ViewRect& part);   ///< image px; leaves room around it
     void autoWindowLevel();
@@ -81,6 +83,7 @@ private:
     void drawPicture();
     void placeCutout(const QPointF& position);
     QSize deviceSize() const;
+    QString sideMark() const;
     void dragBy(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void startDrag(Qt::KeyboardModifiers modifiers);
     void adjustWindowLevel(const QPointF& step);

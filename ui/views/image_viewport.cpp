@@ -48,14 +48,19 @@ void ImageViewport::zoomAt(const Eigen::Vector2d& position, double factor)
 {
     const Eigen::Vector2d anchor = imageFromWidget(position);
     zoom_ = std::clamp(zoom_ * factor, smallestZoom, largestZoom);
-    centre_ = anchor - (position - 0.5 * widgetSize_) / zoom_;
+    centre_ = anchor - turned(position - 0.5 * widgetSize_) / zoom_;
     isFitted_ = false;
 }
 
 void ImageViewport::panBy(const Eigen::Vector2d& step)
 {
-    centre_ -= step / zoom_;
+    centre_ -= turned(step) / zoom_;
     isFitted_ = false;
+}
+
+void ImageViewport::setMirrored(bool mirrored)
+{
+    mirrored_ = mirrored;
 }
 
 ViewRect ImageViewport::rect() const
@@ -67,17 +72,17 @@ ViewRect ImageViewport::imageRectOf(const Eigen::Vector2d& topLeft, const Eigen:
 {
     const Eigen::Vector2d a = imageFromWidget(topLeft);
     const Eigen::Vector2d b = imageFromWidget(bottomRight);
-    return {a.x(), b.x(), a.y(), b.y()};
+    return {std::min(a.x(), b.x()), std::max(a.x(), b.x()), a.y(), b.y()};
 }
 
 Eigen::Vector2d ImageViewport::imageFromWidget(const Eigen::Vector2d& position) const
 {
-    return centre_ + (position - 0.5 * widgetSize_) / zoom_;
+    return centre_ + turned(position - 0.5 * widgetSize_) / zoom_;
 }
 
 Eigen::Vector2d ImageViewport::widgetFromImage(const Eigen::Vector2d& imagePoint) const
 {
-    return 0.5 * widgetSize_ + (imagePoint - centre_) * zoom_;
+    return 0.5 * widgetSize_ + turned(imagePoint - centre_) * zoom_;
 }
 
 }   // namespace ui

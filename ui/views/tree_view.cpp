@@ -59,6 +59,17 @@ void TreeView::setCrosshair(std::optional<Eigen::Vector3d> pointInPatient)
     }
 }
 
+void TreeView::showLandmarks(const std::vector<Eigen::Vector3d>& pointsInPatient,
+                             const std::optional<Eigen::Vector3d>& pendingInPatient)
+{
+    landmarks_ = pointsInPatient;
+    isLastPending_ = pendingInPatient.has_value();
+    if (pendingInPatient) {
+        landmarks_.push_back(*pendingInPatient);
+    }
+    update();
+}
+
 void TreeView::prepareFrame()
 {
     scene_.setPixelScale(devicePixelRatio());
@@ -75,6 +86,15 @@ void TreeView::paintAnnotations(QPainter& painter)
     QFont small = font();
     small.setPixelSize(11);
     painter.setFont(small);
+    for (std::size_t i = 0; i < landmarks_.size(); ++i) {
+        const Eigen::Vector2d device = scene_.deviceFromPatient(landmarks_[i]);
+        const QPointF at(device.x() / ratio, height() - device.y() / ratio);
+        const bool isPending = isLastPending_ && i + 1 == landmarks_.size();
+        painter.setPen(QPen(colorOf(isPending ? tones.attention : tones.accent), 1.6));
+        painter.drawEllipse(at, 5.0, 5.0);
+        painter.setPen(colorOf(tones.textStrong));
+        painter.drawText(at + QPointF(7.0, -5.0), QString::number(i + 1));
+    }
     for (const OrientationLetter& letter : scene_.orientationLetters()) {
         const QPointF at(letter.at.x() / ratio, height() - letter.at.y() / ratio);
         painter.setPen(colorOf(letter.pointsToViewer ? tones.text : tones.hint));

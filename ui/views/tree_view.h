@@ -20,6 +20,8 @@ public:
     void setTheme(ThemeMode mode);
     void resetView();
     void setCrosshair(std::optional<Eigen::Vector3d> pointInPatient);   ///< the place that the slices show
+    void showLandmarks(const std::vector<Eigen::Vector3d>& pointsInPatient,
+                       const std::optional<Eigen::Vector3d>& pendingInPatient);   ///< numbered from 1
 
 signals:
     void branchHovered(std::optional<int> branchId);
@@ -50,6 +52,8 @@ private:
     bool isDragging_ = false;
     std::optional<int> hovered_;
     std::optional<Eigen::Vector3d> crosshair_;
+    std::vector<Eigen::Vector3d> landmarks_;
+    bool isLastPending_ = false;
 };
 
 }   // namespace ui

@@ -96,6 +96,11 @@ const std::vector<Press>& presses()
                                          {Key_P, Qt::ControlModifier},
                                          {Key_T, Qt::ControlModifier},
                                          {Key_Escape},
+                                         {Key_L},
+                                         {Key_L, Qt::ShiftModifier},
+                                         {Key_Return},
+                                         {Key_Delete},
+                                         {Key_Q},
                                          {Key_F1}};
     return keys;
 }

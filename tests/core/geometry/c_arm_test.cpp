@@ -108,12 +108,14 @@ TEST(CArm, MissingValuesAreNamed)
     EXPECT_FALSE(cameraFromPatient(cArm, {0, 0, 0}));
 }
 
-TEST(CArm, ImpossibleDistancesAreContradictions)
+TEST(CArm, TurnsByTheIncrementsOfAFrame)
 {
-    CArm cArm = cArmAt(0.0, 0.0);
-    EXPECT_TRUE(findContradictions(cArm).empty());
-    cArm.sourceToPatientMm = {1200.0, Origin::Header, ""};
-    EXPECT_EQ(findContradictions(cArm).size(), 1u);
+    const CArm turned = turnedBy(cArmAt(10.0, -5.0), {20.0, 0.0});
+    EXPECT_DOUBLE_EQ(*turned.primaryAngleDeg.value, 30.0);
+    EXPECT_DOUBLE_EQ(*turned.secondaryAngleDeg.value, -5.0);
+    EXPECT_NE(turned.primaryAngleDeg.basis, "");
+    EXPECT_EQ(turned.secondaryAngleDeg.basis, "");
+    EXPECT_FALSE(turnedBy({}, {20.0, 3.0}).primaryAngleDeg.value);
 }
 
 }   // namespace

@@ -33,4 +33,31 @@ TEST(PatientMatch, SaysWhatDiffersWithoutNamingAnybody)
     EXPECT_EQ(text.find("4711"), std::string::npos);
 }
 
+TEST(PatientMatch, SexDiffersOnlyWhereBothSayOneOfTwo)
+{
+    StudyIdentity he, she, other;
+    he.sex = "M";
+    she.sex = "F";
+    other.sex = "O";
+    EXPECT_NE(findPatientMismatch(he, she).find("(sex differs)"), std::string::npos);
+    EXPECT_EQ(findPatientMismatch(he, other), "");
+    EXPECT_EQ(findPatientMismatch(he, {}), "");
+}
+
+TEST(PatientMatch, OppositeSidesOfTheBodyAreNamed)
+{
+    StudyIdentity left, right, both;
+    left.laterality = "L";
+    right.laterality = "R";
+    both.laterality = "B";
+    EXPECT_NE(findSideMismatch(left, right).find("left side"), std::string::npos);
+    EXPECT_NE(findSideMismatch(right, left).find("right side"), std::string::npos);
+    EXPECT_EQ(findSideMismatch(left, both), "");
+    EXPECT_EQ(findSideMismatch(left, {}), "");
+    left.sex = "F";
+    right.sex = "M";
+    EXPECT_EQ(findMismatch(left, right), findPatientMismatch(left, right) + " " + findSideMismatch(left, right));
+    EXPECT_EQ(findMismatch(left, left), "");
+}
+
 }   // namespace core

@@ -1,3 +1,4 @@
+#include "core/geometry/geometry_checks.h"
 #include "core/simulation/simulated_case.h"
 #include "tests/support/matchers.h"
 

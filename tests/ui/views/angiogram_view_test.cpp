@@ -98,6 +98,19 @@ TEST_P(AngiogramViewTest, ShowsThePointsWhereTheCameraProjectsThem)
 INSTANTIATE_TEST_SUITE_P(BothMirrors, AngiogramViewTest,
                          ::testing::Values(test::Mirror::SeenFromDetector, test::Mirror::SeenFromSource));
 
+TEST_P(AngiogramViewTest, SeenFromTheSourceEverythingLiesMirrored)
+{
+    setMirror(GetParam());
+    const Eigen::Vector2d inside(200.0, 300.0);
+    const QPointF before = view_->widgetFromImage(inside);
+    view_->setFromSource(true);
+    EXPECT_NEAR(view_->widgetFromImage(inside).x(), view_->width() - before.x(), 1e-9);
+    EXPECT_NEAR(view_->widgetFromImage(inside).y(), before.y(), 1e-9);
+    expectDotsWhereProjected();
+    wheel(120, Qt::ControlModifier, {411.0, 173.0});
+    expectDotsWhereProjected();
+}
+
 using AngiogramViewInput = AngiogramViewTest;
 
 TEST_F(AngiogramViewInput, LeftDragChangesWindowAndLevel)

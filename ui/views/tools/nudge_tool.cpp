@@ -19,6 +19,16 @@ Eigen::Vector2d toVector(const QPointF& point)
     return {point.x(), point.y()};
 }
 
+/// Right and roll are those of the image; seen from the source the hand goes the other way.
+core::PoseOffset asSeen(core::PoseOffset offset, const AngiogramView& view)
+{
+    if (view.isFromSource()) {
+        offset.rightMm = -offset.rightMm;
+        offset.rollDeg = -offset.rollDeg;
+    }
+    return offset;
+}
+
 }   // namespace
 
 QString NudgeTool::caption() const
@@ -65,7 +75,7 @@ void NudgeTool::drag(const ToolPoint& point)
 {
     if (nudge_) {
         const double pace = point.modifiers.testFlag(Qt::ControlModifier) ? finePace : 1.0;
-        const core::PoseOffset offset = nudge_->moveTo(toVector(point.position), pace);
+        const core::PoseOffset offset = asSeen(nudge_->moveTo(toVector(point.position), pace), view());
         view().update();
         emit dragged(offset);
     }
@@ -110,7 +120,9 @@ bool NudgeTool::takesKey(const QKeyEvent& event) const
 
 void NudgeTool::keyPress(const QKeyEvent& event)
 {
-    if (const auto nudge = nudgeOfKey(event.key(), event.modifiers())) {
+    if (auto nudge = nudgeOfKey(event.key(), event.modifiers())) {
+        const bool isMirrored = nudge->axis == PoseAxis::Right || nudge->axis == PoseAxis::Roll;
+        nudge->amount *= isMirrored && view().isFromSource() ? -1.0 : 1.0;
         emit keyNudged(*nudge);
     }
 }

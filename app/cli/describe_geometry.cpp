@@ -1,0 +1,87 @@
+#include "app/cli/describe_geometry.h"
+
+#include "app/texts/case_texts.h"
+#include "core/geometry/geometry_checks.h"
+
+#include <string>
+#include <vector>
+
+namespace app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json sourcedJson(const core::Sourced<double>& sourced)
+{
+    Json json{{"value", nullptr}, {"origin", originText(sourced.origin)}};
+    if (sourced.value) {
+        json["value"] = *sourced.value;
+    }
+    if (!sourced.basis.empty()) {
+        json["basis"] = sourced.basis;
+    }
+    return json;
+}
+
+template <class Vector>
+Json sourcedJson(const core::Sourced<Vector>& sourced)
+{
+    Json json{{"value", nullptr}, {"origin", originText(sourced.origin)}};
+    if (sourced.value) {
+        json["value"] = std::vector<double>(sourced.value->begin(), sourced.value->end());
+        json["basis"] = sourced.basis;
+    }
+    return json;
+}
+
+/// From which side the image is shown (FORMATS §1): the sign of fx.
+std::string shownFrom(const core::CArm& cArm)
+{
+    const std::string basis = cArm.mirrored.value ? originText(cArm.mirrored.origin) + ", " + cArm.mirrored.basis
+                                                  : "assumed, the header does not tell";
+    return (cArm.mirrored.value.value_or(false) ? "mirrored, as from the source, fx > 0 ("
+                                                : "as from the detector, fx < 0 (") +
+           basis + ")";
+}
+
+}   // namespace
+
+nlohmann::ordered_json cameraJson(const core::ProjectionCamera& camera)
+{
+    return {{"fx", camera.fx}, {"fy", camera.fy}, {"cx", camera.cx}, {"cy", camera.cy}};
+}
+
+nlohmann::ordered_json geometryJson(const core::CArm& cArm, const core::Angiogram& angiogram)
+{
+    Json json{
+        {"sourceToDetectorMm", sourcedJson(cArm.sourceToDetectorMm)},
+        {"sourceToPatientMm", sourcedJson(cArm.sourceToPatientMm)},
+        {"columnSpacingMm", sourcedJson(cArm.columnSpacingMm)},
+        {"rowSpacingMm", sourcedJson(cArm.rowSpacingMm)},
+        {"primaryAngleDeg", sourcedJson(cArm.primaryAngleDeg)},
+        {"secondaryAngleDeg", sourcedJson(cArm.secondaryAngleDeg)},
+        {"rollDeg", sourcedJson(cArm.rollDeg)},
+        {"principalPointPx", sourcedJson(cArm.principalPointPx)},
+        {"isocentreInPatientMm", sourcedJson(cArm.isocentreInPatientMm)},
+        {"shown", shownFrom(cArm)},
+    };
+    if (cArm.sourceToDetectorMm.value && cArm.sourceToPatientMm.value) {
+        json["magnification"] = *cArm.sourceToDetectorMm.value / *cArm.sourceToPatientMm.value;
+    }
+    const auto camera = core::cameraFromCArm(cArm, angiogram.width(), angiogram.height());
+    if (camera) {
+        json["camera"] = cameraJson(camera.value());
+    } else {
+        json["cameraMissing"] = camera.error().message;
+    }
+    json["contradictions"] = core::findContradictions(cArm, angiogram.gantry, {angiogram.width(), angiogram.height()});
+    json["missing"] = core::findMissing(cArm);
+    json["turnsDuringRun"] = !angiogram.gantry.angleIncrementsDeg.empty();
+    Json& header = json["header"] = Json::object();
+    for (const core::HeaderTag& tag : angiogram.gantry.tags) {
+        header[tag.tag + " " + tag.name] = tag.value;
+    }
+    return json;
+}
+
+}   // namespace app

@@ -1,0 +1,153 @@
+#include "app/cli/register_views.h"
+
+#include "app/cli/case_input.h"
+#include "app/cli/register_case.h"
+#include "app/texts/number_text.h"
+#include "core/joint_case.h"
+#include "core/registration/register_views.h"
+#include "io/result_file.h"
+#include "io/support/atomic_file.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr double degPerRad = 180.0 / std::numbers::pi;
+
+/// All views with what they are registered to.
+struct Views {
+    std::vector<core::RegistrationCase> cases;
+    std::vector<core::Centerline2d> targets;
+};
+
+core::Result<Views> readViews(const core::RegistrationCase& first)
+{
+    Views views{{first}, {}};
+    for (const core::InputFile& other : first.otherViews) {
+        auto loaded = loadCaseForCommand(other.path, std::nullopt);
+        if (!loaded) {
+            return loaded.error();
+        }
+        views.cases.push_back(std::move(loaded).value());
+    }
+    for (const core::RegistrationCase& view : views.cases) {
+        auto target = core::targetOf(view);
+        if (!target) {
+            return core::Error{view.imageFile.path + ": " + target.error().message};
+        }
+        views.targets.push_back(std::move(target).value());
+    }
+    return views;
+}
+
+core::Result<core::MultiViewResult> solve(const std::vector<core::RegistrationInput>& inputs,
+                                          const core::RegistrationOptions& options)
+{
+    ProgressLine progress("registering " + std::to_string(inputs.size()) + " views");
+    return core::registerViews(inputs, options, {}, [&progress](const core::IterationReport& report) {
+        progress.show(report.progress, std::string(report.stage));
+        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+    });
+}
+
+std::string viewFolder(const std::string& folder, std::size_t index)
+{
+    return index == 0 ? folder : (fs::path(folder) / ("view-" + std::to_string(index + 1))).string();
+}
+
+Json jointJson(const Views& views, const core::MultiViewResult& joint)
+{
+    Json json{{"format", "angiopose-joint-result"}, {"version", 1}, {"trustworthy", joint.trustworthy}};
+    json["warnings"] = joint.warnings;
+    json["uncertainty"] = {{"inPlaneSigmaMm", joint.uncertainty.inPlaneMm},
+                           {"depthSigmaMm", joint.uncertainty.depthMm},
+                           {"rotationSigmaDeg", joint.uncertainty.rotationDeg.maxCoeff()}};
+    for (std::size_t k = 0; k < views.cases.size(); ++k) {
+        const core::Vector6d& correction = joint.corrections[k];
+        Json view = Json::parse(io::resultJson(views.cases[k], joint.views[k]));
+        view["geometryCorrection"] = {{"turnDeg", degPerRad * correction.head<3>().norm()},
+                                      {"shiftMm", correction.tail<3>().norm()}};
+        json["views"].push_back(std::move(view));
+    }
+    return json;
+}
+
+core::Status writeViews(Views& views, const core::MultiViewResult& joint, const std::string& folder)
+{
+    for (std::size_t k = 0; k < views.cases.size(); ++k) {
+        core::RegistrationCase& view = views.cases[k];
+        view.tree = views.cases.front().tree;
+        view.cameraFromPatient = joint.views[k].cameraFromPatient;
+        view.result = joint.views[k];
+        if (k == 0) {
+            view.result->uncertainty = joint.uncertainty;
+        }
+        if (auto status = writeOutputs({view, views.targets[k]}, viewFolder(folder, k)); !status) {
+            return status;
+        }
+    }
+    return io::writeAtomically((fs::path(folder) / "joint.json").string(),
+                               jointJson(views, joint).dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+void printSummary(const Views& views, const core::MultiViewResult& joint, const std::string& folder)
+{
+    for (std::size_t k = 0; k < views.cases.size(); ++k) {
+        const core::DistanceMetrics& metrics = joint.views[k].metrics;
+        const core::Vector6d& correction = joint.corrections[k];
+        std::printf("view %-9zu median %s px (%s mm), covered %s %%, geometry off by %s° and %s mm  %s\n", k + 1,
+                    fixedText(metrics.medianPx, 2).c_str(), fixedText(metrics.medianMm, 2).c_str(),
+                    fixedText(100.0 * metrics.coverage, 0).c_str(),
+                    fixedText(degPerRad * correction.head<3>().norm(), 2).c_str(),
+                    fixedText(correction.tail<3>().norm(), 2).c_str(),
+                    fs::path(views.cases[k].imageFile.path).filename().string().c_str());
+    }
+    std::printf("%-14s in plane ±%s mm, depth ±%s mm, rotation ±%s°\n", "uncertainty",
+                fixedText(joint.uncertainty.inPlaneMm, 2).c_str(), fixedText(joint.uncertainty.depthMm, 2).c_str(),
+                fixedText(joint.uncertainty.rotationDeg.maxCoeff(), 2).c_str());
+    std::printf("%-14s %s\n", "trustworthy", joint.trustworthy ? "yes" : "NO");
+    for (const std::string& warning : joint.warnings) {
+        std::printf("%-14s %s\n", "", warning.c_str());
+    }
+    std::printf("%-14s %s\n", "written", (fs::path(folder) / "joint.json").string().c_str());
+}
+
+}   // namespace
+
+int registerViewsOf(const core::RegistrationCase& first, const RegisterArguments& arguments, const std::string& folder)
+{
+    auto read = readViews(first);
+    if (!read) {
+        return failInput(read.error().message);
+    }
+    Views views = std::move(read).value();
+    const auto inputs = core::jointInputsOf(views.cases, views.targets);
+    if (!inputs) {
+        return failInput(arguments.casePath + ": " + inputs.error().message);
+    }
+    const auto joint = solve(inputs.value(), first.options);
+    if (!joint) {
+        return failInput(arguments.casePath + ": " + joint.error().message);
+    }
+    if (const auto status = writeViews(views, joint.value(), folder); !status) {
+        return failInput(status.error().message);
+    }
+    if (arguments.format == OutputFormat::Json) {
+        std::puts(jointJson(views, joint.value()).dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+    } else {
+        printSummary(views, joint.value(), folder);
+    }
+    if (isInterrupted()) {
+        return exitStopped;
+    }
+    return joint.value().trustworthy ? exitDone : exitNotTrustworthy;
+}
+
+}   // namespace app

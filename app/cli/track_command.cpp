@@ -1,0 +1,66 @@
+#include "app/cli/case_input.h"
+#include "app/cli/commands.h"
+#include "app/cli/register_case.h"
+#include "app/texts/number_text.h"
+#include "core/follow_frames.h"
+#include "io/pose_table.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace app {
+namespace {
+
+core::Result<std::vector<core::FollowedFrame>> followWithProgress(const core::RegistrationCase& registrationCase)
+{
+    ProgressLine progress("following");
+    return core::followFrames(registrationCase, [&progress](double fraction) {
+        progress.show(fraction, "");
+        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+    });
+}
+
+void printFrames(const std::vector<core::FollowedFrame>& frames)
+{
+    for (const core::FollowedFrame& frame : frames) {
+        const char* verdict = !frame.problem.empty()         ? "nothing traced"
+                              : !frame.tracked.isTrustworthy ? "not explained"
+                              : frame.tracked.searched       ? "found again"
+                                                             : "followed";
+        std::printf("frame %-6d agreement %s  %s\n", frame.frame, fixedText(frame.tracked.score, 2).c_str(), verdict);
+    }
+}
+
+}   // namespace
+
+int runTrack(const TrackArguments& arguments)
+{
+    auto loaded = loadCaseForCommand(arguments.casePath, std::nullopt);
+    if (!loaded) {
+        return failInput(loaded.error().message);
+    }
+    core::RegistrationCase registrationCase = std::move(loaded).value();
+    if (!arguments.keepPose) {
+        auto registered = registerCase(std::move(registrationCase), "registering");
+        if (!registered) {
+            return failInput(arguments.casePath + ": " + registered.error().message);
+        }
+        registrationCase = std::move(registered).value().registrationCase;
+    }
+    const auto frames = followWithProgress(registrationCase);
+    if (!frames) {
+        return failInput(arguments.casePath + ": " + frames.error().message);
+    }
+    if (const auto status = io::writePoseTable(frames.value(), arguments.outputPath); !status) {
+        return failInput(status.error().message);
+    }
+    printFrames(frames.value());
+    if (isInterrupted()) {
+        return exitStopped;
+    }
+    const bool areAll =
+        std::ranges::all_of(frames.value(), [](const auto& frame) { return frame.tracked.isTrustworthy; });
+    return areAll ? exitDone : exitNotTrustworthy;
+}
+
+}   // namespace app

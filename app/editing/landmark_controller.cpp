@@ -1,0 +1,228 @@
+#include "app/editing/landmark_controller.h"
+
+#include "app/document/edit_case.h"
+#include "core/registration/pose/landmark_pose.h"
+#include "ui/main_window.h"
+#include "ui/views/angiogram_view.h"
+#include "ui/views/tools/bind_tool.h"
+#include "ui/views/tree_view.h"
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+constexpr double nodeReachMm = 4.0;
+
+const core::VesselNode* nodeNear(const std::vector<core::VesselNode>& nodes, const Eigen::Vector3d& point)
+{
+    const auto away = [&point](const core::VesselNode& node) { return (node.pointInPatient - point).norm(); };
+    const auto nearest = std::ranges::min_element(nodes, {}, away);
+    return nearest != nodes.end() && away(*nearest) < nodeReachMm ? &*nearest : nullptr;
+}
+
+std::string branchName(const core::VesselTree& tree, int branchId)
+{
+    const core::VesselBranch* branch = tree.find(branchId);
+    return branch && !branch->name.empty() ? branch->name : std::to_string(branchId);
+}
+
+/// "bifurcation 3 / 5", "end of 3", "on 3".
+QString placeName(const core::VesselTree& tree, const std::vector<core::VesselNode>& nodes,
+                  const Eigen::Vector3d& point)
+{
+    if (const core::VesselNode* node = nodeNear(nodes, point)) {
+        QStringList names;
+        for (const int id : node->branchIds) {
+            names << QString::fromStdString(branchName(tree, id));
+        }
+        return node->isBifurcation() ? LandmarkController::tr("bifurcation %1").arg(names.join(QStringLiteral(" / ")))
+                                     : LandmarkController::tr("end of %1").arg(names.join(QStringLiteral(" / ")));
+    }
+    double nearest = std::numeric_limits<double>::infinity();
+    QString name;
+    for (const core::VesselBranch& branch : tree.branches) {
+        for (const Eigen::Vector3d& each : branch.pointsInPatient) {
+            if ((each - point).norm() < nearest) {
+                nearest = (each - point).norm();
+                name = LandmarkController::tr("on %1").arg(QString::fromStdString(branchName(tree, branch.id)));
+            }
+        }
+    }
+    return nearest < nodeReachMm ? name : LandmarkController::tr("place beside the vessels");
+}
+
+QString verdictOf(const core::LandmarkPose& pose)
+{
+    if (pose.leansOnPrior) {
+        return LandmarkController::tr("Fewer than four pairs: what they leave open stays as it is.");
+    }
+    return LandmarkController::tr("The pairs leave %1 px; for clicks off by 2 px: rotation ±%2°, depth ±%3 mm.")
+        .arg(pose.rmsPx, 0, 'f', 1)
+        .arg(pose.rotationStdDeg, 0, 'f', 1)
+        .arg(pose.depthStdMm, 0, 'f', 0);
+}
+
+}   // namespace
+
+LandmarkController::LandmarkController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
+    : QObject(parent), document_(document), window_(window), tool_(new ui::LandmarkTool(window.angiogramView()))
+{
+    connectTool();
+    ui::LandmarkPanel& panel = window_.landmarks();
+    panel.bindMode(*window_.actions()[ui::Command::Landmarks]);
+    connect(&panel, &ui::LandmarkPanel::poseRequested, this, &LandmarkController::placeVessels);
+    connect(&panel, &ui::LandmarkPanel::removeRequested, this, &LandmarkController::removePairs);
+    connect(window_.actions()[ui::Command::PlaceByLandmarks], &QAction::triggered, this,
+            &LandmarkController::placeVessels);
+    connect(&window_, &ui::MainWindow::pointPicked, this, &LandmarkController::pickPoint);
+    connect(&document_, &CaseDocument::changed, this, &LandmarkController::followDocument);
+}
+
+void LandmarkController::connectTool()
+{
+    QAction* action = window_.actions()[ui::Command::Landmarks];
+    ui::bindTool(*action, window_.angiogramView(), *tool_);
+    connect(action, &QAction::toggled, this, &LandmarkController::showState);
+    connect(tool_, &ui::LandmarkTool::pixelPicked, this, &LandmarkController::pickPixel);
+    connect(tool_, &ui::LandmarkTool::pairDrawn, this, &LandmarkController::addPair);
+    connect(tool_, &ui::LandmarkTool::pairMoved, this, [this](int index, const Eigen::Vector2d& pixel) {
+        std::vector<core::Landmark> moved = document_.current().landmarks;
+        moved[static_cast<std::size_t>(index)].pixel = pixel;
+        change(std::move(moved), tr("Move landmark %1").arg(index + 1));
+    });
+    connect(tool_, &ui::LandmarkTool::lastRemoved, this,
+            [this] { removePairs({static_cast<int>(document_.current().landmarks.size()) - 1}); });
+    connect(tool_, &ui::LandmarkTool::pendingDropped, this, &LandmarkController::dropPending);
+    connect(tool_, &ui::LandmarkTool::poseRequested, this, &LandmarkController::placeVessels);
+}
+
+void LandmarkController::pickPoint(const Eigen::Vector3d& pointInPatient)
+{
+    if (!window_.actions()[ui::Command::Landmarks]->isChecked()) {
+        return;
+    }
+    const core::VesselNode* node = nodeNear(nodes_, pointInPatient);
+    pendingPoint_ = node ? node->pointInPatient : pointInPatient;
+    completePair();
+}
+
+void LandmarkController::pickPixel(const Eigen::Vector2d& pixel)
+{
+    pendingPixel_ = pixel;
+    completePair();
+}
+
+void LandmarkController::completePair()
+{
+    if (pendingPoint_ && pendingPixel_) {
+        addPair(*std::exchange(pendingPoint_, std::nullopt), *std::exchange(pendingPixel_, std::nullopt));
+    }
+    showState();
+}
+
+void LandmarkController::addPair(const Eigen::Vector3d& pointInPatient, const Eigen::Vector2d& pixel)
+{
+    const core::RegistrationCase& current = document_.current();
+    if (!current.tree) {
+        emit refused(tr("Open the vessels first."));
+        return;
+    }
+    std::vector<core::Landmark> landmarks = current.landmarks;
+    landmarks.push_back({pointInPatient, pixel, placeName(*current.tree, nodes_, pointInPatient).toStdString()});
+    change(std::move(landmarks), tr("Add landmark"));
+}
+
+void LandmarkController::removePairs(const std::vector<int>& indices)
+{
+    std::vector<core::Landmark> kept;
+    const std::vector<core::Landmark>& all = document_.current().landmarks;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (std::ranges::find(indices, static_cast<int>(i)) == indices.end()) {
+            kept.push_back(all[i]);
+        }
+    }
+    if (kept.size() != all.size()) {
+        change(std::move(kept), tr("Remove landmark"));
+    }
+}
+
+void LandmarkController::change(std::vector<core::Landmark> landmarks, const QString& text)
+{
+    document_.push(std::make_unique<ChangeLandmarks>(document_, ChangeLandmarks::Values{std::move(landmarks)}, text));
+}
+
+void LandmarkController::dropPending()
+{
+    pendingPoint_.reset();
+    pendingPixel_.reset();
+    showState();
+}
+
+std::optional<core::RigidTransform> LandmarkController::poseBefore() const
+{
+    const core::RegistrationCase& current = document_.current();
+    return core::startPoseOf(current) ? std::optional(current.cameraFromPatient) : std::nullopt;
+}
+
+void LandmarkController::placeVessels()
+{
+    const core::RegistrationCase& current = document_.current();
+    const auto camera = core::cameraOf(current);
+    if (!camera) {
+        emit refused(QString::fromStdString(camera.error().message));
+        return;
+    }
+    const auto pose = core::poseFromLandmarks(current.landmarks, camera.value(), poseBefore());
+    if (!pose) {
+        emit refused(QString::fromStdString(pose.error().message));
+        return;
+    }
+    const core::RigidTransform& found = pose.value().cameraFromPatient;
+    const QString verdict = verdictOf(pose.value());
+    const bool isDone = document_.push(std::make_unique<PlaceVessels>(
+        document_, PlaceVessels::Values{true, found, found, std::nullopt}, tr("Place vessels by landmarks")));
+    if (isDone) {
+        emit placed(verdict);
+    }
+}
+
+void LandmarkController::followDocument()
+{
+    if (tree_ != document_.current().tree) {
+        tree_ = document_.current().tree;
+        nodes_ = tree_ ? core::findNodes(*tree_) : std::vector<core::VesselNode>{};
+        pendingPoint_.reset();
+        pendingPixel_.reset();
+    }
+    showState();
+}
+
+void LandmarkController::showState()
+{
+    const core::RegistrationCase& current = document_.current();
+    ui::LandmarkMarks marks{current.landmarks, pendingPoint_, pendingPixel_, {}};
+    for (const core::VesselNode& node : nodes_) {
+        marks.nodesInPatient.push_back(node.pointInPatient);
+    }
+    tool_->showMarks(marks);
+
+    const bool isOn = window_.actions()[ui::Command::Landmarks]->isChecked();
+    std::vector<Eigen::Vector3d> points;
+    for (const core::Landmark& landmark : current.landmarks) {
+        points.push_back(landmark.pointInPatient);
+    }
+    window_.treeView().showLandmarks(isOn ? points : std::vector<Eigen::Vector3d>{}, pendingPoint_);
+
+    ui::LandmarkState state;
+    state.landmarks = current.landmarks;
+    if (const auto camera = core::cameraOf(current); camera && !current.landmarks.empty()) {
+        state.errorPx = core::landmarkErrorsPx(current.landmarks, camera.value(), current.cameraFromPatient);
+        const auto pose = core::poseFromLandmarks(current.landmarks, camera.value(), poseBefore());
+        state.isEnough = static_cast<bool>(pose);
+        state.verdict = pose ? verdictOf(pose.value()) : QString::fromStdString(pose.error().message);
+    }
+    window_.landmarks().showLandmarks(state);
+}
+
+}   // namespace app

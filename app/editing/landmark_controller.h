@@ -1,0 +1,49 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "ui/views/tools/landmark_tool.h"
+
+#include <memory>
+
+namespace ui {
+class MainWindow;
+}
+
+namespace app {
+
+/// Landmarks by clicks: a place on the vessels (3-D view or slice; nodes attract) and one in the image make a pair, in
+/// either order; the pairs are listed, moved, removed, and give the start pose. Every change is one step of undo.
+class LandmarkController : public QObject {
+    Q_OBJECT
+public:
+    LandmarkController(CaseDocument& document, ui::MainWindow& window, QObject* parent = nullptr);
+
+    void pickPoint(const Eigen::Vector3d& pointInPatient);
+    void pickPixel(const Eigen::Vector2d& pixel);
+    void placeVessels();
+
+signals:
+    void refused(const QString& reason);
+    void placed(const QString& verdict);
+
+private:
+    void connectTool();
+    void followDocument();
+    void showState();
+    void completePair();
+    void addPair(const Eigen::Vector3d& pointInPatient, const Eigen::Vector2d& pixel);
+    void removePairs(const std::vector<int>& indices);
+    void change(std::vector<core::Landmark> landmarks, const QString& text);
+    void dropPending();
+    std::optional<core::RigidTransform> poseBefore() const;
+
+    CaseDocument& document_;
+    ui::MainWindow& window_;
+    ui::LandmarkTool* tool_;
+    std::shared_ptr<const core::VesselTree> tree_;   ///< that `nodes_` are of
+    std::vector<core::VesselNode> nodes_;
+    std::optional<Eigen::Vector3d> pendingPoint_;
+    std::optional<Eigen::Vector2d> pendingPixel_;
+};
+
+}   // namespace app

@@ -1,0 +1,58 @@
+#include "app/texts/geometry_state.h"
+
+#include "core/geometry/geometry_checks.h"
+
+#include <QStringList>
+
+namespace app {
+namespace {
+
+/// Everything that is missing, one line each; what a given camera or start pose replaces is not missed.
+QString missingIn(const core::RegistrationCase& current)
+{
+    const auto camera = core::cameraOf(current);
+    const bool isCameraMissing = !camera;
+    const bool isStartMissing = current.tree && !core::startPoseOf(current);
+    if (!isCameraMissing && !isStartMissing) {
+        return {};
+    }
+    QStringList lines;
+    for (const std::string& sentence : core::findMissing(current.cArm)) {
+        lines << QString::fromStdString(sentence);
+    }
+    return lines.isEmpty() && isCameraMissing ? QString::fromStdString(camera.error().message)
+                                              : lines.join(QLatin1Char('\n'));
+}
+
+}   // namespace
+
+ui::GeometryState geometryState(const core::RegistrationCase& current)
+{
+    ui::GeometryState state;
+    state.cArm = current.cArm;
+    state.cameraOverride = current.cameraOverride;
+    if (current.tree) {
+        state.vesselCentroidMm = core::centroidInPatient(*current.tree);
+    }
+    if (!current.angiogram) {
+        return state;
+    }
+    const core::Angiogram& angiogram = *current.angiogram;
+    state.headerTags = angiogram.gantry.tags;
+    state.imageSizePx = {angiogram.width(), angiogram.height()};
+    const auto frame = static_cast<std::size_t>(std::max(0, current.frame));
+    if (frame < angiogram.gantry.angleIncrementsDeg.size()) {
+        state.turnedDeg = angiogram.gantry.angleIncrementsDeg[frame];
+    }
+    state.missing = missingIn(current);
+    state.contradictions = core::contradictionsOf(current);
+    if (const auto camera = core::cameraOf(current); camera && state.vesselCentroidMm) {
+        const double depthMm = (current.cameraFromPatient * *state.vesselCentroidMm).z();
+        if (depthMm > core::minProjectableDepthMm) {
+            state.vesselMmPerPx = core::millimetresPerPixel(camera.value(), depthMm);
+        }
+    }
+    return state;
+}
+
+}   // namespace app

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/registration/track_frames.h"
+#include "core/registration_case.h"
+
+#include <functional>
+#include <vector>
+
+namespace core {
+
+/// Where the vessels are in one frame of a run.
+struct FollowedFrame {
+    int frame = 0;
+    TrackedFrame tracked;   ///< without a traced vessel: the pose of the frame before, not trustworthy
+    std::string problem;   ///< why nothing was traced; empty when something was
+};
+
+/// Follows the vessels from the case's frame and pose to the end of the run, then back to its beginning
+/// (ALGORITHMS §6.11); frames in order, a stopped run only as far as it came. Fails where the case is not ready, where
+/// its frame's target is given rather than traced, or where the gantry turns during the run.
+Result<std::vector<FollowedFrame>> followFrames(const RegistrationCase& registrationCase,
+                                                const std::function<Verdict(double fraction)>& observe);
+
+}   // namespace core

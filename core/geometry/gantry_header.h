@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace core {
+
+/// A header element as it is written, for people to read.
+struct HeaderTag {
+    std::string tag;   ///< "(0018,1110)"
+    std::string name;   ///< as PS3.6 has it: "Distance Source to Detector"
+    std::string value;
+};
+
+/// What the header of an X-ray run says about the gantry beside the values a CArm holds: facts to check those against,
+/// and to show. Lengths mm, angles degrees.
+struct GantryHeader {
+    std::optional<double> magnification;   ///< (0018,1114) estimated radiographic magnification, SID/SOD
+    std::optional<Eigen::Vector2d> fieldOfViewMm;   ///< (0018,1149) on the detector: width, height; round: diameters
+    std::optional<double> intensifierMm;   ///< (0018,1162) diameter of the image intensifier
+    std::optional<Eigen::Vector2d> detectorMm;   ///< (0018,7026) active area: width, height
+    std::optional<Eigen::Vector2d> pixelSpacingMm;   ///< (0028,0030) along u, v: at the patient, where it is calibrated
+    bool isPixelSpacingCalibrated = false;   ///< (0028,0A02) says how; otherwise it should repeat the imager's
+    double pixelAspect = 1.0;   ///< (0028,0034) height of a pixel over its width
+    /// (0018,1520), (0018,1521): primary and secondary angle of each frame relative to the first; empty when it stood.
+    std::vector<Eigen::Vector2d> angleIncrementsDeg;
+    std::vector<HeaderTag> tags;   ///< every element about geometry that is there, in the order of the tags
+};
+
+}   // namespace core

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/registration_case.h"
+
+#include <span>
+#include <vector>
+
+namespace core {
+
+/// What registerViews needs of several cases that show the same vessels: tree and branches of the first, and for each
+/// view its camera, its target and a start pose. The first starts where its case is; the others where the geometry
+/// between the views, told by their start poses (ALGORITHMS §5.5: angles about a common isocentre), then puts them.
+/// Fails naming the view (counted from 1) and what it lacks.
+Result<std::vector<RegistrationInput>> jointInputsOf(std::span<const RegistrationCase> views,
+                                                     std::span<const Centerline2d> targets);
+
+}   // namespace core

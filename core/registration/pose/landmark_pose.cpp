@@ -1,0 +1,238 @@
+#include "core/registration/pose/landmark_pose.h"
+
+#include "core/registration/pnp/sqpnp.h"
+#include "core/registration/pose/centroid_pose.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/SVD>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace core {
+namespace {
+
+constexpr double degPerRad = 180.0 / std::numbers::pi;
+constexpr double clickStdPx = 2.0;
+constexpr double leastSpreadMm = 1.0;   // rms off a line: below, the turn about it is open
+constexpr double leastSpreadPx = 3.0;
+constexpr int maxSteps = 60;
+constexpr double settled = 1e-12;   // of the cost
+constexpr double asGood = 1.5;   // costs within this factor, or within a click, tell nothing
+
+// What few pairs leave open stays as it was: turning costs more than shifting, depth more than shifting sideways.
+constexpr double priorTurnDeg = 8.0;
+constexpr double priorShiftMm = 1000.0;
+constexpr double priorDepthMm = 30.0;
+
+/// Cost of a pose about the landmarks' centroid: squared pixels, and where few pairs need it the pose before.
+class LandmarkCost {
+public:
+    LandmarkCost(std::span<const Landmark> landmarks, const ProjectionCamera& camera,
+                 const std::optional<StartPrior>& prior)
+        : landmarks_(landmarks), camera_(camera), prior_(prior), centroid_(Eigen::Vector3d::Zero())
+    {
+        for (const Landmark& landmark : landmarks) {
+            centroid_ += landmark.pointInPatient / static_cast<double>(landmarks.size());
+        }
+    }
+    const Eigen::Vector3d& centroid() const { return centroid_; }
+
+    /// Nothing where a landmark is not in front of the source.
+    std::optional<double> at(const CentroidPose& pose, NormalEquations* equations = nullptr) const
+    {
+        double sum = 0.0;
+        for (const Landmark& landmark : landmarks_) {
+            const Eigen::Vector3d turned = pose.rotation * (landmark.pointInPatient - centroid_);
+            const auto pixel = project(camera_, turned + pose.centroidInCamera);
+            if (!pixel) {
+                return std::nullopt;
+            }
+            const Eigen::Vector2d residual = (*pixel - landmark.pixel) / clickStdPx;
+            sum += residual.squaredNorm();
+            if (equations) {
+                add(turned, turned + pose.centroidInCamera, residual, *equations);
+            }
+        }
+        if (prior_) {
+            sum += prior_->cost(pose);
+            if (equations) {
+                prior_->add(pose, 1.0, *equations);
+            }
+        }
+        return sum;
+    }
+
+private:
+    void add(const Eigen::Vector3d& turned, const Eigen::Vector3d& inCamera, const Eigen::Vector2d& residual,
+             NormalEquations& equations) const
+    {
+        const Eigen::Matrix<double, 2, 3> byPoint = projectionJacobian(camera_, inCamera) / clickStdPx;
+        Eigen::Matrix<double, 2, 6> jacobian;
+        jacobian << -byPoint * skew(turned), byPoint;
+        equations.hessian += jacobian.transpose() * jacobian;
+        equations.gradient += jacobian.transpose() * residual;
+    }
+
+    std::span<const Landmark> landmarks_;
+    const ProjectionCamera& camera_;
+    std::optional<StartPrior> prior_;
+    Eigen::Vector3d centroid_;
+};
+
+struct Fit {
+    CentroidPose pose;
+    double cost = std::numeric_limits<double>::infinity();
+};
+
+Fit refined(const LandmarkCost& cost, const CentroidPose& start)
+{
+    Fit fit{start};
+    const auto first = cost.at(start);
+    if (!first) {
+        return fit;
+    }
+    fit.cost = *first;
+    Damping damping;
+    for (int k = 0; k < maxSteps; ++k) {
+        NormalEquations equations;
+        cost.at(fit.pose, &equations);
+        const Vector6d step = dampedStep(equations, damping.factor());
+        const double promised = predictedDecrease(equations, step);
+        if (!(promised > settled * (1.0 + fit.cost))) {
+            break;
+        }
+        const CentroidPose trial = moved(fit.pose, step);
+        const auto there = cost.at(trial);
+        if (!there || *there > fit.cost) {
+            damping.reject();
+            continue;
+        }
+        damping.accept((fit.cost - *there) / promised);
+        fit = {trial, *there};
+    }
+    return fit;
+}
+
+/// How far points lie from their common line (second singular value), or from their centre (first), rms.
+template <class Points>
+double rmsSpread(const Points& points, Eigen::Index singularValue)
+{
+    Eigen::MatrixXd centred = points;
+    centred.colwise() -= points.rowwise().mean().eval();
+    const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(centred).singularValues();
+    return singularValue < values.size() ? values[singularValue] / std::sqrt(static_cast<double>(points.cols())) : 0.0;
+}
+
+std::string findDegeneracy(std::span<const Landmark> landmarks, bool hasBefore)
+{
+    if (landmarks.empty()) {
+        return "There are no landmarks yet. Click a place on the vessels and the same place in the image.";
+    }
+    const bool isEnough = landmarks.size() >= enoughLandmarks;
+    if (!isEnough && !hasBefore) {
+        return "Without angles a pose needs four landmarks; there are " + std::to_string(landmarks.size()) +
+               ". Add landmarks, or type the angles: then one is enough.";
+    }
+    Eigen::MatrixXd points(3, static_cast<Eigen::Index>(landmarks.size()));
+    Eigen::MatrixXd pixels(2, static_cast<Eigen::Index>(landmarks.size()));
+    for (std::size_t i = 0; i < landmarks.size(); ++i) {
+        points.col(static_cast<Eigen::Index>(i)) = landmarks[i].pointInPatient;
+        pixels.col(static_cast<Eigen::Index>(i)) = landmarks[i].pixel;
+    }
+    if (!points.allFinite() || !pixels.allFinite()) {
+        return "A landmark is not a finite number. Remove it.";
+    }
+    if (landmarks.size() > 1 && (rmsSpread(points, 0) < leastSpreadMm || rmsSpread(pixels, 0) < leastSpreadPx)) {
+        return "The landmarks all lie in one place. Choose some farther apart.";
+    }
+    if (isEnough && rmsSpread(points, 1) < leastSpreadMm) {
+        return "The landmarks lie on one line, so the turn about it stays open. Add one off that line.";
+    }
+    return {};
+}
+
+StartPrior priorAt(const CentroidPose& before)
+{
+    StartPrior prior;
+    prior.start = before;
+    const double turn = priorTurnDeg / degPerRad;
+    prior.std << turn, turn, turn, priorShiftMm, priorShiftMm, priorDepthMm;
+    return prior;
+}
+
+/// The best of the fits; where `near` is about as good, that.
+const Fit& chosen(const Fit& near, const Fit& other)
+{
+    const double tellsNothing = asGood * other.cost + 1.0;
+    return near.cost <= tellsNothing ? near : other;
+}
+
+LandmarkPose judged(const LandmarkCost& cost, const Fit& fit, std::span<const Landmark> landmarks,
+                    const ProjectionCamera& camera)
+{
+    LandmarkPose result;
+    result.cameraFromPatient = cameraFromPatient(fit.pose, cost.centroid());
+    result.errorPx = landmarkErrorsPx(landmarks, camera, result.cameraFromPatient);
+    double sum = 0.0;
+    for (const double error : result.errorPx) {
+        sum += error * error / static_cast<double>(result.errorPx.size());
+    }
+    result.rmsPx = std::sqrt(sum);
+    NormalEquations equations;
+    cost.at(fit.pose, &equations);
+    const Matrix6d full = equations.hessian.selfadjointView<Eigen::Lower>();
+    const Matrix6d covariance = full.ldlt().solve(Matrix6d::Identity());
+    result.depthStdMm = std::sqrt(std::max(0.0, covariance(5, 5)));
+    result.rotationStdDeg = degPerRad * std::sqrt(std::max(0.0, covariance.diagonal().head<3>().maxCoeff()));
+    return result;
+}
+
+std::optional<RigidTransform> solvedAlone(std::span<const Landmark> landmarks, const ProjectionCamera& camera)
+{
+    std::vector<Eigen::Vector3d> points;
+    std::vector<Eigen::Vector2d> pixels;
+    for (const Landmark& landmark : landmarks) {
+        points.push_back(landmark.pointInPatient);
+        pixels.push_back(landmark.pixel);
+    }
+    return solveSqpnp(points, pixels, camera);
+}
+
+}   // namespace
+
+std::vector<double> landmarkErrorsPx(std::span<const Landmark> landmarks, const ProjectionCamera& camera,
+                                     const RigidTransform& cameraFromPatient)
+{
+    std::vector<double> errors;
+    for (const Landmark& landmark : landmarks) {
+        const auto pixel = project(camera, cameraFromPatient * landmark.pointInPatient);
+        errors.push_back(pixel ? (*pixel - landmark.pixel).norm() : std::numeric_limits<double>::infinity());
+    }
+    return errors;
+}
+
+Result<LandmarkPose> poseFromLandmarks(std::span<const Landmark> landmarks, const ProjectionCamera& camera,
+                                       const std::optional<RigidTransform>& before)
+{
+    if (std::string degeneracy = findDegeneracy(landmarks, before.has_value()); !degeneracy.empty()) {
+        return Error{std::move(degeneracy)};
+    }
+    const bool isEnough = landmarks.size() >= enoughLandmarks;
+    const Eigen::Vector3d centroid = LandmarkCost(landmarks, camera, std::nullopt).centroid();
+    const auto start = before ? std::optional(aboutCentroid(*before, centroid)) : std::nullopt;
+    const LandmarkCost cost(landmarks, camera, isEnough ? std::nullopt : std::optional(priorAt(*start)));
+
+    const Fit near = start ? refined(cost, *start) : Fit{};
+    const auto alone = isEnough ? solvedAlone(landmarks, camera) : std::nullopt;
+    const Fit other = alone ? refined(cost, aboutCentroid(*alone, centroid)) : Fit{};
+    const Fit& best = chosen(near, other);
+    if (!std::isfinite(best.cost)) {
+        return Error{"No pose lays these landmarks onto their pixels. Check that each pair shows the same place."};
+    }
+    LandmarkPose result = judged(cost, best, landmarks, camera);
+    result.leansOnPrior = !isEnough;
+    return result;
+}
+
+}   // namespace core

@@ -1,0 +1,238 @@
+#include "io/dicom/gantry_tags.h"
+
+#include "io/dicom/c_arm_tags.h"
+#include "io/support/numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace io {
+namespace {
+
+using core::GantryHeader;
+
+constexpr DicomTag frameGroups = 0x52009230;
+constexpr DicomTag positionerPosition = 0x00189405;
+constexpr DicomTag primaryAngle = 0x00181510, secondaryAngle = 0x00181511;
+constexpr DicomTag primaryIncrement = 0x00181520, secondaryIncrement = 0x00181521;
+constexpr std::size_t mostValuesShown = 6;
+
+struct GeometryTag {
+    DicomTag tag;
+    const char* name;   ///< PS3.6
+};
+
+constexpr std::array geometryTags{
+    GeometryTag{0x00081090, "Manufacturer's Model Name"},
+    GeometryTag{0x00181110, "Distance Source to Detector"},
+    GeometryTag{0x00181111, "Distance Source to Patient"},
+    GeometryTag{0x00181114, "Estimated Radiographic Magnification Factor"},
+    GeometryTag{0x00181130, "Table Height"},
+    GeometryTag{0x00181134, "Table Motion"},
+    GeometryTag{0x00181135, "Table Vertical Increment"},
+    GeometryTag{0x00181136, "Table Lateral Increment"},
+    GeometryTag{0x00181137, "Table Longitudinal Increment"},
+    GeometryTag{0x00181138, "Table Angle"},
+    GeometryTag{0x00181147, "Field of View Shape"},
+    GeometryTag{0x00181149, "Field of View Dimension(s)"},
+    GeometryTag{0x00181162, "Intensifier Size"},
+    GeometryTag{0x00181164, "Imager Pixel Spacing"},
+    GeometryTag{0x00181500, "Positioner Motion"},
+    GeometryTag{primaryAngle, "Positioner Primary Angle"},
+    GeometryTag{secondaryAngle, "Positioner Secondary Angle"},
+    GeometryTag{primaryIncrement, "Positioner Primary Angle Increment"},
+    GeometryTag{secondaryIncrement, "Positioner Secondary Angle Increment"},
+    GeometryTag{0x00181530, "Detector Primary Angle"},
+    GeometryTag{0x00181531, "Detector Secondary Angle"},
+    GeometryTag{0x00185100, "Patient Position"},
+    GeometryTag{0x00187022, "Detector Element Spacing"},
+    GeometryTag{0x00187026, "Detector Active Dimension(s)"},
+    GeometryTag{0x00187028, "Detector Active Origin"},
+    GeometryTag{0x00187030, "Field of View Origin"},
+    GeometryTag{0x00187032, "Field of View Rotation"},
+    GeometryTag{0x00187034, "Field of View Horizontal Flip"},
+    GeometryTag{0x00189402, "Distance Source to Isocenter"},
+    GeometryTag{0x00189463, "Positioner Isocenter Primary Angle"},
+    GeometryTag{0x00189464, "Positioner Isocenter Secondary Angle"},
+    GeometryTag{0x00189465, "Positioner Isocenter Detector Rotation Angle"},
+    GeometryTag{0x00189466, "Table X Position to Isocenter"},
+    GeometryTag{0x00189467, "Table Y Position to Isocenter"},
+    GeometryTag{0x00189468, "Table Z Position to Isocenter"},
+    GeometryTag{0x00189469, "Table Horizontal Rotation Angle"},
+    GeometryTag{0x0018946a, "Table Head Tilt Angle"},
+    GeometryTag{0x0018946b, "Table Cradle Tilt Angle"},
+    GeometryTag{0x00200020, "Patient Orientation"},
+    GeometryTag{0x00280030, "Pixel Spacing"},
+    GeometryTag{0x00280034, "Pixel Aspect Ratio"},
+    GeometryTag{0x00280a02, "Pixel Spacing Calibration Type"},
+};
+
+std::string tagText(DicomTag tag)
+{
+    std::array<char, 16> text{};
+    std::snprintf(text.data(), text.size(), "(%04x,%04x)", tag >> 16U, tag & 0xffffU);
+    return text.data();
+}
+
+bool isBinaryNumber(const DicomElement& element)
+{
+    const std::string_view vr(element.vr.data(), element.vr.size());
+    return vr == "FD" || vr == "FL" || vr == "US" || vr == "SS" || vr == "UL" || vr == "SL";
+}
+
+/// The values as people write them: "200, 200"; long lists end with their length.
+std::string valueText(const DicomDataset& data, DicomTag tag)
+{
+    const bool isBinary = isBinaryNumber(*data.find(tag));
+    std::string text;
+    std::size_t count = 0;
+    for (;; ++count) {
+        const auto number = isBinary ? data.number(tag, count) : std::nullopt;
+        const std::string value = isBinary ? (number ? toText(*number) : "") : std::string(data.text(tag, count));
+        if (value.empty()) {
+            break;
+        }
+        if (count < mostValuesShown) {
+            text += (count > 0 ? ", " : "") + value;
+        }
+    }
+    return count > mostValuesShown ? text + ", … (" + std::to_string(count) + " values)" : text;
+}
+
+void readTags(const DicomDataset& data, GantryHeader& header)
+{
+    for (const GeometryTag& known : geometryTags) {
+        if (data.find(known.tag)) {
+            std::string value = valueText(data, known.tag);
+            header.tags.push_back({tagText(known.tag), known.name, value.empty() ? "(empty)" : std::move(value)});
+        }
+    }
+}
+
+std::optional<double> positive(const DicomDataset& data, DicomTag tag, std::size_t index = 0)
+{
+    const auto value = data.number(tag, index);
+    return value && *value > 0.0 ? value : std::nullopt;
+}
+
+std::optional<Eigen::Vector2d> positivePair(const DicomDataset& data, DicomTag tag)
+{
+    const auto first = positive(data, tag, 0), second = positive(data, tag, 1);
+    return first && second ? std::optional(Eigen::Vector2d(*first, *second)) : std::nullopt;
+}
+
+/// PS3.3 C.8.7.3.1.3: rectangle: row then column dimension, the first along a row; round: the diameter. A round field
+/// shows in a square image, which may also be cut out of it; then it tells nothing about a smaller extent.
+void readFieldOfView(const DicomDataset& data, GantryHeader& header)
+{
+    if (data.text(0x00181147) == "RECTANGLE") {
+        header.fieldOfViewMm = positivePair(data, 0x00181149);
+    } else if (const auto diameter = positive(data, 0x00181149); diameter && data.text(0x00181147) == "ROUND") {
+        header.intensifierMm = diameter;
+    }
+    if (const auto intensifier = positive(data, 0x00181162); intensifier && !header.intensifierMm) {
+        header.intensifierMm = intensifier;
+    }
+}
+
+void readSpacings(const DicomDataset& data, GantryHeader& header)
+{
+    if (const auto active = positivePair(data, 0x00187026)) {
+        header.detectorMm = Eigen::Vector2d(active->y(), active->x());   // stored row, column
+        if (std::lround(data.number(0x00187032).value_or(0.0) / 90.0) % 2 != 0) {
+            std::swap(header.detectorMm->x(), header.detectorMm->y());
+        }
+    }
+    if (const auto pixel = positivePair(data, 0x00280030)) {
+        header.pixelSpacingMm = Eigen::Vector2d(pixel->y(), pixel->x());
+        header.isPixelSpacingCalibrated = !data.text(0x00280a02).empty();
+    }
+    if (const auto aspect = positivePair(data, 0x00280034)) {
+        header.pixelAspect = aspect->x() / aspect->y();   // vertical over horizontal
+    }
+}
+
+/// Enhanced XA gives every frame its own angles.
+std::vector<Eigen::Vector2d> frameAngles(const DicomDataset& data)
+{
+    std::vector<Eigen::Vector2d> angles;
+    for (const DicomDataset& frame : data.items(frameGroups)) {
+        const auto positions = frame.items(positionerPosition);
+        const auto primary = positions.empty() ? std::nullopt : positions.front().number(primaryAngle);
+        const auto secondary = positions.empty() ? std::nullopt : positions.front().number(secondaryAngle);
+        if (!primary || !secondary) {
+            return {};
+        }
+        angles.emplace_back(*primary, *secondary);
+    }
+    return angles;
+}
+
+/// Classic XA: one increment per frame relative to the first, or a single one of frame to frame.
+std::vector<Eigen::Vector2d> storedIncrements(const DicomDataset& data, std::size_t frameCount)
+{
+    const auto valuesOf = [&](DicomTag tag) {
+        std::vector<double> values;
+        while (const auto value = data.number(tag, values.size())) {
+            values.push_back(*value);
+        }
+        if (values.size() == 1 && frameCount > 2) {
+            const double step = values.front();
+            values.clear();
+            for (std::size_t frame = 0; frame < frameCount; ++frame) {
+                values.push_back(step * static_cast<double>(frame));
+            }
+        }
+        return values;
+    };
+    std::vector<double> primary = valuesOf(primaryIncrement), secondary = valuesOf(secondaryIncrement);
+    const std::size_t known = std::max(primary.size(), secondary.size());
+    primary.resize(known, 0.0);
+    secondary.resize(known, 0.0);
+    std::vector<Eigen::Vector2d> increments;
+    for (std::size_t frame = 0; frame < known; ++frame) {
+        increments.emplace_back(primary[frame], secondary[frame]);
+    }
+    return increments;
+}
+
+void readIncrements(const DicomDataset& data, int frameCount, GantryHeader& header, std::vector<std::string>& warnings)
+{
+    const auto frames = static_cast<std::size_t>(frameCount);
+    std::vector<Eigen::Vector2d> increments = frameAngles(data);
+    if (increments.empty()) {
+        increments = storedIncrements(data, frames);
+    } else {
+        for (const Eigen::Vector2d first = increments.front(); Eigen::Vector2d & angles : increments) {
+            angles -= first;
+        }
+    }
+    const bool moves =
+        std::ranges::any_of(increments, [](const Eigen::Vector2d& angles) { return angles.norm() > 1e-9; });
+    if (moves && increments.size() == frames) {
+        header.angleIncrementsDeg = std::move(increments);
+    } else if (moves || data.text(0x00181500) == "DYNAMIC") {
+        warnings.push_back("The C-arm moved during this run, but the header gives " +
+                           (increments.empty() ? std::string("no angles") : std::to_string(increments.size())) +
+                           " for its " + std::to_string(frameCount) +
+                           " frames: the angles are those of the first frame. Check them for the frame you use.");
+    }
+}
+
+}   // namespace
+
+GantryHeader gantryHeaderOf(const DicomDataset& data, int frameCount, std::vector<std::string>& warnings)
+{
+    const DicomDataset flat = withFunctionalGroups(data);
+    GantryHeader header;
+    header.magnification = positive(flat, 0x00181114);
+    readTags(flat, header);
+    readFieldOfView(flat, header);
+    readSpacings(flat, header);
+    readIncrements(data, frameCount, header, warnings);
+    return header;
+}
+
+}   // namespace io

@@ -1,0 +1,135 @@
+#include "core/geometry/geometry_checks.h"
+
+#include <gtest/gtest.h>
+
+namespace core {
+namespace {
+
+CArm usual()
+{
+    CArm cArm;
+    cArm.sourceToDetectorMm = {1050.0, Origin::Header, ""};
+    cArm.sourceToPatientMm = {750.0, Origin::Header, ""};
+    cArm.columnSpacingMm = {0.4, Origin::Header, ""};
+    cArm.rowSpacingMm = {0.4, Origin::Header, ""};
+    cArm.primaryAngleDeg = {-30.0, Origin::Header, ""};
+    cArm.secondaryAngleDeg = {20.0, Origin::Header, ""};
+    return cArm;
+}
+
+GantryHeader agreeing()
+{
+    GantryHeader header;
+    header.magnification = 1.4;
+    header.fieldOfViewMm = {204.8, 204.8};
+    header.intensifierMm = 220.0;
+    header.detectorMm = {300.0, 300.0};
+    header.pixelSpacingMm = {0.4 / 1.4, 0.4 / 1.4};
+    header.isPixelSpacingCalibrated = true;
+    return header;
+}
+
+const Eigen::Vector2i size(512, 512);
+
+/// The one sentence that a single wrong value leads to.
+std::string onlySentence(const CArm& cArm, const GantryHeader& header)
+{
+    const auto found = findContradictions(cArm, header, size);
+    EXPECT_EQ(found.size(), 1U) << (found.empty() ? "nothing found" : found.back());
+    return found.empty() ? "" : found.front();
+}
+
+}   // namespace
+
+TEST(GeometryChecks, PassWhatAgrees)
+{
+    EXPECT_TRUE(findContradictions(usual(), agreeing(), size).empty());
+    EXPECT_TRUE(findContradictions(usual()).empty());
+    EXPECT_TRUE(findContradictions({}, agreeing(), size).empty());
+    EXPECT_TRUE(findMissing(usual()).empty());
+}
+
+TEST(GeometryChecks, NameWhatEachWrongValueContradicts)
+{
+    struct Wrong {
+        const char* word;
+        void (*spoil)(CArm&, GantryHeader&);
+    };
+    const Wrong wrongs[] = {
+        {"behind the detector",
+         [](CArm& c, GantryHeader& h) {
+             c.sourceToPatientMm.value = 1200.0;
+             h = {};
+         }},
+        {"magnified",
+         [](CArm& c, GantryHeader& h) {
+             c.sourceToPatientMm.value = 400.0;
+             h = {};
+         }},
+        {"check its unit",
+         [](CArm& c, GantryHeader& h) {
+             c.sourceToDetectorMm.value = 105.0;
+             c.sourceToPatientMm.value = 75.0;
+             h = {};
+         }},
+        {"(0018,1114)", [](CArm&, GantryHeader& h) { h.magnification = 1.5; }},
+        {"times as high",
+         [](CArm& c, GantryHeader& h) {
+             c.rowSpacingMm.value = 0.42;
+             h = {};
+         }},
+        {"field of view",
+         [](CArm&, GantryHeader& h) {
+             h.fieldOfViewMm = {150.0, 150.0};
+         }},
+        {"intensifier", [](CArm&, GantryHeader& h) { h.intensifierMm = 160.0; }},
+        {"active",
+         [](CArm&, GantryHeader& h) {
+             h.detectorMm = {180.0, 300.0};
+         }},
+        {"calibrat",
+         [](CArm&, GantryHeader& h) {
+             h.pixelSpacingMm = {0.4, 0.4};
+         }},
+        {"without a calibration", [](CArm&, GantryHeader& h) { h.isPixelSpacingCalibrated = false; }},
+        {"primary angle", [](CArm& c, GantryHeader&) { c.primaryAngleDeg.value = 200.0; }},
+        {"secondary angle", [](CArm& c, GantryHeader&) { c.secondaryAngleDeg.value = -95.0; }},
+        {"roll", [](CArm& c, GantryHeader&) { c.rollDeg.value = 270.0; }},
+        {"principal point",
+         [](CArm& c, GantryHeader&) {
+             c.principalPointPx.value = {900.0, 10.0};
+         }},
+        {"no detector",
+         [](CArm& c, GantryHeader& h) {
+             c.columnSpacingMm.value = c.rowSpacingMm.value = 1.9;
+             h = {};
+         }},
+    };
+    for (const Wrong& wrong : wrongs) {
+        CArm cArm = usual();
+        GantryHeader header = agreeing();
+        wrong.spoil(cArm, header);
+        EXPECT_NE(onlySentence(cArm, header).find(wrong.word), std::string::npos)
+            << wrong.word << ": " << onlySentence(cArm, header);
+    }
+}
+
+TEST(GeometryChecks, PixelsThatAreMeantToBeOblongAreFine)
+{
+    CArm cArm = usual();
+    cArm.rowSpacingMm.value = 0.48;
+    GantryHeader header;
+    header.pixelAspect = 1.2;
+    EXPECT_TRUE(findContradictions(cArm, header, size).empty());
+}
+
+TEST(GeometryChecks, AskForEverythingThatIsMissing)
+{
+    EXPECT_EQ(findMissing({}).size(), 5U);
+    CArm cArm = usual();
+    cArm.rowSpacingMm = {};
+    ASSERT_EQ(findMissing(cArm).size(), 1U);
+    EXPECT_NE(findMissing(cArm).front().find("pixel spacing"), std::string::npos);
+}
+
+}   // namespace core

@@ -1,0 +1,91 @@
+#include "core/joint_case.h"
+
+#include <gtest/gtest.h>
+
+namespace core {
+namespace {
+
+VesselTree smallTree()
+{
+    VesselTree tree;
+    tree.branches.push_back({7, "", {{10, 0, 700}, {14, 3, 706}, {20, 9, 711}}, {}, -1});
+    return tree;
+}
+
+RegistrationCase viewAt(double primaryDeg, double secondaryDeg)
+{
+    RegistrationCase view;
+    view.tree = std::make_shared<const VesselTree>(smallTree());
+    view.cArm.sourceToDetectorMm = {1050.0, Origin::User, ""};
+    view.cArm.sourceToPatientMm = {750.0, Origin::User, ""};
+    view.cArm.columnSpacingMm = view.cArm.rowSpacingMm = {0.4, Origin::User, ""};
+    view.cArm.primaryAngleDeg = {primaryDeg, Origin::User, ""};
+    view.cArm.secondaryAngleDeg = {secondaryDeg, Origin::User, ""};
+    Angiogram angiogram;
+    angiogram.frames.assign(3, ImageF(64, 64));
+    view.angiogram = std::make_shared<const Angiogram>(std::move(angiogram));
+    view.cameraFromPatient = startPoseOf(view).value();
+    return view;
+}
+
+const std::vector<Centerline2d> targets(2);
+
+}   // namespace
+
+TEST(JointInputs, PutTheOtherViewWhereTheGantrysTurnLeads)
+{
+    std::vector<RegistrationCase> views{viewAt(-30.0, 0.0), viewAt(45.0, 20.0)};
+    views[0].cameraFromPatient.translation += Eigen::Vector3d(5.0, -3.0, 12.0);
+    views[1].cameraFromPatient = {};   // what it was before does not matter
+    const auto inputs = jointInputsOf(views, targets);
+    ASSERT_TRUE(inputs) << inputs.error().message;
+    const RigidTransform between =
+        inputs.value()[1].initialCameraFromPatient * inputs.value()[0].initialCameraFromPatient.inverse();
+    const RigidTransform wanted = startPoseOf(views[1]).value() * startPoseOf(views[0]).value().inverse();
+    EXPECT_LT((between.matrix() - wanted.matrix()).norm(), 1e-9);
+    EXPECT_EQ(inputs.value()[0].initialCameraFromPatient.matrix(), views[0].cameraFromPatient.matrix());
+}
+
+TEST(JointInputs, TurnAllViewsAboutTheIsocentreOfTheFirst)
+{
+    std::vector<RegistrationCase> views{viewAt(0.0, 0.0), viewAt(90.0, 0.0)};
+    const Eigen::Vector3d isocentre(100.0, 50.0, 650.0);
+    views[0].cArm.isocentreInPatientMm = {isocentre, Origin::User, ""};
+    views[0].cameraFromPatient = startPoseOf(views[0]).value();
+    const auto inputs = jointInputsOf(views, targets);
+    ASSERT_TRUE(inputs);
+    for (const RegistrationInput& input : inputs.value()) {
+        EXPECT_LT((input.initialCameraFromPatient * isocentre - Eigen::Vector3d(0, 0, 750)).norm(), 1e-9);
+    }
+}
+
+TEST(JointInputs, NameTheViewThatLacksSomething)
+{
+    std::vector<RegistrationCase> views{viewAt(0.0, 0.0), viewAt(90.0, 0.0)};
+    views[1].cArm.secondaryAngleDeg = {};
+    const auto inputs = jointInputsOf(views, targets);
+    ASSERT_FALSE(inputs);
+    EXPECT_NE(inputs.error().message.find("View 2"), std::string::npos);
+}
+
+TEST(WithFrame, TurnsThePosesWithTheGantry)
+{
+    RegistrationCase run = viewAt(10.0, 0.0);
+    Angiogram turning = *run.angiogram;
+    turning.gantry.angleIncrementsDeg = {{0.0, 0.0}, {15.0, 0.0}, {30.0, 5.0}};
+    run.angiogram = std::make_shared<const Angiogram>(std::move(turning));
+    EXPECT_DOUBLE_EQ(*cArmOfFrame(run).primaryAngleDeg.value, 10.0);
+    const RegistrationCase later = withFrame(run, 2);
+    EXPECT_DOUBLE_EQ(*cArmOfFrame(later).primaryAngleDeg.value, 40.0);
+    EXPECT_LT((later.cameraFromPatient.matrix() - startPoseOf(later).value().matrix()).norm(), 1e-9);
+    EXPECT_LT((withFrame(later, 0).cameraFromPatient.matrix() - run.cameraFromPatient.matrix()).norm(), 1e-9);
+}
+
+TEST(WithFrame, LeavesThePoseAloneWhereTheGantryStood)
+{
+    const RegistrationCase run = viewAt(10.0, 0.0);
+    EXPECT_EQ(withFrame(run, 2).cameraFromPatient.matrix(), run.cameraFromPatient.matrix());
+    EXPECT_EQ(withFrame(run, 2).frame, 2);
+}
+
+}   // namespace core

@@ -1,0 +1,191 @@
+#include "ui/panels/geometry_values.h"
+
+#include <QCoreApplication>
+
+namespace ui {
+namespace {
+
+using core::Origin;
+using core::Sourced;
+
+NumberFormat millimetres(double min, double max, int decimals, double step)
+{
+    return {min, max, decimals, QStringLiteral("mm"), step};
+}
+
+NumberFormat degrees(double limit)
+{
+    return {-limit, limit, 1, QStringLiteral("°"), 1.0, NumberSign::Always};
+}
+
+const NumberFormat pixels{-100000.0, 100000.0, 1, QStringLiteral("px"), 1.0};
+
+const std::array<GeometryValueKind, geometryValueCount>& kinds()
+{
+    static const std::array<GeometryValueKind, geometryValueCount> table{
+        {{QT_TRANSLATE_NOOP("ui::GeometryPanel", "SID"),
+          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Source to detector distance"), millimetres(100.0, 3000.0, 1, 1.0),
+          1000.0, true},
+         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "SOD"),
+          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Source to isocentre distance"), millimetres(100.0, 3000.0, 1, 1.0),
+          750.0, true},
+         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "pixel"),
+          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Pixel pitch on the detector. Enter confirms a derived one."),
+          millimetres(0.01, 5.0, 4, 0.01), 0.3, true},
+         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "field width"),
+          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Width of the image on the detector: gives the pixel pitch"),
+          millimetres(10.0, 1000.0, 1, 1.0), 0.0, false},
+         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "LAO / RAO"),
+          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Primary angle: LAO positive, RAO negative"), degrees(180.0), 0.0,
+          true},
+         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "CRA / CAU"),
+          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Secondary angle: CRA positive, CAU negative"), degrees(90.0), 0.0,
+          true},
+         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "roll"),
+          QT_TRANSLATE_NOOP("ui::GeometryPanel", "The image is turned clockwise by this"), degrees(180.0), 0.0, false},
+         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "centre right"),
+          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Column that the beam axis meets; 0 is the middle of the first"),
+          pixels, 0.0, false},
+         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "centre down"),
+          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Row that the beam axis meets; 0 is the middle of the first"), pixels,
+          0.0, false},
+         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "isocentre L"),
+          QT_TRANSLATE_NOOP("ui::GeometryPanel", "What the gantry turns about, in the vessels' coordinates: left"),
+          millimetres(-100000.0, 100000.0, 1, 1.0), 0.0, false},
+         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "isocentre P"),
+          QT_TRANSLATE_NOOP("ui::GeometryPanel", "What the gantry turns about, in the vessels' coordinates: posterior"),
+          millimetres(-100000.0, 100000.0, 1, 1.0), 0.0, false},
+         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "isocentre H"),
+          QT_TRANSLATE_NOOP("ui::GeometryPanel", "What the gantry turns about, in the vessels' coordinates: head"),
+          millimetres(-100000.0, 100000.0, 1, 1.0), 0.0, false}}};
+    return table;
+}
+
+/// One coordinate of a point, or of what stands in for it.
+template <class Point>
+Sourced<double> coordinate(const Sourced<Point>& point, const std::optional<Point>& standIn, Eigen::Index index,
+                           const char* standInBasis)
+{
+    if (point.value) {
+        return {(*point.value)[index], point.origin, point.basis};
+    }
+    return standIn ? Sourced<double>{(*standIn)[index], Origin::Assumed, standInBasis} : Sourced<double>{};
+}
+
+std::optional<Eigen::Vector2d> imageCentre(const GeometryState& state)
+{
+    return state.imageSizePx.minCoeff() > 0
+               ? std::optional<Eigen::Vector2d>(0.5 * (state.imageSizePx.cast<double>().array() - 1.0).matrix())
+               : std::nullopt;
+}
+
+template <class Point>
+void setCoordinate(Sourced<Point>& point, const std::optional<Point>& standIn, Eigen::Index index,
+                   const Sourced<double>& number)
+{
+    Point moved = point.value ? *point.value : standIn.value_or(Point::Zero());
+    moved[index] = *number.value;
+    point = {moved, number.origin, number.basis};
+}
+
+Eigen::Index indexFrom(GeometryValue first, GeometryValue value)
+{
+    return static_cast<Eigen::Index>(value) - static_cast<Eigen::Index>(first);
+}
+
+}   // namespace
+
+const GeometryValueKind& kindOf(GeometryValue value)
+{
+    return kinds()[static_cast<std::size_t>(value)];
+}
+
+Sourced<double> shownValue(const GeometryState& state, GeometryValue value)
+{
+    const core::CArm& cArm = state.cArm;
+    switch (value) {
+        case GeometryValue::Sid:
+            return cArm.sourceToDetectorMm;
+        case GeometryValue::Sod:
+            return cArm.sourceToPatientMm;
+        case GeometryValue::Spacing:
+            return cArm.columnSpacingMm;
+        case GeometryValue::FieldWidth: {
+            Sourced<double> width = cArm.columnSpacingMm;
+            if (width.value && state.imageSizePx.x() > 0) {
+                width = {*width.value * state.imageSizePx.x(), Origin::Derived, "columns times pixel"};
+                return width;
+            }
+            return {};
+        }
+        case GeometryValue::Primary:
+            return cArm.primaryAngleDeg;
+        case GeometryValue::Secondary:
+            return cArm.secondaryAngleDeg;
+        case GeometryValue::Roll:
+            return cArm.rollDeg.value ? cArm.rollDeg : Sourced<double>{0.0, Origin::Assumed, "no header tells it"};
+        case GeometryValue::CentreX:
+        case GeometryValue::CentreY:
+            return coordinate(cArm.principalPointPx, imageCentre(state), indexFrom(GeometryValue::CentreX, value),
+                              "middle of the image");
+        case GeometryValue::IsocentreX:
+        case GeometryValue::IsocentreY:
+        case GeometryValue::IsocentreZ:
+            break;
+    }
+    return coordinate(cArm.isocentreInPatientMm, state.vesselCentroidMm, indexFrom(GeometryValue::IsocentreX, value),
+                      "centroid of the vessels");
+}
+
+core::CArm withValue(const GeometryState& state, GeometryValue value, double number, Origin origin,
+                     const std::string& basis)
+{
+    core::CArm cArm = state.cArm;
+    const Sourced<double> typed{number, origin, basis};
+    switch (value) {
+        case GeometryValue::Sid:
+            cArm.sourceToDetectorMm = typed;
+            break;
+        case GeometryValue::Sod:
+            cArm.sourceToPatientMm = typed;
+            break;
+        case GeometryValue::FieldWidth:
+            if (state.imageSizePx.x() > 0) {
+                const double pitch = number / state.imageSizePx.x();
+                cArm.columnSpacingMm = {pitch, origin,
+                                        "field width over " + std::to_string(state.imageSizePx.x()) + " px"};
+                cArm.rowSpacingMm = cArm.columnSpacingMm;
+            }
+            break;
+        case GeometryValue::Spacing: {
+            // Oblong pixels stay as oblong as the header has them.
+            const bool hasBoth = state.cArm.columnSpacingMm.value && state.cArm.rowSpacingMm.value;
+            const double aspect = hasBoth ? *state.cArm.rowSpacingMm.value / *state.cArm.columnSpacingMm.value : 1.0;
+            cArm.columnSpacingMm = typed;
+            cArm.rowSpacingMm = {number * aspect, origin, basis};
+            break;
+        }
+        case GeometryValue::Primary:
+            cArm.primaryAngleDeg = typed;
+            break;
+        case GeometryValue::Secondary:
+            cArm.secondaryAngleDeg = typed;
+            break;
+        case GeometryValue::Roll:
+            cArm.rollDeg = typed;
+            break;
+        case GeometryValue::CentreX:
+        case GeometryValue::CentreY:
+            setCoordinate(cArm.principalPointPx, imageCentre(state), indexFrom(GeometryValue::CentreX, value), typed);
+            break;
+        case GeometryValue::IsocentreX:
+        case GeometryValue::IsocentreY:
+        case GeometryValue::IsocentreZ:
+            setCoordinate(cArm.isocentreInPatientMm, state.vesselCentroidMm,
+                          indexFrom(GeometryValue::IsocentreX, value), typed);
+            break;
+    }
+    return cArm;
+}
+
+}   // namespace ui

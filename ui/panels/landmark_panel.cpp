@@ -1,0 +1,105 @@
+#include "ui/panels/landmark_panel.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QListWidget>
+
+#include <cmath>
+
+namespace ui {
+namespace {
+
+constexpr int shownRows = 6;
+
+}   // namespace
+
+LandmarkPanel::LandmarkPanel(QWidget* parent)
+    : Section(tr("Landmarks"), Folding::Foldable, parent),
+      list_(new QListWidget),
+      verdict_(roleLabel("hint")),
+      mode_(new QPushButton(tr("Click pairs  L"))),
+      place_(new QPushButton(tr("Place vessels"))),
+      remove_(new QPushButton(tr("Remove")))
+{
+    list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    list_->setAccessibleName(tr("Landmarks and how far each is off"));
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list_->installEventFilter(this);
+    verdict_->setWordWrap(true);
+    mode_->setCheckable(true);
+    mode_->setToolTip(tr("A place on the vessels in 3-D (or a slice), then the same place in the image: L"));
+    place_->setToolTip(tr("Find the start pose from the pairs: Enter while clicking. Undo brings the old one back."));
+    remove_->setToolTip(tr("Remove the chosen pairs: Delete"));
+    remove_->setProperty("role", "quiet");
+    connect(place_, &QPushButton::clicked, this, &LandmarkPanel::poseRequested);
+    connect(remove_, &QPushButton::clicked, this, &LandmarkPanel::removeSelected);
+    connect(list_, &QListWidget::itemSelectionChanged, this,
+            [this] { remove_->setEnabled(!list_->selectedItems().isEmpty()); });
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(8);
+    buttons->addWidget(mode_);
+    buttons->addWidget(place_);
+    buttons->addWidget(remove_);
+    contentLayout()->addWidget(list_);
+    contentLayout()->addWidget(verdict_);
+    contentLayout()->addLayout(buttons);
+    setFolded(true);
+    showLandmarks({});
+}
+
+void LandmarkPanel::bindMode(QAction& action)
+{
+    connect(mode_, &QPushButton::clicked, &action, [&action](bool on) { action.setChecked(on); });
+    connect(&action, &QAction::toggled, this, [this](bool on) {
+        mode_->setChecked(on);
+        if (on) {
+            setFolded(false);
+        }
+    });
+}
+
+void LandmarkPanel::showLandmarks(const LandmarkState& state)
+{
+    list_->clear();
+    for (std::size_t i = 0; i < state.landmarks.size(); ++i) {
+        const QString name = QString::fromStdString(state.landmarks[i].name);
+        const bool isKnown = i < state.errorPx.size() && std::isfinite(state.errorPx[i]);
+        const QString error = isKnown ? tr("%1 px").arg(state.errorPx[i], 0, 'f', 1) : tr("not in view");
+        list_->addItem(QStringLiteral("%1   %2   %3").arg(i + 1).arg(name, error));
+    }
+    const int rows = std::min(list_->count(), shownRows);
+    list_->setVisible(rows > 0);
+    list_->setFixedHeight(rows > 0 ? rows * list_->sizeHintForRow(0) + 4 : 0);
+    verdict_->setText(state.verdict);
+    verdict_->setVisible(!state.verdict.isEmpty());
+    place_->setEnabled(state.isEnough);
+    remove_->setEnabled(false);
+    setHint(state.landmarks.empty() ? tr("L pairs places by clicks") : tr("%1 pairs").arg(state.landmarks.size()));
+}
+
+void LandmarkPanel::removeSelected()
+{
+    std::vector<int> indices;
+    for (const QListWidgetItem* item : list_->selectedItems()) {
+        indices.push_back(list_->row(item));
+    }
+    if (!indices.empty()) {
+        emit removeRequested(indices);
+    }
+}
+
+bool LandmarkPanel::eventFilter(QObject* watched, QEvent* event)
+{
+    const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    if (watched == list_ && isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
+        event->accept();
+        if (event->type() == QEvent::KeyPress) {
+            removeSelected();
+        }
+        return true;
+    }
+    return Section::eventFilter(watched, event);
+}
+
+}   // namespace ui

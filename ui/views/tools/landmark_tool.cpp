@@ -1,0 +1,195 @@
+#include "ui/views/tools/landmark_tool.h"
+
+#include "core/geometry/projection_camera.h"
+#include "ui/theme/active_theme.h"
+#include "ui/views/angiogram_view.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+
+namespace ui {
+namespace {
+
+constexpr double reachPx = 10.0;
+constexpr double armPx = 7.0;
+constexpr double ringPx = 5.0;
+
+double distance(const QPointF& a, const QPointF& b)
+{
+    return std::hypot(a.x() - b.x(), a.y() - b.y());
+}
+
+const Palette& tones()
+{
+    return palette(ThemeMode::Dark);   // the angiogram lies on black in every theme
+}
+
+}   // namespace
+
+void LandmarkTool::showMarks(const LandmarkMarks& marks)
+{
+    marks_ = marks;
+    view().update();
+}
+
+QString LandmarkTool::caption() const
+{
+    if (marks_.pendingPointInPatient) {
+        return tr("Landmarks: now click the same place in the image");
+    }
+    if (marks_.pendingPixel) {
+        return tr("Landmarks: now click the same place on the vessels in 3-D");
+    }
+    return tr("Landmarks: click a place in 3-D and here, or drag a node to its place · Enter places the vessels");
+}
+
+std::optional<QPointF> LandmarkTool::projected(const Eigen::Vector3d& pointInPatient) const
+{
+    const auto pixel = core::findProblem(view().camera()).empty()
+                           ? core::project(view().camera(), view().cameraFromPatient() * pointInPatient)
+                           : std::nullopt;
+    return pixel ? std::optional(view().widgetFromImage(*pixel)) : std::nullopt;
+}
+
+std::optional<LandmarkTool::Held> LandmarkTool::heldAt(const QPointF& position) const
+{
+    std::optional<Held> nearest;
+    double nearestPx = reachPx;
+    for (std::size_t i = 0; i < marks_.pairs.size(); ++i) {
+        const double away = distance(view().widgetFromImage(marks_.pairs[i].pixel), position);
+        if (away < nearestPx) {
+            nearestPx = away;
+            nearest = Held{static_cast<int>(i), marks_.pairs[i].pointInPatient, marks_.pairs[i].pixel};
+        }
+    }
+    if (nearest) {
+        return nearest;
+    }
+    for (const Eigen::Vector3d& node : marks_.nodesInPatient) {
+        const auto place = projected(node);
+        if (place && distance(*place, position) < nearestPx) {
+            nearestPx = distance(*place, position);
+            nearest = Held{std::nullopt, node, view().imageFromWidget(*place)};
+        }
+    }
+    return nearest;
+}
+
+bool LandmarkTool::startDrag(const ToolPoint& pressed)
+{
+    held_ = heldAt(pressed.position);
+    return true;   // a drag beside the landmarks must not change the grey values
+}
+
+void LandmarkTool::drag(const ToolPoint& point)
+{
+    if (held_) {
+        held_->pixel = point.imagePx;
+        view().update();
+    }
+}
+
+void LandmarkTool::finishDrag(const ToolPoint& point)
+{
+    const auto held = std::exchange(held_, std::nullopt);
+    if (held && held->index) {
+        emit pairMoved(*held->index, point.imagePx);
+    } else if (held) {
+        emit pairDrawn(held->nodeInPatient, point.imagePx);
+    }
+}
+
+void LandmarkTool::cancelDrag()
+{
+    held_.reset();
+    view().update();
+}
+
+bool LandmarkTool::click(const ToolPoint& point)
+{
+    emit pixelPicked(point.imagePx);
+    return true;
+}
+
+bool LandmarkTool::takesKey(const QKeyEvent& event) const
+{
+    return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter || event.key() == Qt::Key_Delete;
+}
+
+void LandmarkTool::keyPress(const QKeyEvent& event)
+{
+    if (event.key() == Qt::Key_Delete) {
+        emit lastRemoved();
+    } else {
+        emit poseRequested();
+    }
+}
+
+bool LandmarkTool::takeBack()
+{
+    const bool hasHalf = marks_.pendingPointInPatient || marks_.pendingPixel;
+    if (hasHalf) {
+        emit pendingDropped();
+    }
+    return hasHalf;
+}
+
+void LandmarkTool::end()
+{
+    held_.reset();
+    emit pendingDropped();
+}
+
+std::optional<QCursor> LandmarkTool::cursor(bool isDragging) const
+{
+    return QCursor(isDragging && held_ ? Qt::ClosedHandCursor : Qt::CrossCursor);
+}
+
+void LandmarkTool::paintPair(QPainter& painter, const QString& label, const std::optional<Eigen::Vector2d>& pixel,
+                             const std::optional<Eigen::Vector3d>& pointInPatient) const
+{
+    const auto place = pixel ? std::optional(view().widgetFromImage(*pixel)) : std::nullopt;
+    const auto shadow = pointInPatient ? projected(*pointInPatient) : std::nullopt;
+    if (place && shadow) {
+        painter.setPen(QPen(toQColor(tones().attention), 1.2, Qt::DotLine));
+        painter.drawLine(*place, *shadow);
+    }
+    if (shadow) {
+        painter.setPen(QPen(toQColor(tones().attention), 1.6));
+        painter.drawEllipse(*shadow, ringPx, ringPx);
+    }
+    if (place) {
+        painter.setPen(QPen(toQColor(tones().accent), 1.8));
+        painter.drawLine(*place - QPointF(armPx, 0.0), *place + QPointF(armPx, 0.0));
+        painter.drawLine(*place - QPointF(0.0, armPx), *place + QPointF(0.0, armPx));
+    }
+    painter.setPen(toQColor(tones().textStrong));
+    painter.drawText(place.value_or(shadow.value_or(QPointF())) + QPointF(armPx, -armPx), label);
+}
+
+void LandmarkTool::paint(QPainter& painter) const
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    for (std::size_t i = 0; i < marks_.pairs.size(); ++i) {
+        const bool isHeld = held_ && held_->index == static_cast<int>(i);
+        paintPair(painter, QString::number(i + 1), isHeld ? held_->pixel : marks_.pairs[i].pixel,
+                  marks_.pairs[i].pointInPatient);
+    }
+    const QString next = QString::number(marks_.pairs.size() + 1);
+    if (held_ && !held_->index) {
+        paintPair(painter, next, held_->pixel, held_->nodeInPatient);
+    } else if (marks_.pendingPixel || marks_.pendingPointInPatient) {
+        paintPair(painter, next, marks_.pendingPixel, marks_.pendingPointInPatient);
+    }
+    painter.setPen(QPen(toQColor(tones().label), 1.0));
+    for (const Eigen::Vector3d& node : marks_.nodesInPatient) {
+        if (const auto place = projected(node)) {
+            painter.drawEllipse(*place, 2.5, 2.5);
+        }
+    }
+    painter.restore();
+}
+
+}   // namespace ui

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "core/geometry/landmark.h"
+#include "ui/views/tools/image_tool.h"
+
+#include <vector>
+
+namespace ui {
+
+/// Landmarks being collected: whole pairs, and the half of one that still lacks its other half.
+struct LandmarkMarks {
+    std::vector<core::Landmark> pairs;
+    std::optional<Eigen::Vector3d> pendingPointInPatient;
+    std::optional<Eigen::Vector2d> pendingPixel;
+    std::vector<Eigen::Vector3d> nodesInPatient;   ///< bifurcations and ends: what a drag may start from
+};
+
+/// Pairs places on the vessels with places in the image. A click gives the pixel of a pair; a drag moves one, or draws
+/// a node of the projected tree to where it belongs. Enter asks for the pose, Delete takes the last pair out.
+class LandmarkTool : public ImageTool {
+    Q_OBJECT
+public:
+    using ImageTool::ImageTool;
+
+    void showMarks(const LandmarkMarks& marks);
+
+    QString caption() const override;
+    bool startDrag(const ToolPoint& pressed) override;
+    void drag(const ToolPoint& point) override;
+    void finishDrag(const ToolPoint& point) override;
+    void cancelDrag() override;
+    bool click(const ToolPoint& point) override;
+    bool takesKey(const QKeyEvent& event) const override;
+    void keyPress(const QKeyEvent& event) override;
+    bool takeBack() override;
+    void end() override;
+    bool picksBranches() const override { return false; }
+    std::optional<QCursor> cursor(bool isDragging) const override;
+    void paint(QPainter& painter) const override;
+
+signals:
+    void pixelPicked(const Eigen::Vector2d& pixel);
+    void pairDrawn(const Eigen::Vector3d& pointInPatient, const Eigen::Vector2d& pixel);
+    void pairMoved(int index, const Eigen::Vector2d& pixel);
+    void lastRemoved();
+    void pendingDropped();
+    void poseRequested();
+
+private:
+    /// What a drag holds: a pair's pixel, or the node of a pair to be.
+    struct Held {
+        std::optional<int> index;
+        Eigen::Vector3d nodeInPatient = Eigen::Vector3d::Zero();
+        Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+    };
+    std::optional<QPointF> projected(const Eigen::Vector3d& pointInPatient) const;   ///< widget px
+    std::optional<Held> heldAt(const QPointF& position) const;
+    void paintPair(QPainter& painter, const QString& label, const std::optional<Eigen::Vector2d>& pixel,
+                   const std::optional<Eigen::Vector3d>& pointInPatient) const;
+
+    LandmarkMarks marks_;
+    std::optional<Held> held_;
+};
+
+}   // namespace ui
