@@ -62,6 +62,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       sync_(window, document_),
       branches_(document_),
       pose_(document_),
+      angiogram_({document_, target_, sync_, window, notices_}),
       registration_(document_, target_),
       session_(window, document_, target_, registration_, notices_),
       review_(document_, sync_, window),

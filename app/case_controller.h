@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/document/case_document.h"
+#include "app/editing/angiogram_controller.h"
 #include "app/editing/branch_controller.h"
 #include "app/editing/pose_controller.h"
 #include "app/files/session_controller.h"
@@ -35,6 +36,7 @@ public:
     RegistrationController& registration() { return registration_; }
     PoseController& pose() { return pose_; }
     BranchController& branches() { return branches_; }
+    AngiogramController& angiogram() { return angiogram_; }
     TargetProvider& target() { return target_; }
     const SharedJudgement& judgement() const { return judgement_.current(); }
 
@@ -62,6 +64,7 @@ private:
     ViewSync sync_;
     BranchController branches_;
     PoseController pose_;
+    AngiogramController angiogram_;
     RegistrationController registration_;
     SessionController session_;
     ReviewController review_;

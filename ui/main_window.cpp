@@ -39,6 +39,7 @@ MainWindow::MainWindow(QWidget* parent)
       welcome_(new WelcomePage),
       centre_(new QStackedWidget),
       imageFrame_(new QWidget),
+      angiogramPanel_(new AngiogramPanel),
       geometry_(new GeometryPanel),
       pose_(new PosePanel),
       registration_(new RegistrationPanel),
@@ -114,6 +115,7 @@ QWidget* MainWindow::makeRightColumn()
     layout->addWidget(pose_);
     layout->addWidget(registration_);
     layout->addWidget(result_);
+    layout->addWidget(angiogramPanel_);
     layout->addWidget(geometry_);
     layout->addStretch(1);
     rightColumn_->setProperty("role", "column");
@@ -141,6 +143,7 @@ void MainWindow::focusStep(Step step)
             branches_->list()->setFocus(Qt::OtherFocusReason);
             break;
         case Step::Angiogram:
+            rightColumn_->ensureWidgetVisible(angiogramPanel_);
             angiogramView_->setFocus(Qt::OtherFocusReason);
             break;
         case Step::Geometry:

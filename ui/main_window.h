@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/panels/angiogram_panel.h"
 #include "ui/panels/bottom_strip.h"
 #include "ui/panels/branch_panel.h"
 #include "ui/panels/geometry_panel.h"
@@ -34,6 +35,7 @@ public:
     StepBar& steps() { return *steps_; }
     BranchPanel& branches() { return *branches_; }
     PosePanel& pose() { return *pose_; }
+    AngiogramPanel& angiogramPanel() { return *angiogramPanel_; }
     GeometryPanel& geometryPanel() { return *geometry_; }
     RegistrationPanel& registration() { return *registration_; }
     ResultPanel& result() { return *result_; }
@@ -77,6 +79,7 @@ private:
     WelcomePage* welcome_;
     QStackedWidget* centre_;
     QWidget* imageFrame_;
+    AngiogramPanel* angiogramPanel_;
     GeometryPanel* geometry_;
     PosePanel* pose_;
     RegistrationPanel* registration_;
