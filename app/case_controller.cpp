@@ -64,6 +64,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       branches_(document_),
       pose_(document_),
       landmarks_(document_, window),
+      angiogram_({document_, target_, sync_, window, notices_}),
       registration_(document_, target_),
       session_(window, document_, target_, registration_, notices_),
       review_(document_, sync_, window),

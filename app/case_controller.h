@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/document/case_document.h"
+#include "app/editing/angiogram_controller.h"
 #include "app/editing/branch_controller.h"
 #include "app/editing/landmark_controller.h"
 #include "app/editing/pose_controller.h"
@@ -39,6 +40,7 @@ public:
     RegistrationController& registration() { return registration_; }
     PoseController& pose() { return pose_; }
     BranchController& branches() { return branches_; }
+    AngiogramController& angiogram() { return angiogram_; }
     TargetProvider& target() { return target_; }
     TracingController& tracing() { return tracing_; }
     const SharedJudgement& judgement() const { return judgement_.current(); }
@@ -67,6 +69,7 @@ private:
     BranchController branches_;
     PoseController pose_;
     LandmarkController landmarks_;
+    AngiogramController angiogram_;
     RegistrationController registration_;
     SessionController session_;
     ReviewController review_;

@@ -43,7 +43,12 @@ StepState angiogram(const core::RegistrationCase& current, const StepFacts& fact
         !mismatch.empty()) {
         return {StepMark::Look, text("another patient?"), QString::fromStdString(mismatch)};
     }
-    return {StepMark::Done, current.givenTarget ? text("given centreline") : text("frame %1").arg(current.frame), {}};
+    if (core::givenTargetOf(current)) {
+        return {StepMark::Done,
+                current.editedFrame ? text("frame %1, edited").arg(current.frame) : text("given centreline"),
+                {}};
+    }
+    return {StepMark::Done, text("frame %1").arg(current.frame), {}};
 }
 
 bool isAssumed(const core::CArm& cArm)

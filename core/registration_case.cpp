@@ -77,10 +77,21 @@ RegistrationCase withFrame(RegistrationCase registrationCase, int frame)
     return registrationCase;
 }
 
+const std::shared_ptr<const Angiogram>& storedRunOf(const RegistrationCase& registrationCase)
+{
+    return registrationCase.storedRun ? registrationCase.storedRun : registrationCase.angiogram;
+}
+
+std::shared_ptr<const Centerline2d> givenTargetOf(const RegistrationCase& registrationCase)
+{
+    const bool holds = !registrationCase.editedFrame || registrationCase.editedFrame == registrationCase.frame;
+    return holds ? registrationCase.givenTarget : nullptr;
+}
+
 Result<Centerline2d> targetOf(const RegistrationCase& registrationCase)
 {
-    if (registrationCase.givenTarget) {
-        return *registrationCase.givenTarget;
+    if (const auto given = givenTargetOf(registrationCase)) {
+        return *given;
     }
     if (!registrationCase.angiogram || registrationCase.angiogram->frames.empty()) {
         return Error{"There is no angiogram yet. Open an image first."};

@@ -5,6 +5,7 @@
 #include "core/imaging/angiogram.h"
 #include "core/imaging/volume.h"
 #include "core/registration/registration.h"
+#include "core/tracing/subtract_run.h"
 #include "core/tracing/trace_angiogram.h"
 #include "core/vessel/centerline2d.h"
 #include "core/vessel/vessel_input.h"
@@ -44,10 +45,15 @@ struct RegistrationCase {
     std::vector<int> hiddenBranchIds;   ///< count, but are not drawn
 
     InputFile imageFile;
-    std::shared_ptr<const Angiogram> angiogram;   ///< null until loaded
+    std::shared_ptr<const Angiogram> angiogram;   ///< as it is shown and traced; null until loaded
+    std::shared_ptr<const Angiogram> storedRun;   ///< as the file has it, while `treatment` changes it; else null
+    SubtractionPlan headerPlan;   ///< what the file says about its subtraction
+    RunTreatment treatment;   ///< how `angiogram` comes from what is stored
     int frame = 0;
-    InputFile targetFile;   ///< a given 2-D centreline that replaces tracing
-    std::shared_ptr<const Centerline2d> givenTarget;   ///< content of targetFile, or null
+    InputFile targetFile;   ///< a given 2-D centreline that replaces tracing; no path while edits are not saved
+    std::shared_ptr<const Centerline2d> givenTarget;   ///< content of targetFile, or edited curves, or null
+    std::optional<int> editedFrame;   ///< the given target was edited here, and holds for this frame alone
+    std::vector<int> acceptedCurveIds;   ///< of the edited target: no suspects, says the user
     TraceOptions traceOptions;
 
     CArm cArm;   ///< header values, overridden by the case's own
@@ -79,6 +85,12 @@ Result<RigidTransform> startPoseOf(const RegistrationCase& registrationCase);
 
 /// The case at another frame. Where the gantry turned in between, the poses turn with it about the isocentre.
 RegistrationCase withFrame(RegistrationCase registrationCase, int frame);
+
+/// The frames as the file has them; null until loaded.
+const std::shared_ptr<const Angiogram>& storedRunOf(const RegistrationCase& registrationCase);
+
+/// The given or edited centreline, where there is one for the case's frame; else null, and the frame is traced.
+std::shared_ptr<const Centerline2d> givenTargetOf(const RegistrationCase& registrationCase);
 
 /// The target of the case: the given centreline, or the traced frame.
 Result<Centerline2d> targetOf(const RegistrationCase& registrationCase);

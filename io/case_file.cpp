@@ -5,6 +5,7 @@
 #include "io/case/case_document.h"
 #include "io/case/case_inputs.h"
 #include "io/case/case_schema.h"
+#include "io/case/edited_curves.h"
 #include "io/file_hash.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
@@ -160,6 +161,13 @@ core::Status saveCase(const RegistrationCase& registrationCase, const std::strin
         return fileError(path, unsavable);
     }
     RegistrationCase hashed = registrationCase;
+    if (hashed.editedFrame && hashed.givenTarget) {
+        auto curves = keepEditedCurves(hashed, path);
+        if (!curves) {
+            return curves.error();
+        }
+        hashed.targetFile = std::move(curves).value();
+    }
     for (core::InputFile* file : {&hashed.centerlineFile, &hashed.imageFile, &hashed.targetFile}) {
         if (!file->path.empty() && file->sha256.empty()) {
             auto hash = file == &hashed.centerlineFile ? sha256OfVesselInput(file->path, hashed.vesselInput)

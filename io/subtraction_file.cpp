@@ -8,20 +8,34 @@ namespace {
 
 constexpr DicomTag maskSubtractionSequence = 0x00286100;
 constexpr DicomTag maskOperation = 0x00286101;
+constexpr DicomTag applicableFrameRange = 0x00286102;
+constexpr DicomTag tidOffset = 0x00286120;
 constexpr DicomTag maskFrameNumbers = 0x00286110;
 constexpr DicomTag maskSubPixelShift = 0x00286114;
 constexpr DicomTag pixelIntensityRelationship = 0x00281040;
 
-void readMask(const DicomDataset& item, core::SubtractionPlan& plan)
+/// True when the item says how to subtract.
+bool readMask(const DicomDataset& item, core::SubtractionPlan& plan)
 {
+    const std::string_view operation = item.text(maskOperation);
+    const int first = item.integer(applicableFrameRange, 0).value_or(1) - 1;   // DICOM counts frames from 1
+    if (operation == "TID" || operation == "REV_TID") {
+        plan.interval = core::MaskInterval{item.integer(tidOffset, 0).value_or(1), std::nullopt};
+        if (operation == "REV_TID") {
+            plan.interval->reversedFrom = first;
+        }
+    } else if (operation != "AVG_SUB") {
+        return false;
+    }
     for (std::size_t i = 0; const auto number = item.integer(maskFrameNumbers, i); ++i) {
-        plan.maskFrames.push_back(*number - 1);   // DICOM counts frames from 1
+        plan.maskFrames.push_back(*number - 1);
     }
     const auto down = item.number(maskSubPixelShift, 0);
     const auto right = item.number(maskSubPixelShift, 1);
     if (down && right) {
         plan.maskShiftPx = Eigen::Vector2d(*right, *down);
     }
+    return true;
 }
 
 core::SubtractionPlan planOf(const DicomDataset& data)
@@ -32,8 +46,7 @@ core::SubtractionPlan planOf(const DicomDataset& data)
         plan.relation = core::PixelRelation::Logarithmic;
     }
     for (const DicomDataset& item : data.items(maskSubtractionSequence)) {
-        if (item.text(maskOperation) == "AVG_SUB") {
-            readMask(item, plan);
+        if (readMask(item, plan)) {
             break;
         }
     }

@@ -7,9 +7,10 @@
 
 namespace io {
 
-/// What a DICOM run says about its subtraction: the mask frames and their sub-pixel shift (Mask Module, PS3.3
-/// C.7.6.10, first averaged mask) and the pixel relation (0028,1040). Whatever it does not say, and everything for
-/// other images, is as in an empty plan: to be chosen. Fails when the file cannot be read.
+/// What a DICOM run says about its subtraction: the mask frames or the interval to them, and their sub-pixel shift
+/// (Mask Module, PS3.3 C.7.6.10: the first item that is AVG_SUB, TID or REV_TID) and the pixel relation (0028,1040).
+/// Whatever it does not say, and everything for other images, is as in an empty plan: to be chosen. Fails when the file
+/// cannot be read.
 core::Result<core::SubtractionPlan> readSubtractionPlan(const std::string& path);
 
 }   // namespace io

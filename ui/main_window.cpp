@@ -45,6 +45,7 @@ MainWindow::MainWindow(QWidget* parent)
       welcome_(new WelcomePage),
       centre_(new QStackedWidget),
       imageFrame_(new QWidget),
+      angiogramPanel_(new AngiogramPanel),
       geometry_(new GeometryPanel),
       pose_(new PosePanel),
       landmarks_(new LandmarkPanel),
@@ -121,6 +122,7 @@ QWidget* MainWindow::makeRightColumn()
     layout->addWidget(registration_);
     layout->addWidget(result_);
     layout->addWidget(landmarks_);
+    layout->addWidget(angiogramPanel_);
     layout->addWidget(geometry_);
     layout->addStretch(1);
     rightColumn_->setProperty("role", "column");
@@ -170,6 +172,7 @@ void MainWindow::focusStep(Step step)
             branches_->list()->setFocus(Qt::OtherFocusReason);
             break;
         case Step::Angiogram:
+            rightColumn_->ensureWidgetVisible(angiogramPanel_);
             angiogramView_->setFocus(Qt::OtherFocusReason);
             break;
         case Step::Geometry:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/panels/angiogram_panel.h"
 #include "ui/panels/bottom_strip.h"
 #include "ui/panels/branch_panel.h"
 #include "ui/panels/geometry_panel.h"
@@ -43,6 +44,7 @@ public:
     StepBar& steps() { return *steps_; }
     BranchPanel& branches() { return *branches_; }
     PosePanel& pose() { return *pose_; }
+    AngiogramPanel& angiogramPanel() { return *angiogramPanel_; }
     GeometryPanel& geometryPanel() { return *geometry_; }
     LandmarkPanel& landmarks() { return *landmarks_; }
     RegistrationPanel& registration() { return *registration_; }
@@ -95,6 +97,7 @@ private:
     WelcomePage* welcome_;
     QStackedWidget* centre_;
     QWidget* imageFrame_;
+    AngiogramPanel* angiogramPanel_;
     GeometryPanel* geometry_;
     PosePanel* pose_;
     LandmarkPanel* landmarks_;

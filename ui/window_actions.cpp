@@ -39,6 +39,16 @@ const std::vector<ActionRow>& rows()
         {Command::Undo, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Undo"), "Ctrl+Z"},
         {Command::Redo, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Redo"), "Ctrl+Shift+Z; Ctrl+Y"},
         {Command::Nudge, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Nudge mode"), "N", Kind::Switch},
+        {Command::EditVessels, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Edit traced vessels"), "E",
+         Kind::Switch},
+        {Command::TraceAgain, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Trace this frame again"), ""},
+        {Command::Subtract, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Subtract mask, native"), "B",
+         Kind::Switch},
+        {Command::ShiftMask, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Move the mask by hand"), "Shift+B",
+         Kind::Switch},
+        {Command::MaskHere, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "This frame is the mask"), "Ctrl+B"},
+        {Command::Composite, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Whole run in one picture"), "Shift+C",
+         Kind::Switch},
         {Command::ResetPose, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Back to start pose"), "Backspace"},
         {Command::CopyPose, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Copy pose as matrix"), "Ctrl+C"},
         {Command::Landmarks, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Click pairs of landmarks"), "L",
@@ -106,6 +116,7 @@ const std::vector<ActionRow>& rows()
         {Command::LessOpacity, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Overlay fainter"), "["},
         {Command::MoreOpacity, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Overlay stronger"), "]"},
         {Command::Cine, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Play frames"), "C", Kind::Switch},
+        {Command::Opacification, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Opacification over time"), "G"},
         {Command::HideIdentity, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Hide patient identity"), "Shift+P",
          Kind::Switch},
         {Command::ResetTreeView, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Reset 3-D view"), "3"},
@@ -150,6 +161,20 @@ constexpr std::array landmarkNotes{
             QT_TRANSLATE_NOOP("ui::WindowActions", "place the vessels by the pairs")},
     KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "Del"),
             QT_TRANSLATE_NOOP("ui::WindowActions", "remove the last pair")},
+};
+
+constexpr std::array curveNotes{
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "X"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "click curves that are no vessels")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "E"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "erase with a brush; [ ] its size")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "D"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "draw: Enter ends, Backspace takes a point back, Shift straight")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "C"), QT_TRANSLATE_NOOP("ui::WindowActions", "cut a curve")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "B L"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "box or lasso around what counts; Ctrl: around what does not")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "✓ ✗"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "dashed curves may be a catheter: keep or leave out")},
 };
 
 constexpr std::array viewNotes{
@@ -262,6 +287,7 @@ std::vector<KeyLine> WindowActions::keySheet() const
     }
     addNotes(lines, tr("In nudge mode"), nudgeNotes);
     addNotes(lines, tr("While clicking landmarks"), landmarkNotes);
+    addNotes(lines, tr("While editing vessels"), curveNotes);
     addNotes(lines, tr("On the angiogram"), viewNotes);
     addNotes(lines, tr("On a slice"), sliceNotes);
     return lines;

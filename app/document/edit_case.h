@@ -37,15 +37,26 @@ using ChangeLandmarks = SetFields<&RegistrationCase::landmarks>;
 /// A start pose found by hand or landmarks becomes the case's own.
 using PlaceVessels = SetFields<&RegistrationCase::hasInitialPose, &RegistrationCase::initialCameraFromPatient,
                                &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
+
+using ChangeTracing = SetFields<&RegistrationCase::traceOptions, &RegistrationCase::result>;
+
+/// Another target: the result of the last run was found with the former one.
+using ChangeTarget =
+    SetFields<&RegistrationCase::targetFile, &RegistrationCase::givenTarget, &RegistrationCase::editedFrame,
+              &RegistrationCase::acceptedCurveIds, &RegistrationCase::result>;
+using ChangeTreatment = SetFields<&RegistrationCase::treatment, &RegistrationCase::angiogram,
+                                  &RegistrationCase::storedRun, &RegistrationCase::result>;
 using JoinInputs =
     SetFields<&RegistrationCase::title, &RegistrationCase::centerlineFile, &RegistrationCase::vesselInput,
               &RegistrationCase::volume, &RegistrationCase::scanFile, &RegistrationCase::scanSeriesId,
               &RegistrationCase::scanIdentity, &RegistrationCase::lumen, &RegistrationCase::tree,
               &RegistrationCase::isTreeEdited, &RegistrationCase::hiddenBranchIds,
               &RegistrationCase::auxiliaryBranchIds, &RegistrationCase::excludedBranchIds, &RegistrationCase::imageFile,
-              &RegistrationCase::angiogram, &RegistrationCase::frame, &RegistrationCase::targetFile,
-              &RegistrationCase::givenTarget, &RegistrationCase::cArm, &RegistrationCase::cameraOverride,
-              &RegistrationCase::hasInitialPose, &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
+              &RegistrationCase::angiogram, &RegistrationCase::storedRun, &RegistrationCase::headerPlan,
+              &RegistrationCase::treatment, &RegistrationCase::frame, &RegistrationCase::targetFile,
+              &RegistrationCase::givenTarget, &RegistrationCase::editedFrame, &RegistrationCase::acceptedCurveIds,
+              &RegistrationCase::cArm, &RegistrationCase::cameraOverride, &RegistrationCase::hasInitialPose,
+              &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
 
 /// The edit that makes the document's case like `wanted`, geometry only.
 std::unique_ptr<QUndoCommand> changeGeometry(CaseDocument& document, const RegistrationCase& wanted,

@@ -47,6 +47,15 @@ void putTree(core::RegistrationCase& target, const LoadedInputs& inputs)
     target.excludedBranchIds.clear();
 }
 
+void putTarget(core::RegistrationCase& target, const std::shared_ptr<const core::Centerline2d>& given,
+               const core::InputFile& file)
+{
+    target.givenTarget = given;
+    target.targetFile = file;
+    target.editedFrame.reset();
+    target.acceptedCurveIds.clear();
+}
+
 void putImage(core::RegistrationCase& target, const LoadedInputs& inputs)
 {
     target.angiogram = inputs.angiogram;
@@ -54,8 +63,10 @@ void putImage(core::RegistrationCase& target, const LoadedInputs& inputs)
     target.frame = inputs.angiogram->suggestedFrame;
     target.cArm = inputs.angiogram->cArm;
     target.cameraOverride.reset();
-    target.givenTarget.reset();
-    target.targetFile = {};
+    target.storedRun.reset();
+    target.headerPlan = inputs.headerPlan;
+    target.treatment = {.plan = inputs.headerPlan};
+    putTarget(target, nullptr, {});
 }
 
 void goToStart(core::RegistrationCase& target)
@@ -81,8 +92,7 @@ core::RegistrationCase withInputs(core::RegistrationCase base, const LoadedInput
         putImage(base, inputs);
     }
     if (inputs.target) {
-        base.givenTarget = inputs.target;
-        base.targetFile = inputs.targetFile;
+        putTarget(base, inputs.target, inputs.targetFile);
     }
     if (inputs.tree || inputs.angiogram) {
         base.result.reset();

@@ -48,6 +48,8 @@ void removeCopy(const QString& path)
 {
     QFile::remove(path);
     QFile::remove(sidecarOf(path));
+    QFile::remove(QFileInfo(path).path() + QLatin1Char('/') + QFileInfo(path).completeBaseName() +
+                  QStringLiteral(".curves.csv"));
 }
 
 }   // namespace

@@ -6,6 +6,7 @@
 #include "io/case_file.h"
 #include "io/centerline2d_file.h"
 #include "io/file_hash.h"
+#include "io/subtraction_file.h"
 #include "io/vessel_input_file.h"
 #include "io/volume_file.h"
 
@@ -83,6 +84,9 @@ core::Status addImage(LoadedInputs& inputs, const QString& path)
     const auto& warnings = angiogram.value().warnings;
     inputs.warnings.insert(inputs.warnings.end(), warnings.begin(), warnings.end());
     inputs.angiogram = std::make_shared<core::Angiogram>(std::move(angiogram).value());
+    if (const auto plan = io::readSubtractionPlan(path.toStdString())) {
+        inputs.headerPlan = plan.value();
+    }
     inputs.imageFile.path = path.toStdString();
     return core::Done{};
 }

@@ -25,6 +25,7 @@ struct LoadedInputs {
     std::shared_ptr<const core::VesselTree> tree;
     core::InputFile imageFile;
     std::shared_ptr<const core::Angiogram> angiogram;
+    core::SubtractionPlan headerPlan;   ///< of the angiogram
     core::InputFile targetFile;
     std::shared_ptr<const core::Centerline2d> target;
     std::vector<std::string> warnings;

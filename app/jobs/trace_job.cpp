@@ -9,13 +9,15 @@
 namespace app {
 namespace {
 
-core::Result<SharedCenterline> trace(const TraceRequest& request)
+core::Result<SharedTrace> trace(const TraceRequest& request)
 {
     auto traced = core::traceFrame(*request.angiogram, request.frame, request.options);
     if (!traced) {
         return traced.error();
     }
-    return SharedCenterline(std::make_shared<core::Centerline2d>(std::move(traced).value().centerline));
+    core::AngiogramTrace found = std::move(traced).value();
+    return SharedTrace(std::make_shared<TracedFrame>(
+        TracedFrame{std::move(found.centerline), std::move(found.suspectCurves), std::move(found.fieldMask)}));
 }
 
 }   // namespace
@@ -32,7 +34,7 @@ void TraceJob::start(TraceRequest request)
     running_ = true;
     request_ = std::move(request);
     watcher_.setFuture(QtConcurrent::run(
-        [snapshot = request_] { return guarded<SharedCenterline>([&snapshot] { return trace(snapshot); }); }));
+        [snapshot = request_] { return guarded<SharedTrace>([&snapshot] { return trace(snapshot); }); }));
 }
 
 void TraceJob::publish()

@@ -9,6 +9,7 @@
 #include <QObject>
 
 #include <memory>
+#include <vector>
 
 namespace app {
 
@@ -23,6 +24,14 @@ struct TraceRequest {
 
 using SharedCenterline = std::shared_ptr<const core::Centerline2d>;
 
+/// What of a trace the window shows.
+struct TracedFrame {
+    core::Centerline2d centerline;
+    std::vector<int> suspectIds;
+    core::Mask2d fieldMask;   ///< 0 where nothing is traced
+};
+using SharedTrace = std::shared_ptr<const TracedFrame>;
+
 /// Traces one frame off the GUI thread. A destroyed job drops its result.
 class TraceJob : public QObject {
     Q_OBJECT
@@ -34,14 +43,14 @@ public:
     const TraceRequest& request() const { return request_; }
 
 signals:
-    void finished(const app::SharedCenterline& traced);
+    void finished(const app::SharedTrace& traced);
     void failed(const QString& reason);
 
 private:
     void publish();
 
     TraceRequest request_;
-    QFutureWatcher<core::Result<SharedCenterline>> watcher_;
+    QFutureWatcher<core::Result<SharedTrace>> watcher_;
     bool running_ = false;
 };
 

@@ -20,13 +20,13 @@ std::optional<TraceRequest> requestFor(const core::RegistrationCase& registratio
 
 TargetProvider::TargetProvider(QObject* parent) : QObject(parent)
 {
-    connect(&job_, &TraceJob::finished, this, [this](const SharedCenterline& traced) {
+    connect(&job_, &TraceJob::finished, this, [this](const SharedTrace& traced) {
         remember(traced);
         startWanted();
     });
     connect(&job_, &TraceJob::failed, this, [this](const QString& reason) {
         if (wanted_ == job_.request()) {
-            settle(nullptr, reason);
+            settle(SharedTrace(), reason);
         } else {
             startWanted();
         }
@@ -35,9 +35,9 @@ TargetProvider::TargetProvider(QObject* parent) : QObject(parent)
 
 void TargetProvider::want(const core::RegistrationCase& registrationCase)
 {
-    if (registrationCase.givenTarget) {
+    if (const auto given = core::givenTargetOf(registrationCase)) {
         wanted_.reset();
-        settle(registrationCase.givenTarget, {});
+        settleGiven(given);
         return;
     }
     const auto request = requestFor(registrationCase);
@@ -51,21 +51,21 @@ void TargetProvider::want(const core::RegistrationCase& registrationCase)
 void TargetProvider::startWanted()
 {
     if (!wanted_) {
-        settle(nullptr, {});
+        settle(SharedTrace(), {});
         return;
     }
-    const auto known = std::ranges::find(traced_, *wanted_, &std::pair<TraceRequest, SharedCenterline>::first);
+    const auto known = std::ranges::find(traced_, *wanted_, &std::pair<TraceRequest, SharedTrace>::first);
     if (known != traced_.end()) {
         settle(known->second, {});
         return;
     }
-    settle(nullptr, {});
+    settle(SharedTrace(), {});
     if (!job_.isRunning()) {
         job_.start(*wanted_);
     }
 }
 
-void TargetProvider::remember(const SharedCenterline& traced)
+void TargetProvider::remember(const SharedTrace& traced)
 {
     traced_.emplace_back(job_.request(), traced);
     if (traced_.size() > rememberedTraces) {
@@ -73,12 +73,23 @@ void TargetProvider::remember(const SharedCenterline& traced)
     }
 }
 
-void TargetProvider::settle(SharedCenterline target, const QString& problem)
+void TargetProvider::settle(const SharedTrace& trace, const QString& problem)
+{
+    settle(trace ? SharedCenterline(trace, &trace->centerline) : nullptr, trace, problem);
+}
+
+void TargetProvider::settleGiven(const SharedCenterline& given)
+{
+    settle(given, nullptr, {});
+}
+
+void TargetProvider::settle(const SharedCenterline& target, const SharedTrace& trace, const QString& problem)
 {
     if (target == current_ && problem == problem_) {
         return;
     }
-    current_ = std::move(target);
+    current_ = target;
+    trace_ = trace;
     problem_ = problem;
     emit changed();
 }

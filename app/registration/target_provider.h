@@ -20,6 +20,7 @@ public:
 
     void want(const core::RegistrationCase& registrationCase);
     const SharedCenterline& current() const { return current_; }   ///< null until ready
+    const SharedTrace& trace() const { return trace_; }   ///< null while the target is a given one, or not ready
     const QString& problem() const { return problem_; }   ///< why there is none, empty otherwise
     bool isTracing() const { return job_.isRunning(); }
 
@@ -28,13 +29,16 @@ signals:
 
 private:
     void startWanted();
-    void remember(const SharedCenterline& traced);
-    void settle(SharedCenterline target, const QString& problem);
+    void remember(const SharedTrace& traced);
+    void settle(const SharedTrace& trace, const QString& problem);
+    void settleGiven(const SharedCenterline& given);
+    void settle(const SharedCenterline& target, const SharedTrace& trace, const QString& problem);
 
     TraceJob job_;
     std::optional<TraceRequest> wanted_;
-    std::deque<std::pair<TraceRequest, SharedCenterline>> traced_;   ///< newest last
+    std::deque<std::pair<TraceRequest, SharedTrace>> traced_;   ///< newest last
     SharedCenterline current_;
+    SharedTrace trace_;
     QString problem_;
 };
 

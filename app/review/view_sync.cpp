@@ -2,6 +2,7 @@
 
 #include "app/texts/case_texts.h"
 #include "app/texts/overlay_picture.h"
+#include "core/tracing/subtract_run.h"
 #include "core/tracing/suggest_frame.h"
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
@@ -61,11 +62,7 @@ std::vector<double> relativeToFullest(std::vector<double> shares)
 ViewSync::ViewSync(ui::MainWindow& window, const CaseDocument& document, QObject* parent)
     : QObject(parent), window_(window), document_(document)
 {
-    connect(&opacification_, &QFutureWatcherBase::finished, this, [this] {
-        if (shownAngiogram_ && opacification_.future().resultCount() > 0) {
-            window_.strip().showFrames(relativeToFullest(opacification_.result()), shownAngiogram_->suggestedFrame);
-        }
-    });
+    connect(&opacification_, &QFutureWatcherBase::finished, this, &ViewSync::publishMeasured);
 }
 
 void ViewSync::refresh()
@@ -111,7 +108,9 @@ void ViewSync::showAngiogram()
 {
     shownAngiogram_ = document_.current().angiogram;
     shownFrame_ = -1;
-    measureOpacification();
+    if (measuredRun_ != core::storedRunOf(document_.current())) {
+        measureOpacification();   // of what is stored: it does not change with the subtraction
+    }
 }
 
 void ViewSync::showCamera()
@@ -140,6 +139,7 @@ void ViewSync::showFrame(int frame)
     }
     window_.strip().showCurrentFrame(frame);
     showFrameNote();
+    emit frameShown(frame);
 }
 
 void ViewSync::showPose(const core::RigidTransform& cameraFromPatient)
@@ -248,13 +248,30 @@ void ViewSync::showFrameNote()
 
 void ViewSync::measureOpacification()
 {
-    window_.strip().showFrames({}, 0);
+    measuredRun_ = core::storedRunOf(document_.current());
+    frameCurve_ = {};
+    suggestedMasks_.clear();
+    window_.strip().showFrames(frameCurve_);
     opacification_.setFuture({});
-    if (shownAngiogram_ && shownAngiogram_->frameCount() > 1) {
-        opacification_.setFuture(QtConcurrent::run([angiogram = shownAngiogram_] {
-            return core::opacificationCurve(angiogram->frames, angiogram->polarity);
+    if (measuredRun_ && measuredRun_->frameCount() > 1) {
+        opacification_.setFuture(QtConcurrent::run([run = measuredRun_] {
+            return Measured{core::opacificationCurve(run->frames, run->polarity),
+                            core::suggestMaskFrames(run->frames, run->polarity)};
         }));
     }
+    emit runMeasured();
+}
+
+void ViewSync::publishMeasured()
+{
+    if (!measuredRun_ || opacification_.future().resultCount() == 0) {
+        return;
+    }
+    const Measured measured = opacification_.result();
+    frameCurve_ = {relativeToFullest(measured.opacification), measuredRun_->suggestedFrame, measuredRun_->frameTimeMs};
+    suggestedMasks_ = measured.masks;
+    window_.strip().showFrames(frameCurve_);
+    emit runMeasured();
 }
 
 }   // namespace app

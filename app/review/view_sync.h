@@ -3,6 +3,7 @@
 #include "app/document/case_document.h"
 #include "app/jobs/judge_job.h"
 #include "app/jobs/trace_job.h"
+#include "ui/plots/frame_bars.h"
 #include "ui/scenes/overlay_scene.h"
 
 #include <QFutureWatcher>
@@ -35,9 +36,19 @@ public:
     void showJudgement(const SharedJudgement& judgement);   ///< null: no residual colours
     void showFrame(int frame);   ///< of the open run, e.g. while playing; the document is not asked
     int shownFrame() const { return shownFrame_; }
+    const std::vector<int>& suggestedMasks() const { return suggestedMasks_; }   ///< of the run; known when measured
+    const ui::FrameCurve& frameCurve() const { return frameCurve_; }
     void setIdentityHidden(bool hidden);
 
+signals:
+    void runMeasured();   ///< `frameCurve`, `suggestedMasks`
+    void frameShown(int frame);
+
 private:
+    struct Measured {
+        std::vector<double> opacification;
+        std::vector<int> masks;
+    };
     void showTree();
     void showAngiogram();
     void showCamera();
@@ -46,6 +57,7 @@ private:
     void showCornerTexts();
     void showFrameNote();
     void measureOpacification();
+    void publishMeasured();
 
     ui::MainWindow& window_;
     const CaseDocument& document_;
@@ -58,7 +70,10 @@ private:
     SharedJudgement judgement_;
     bool colorsHidden_ = false;
     bool identityHidden_ = false;
-    QFutureWatcher<std::vector<double>> opacification_;
+    std::shared_ptr<const core::Angiogram> measuredRun_;
+    ui::FrameCurve frameCurve_;
+    std::vector<int> suggestedMasks_;
+    QFutureWatcher<Measured> opacification_;
 };
 
 }   // namespace app

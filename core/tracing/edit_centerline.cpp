@@ -114,6 +114,14 @@ Centerline2d restrictedTo(const Centerline2d& centerline, const std::vector<Eige
     return kept(centerline, [&](const Eigen::Vector2d& point) { return isInside(polygonPx, point); });
 }
 
+Centerline2d withoutRegion(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& polygonPx)
+{
+    if (polygonPx.size() < 3) {
+        return centerline;
+    }
+    return kept(centerline, [&](const Eigen::Vector2d& point) { return !isInside(polygonPx, point); });
+}
+
 Centerline2d cutAt(const Centerline2d& centerline, const Eigen::Vector2d& pointPx, double reachPx)
 {
     const std::optional<Place> place = nearestPlace(centerline, pointPx, reachPx);

@@ -17,6 +17,9 @@ Centerline2d erased(const Centerline2d& centerline, const Eigen::Vector2d& centr
 /// What lies inside the polygon (closed by itself, even-odd rule); everything for fewer than three corners.
 Centerline2d restrictedTo(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& polygonPx);
 
+/// What lies outside the polygon; everything for fewer than three corners.
+Centerline2d withoutRegion(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& polygonPx);
+
 /// The curve nearest to `pointPx` in two, at its point nearest to it; unchanged at a curve's end, or if none is near.
 Centerline2d cutAt(const Centerline2d& centerline, const Eigen::Vector2d& pointPx, double reachPx = 10.0);
 

@@ -1,9 +1,11 @@
 #include "core/tracing/subtract_run.h"
 
+#include "core/support/parallel_for.h"
 #include "core/tracing/suggest_frame.h"
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace core {
 namespace {
@@ -12,7 +14,7 @@ constexpr std::size_t mostMaskFrames = 8;
 constexpr double emptyShare = 0.15;   // of the rise from the emptiest to the fullest frame
 constexpr double leastRise = 1.5;   // fullest to first frame, or the run begins with contrast
 
-std::string problemWith(const std::vector<ImageF>& frames, const std::vector<int>& maskFrames)
+std::string problemWith(const std::vector<ImageF>& frames, const SubtractionPlan& plan)
 {
     if (frames.size() < 2) {
         return "The run has one frame: there is nothing to subtract. Choose a run with frames before the contrast.";
@@ -23,13 +25,65 @@ std::string problemWith(const std::vector<ImageF>& frames, const std::vector<int
     if (std::any_of(frames.begin(), frames.end(), differs)) {
         return "The frames of the run differ in size and cannot be subtracted.";
     }
-    for (const int index : maskFrames) {
+    for (const int index : plan.maskFrames) {
         if (index < 0 || index >= static_cast<int>(frames.size())) {
             return "Mask frame " + std::to_string(index) + " does not exist. The run has frames 0 to " +
                    std::to_string(frames.size() - 1) + ".";
         }
     }
     return {};
+}
+
+/// The plan with its mask frames chosen.
+Result<SubtractionPlan> settled(const std::vector<ImageF>& frames, Polarity polarity, SubtractionPlan plan)
+{
+    if (const std::string problem = problemWith(frames, plan); !problem.empty()) {
+        return Error{problem};
+    }
+    if (plan.interval) {
+        plan.maskFrames.clear();
+        return plan;
+    }
+    if (plan.maskFrames.empty()) {
+        plan.maskFrames = suggestMaskFrames(frames, polarity);
+    }
+    if (plan.maskFrames.empty()) {
+        return Error{
+            "The run shows contrast medium from its first frame on, so no frame serves as mask. Name the mask "
+            "frames, or trace without subtraction."};
+    }
+    return plan;
+}
+
+/// Index of the one mask of a frame; nothing where it lies outside the run.
+std::optional<std::size_t> intervalMask(const MaskInterval& interval, int frame, int frameCount)
+{
+    const int first = interval.reversedFrom.value_or(0);
+    const int index = interval.reversedFrom ? 2 * first - interval.offset - frame : frame - interval.offset;
+    const bool exists = index >= 0 && index < frameCount && index != frame && frame >= first;
+    return exists ? std::optional(static_cast<std::size_t>(index)) : std::nullopt;
+}
+
+struct SubtractedFrame {
+    ImageF frame;
+    Eigen::Vector2d maskShiftPx = Eigen::Vector2d::Zero();
+};
+
+SubtractedFrame subtractedFrame(const ImageF& frame, const ImageF& mask, const SubtractionPlan& plan)
+{
+    const Eigen::Vector2d shift = plan.maskShiftPx ? *plan.maskShiftPx : maskShift(mask, frame, plan.relation);
+    return {subtracted(frame, mask, shift, plan.relation), shift};
+}
+
+/// `averaged` is the mean of the mask frames, unless masks follow the frames.
+SubtractedFrame subtractedFrame(const std::vector<ImageF>& frames, std::size_t index, const ImageF& averaged,
+                                const SubtractionPlan& plan)
+{
+    if (!plan.interval) {
+        return subtractedFrame(frames[index], averaged, plan);
+    }
+    const auto mask = intervalMask(*plan.interval, static_cast<int>(index), static_cast<int>(frames.size()));
+    return mask ? subtractedFrame(frames[index], frames[*mask], plan) : SubtractedFrame{frames[index]};
 }
 
 }   // namespace
@@ -52,22 +106,53 @@ std::vector<int> suggestMaskFrames(const std::vector<ImageF>& frames, Polarity p
     return masks;
 }
 
-Result<SubtractedRun> subtractRun(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan)
+Result<SubtractedRun> subtractRun(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,
+                                  const StopCheck& isStopWished)
 {
-    if (const std::string problem = problemWith(frames, plan.maskFrames); !problem.empty()) {
-        return Error{problem};
+    const auto chosen = settled(frames, polarity, plan);
+    if (!chosen) {
+        return chosen.error();
     }
+    const ImageF mask = meanFrame(frames, chosen.value().maskFrames);
     SubtractedRun run;
-    run.maskFrames = plan.maskFrames.empty() ? suggestMaskFrames(frames, polarity) : plan.maskFrames;
-    if (run.maskFrames.empty()) {
-        return Error{
-            "The run shows contrast medium from its first frame on, so no frame serves as mask. Name the mask "
-            "frames, or trace without subtraction."};
+    run.maskFrames = chosen.value().maskFrames;
+    run.frames.resize(frames.size());
+    run.maskShiftsPx.resize(frames.size());
+    const bool isWhole = parallelFor(
+        frames.size(), threadCount(0),
+        [&](std::size_t i) {
+            SubtractedFrame result = subtractedFrame(frames, i, mask, chosen.value());
+            run.frames[i] = std::move(result.frame);
+            run.maskShiftsPx[i] = result.maskShiftPx;
+        },
+        [&](double) { return !isStopWished || !isStopWished(); });
+    return isWhole ? Result<SubtractedRun>(std::move(run)) : Error{"The subtraction was stopped."};
+}
+
+Result<ImageF> subtractFrame(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,
+                             int frame)
+{
+    const auto chosen = settled(frames, polarity, plan);
+    if (!chosen) {
+        return chosen.error();
     }
-    const ImageF mask = meanFrame(frames, run.maskFrames);
-    for (const ImageF& frame : frames) {
-        run.maskShiftsPx.push_back(plan.maskShiftPx ? *plan.maskShiftPx : maskShift(mask, frame, plan.relation));
-        run.frames.push_back(subtracted(frame, mask, run.maskShiftsPx.back(), plan.relation));
+    const ImageF mask = meanFrame(frames, chosen.value().maskFrames);
+    return subtractedFrame(frames, static_cast<std::size_t>(frame), mask, chosen.value()).frame;
+}
+
+Result<Angiogram> treatedRun(const Angiogram& stored, const RunTreatment& treatment, const StopCheck& isStopWished)
+{
+    Angiogram run = stored;
+    run.polarity = treatment.polarity.value_or(stored.polarity);
+    if (treatment.isSubtracted) {
+        auto subtracted = subtractRun(stored.frames, run.polarity, treatment.plan, isStopWished);
+        if (!subtracted) {
+            return subtracted.error();
+        }
+        run.frames = std::move(subtracted).value().frames;
+    }
+    if (treatment.isComposite) {
+        run.frames.assign(run.frames.size(), opacifiedComposite(run.frames, run.polarity));
     }
     return run;
 }

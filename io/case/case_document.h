@@ -3,17 +3,28 @@
 #include "core/registration_case.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace io {
 
+/// What a case says about subtraction; the rest is as the image's header has it.
+struct SubtractionKeys {
+    std::optional<std::vector<int>> maskFrames;   ///< empty: chosen automatically
+    std::optional<core::MaskInterval> interval;
+    std::optional<Eigen::Vector2d> maskShiftPx;
+    bool isShiftAutomatic = false;
+    std::optional<core::PixelRelation> relation;
+};
+
 /// A case file's content before its inputs are loaded.
 struct CaseDocument {
     core::RegistrationCase values;   ///< paths as written; cArm holds only what the file gives
     bool hasFrame = false;
     bool hasCurrentPose = false;
+    std::optional<SubtractionKeys> subtraction;
     std::string sopInstanceUid;   ///< of the image, when noted
     std::vector<std::string> problems;   ///< what makes no sense, each with key and remedy
 };

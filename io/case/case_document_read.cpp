@@ -146,6 +146,48 @@ void readVessel(const Json& vessel, CaseDocument& document)
         "vessel: it names no input. Give the file of the vessels as centerline, segmentation, surface or volume.");
 }
 
+/// A 2-D centreline edited in the window says so, and for which frame.
+void readTarget(const Json& centerline, core::RegistrationCase& values)
+{
+    values.targetFile = inputFile(centerline);
+    if (centerline.is_object() && centerline.value("origin", "") == "edited") {
+        values.editedFrame = centerline.value("frame", values.frame);
+        values.acceptedCurveIds = centerline.value("acceptedCurves", std::vector<int>());
+    }
+}
+
+/// What is absent stays as the image's header has it, so `document` keeps it open until that is read.
+void readSubtraction(const Json& json, CaseDocument& document)
+{
+    if (!json.is_object()) {
+        return;
+    }
+    document.subtraction = SubtractionKeys{};
+    SubtractionKeys& keys = *document.subtraction;
+    core::RunTreatment& treatment = document.values.treatment;
+    treatment.isSubtracted = json.value("on", true);
+    treatment.isComposite = json.value("composite", "none") == "minimum";
+    if (const Json& frames = member(json, "maskFrames"); frames.is_array()) {
+        keys.maskFrames = frames.get<std::vector<int>>();
+    }
+    if (const Json& interval = member(json, "interval"); interval.is_object()) {
+        keys.interval = core::MaskInterval{interval.value("offset", 1), std::nullopt};
+        if (interval.contains("reversedFrom")) {
+            keys.interval->reversedFrom = interval["reversedFrom"].get<int>();
+        }
+    }
+    if (const Json& shift = member(json, "maskShiftPx"); shift.is_array()) {
+        keys.maskShiftPx = Eigen::Vector2d(shift[0].get<double>(), shift[1].get<double>());
+    }
+    keys.isShiftAutomatic = member(json, "maskShiftPx").is_string();
+    if (const Json& relation = member(json, "pixelRelation"); relation.is_string()) {
+        keys.relation = relation == "logarithmic" ? core::PixelRelation::Logarithmic : core::PixelRelation::Linear;
+    }
+    if (const Json& vessels = member(json, "vessels"); vessels.is_string()) {
+        treatment.polarity = vessels == "bright" ? core::Polarity::VesselsBright : core::Polarity::VesselsDark;
+    }
+}
+
 void readAngiogram(const Json& angiogram, CaseDocument& document)
 {
     core::RegistrationCase& values = document.values;
@@ -155,7 +197,8 @@ void readAngiogram(const Json& angiogram, CaseDocument& document)
                                   : "";
     document.hasFrame = angiogram.contains("frame");
     values.frame = angiogram.value("frame", 0);
-    values.targetFile = inputFile(member(angiogram, "centerline"));
+    readTarget(member(angiogram, "centerline"), values);
+    readSubtraction(member(angiogram, "subtraction"), document);
     if (const Json& trace = member(angiogram, "trace"); trace.is_object()) {
         core::TraceOptions& options = values.traceOptions;
         options.minVesselRadiusPx = trace.value("minVesselRadiusPx", options.minVesselRadiusPx);

@@ -119,6 +119,40 @@ Json vesselJson(const core::RegistrationCase& registrationCase, const std::files
     return vessel;
 }
 
+Json targetJson(const core::RegistrationCase& registrationCase, const std::filesystem::path& folder)
+{
+    Json target = fileJson(registrationCase.targetFile, folder);
+    if (registrationCase.editedFrame) {
+        target["origin"] = "edited";
+        target["frame"] = *registrationCase.editedFrame;
+        target["acceptedCurves"] = registrationCase.acceptedCurveIds;
+    }
+    return target;
+}
+
+Json subtractionJson(const core::RunTreatment& treatment)
+{
+    const core::SubtractionPlan& plan = treatment.plan;
+    Json json{{"on", treatment.isSubtracted}, {"composite", treatment.isComposite ? "minimum" : "none"}};
+    json["maskFrames"] = plan.maskFrames;
+    if (plan.interval) {
+        json["interval"]["offset"] = plan.interval->offset;
+        if (plan.interval->reversedFrom) {
+            json["interval"]["reversedFrom"] = *plan.interval->reversedFrom;
+        }
+    }
+    if (plan.maskShiftPx) {
+        json["maskShiftPx"] = {plan.maskShiftPx->x(), plan.maskShiftPx->y()};
+    } else {
+        json["maskShiftPx"] = "automatic";
+    }
+    json["pixelRelation"] = plan.relation == core::PixelRelation::Linear ? "linear" : "logarithmic";
+    if (treatment.polarity) {
+        json["vessels"] = treatment.polarity == core::Polarity::VesselsBright ? "bright" : "dark";
+    }
+    return json;
+}
+
 Json angiogramJson(const core::RegistrationCase& registrationCase, const std::filesystem::path& folder)
 {
     Json angiogram;
@@ -131,7 +165,10 @@ Json angiogramJson(const core::RegistrationCase& registrationCase, const std::fi
     }
     angiogram["frame"] = registrationCase.frame;
     if (!registrationCase.targetFile.path.empty()) {
-        angiogram["centerline"] = fileJson(registrationCase.targetFile, folder);
+        angiogram["centerline"] = targetJson(registrationCase, folder);
+    }
+    if (registrationCase.treatment != core::RunTreatment{.plan = registrationCase.headerPlan}) {
+        angiogram["subtraction"] = subtractionJson(registrationCase.treatment);
     }
     const core::TraceOptions& trace = registrationCase.traceOptions;
     angiogram["trace"] = {{"minVesselRadiusPx", trace.minVesselRadiusPx},

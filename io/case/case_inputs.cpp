@@ -4,6 +4,7 @@
 #include "io/angiogram_file.h"
 #include "io/centerline2d_file.h"
 #include "io/file_hash.h"
+#include "io/subtraction_file.h"
 #include "io/support/file_error.h"
 #include "io/vessel_input_file.h"
 #include "io/volume_file.h"
@@ -101,6 +102,41 @@ core::Status readVesselInput(RegistrationCase& values, std::vector<std::string>&
     warnings.insert(warnings.end(), vessels.warnings.begin(), vessels.warnings.end());
     return checkHash(values.centerlineFile, sha256OfVesselInput(values.centerlineFile.path, values.vesselInput),
                      warnings);
+}
+
+/// The case's own keys win over the header's.
+core::SubtractionPlan completed(const SubtractionKeys& keys, core::SubtractionPlan plan)
+{
+    if (keys.maskFrames || keys.interval) {
+        plan.maskFrames = keys.maskFrames.value_or(std::vector<int>());
+        plan.interval = keys.interval;
+    }
+    if (keys.maskShiftPx || keys.isShiftAutomatic) {
+        plan.maskShiftPx = keys.maskShiftPx;
+    }
+    plan.relation = keys.relation.value_or(plan.relation);
+    return plan;
+}
+
+core::Status treatRun(CaseDocument& document)
+{
+    RegistrationCase& values = document.values;
+    const auto header = readSubtractionPlan(values.imageFile.path);
+    if (!header) {
+        return header.error();
+    }
+    values.headerPlan = header.value();
+    values.treatment.plan = document.subtraction ? completed(*document.subtraction, header.value()) : header.value();
+    if (!values.treatment.changesFrames()) {
+        return core::Done{};
+    }
+    auto treated = core::treatedRun(*values.angiogram, values.treatment);
+    if (!treated) {
+        return core::Error{"angiogram.subtraction: " + treated.error().message};
+    }
+    values.storedRun = values.angiogram;
+    values.angiogram = std::make_shared<const core::Angiogram>(std::move(treated).value());
+    return core::Done{};
 }
 
 core::Status readInputs(RegistrationCase& values, std::vector<std::string>& warnings, const ReadObserver& observe)
@@ -238,6 +274,9 @@ core::Result<RegistrationCase> loadInputs(CaseDocument document, const std::stri
     }
     if (const auto completed = complete(document, warnings); !completed) {
         return fileError(casePath, completed.error().message);
+    }
+    if (const auto treated = treatRun(document); !treated) {
+        return fileError(casePath, treated.error().message);
     }
     return std::move(document.values);
 }

@@ -39,7 +39,10 @@ std::string knownCaseKeys(core::VesselInputKind vesselKind)
                                         "minBranchLengthMm", "minBranchRadiusMm", "pointSpacingMm"});
     keys["angiogram"] = object({"frame"});
     keys["angiogram"]["image"] = image;
-    keys["angiogram"]["centerline"] = file;
+    keys["angiogram"]["centerline"] = object({"path", "sha256", "origin", "frame", "acceptedCurves"});
+    keys["angiogram"]["subtraction"] =
+        object({"on", "composite", "maskFrames", "maskShiftPx", "pixelRelation", "vessels"});
+    keys["angiogram"]["subtraction"]["interval"] = object({"offset", "reversedFrom"});
     keys["angiogram"]["trace"] =
         object({"minVesselRadiusPx", "maxVesselRadiusPx", "minBranchLengthPx", "minComponentLengthPx", "sensitivity"});
     keys["geometry"]["camera"] = object({"fx", "fy", "cx", "cy", "width", "height"});

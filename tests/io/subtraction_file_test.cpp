@@ -68,6 +68,16 @@ TEST(ReadSubtractionPlan, TakesFramesAndShiftFromTheMaskModule)
     EXPECT_EQ(plan.value().relation, core::PixelRelation::Logarithmic);
 }
 
+TEST(ReadSubtractionPlan, TakesIntervalsFromTheMaskModule)
+{
+    const std::string tid = item(element(0x00286101, "CS", "TID") + element(0x00286120, "SS", littleEndian(3, 2)));
+    EXPECT_EQ(planOf(element(0x00286100, "SQ", tid)).value().interval, (core::MaskInterval{3, std::nullopt}));
+    const std::string reversed =
+        item(element(0x00286101, "CS", "REV_TID") + element(0x00286102, "US", littleEndian(6, 2) + littleEndian(9, 2)) +
+             element(0x00286120, "SS", littleEndian(0xFFFF, 2)));
+    EXPECT_EQ(planOf(element(0x00286100, "SQ", reversed)).value().interval, (core::MaskInterval{-1, 5}));
+}
+
 TEST(ReadSubtractionPlan, LeavesOpenWhatTheFileDoesNotSay)
 {
     const auto plan = planOf(element(0x00281040, "CS", "LIN"));

@@ -1,7 +1,6 @@
 #include "ui/panels/bottom_strip.h"
 
 #include "ui/panels/section.h"
-#include "ui/plots/frame_bars.h"
 
 #include <QHBoxLayout>
 #include <QProgressBar>
@@ -65,13 +64,20 @@ BottomStrip::BottomStrip(QWidget* parent)
     layout->addLayout(right, 4);
     setFixedHeight(78);
     connect(frames_, &FrameBars::frameRequested, this, &BottomStrip::frameRequested);
+    connect(frames_, &FrameBars::maskRangeMarked, this, &BottomStrip::maskRangeMarked);
+    connect(frames_, &FrameBars::plotRequested, this, &BottomStrip::plotRequested);
     connect(stop_, &QPushButton::clicked, this, &BottomStrip::stopRequested);
     showIdle(tr("Ready"));
 }
 
-void BottomStrip::showFrames(const std::vector<double>& opacification, int suggested)
+void BottomStrip::showFrames(const FrameCurve& curve)
 {
-    frames_->showFrames(opacification, suggested);
+    frames_->showFrames(curve);
+}
+
+void BottomStrip::showMasks(const std::vector<int>& frames, bool inUse)
+{
+    frames_->showMasks(frames, inUse);
 }
 
 void BottomStrip::showCurrentFrame(int frame)

@@ -1,17 +1,14 @@
 #pragma once
 
 #include "ui/panels/elided_label.h"
+#include "ui/plots/frame_bars.h"
 
 #include <QWidget>
-
-#include <vector>
 
 class QProgressBar;
 class QPushButton;
 
 namespace ui {
-
-class FrameBars;
 
 /// The low strip below the image: autosave and undo on the left, frames in the middle, the running task on the right.
 class BottomStrip : public QWidget {
@@ -19,7 +16,8 @@ class BottomStrip : public QWidget {
 public:
     explicit BottomStrip(QWidget* parent = nullptr);
 
-    void showFrames(const std::vector<double>& opacification, int suggested);
+    void showFrames(const FrameCurve& curve);
+    void showMasks(const std::vector<int>& frames, bool inUse);   ///< marked below their bars
     void showCurrentFrame(int frame);
     void showFrameNote(const QString& note);
     void showSaveState(const QString& text);
@@ -31,6 +29,8 @@ public:
 
 signals:
     void frameRequested(int frame);
+    void maskRangeMarked(int first, int last);
+    void plotRequested();
     void stopRequested();
 
 private:

@@ -2,35 +2,57 @@
 
 #include <QWidget>
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace ui {
 
-/// The frames of a run as bars of opacification; a click or ← → shows another frame.
+/// What is known of a run's frames.
+struct FrameCurve {
+    std::vector<double> opacification;   ///< 0…1, one per frame
+    int suggested = 0;
+    double frameTimeMs = 0.0;   ///< 0: unknown
+};
+
+/// "Frame 5, 0.33 s", with what is special about it.
+QString describeFrame(const FrameCurve& curve, const std::vector<int>& masks, int frame);
+
+/// The frames of a run as bars of opacification; a click or ← → shows another frame. Shift marks the mask frames: by
+/// drag, or with ← → from the frame on.
 class FrameBars : public QWidget {
     Q_OBJECT
 public:
     explicit FrameBars(QWidget* parent = nullptr);
 
-    void showFrames(const std::vector<double>& opacification, int suggested);   ///< one value 0…1 per frame
+    void showFrames(const FrameCurve& curve);
+    void showMasks(const std::vector<int>& frames, bool inUse);
     void showCurrent(int frame);
     QSize sizeHint() const override { return {400, 40}; }
 
 signals:
     void frameRequested(int frame);
+    void maskRangeMarked(int first, int last);
+    void plotRequested();   ///< double click: the curve, larger
 
 protected:
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
     int frameAt(double x) const;
     void request(int frame);
+    void extendMask(int step);
+    bool isMask(int frame) const;
 
-    std::vector<double> opacification_;
-    int suggested_ = 0;
+    FrameCurve curve_;
+    std::vector<int> masks_;
+    bool masksInUse_ = false;
+    std::optional<std::pair<int, int>> marking_;   ///< from, to
     int current_ = 0;
 };
 

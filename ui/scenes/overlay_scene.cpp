@@ -143,6 +143,12 @@ void OverlayScene::setMode(OverlayMode mode)
     ++parts_->revision;
 }
 
+void OverlayScene::setVeiled(bool veiled)
+{
+    parts_->content.isVeiled = veiled;
+    ++parts_->revision;
+}
+
 void OverlayScene::setDepthCue(DepthCue cue)
 {
     parts_->content.depthCue = cue;

@@ -53,6 +53,7 @@ public:
     void setPose(const core::RigidTransform& cameraFromPatient);
     void setMarks(const BranchMarks& marks);
     void setMode(OverlayMode mode);
+    void setVeiled(bool veiled);   ///< neither tree nor traced curves for a while
     void setDepthCue(DepthCue cue);
     void setOpacity(double opacity);
     void setCutout(const Cutout& cutout);

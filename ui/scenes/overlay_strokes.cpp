@@ -258,6 +258,9 @@ Eigen::Vector2d DeviceFromImage::operator*(const Eigen::Vector2d& imagePoint) co
 StrokeMesh overlayStrokes(const OverlayContent& content, const DeviceFromImage& device)
 {
     StrokeMesh mesh;
+    if (content.isVeiled) {
+        return mesh;
+    }
     if (content.mode != OverlayMode::Hidden) {
         std::vector<BranchLines> branches;
         branches.reserve(content.tree.size());

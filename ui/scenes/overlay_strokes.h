@@ -31,6 +31,7 @@ struct OverlayContent {
     ProjectedTree tree;
     BranchMarks marks;
     OverlayMode mode = OverlayMode::Centerline;
+    bool isVeiled = false;
     DepthCue depthCue = DepthCue::None;
     DepthRange depthRange;   ///< of `tree`
     double opacity = 1.0;

@@ -28,6 +28,8 @@ QDialog { background: @panel@; }
 QWidget[role="header"] { background: @title@; }
 QWidget[role="stepBar"], QWidget[role="column"], QWidget[role="strip"] { background: @panel@; }
 QWidget[role="canvas"] { background: @canvas@; }
+QFrame[role="imageBar"] { background: @panel@; border: 1px solid @line@; border-radius: 6px; }
+QFrame[role="imageBar"] QLabel { background: transparent; border: none; }
 QWidget[role="welcome"] { background: @field@; }
 QScrollArea[role="column"], QScrollArea[role="column"] > QWidget > QWidget { border: none; background: @panel@; }
 QLineEdit[role="number"] { background: @field@; border: 1px solid @line@; border-radius: 3px; padding: 3px 8px;

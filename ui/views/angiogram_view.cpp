@@ -1,14 +1,35 @@
 #include "ui/views/angiogram_view.h"
 
+#include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_interaction.h"
 
 #include <QPainter>
+#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace ui {
+namespace {
+
+/// Faint stripes where the mask is 0.
+QImage hatched(const core::Mask2d& fieldMask)
+{
+    constexpr int period = 8;
+    QImage image(fieldMask.width, fieldMask.height, QImage::Format_ARGB32_Premultiplied);
+    const QRgb stripe = qPremultiply(toQColor(palette(ThemeMode::Dark).attention, 0.30).rgba());
+    const QRgb between = qPremultiply(toQColor(palette(ThemeMode::Dark).attention, 0.07).rgba());
+    for (int y = 0; y < fieldMask.height; ++y) {
+        auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
+        for (int x = 0; x < fieldMask.width; ++x) {
+            row[x] = fieldMask.at(x, y) != 0 ? 0U : (x + y) % period < 2 ? stripe : between;
+        }
+    }
+    return image;
+}
+
+}   // namespace
 
 ToolPoint AngiogramView::Interaction::toolPoint(const QPointF& position, Qt::KeyboardModifiers modifiers) const
 {
@@ -92,6 +113,7 @@ void AngiogramView::setTool(ImageTool* tool)
         former->end();
     }
     i.tool = tool;
+    scene_.setVeiled(tool && tool->hidesOverlay());
     hover(std::nullopt);
     if (tool) {
         tool->begin();
@@ -104,6 +126,12 @@ void AngiogramView::setTool(ImageTool* tool)
 ImageTool* AngiogramView::tool() const
 {
     return interaction_->tool;
+}
+
+void AngiogramView::setKeptOut(const core::Mask2d& fieldMask)
+{
+    interaction_->keptOut = fieldMask.isEmpty() ? QImage() : hatched(fieldMask);
+    update();
 }
 
 void AngiogramView::setResidualScale(double maximumPx, double maximumMm)
@@ -219,6 +247,19 @@ const Eigen::Vector3d& AngiogramView::pivotInPatient() const
     return interaction_->pivotInPatient;
 }
 
+void AngiogramView::addBar(QWidget* bar)
+{
+    auto* bars = qobject_cast<QVBoxLayout*>(layout());
+    if (!bars) {
+        bars = new QVBoxLayout(this);
+        bars->setSizeConstraint(QLayout::SetNoConstraint);
+        bars->setContentsMargins(0, 0, 0, 14);
+        bars->addStretch(1);
+    }
+    bar->setAttribute(Qt::WA_NoMousePropagation);
+    bars->addWidget(bar, 0, Qt::AlignHCenter);
+}
+
 Eigen::Vector2d AngiogramView::imageFromWidget(const QPointF& position) const
 {
     return interaction_->viewport.imageFromWidget({position.x(), position.y()});
@@ -267,6 +308,11 @@ void AngiogramView::paintEvent(QPaintEvent*)
     painter.drawImage(QPointF(0.0, 0.0), picture_);
     if (!interaction_->hasFrame) {
         return;
+    }
+    if (!interaction_->keptOut.isNull()) {
+        const QPointF topLeft = widgetFromImage({-0.5, -0.5});
+        const QSizeF covered = QSizeF(interaction_->keptOut.size()) * zoom();
+        painter.drawImage(QRectF(topLeft, covered), interaction_->keptOut);
     }
     interaction_->annotations.mmPerImagePx = interaction_->mmPerImagePx();
     interaction_->annotations.sides = interaction_->isOrientationKnown

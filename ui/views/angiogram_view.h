@@ -32,7 +32,9 @@ public:
     void setCornerTexts(const CornerTexts& texts);   ///< the view adds its own lines at the bottom left
     void setTool(ImageTool* tool);   ///< null: none
     ImageTool* tool() const;
+    void addBar(QWidget* bar);   ///< of a tool: at the bottom of the image, in the middle
     bool filterToolKey(QKeyEvent& event);   ///< true when the key is the tool's, or an Esc that it ends by
+    void setKeptOut(const core::Mask2d& fieldMask);   ///< hatches where it is 0; empty: nothing
     void setResidualScale(double maximumPx, double maximumMm);   ///< 0 hides the scale
     void setLineWidth(double px);   ///< device-independent px
     void setCutout(Cutout::Shape shape);   ///< follows the mouse

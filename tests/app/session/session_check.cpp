@@ -1,5 +1,6 @@
 #include "tests/app/session/session_check.h"
 
+#include <QDir>
 #include <QFile>
 #include <QTest>
 
@@ -25,8 +26,12 @@ QByteArrayList linesOf(const QString& path)
 
 QString differenceAfterReopening(app::CaseController& controller, const QString& folder)
 {
-    const QString first = folder + QStringLiteral("/first.angiopose");
-    const QString second = folder + QStringLiteral("/second.angiopose");
+    // Of one name, since the files that belong to a case are named after it.
+    const QString first = folder + QStringLiteral("/first/case.angiopose");
+    const QString second = folder + QStringLiteral("/second/case.angiopose");
+    if (!QDir(folder).mkpath(QStringLiteral("first")) || !QDir(folder).mkpath(QStringLiteral("second"))) {
+        return QStringLiteral("could not make folders");
+    }
     if (!save(controller, first)) {
         return QStringLiteral("could not save");
     }

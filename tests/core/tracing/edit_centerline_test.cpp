@@ -52,6 +52,15 @@ TEST(EditCenterline, RestrictingKeepsWhatLiesInThePolygon)
     EXPECT_EQ(core::restrictedTo(two, {{0.0, 0.0}, {1.0, 1.0}}).pointCount(), two.pointCount());
 }
 
+TEST(EditCenterline, TheRestOfARegionIsWhatRestrictingTakes)
+{
+    const std::vector<Eigen::Vector2d> box{{20.5, 0.0}, {80.5, 0.0}, {80.5, 20.0}, {20.5, 20.0}};
+    const Centerline2d outside = core::withoutRegion(two, box);
+    EXPECT_EQ(outside.curves.size(), 3U);
+    EXPECT_EQ(outside.pointCount() + core::restrictedTo(two, box).pointCount(), two.pointCount());
+    EXPECT_EQ(core::withoutRegion(two, {}).pointCount(), two.pointCount());
+}
+
 TEST(EditCenterline, CuttingLosesNoPoint)
 {
     const Centerline2d cut = core::cutAt(two, {30.2, 43.0});

@@ -53,6 +53,80 @@ TEST(SubtractRun, LeavesTheVesselAlone)
     EXPECT_GT(found, 165.0);
 }
 
+/// Frames of one grey each, so that a difference tells which frame was the mask.
+std::vector<ImageF> steps(int count)
+{
+    std::vector<ImageF> frames;
+    for (int i = 0; i < count; ++i) {
+        frames.emplace_back(20, 10, 100.0F + static_cast<float>(i * i));
+    }
+    return frames;
+}
+
+float differenceAt(const core::SubtractedRun& run, const std::vector<ImageF>& frames, int frame)
+{
+    const auto i = static_cast<std::size_t>(frame);
+    return run.frames[i].pixels.front() - frames[i].pixels.front();   // the frame's middle grey is added back
+}
+
+TEST(SubtractRun, AnIntervalTakesTheFrameBefore)
+{
+    const std::vector<ImageF> frames = steps(6);
+    const core::SubtractionPlan plan{.maskFrames = {},
+                                     .interval = core::MaskInterval{2, std::nullopt},
+                                     .maskShiftPx = Eigen::Vector2d(0.0, 0.0),
+                                     .relation = core::PixelRelation::Logarithmic};
+    const auto result = core::subtractRun(frames, Polarity::VesselsDark, plan);
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_EQ(differenceAt(result.value(), frames, 1), 0.0F) << "no frame lies two before it: stays as it is";
+    EXPECT_FLOAT_EQ(differenceAt(result.value(), frames, 3), 9.0F - 1.0F);
+    EXPECT_FLOAT_EQ(differenceAt(result.value(), frames, 5), 25.0F - 9.0F);
+}
+
+TEST(SubtractRun, AReversedIntervalWalksBackwards)
+{
+    // DICOM's rule: mask = (first contrast frame - offset) - (frame - first contrast frame).
+    const std::vector<ImageF> frames = steps(8);
+    const core::SubtractionPlan plan{.maskFrames = {},
+                                     .interval = core::MaskInterval{1, 4},
+                                     .maskShiftPx = Eigen::Vector2d(0.0, 0.0),
+                                     .relation = core::PixelRelation::Logarithmic};
+    const auto result = core::subtractRun(frames, Polarity::VesselsDark, plan);
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_FLOAT_EQ(differenceAt(result.value(), frames, 4), 16.0F - 9.0F);
+    EXPECT_FLOAT_EQ(differenceAt(result.value(), frames, 6), 36.0F - 1.0F);
+    EXPECT_EQ(differenceAt(result.value(), frames, 2), 0.0F) << "before the range";
+}
+
+TEST(SubtractRun, OneFrameIsAsInTheRun)
+{
+    const core::SubtractionPlan plan{.maskFrames = {0, 1}};
+    const auto whole = core::subtractRun(run, Polarity::VesselsDark, plan);
+    const auto one = core::subtractFrame(run, Polarity::VesselsDark, plan, 2);
+    ASSERT_TRUE(whole && one);
+    EXPECT_EQ(one.value().pixels, whole.value().frames[2].pixels);
+}
+
+TEST(TreatedRun, CompositeShowsAllContrastInEveryFrame)
+{
+    core::Angiogram stored;
+    stored.frames = run;
+    core::RunTreatment treatment{.isSubtracted = true, .isComposite = true, .plan = {.maskFrames = {0, 1}}};
+    const auto treated = core::treatedRun(stored, treatment);
+    ASSERT_TRUE(treated) << treated.error().message;
+    ASSERT_EQ(treated.value().frameCount(), stored.frameCount());
+    EXPECT_EQ(treated.value().frames[0].pixels, treated.value().frames[3].pixels);
+    const auto subtracted = core::subtractRun(run, Polarity::VesselsDark, treatment.plan);
+    for (std::size_t i = 0; i < 200; ++i) {
+        EXPECT_LE(treated.value().frames[0].pixels[i], subtracted.value().frames[2].pixels[i]);
+    }
+}
+
+TEST(SubtractRun, StopsWhenAsked)
+{
+    EXPECT_FALSE(core::subtractRun(run, Polarity::VesselsDark, {.maskFrames = {0}}, [] { return true; }));
+}
+
 TEST(SubtractRun, AShiftByHandIsTaken)
 {
     const Eigen::Vector2d byHand(0.5, -1.0);

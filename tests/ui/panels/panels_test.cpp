@@ -94,7 +94,7 @@ TEST(FrameBars, AskForTheFrameUnderTheMouse)
 {
     FrameBars bars;
     bars.resize(400, 40);
-    bars.showFrames({0.1, 0.5, 1.0, 0.7}, 2);
+    bars.showFrames({{0.1, 0.5, 1.0, 0.7}, 2, 0.0});
     bars.showCurrent(2);
     QSignalSpy requested(&bars, &FrameBars::frameRequested);
 

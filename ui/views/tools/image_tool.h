@@ -52,6 +52,7 @@ public:
     virtual bool takeBack() { return false; }   ///< Esc: true when something was under way
 
     virtual bool picksBranches() const { return true; }   ///< false: the tree does not answer the mouse
+    virtual bool hidesOverlay() const { return false; }   ///< tree and traced curves would be in the way
     virtual std::optional<QCursor> cursor(bool /*isDragging*/) const { return std::nullopt; }
     virtual void drawStrokes(Canvas) const {}   ///< device px, above the tree
     virtual void paint(QPainter&) const {}   ///< widget px, above everything

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "app/editing/curve_controller.h"
+#include "app/editing/subtraction_controller.h"
+#include "app/editing/curve_tracing_controller.h"
+#include "app/review/opacification_controller.h"
+
+namespace app {
+
+/// From the stored run to the curves that are registered to: subtraction, tracing, and edits by hand.
+class AngiogramController {
+public:
+    explicit AngiogramController(const AngiogramParts& parts)
+        : curves_(parts), subtraction_(parts), tracing_(parts), opacification_(parts)
+    {
+    }
+
+    CurveController& curves() { return curves_; }
+    SubtractionController& subtraction() { return subtraction_; }
+
+private:
+    CurveController curves_;
+    SubtractionController subtraction_;
+    CurveTracingController tracing_;
+    OpacificationController opacification_;
+};
+
+}   // namespace app

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/notices.h"
+#include "app/registration/target_provider.h"
+#include "app/review/view_sync.h"
+
+namespace app {
+
+/// What the controllers of the angiogram work on.
+struct AngiogramParts {
+    CaseDocument& document;
+    TargetProvider& target;
+    ViewSync& sync;
+    ui::MainWindow& window;
+    Notices& notices;
+};
+
+}   // namespace app

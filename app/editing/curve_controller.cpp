@@ -1,0 +1,202 @@
+#include "app/editing/curve_controller.h"
+
+#include "app/document/edit_case.h"
+#include "core/tracing/drawing_ground.h"
+#include "core/tracing/suspect_curves.h"
+#include "ui/dialogs/message_dialog.h"
+#include "ui/main_window.h"
+#include "ui/panels/curve_edit_bar.h"
+#include "ui/views/angiogram_view.h"
+#include "ui/views/tools/bind_tool.h"
+
+#include <QtConcurrentRun>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+std::shared_ptr<ui::CurveGround> makeGround(const TraceRequest& request)
+{
+    const core::ImageF& frame = request.angiogram->frames[static_cast<std::size_t>(request.frame)];
+    core::DrawingGround ground = core::drawingGround(frame, request.angiogram->polarity, request.options);
+    return std::make_shared<ui::CurveGround>(ui::CurveGround{
+        core::LiveWire(ground.vesselness), std::move(ground.opacity), request.options.maxVesselRadiusPx});
+}
+
+bool hasCurve(const core::Centerline2d& curves, int id)
+{
+    return std::ranges::find(curves.curves, id, &core::Curve2d::id) != curves.curves.end();
+}
+
+}   // namespace
+
+CurveController::CurveController(const AngiogramParts& parts, QObject* parent)
+    : QObject(parent),
+      document_(parts.document),
+      target_(parts.target),
+      window_(parts.window),
+      notices_(parts.notices),
+      tool_(new ui::EditCurvesTool(window_.angiogramView())),
+      bar_(new ui::CurveEditBar)
+{
+    window_.angiogramView().addBar(bar_);
+    bar_->hide();
+    connectTool();
+    connect(&document_, &CaseDocument::changed, this, &CurveController::follow);
+    connect(&target_, &TargetProvider::changed, this, &CurveController::follow);
+    connect(&ground_, &QFutureWatcherBase::finished, this, [this] { tool_->setGround(ground_.result()); });
+    follow();
+}
+
+void CurveController::connectTool()
+{
+    ui::AngiogramView& view = window_.angiogramView();
+    QAction* mode = window_.actions()[ui::Command::EditVessels];
+    ui::bindTool(*mode, view, *tool_);
+    connect(mode, &QAction::toggled, this, [this](bool on) {
+        bar_->setVisible(on);
+        window_.angiogramView().setFocus();
+    });
+    connect(tool_, &ui::EditCurvesTool::begun, this, [this] {
+        window_.actions()[ui::Command::Cine]->setChecked(false);
+        shownCurves_.reset();
+        follow();
+    });
+    connect(tool_, &ui::EditCurvesTool::edited, this, &CurveController::take);
+    connect(tool_, &ui::EditCurvesTool::suspectAccepted, this, &CurveController::accept);
+    connect(tool_, &ui::EditCurvesTool::editChanged, bar_, &ui::CurveEditBar::showEdit);
+    connect(bar_, &ui::CurveEditBar::editChosen, this, [this](ui::CurveEdit edit) {
+        tool_->setEdit(edit);
+        window_.angiogramView().setFocus();   // the keys of the mode go to the image
+    });
+    connect(bar_, &ui::CurveEditBar::doneRequested, this, [&view] { view.setTool(nullptr); });
+    connect(bar_, &ui::CurveEditBar::traceAgainRequested, this, &CurveController::askToTraceAgain);
+    connect(window_.actions()[ui::Command::TraceAgain], &QAction::triggered, this, &CurveController::askToTraceAgain);
+}
+
+void CurveController::follow()
+{
+    const core::RegistrationCase& current = document_.current();
+    const bool isGiven = core::givenTargetOf(current) != nullptr;
+    window_.actions()[ui::Command::EditVessels]->setEnabled(current.angiogram != nullptr);
+    window_.actions()[ui::Command::TraceAgain]->setEnabled(isGiven);
+    bar_->setEdited(isGiven);
+    if (window_.angiogramView().tool() != tool_) {
+        return;
+    }
+    if (!current.angiogram) {
+        window_.angiogramView().setTool(nullptr);
+        return;
+    }
+    showCurves();
+    wantGround();
+}
+
+void CurveController::showCurves()
+{
+    tool_->setReady(target_.current() || !target_.problem().isEmpty());
+    const std::vector<int>& accepted = document_.current().acceptedCurveIds;
+    if (shownCurves_ && shownCurves_ == target_.current() && shownAccepted_ == accepted) {
+        return;   // what is under way on them may go on
+    }
+    shownCurves_ = target_.current();
+    shownAccepted_ = accepted;
+    const core::Centerline2d curves = shownCurves_ ? *shownCurves_ : core::Centerline2d{};
+    const std::vector<int> suspected = suspects();
+    tool_->showCurves(curves, suspected);
+    bar_->showCurves(static_cast<int>(curves.curves.size()), static_cast<int>(suspected.size()));
+}
+
+std::vector<int> CurveController::suspects() const
+{
+    if (target_.trace()) {
+        return target_.trace()->suspectIds;
+    }
+    const core::RegistrationCase& current = document_.current();
+    if (!target_.current() || !current.angiogram) {
+        return {};
+    }
+    std::vector<int> ids =
+        core::suspectCurves(*target_.current(), std::max(current.angiogram->width(), current.angiogram->height()));
+    std::erase_if(
+        ids, [&](int id) { return std::ranges::find(current.acceptedCurveIds, id) != current.acceptedCurveIds.end(); });
+    return ids;
+}
+
+void CurveController::wantGround()
+{
+    const core::RegistrationCase& current = document_.current();
+    const TraceRequest request{current.angiogram, current.frame, current.traceOptions};
+    const bool exists = request.frame >= 0 && request.frame < request.angiogram->frameCount();
+    if (!exists || grounded_ == request) {
+        return;
+    }
+    grounded_ = request;
+    tool_->setGround(nullptr);
+    ground_.setFuture(QtConcurrent::run([request] { return makeGround(request); }));
+}
+
+/// Of a traced frame nothing was accepted yet: what the case has is of the curves of another.
+std::vector<int> CurveController::acceptedHere() const
+{
+    return target_.trace() ? std::vector<int>() : document_.current().acceptedCurveIds;
+}
+
+void CurveController::take(const core::Centerline2d& curves, const QString& what)
+{
+    if (curves.pointCount() == 0) {
+        notices_.showNote(tr("At least one curve must stay: there would be nothing to register to."));
+        return;
+    }
+    std::vector<int> accepted = acceptedHere();
+    std::erase_if(accepted, [&](int id) { return !hasCurve(curves, id); });
+    push(std::make_shared<const core::Centerline2d>(curves), std::move(accepted), what);
+}
+
+void CurveController::accept(int curveId)
+{
+    std::vector<int> accepted = acceptedHere();
+    accepted.push_back(curveId);
+    push(target_.current(), std::move(accepted), tr("Keep a suspect curve"));
+}
+
+void CurveController::push(std::shared_ptr<const core::Centerline2d> curves, std::vector<int> accepted,
+                           const QString& what)
+{
+    const core::RegistrationCase& current = document_.current();
+    const auto formerFrame = current.editedFrame;
+    const int frame = current.frame;
+    const bool isPushed = document_.push(std::make_unique<ChangeTarget>(
+        document_, ChangeTarget::Values{core::InputFile{}, std::move(curves), frame, std::move(accepted), std::nullopt},
+        what));
+    if (isPushed && formerFrame && formerFrame != frame) {
+        notices_.showNote(tr("The edited curves of frame %1 gave way to these. Undo brings them back.").arg(*formerFrame));
+    }
+}
+
+void CurveController::askToTraceAgain()
+{
+    if (!core::givenTargetOf(document_.current())) {
+        return;
+    }
+    auto* question = new ui::QuestionDialog(
+        {tr("Trace this frame again?"), tr("Its edited or given curves are set aside. Undo brings them back."), {}},
+        {tr("Trace again"), tr("Keep the curves")}, &window_);
+    question->setObjectName(QStringLiteral("traceAgainQuestion"));
+    connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
+        if (index == 0) {
+            traceAgain();
+        }
+    });
+    question->open();
+}
+
+void CurveController::traceAgain()
+{
+    document_.push(std::make_unique<ChangeTarget>(
+        document_, ChangeTarget::Values{core::InputFile{}, nullptr, std::nullopt, std::vector<int>{}, std::nullopt},
+        tr("Trace again")));
+}
+
+}   // namespace app

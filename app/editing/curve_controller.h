@@ -1,0 +1,52 @@
+#pragma once
+
+#include "app/editing/angiogram_parts.h"
+#include "ui/views/tools/edit_curves_tool.h"
+
+#include <QFutureWatcher>
+#include <QObject>
+
+#include <memory>
+#include <optional>
+
+namespace ui {
+class CurveEditBar;
+}
+
+namespace app {
+
+/// Edits of the traced curves by hand, on the angiogram. Edited curves are the target of their frame until it is traced
+/// again; each edit is one step of undo.
+class CurveController : public QObject {
+    Q_OBJECT
+public:
+    explicit CurveController(const AngiogramParts& parts, QObject* parent = nullptr);
+
+    ui::EditCurvesTool& tool() { return *tool_; }
+    void askToTraceAgain();
+
+private:
+    void connectTool();
+    void follow();
+    void showCurves();
+    void wantGround();
+    std::vector<int> suspects() const;
+    std::vector<int> acceptedHere() const;
+    void take(const core::Centerline2d& curves, const QString& what);
+    void accept(int curveId);
+    void push(std::shared_ptr<const core::Centerline2d> curves, std::vector<int> accepted, const QString& what);
+    void traceAgain();
+
+    CaseDocument& document_;
+    TargetProvider& target_;
+    ui::MainWindow& window_;
+    Notices& notices_;
+    ui::EditCurvesTool* tool_;
+    ui::CurveEditBar* bar_;
+    SharedCenterline shownCurves_;
+    std::vector<int> shownAccepted_;
+    std::optional<TraceRequest> grounded_;   ///< what the ground is of, or is being made of
+    QFutureWatcher<std::shared_ptr<ui::CurveGround>> ground_;
+};
+
+}   // namespace app

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "app/editing/angiogram_parts.h"
+
+#include <QObject>
+
+namespace app {
+
+/// The numbers of the tracing, and the regions of the image that it leaves out.
+class CurveTracingController : public QObject {
+    Q_OBJECT
+public:
+    explicit CurveTracingController(const AngiogramParts& parts, QObject* parent = nullptr);
+
+private:
+    void change(const core::TraceOptions& options, const QString& what);
+    void showKeptOut();
+
+    CaseDocument& document_;
+    TargetProvider& target_;
+    ui::MainWindow& window_;
+    SharedTrace shownTrace_;
+};
+
+}   // namespace app

@@ -1,0 +1,271 @@
+#include "app/editing/subtraction_controller.h"
+
+#include "app/document/edit_case.h"
+#include "app/jobs/guarded.h"
+#include "ui/main_window.h"
+#include "ui/views/angiogram_view.h"
+#include "ui/views/tools/bind_tool.h"
+
+#include <QSignalBlocker>
+#include <QtConcurrentRun>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::size_t rememberedRuns = 3;
+
+core::Result<std::shared_ptr<const core::Angiogram>> make(const core::Angiogram& stored,
+                                                          const core::RunTreatment& treatment,
+                                                          const std::atomic<bool>& stop)
+{
+    return guarded<std::shared_ptr<const core::Angiogram>>(
+        [&]() -> core::Result<std::shared_ptr<const core::Angiogram>> {
+            auto run = core::treatedRun(stored, treatment, [&stop] { return stop.load(); });
+            if (!run) {
+                return run.error();
+            }
+            return std::make_shared<const core::Angiogram>(std::move(run).value());
+        });
+}
+
+}   // namespace
+
+SubtractionController::SubtractionController(const AngiogramParts& parts, QObject* parent)
+    : QObject(parent),
+      document_(parts.document),
+      sync_(parts.sync),
+      window_(parts.window),
+      notices_(parts.notices),
+      shiftTool_(new ui::MaskShiftTool(window_.angiogramView()))
+{
+    connectCommands();
+    connectMasks();
+    connectShift();
+    connect(&window_.angiogramPanel(), &ui::AngiogramPanel::treatmentEdited, this, &SubtractionController::change);
+    connect(&run_, &QFutureWatcherBase::finished, this, &SubtractionController::publish);
+    connect(&document_, &CaseDocument::changed, this, &SubtractionController::follow);
+    connect(&sync_, &ViewSync::runMeasured, this, &SubtractionController::showState);
+    follow();
+}
+
+void SubtractionController::connectCommands()
+{
+    ui::WindowActions& actions = window_.actions();
+    connect(actions[ui::Command::Subtract], &QAction::triggered, this, [this](bool on) {
+        core::RunTreatment wanted = document_.current().treatment;
+        wanted.isSubtracted = on;
+        change(wanted, on ? tr("Subtract mask") : tr("Show native frames"));
+    });
+    connect(actions[ui::Command::Composite], &QAction::triggered, this, [this](bool on) {
+        core::RunTreatment wanted = document_.current().treatment;
+        wanted.isComposite = on;
+        change(wanted, on ? tr("Whole run in one picture") : tr("One frame at a time"));
+    });
+}
+
+void SubtractionController::connectMasks()
+{
+    connect(window_.actions()[ui::Command::MaskHere], &QAction::triggered, this,
+            [this] { markMasks({sync_.shownFrame()}); });
+    connect(&window_.strip(), &ui::BottomStrip::maskRangeMarked, this, [this](int first, int last) {
+        std::vector<int> frames;
+        for (int frame = first; frame <= last; ++frame) {
+            frames.push_back(frame);
+        }
+        markMasks(frames);
+    });
+}
+
+void SubtractionController::markMasks(const std::vector<int>& frames)
+{
+    if (!document_.current().angiogram) {
+        return;
+    }
+    core::RunTreatment wanted = document_.current().treatment;
+    wanted.plan.maskFrames = frames;
+    wanted.plan.interval.reset();
+    wanted.isSubtracted = true;
+    change(wanted, tr("Choose mask frames"));
+}
+
+void SubtractionController::connectShift()
+{
+    ui::bindTool(*window_.actions()[ui::Command::ShiftMask], window_.angiogramView(), *shiftTool_);
+    connect(&window_.angiogramPanel(), &ui::AngiogramPanel::shiftByHandRequested, this, [this] {
+        window_.actions()[ui::Command::ShiftMask]->setChecked(true);
+        window_.angiogramView().setFocus();
+    });
+    connect(shiftTool_, &ui::MaskShiftTool::begun, this, [this] {
+        window_.actions()[ui::Command::Cine]->setChecked(false);
+        shiftTool_->showShift(
+            document_.current().treatment.plan.maskShiftPx.value_or(Eigen::Vector2d(Eigen::Vector2d::Zero())));
+    });
+    connect(shiftTool_, &ui::MaskShiftTool::shifted, this, &SubtractionController::previewShift);
+    connect(shiftTool_, &ui::MaskShiftTool::settled, &rest_, qOverload<>(&QTimer::start));
+    connect(shiftTool_, &ui::MaskShiftTool::ended, this, &SubtractionController::settleShift);
+    rest_.setSingleShot(true);
+    rest_.setInterval(600ms);
+    connect(&rest_, &QTimer::timeout, this, &SubtractionController::settleShift);
+    connect(&preview_, &QFutureWatcherBase::finished, this, [this] {
+        const Picture picture = preview_.result();
+        const bool isWanted = window_.angiogramView().tool() == shiftTool_;
+        if (picture && isWanted) {
+            window_.angiogramView().setFrame(*picture.value());
+        }
+        startPreview();
+    });
+}
+
+void SubtractionController::change(const core::RunTreatment& wanted, const QString& what)
+{
+    const core::RegistrationCase& current = document_.current();
+    if (!current.angiogram || document_.isLocked()) {
+        showState();
+        return;
+    }
+    wish_ = Wish{core::storedRunOf(current), wanted, what};
+    if (wanted == current.treatment) {
+        wish_.reset();   // back to what is there before the other was made
+    } else if (!wanted.changesFrames()) {
+        take(*std::exchange(wish_, std::nullopt), nullptr);
+    } else {
+        const auto known = std::ranges::find_if(made_, [this](const Made& made) {
+            return made.stored == wish_->stored && made.treatment == wish_->treatment;
+        });
+        if (known != made_.end()) {
+            take(*std::exchange(wish_, std::nullopt), known->run);
+        } else {
+            compute();
+        }
+    }
+    showState();
+}
+
+void SubtractionController::compute()
+{
+    if (run_.isRunning()) {
+        *stop_ = true;   // `publish` goes on with the wish
+        return;
+    }
+    computing_ = wish_;
+    stop_ = std::make_shared<std::atomic<bool>>(false);
+    run_.setFuture(QtConcurrent::run(
+        [stored = wish_->stored, treatment = wish_->treatment, stop = stop_] { return make(*stored, treatment, *stop); }));
+}
+
+void SubtractionController::publish()
+{
+    const Outcome outcome = run_.result();
+    const Wish done = *std::exchange(computing_, std::nullopt);
+    if (outcome) {
+        made_.push_back({done.stored, done.treatment, outcome.value()});
+        if (made_.size() > rememberedRuns) {
+            made_.pop_front();
+        }
+    }
+    if (!wish_) {
+        return;
+    }
+    if (!(wish_->stored == done.stored && wish_->treatment == done.treatment)) {
+        compute();
+        return;
+    }
+    wish_.reset();
+    if (!outcome) {
+        notices_.showNote(QString::fromStdString(outcome.error().message));
+    } else if (core::storedRunOf(document_.current()) == done.stored) {
+        take(done, outcome.value());
+    }
+    showState();
+}
+
+void SubtractionController::take(const Wish& wish, const SharedRun& run)
+{
+    document_.push(std::make_unique<ChangeTreatment>(
+        document_,
+        ChangeTreatment::Values{wish.treatment, run ? run : wish.stored, run ? wish.stored : nullptr, std::nullopt},
+        wish.what));
+}
+
+void SubtractionController::previewShift(const Eigen::Vector2d& shiftPx)
+{
+    rest_.stop();
+    wantedShift_ = shiftPx;
+    startPreview();
+}
+
+void SubtractionController::startPreview()
+{
+    const core::RegistrationCase& current = document_.current();
+    if (!wantedShift_ || preview_.isRunning() || !current.angiogram) {
+        return;
+    }
+    core::SubtractionPlan plan = current.treatment.plan;
+    plan.maskShiftPx = *std::exchange(wantedShift_, std::nullopt);
+    preview_.setFuture(QtConcurrent::run([stored = core::storedRunOf(current), plan, frame = current.frame,
+                                          polarity = current.angiogram->polarity]() -> Picture {
+        auto picture = core::subtractFrame(stored->frames, polarity, plan, frame);
+        if (!picture) {
+            return picture.error();
+        }
+        return std::make_shared<const core::ImageF>(std::move(picture).value());
+    }));
+}
+
+void SubtractionController::settleShift()
+{
+    rest_.stop();
+    core::RunTreatment wanted = document_.current().treatment;
+    const Eigen::Vector2d former = wanted.plan.maskShiftPx.value_or(Eigen::Vector2d(Eigen::Vector2d::Zero()));
+    if (shiftTool_->shiftPx() == former) {
+        return;
+    }
+    wanted.plan.maskShiftPx = shiftTool_->shiftPx();
+    wanted.isSubtracted = true;
+    change(wanted, tr("Move the mask"));
+}
+
+void SubtractionController::follow()
+{
+    const core::RegistrationCase& current = document_.current();
+    if (current.angiogram != shownRun_) {
+        const bool isSameRun = shownRun_ && current.angiogram && shownRun_->frameCount() == current.angiogram->frameCount();
+        shownRun_ = current.angiogram;
+        if (isSameRun && shownRun_) {
+            window_.angiogramView().autoWindowLevel();   // other grey values in the same frame
+        }
+    }
+    if (window_.angiogramView().tool() == shiftTool_ && current.treatment.plan.maskShiftPx && !rest_.isActive() &&
+        !wish_) {
+        shiftTool_->showShift(*current.treatment.plan.maskShiftPx);
+    }
+    showState();
+}
+
+void SubtractionController::showState()
+{
+    const core::RegistrationCase& current = document_.current();
+    ui::RunState state;
+    state.treatment = current.treatment;
+    state.polarity = current.angiogram ? current.angiogram->polarity : core::Polarity::VesselsDark;
+    state.maskFrames = current.treatment.plan.maskFrames.empty() ? sync_.suggestedMasks()
+                                                                 : current.treatment.plan.maskFrames;
+    state.hasRun = current.angiogram && current.angiogram->frameCount() > 1;
+    state.isComputing = isComputing();
+    window_.angiogramPanel().showRun(state);
+    window_.strip().showMasks(state.hasRun && !current.treatment.plan.interval ? state.maskFrames : std::vector<int>(),
+                              current.treatment.isSubtracted);
+    ui::WindowActions& actions = window_.actions();
+    actions[ui::Command::Subtract]->setChecked(wish_ ? wish_->treatment.isSubtracted : current.treatment.isSubtracted);
+    actions[ui::Command::Composite]->setChecked(wish_ ? wish_->treatment.isComposite : current.treatment.isComposite);
+    for (const ui::Command command :
+         {ui::Command::Subtract, ui::Command::Composite, ui::Command::ShiftMask, ui::Command::MaskHere}) {
+        actions[command]->setEnabled(state.hasRun);
+    }
+}
+
+}   // namespace app

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "app/editing/angiogram_parts.h"
+#include "ui/views/tools/mask_shift_tool.h"
+
+#include <QFutureWatcher>
+#include <QObject>
+#include <QTimer>
+
+#include <atomic>
+#include <deque>
+#include <memory>
+#include <optional>
+
+namespace app {
+
+/// Subtraction, composite and meaning of the pixel values: the run is made on a worker, and taken as one step of undo
+/// when it is there. While the mask is moved by hand the frame on screen follows at once, the run when the hand rests.
+class SubtractionController : public QObject {
+    Q_OBJECT
+public:
+    explicit SubtractionController(const AngiogramParts& parts, QObject* parent = nullptr);
+
+    /// Asks for the run so treated; only the newest wish is answered.
+    void change(const core::RunTreatment& wanted, const QString& what);
+    bool isComputing() const { return wish_.has_value(); }
+
+private:
+    using SharedRun = std::shared_ptr<const core::Angiogram>;
+    using Outcome = core::Result<SharedRun>;
+    using Picture = core::Result<std::shared_ptr<const core::ImageF>>;
+    struct Wish {
+        SharedRun stored;
+        core::RunTreatment treatment;
+        QString what;
+    };
+    struct Made {
+        SharedRun stored;
+        core::RunTreatment treatment;
+        SharedRun run;
+    };
+
+    void connectCommands();
+    void connectShift();
+    void connectMasks();
+    void markMasks(const std::vector<int>& frames);
+    void compute();
+    void publish();
+    void take(const Wish& wish, const SharedRun& run);
+    void previewShift(const Eigen::Vector2d& shiftPx);
+    void startPreview();
+    void settleShift();
+    void follow();
+    void showState();
+
+    CaseDocument& document_;
+    ViewSync& sync_;
+    ui::MainWindow& window_;
+    Notices& notices_;
+    ui::MaskShiftTool* shiftTool_;
+    std::optional<Wish> wish_;   ///< newest, not yet answered
+    std::optional<Wish> computing_;
+    std::shared_ptr<std::atomic<bool>> stop_;
+    QFutureWatcher<Outcome> run_;
+    std::deque<Made> made_;   ///< of late, so that switching to and fro costs nothing
+    QFutureWatcher<Picture> preview_;
+    std::optional<Eigen::Vector2d> wantedShift_;
+    QTimer rest_;
+    SharedRun shownRun_;
+};
+
+}   // namespace app

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "app/editing/angiogram_parts.h"
+
+#include <QObject>
+#include <QPointer>
+
+namespace ui {
+class OpacificationPlot;
+}
+
+namespace app {
+
+/// Opens the large plot of opacification over time, and keeps it up to date while it is open.
+class OpacificationController : public QObject {
+    Q_OBJECT
+public:
+    explicit OpacificationController(const AngiogramParts& parts, QObject* parent = nullptr);
+
+private:
+    void open();
+    void show();
+
+    CaseDocument& document_;
+    ViewSync& sync_;
+    ui::MainWindow& window_;
+    QPointer<ui::OpacificationPlot> plot_;
+};
+
+}   // namespace app

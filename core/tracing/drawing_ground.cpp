@@ -1,0 +1,45 @@
+#include "core/tracing/drawing_ground.h"
+
+#include "core/imaging/grey_statistics.h"
+#include "core/tracing/burned_in_text.h"
+#include "core/tracing/field_mask.h"
+#include "core/tracing/flatten_background.h"
+#include "core/tracing/vesselness.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace core {
+namespace {
+
+constexpr std::size_t sampleSize = 200000;
+constexpr double surroundingsInRadii = 3.0;
+
+}   // namespace
+
+DrawingGround drawingGround(const ImageF& frame, Polarity polarity, const TraceOptions& options)
+{
+    if (frame.isEmpty()) {
+        return {};
+    }
+    ImageF vesselsDark = frame;
+    if (polarity == Polarity::VesselsBright) {
+        std::ranges::transform(vesselsDark.pixels, vesselsDark.pixels.begin(), std::negate<>());
+    }
+    DrawingGround ground;
+    ground.fieldMask = findField(vesselsDark, 2.0 * options.maxVesselRadiusPx);
+    const Mask2d text = burnedInText(vesselsDark);
+    for (std::size_t i = 0; i < text.pixels.size(); ++i) {
+        ground.fieldMask.pixels[i] = text.pixels[i] != 0 ? 0 : ground.fieldMask.pixels[i];
+    }
+    ground.opacity = flattenBackground(vesselsDark, ground.fieldMask, surroundingsInRadii * options.maxVesselRadiusPx);
+    ground.vesselness = ridgeStrength(ground.opacity, options.minVesselRadiusPx, options.maxVesselRadiusPx);
+    // The strongest 0.1 % count as 1.
+    const float top = std::max(ranked(evenSample(ground.vesselness.pixels, sampleSize), 0.999), 1e-12F);
+    for (float& value : ground.vesselness.pixels) {
+        value = std::min(1.0F, value / top);
+    }
+    return ground;
+}
+
+}   // namespace core

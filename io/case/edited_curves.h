@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/registration_case.h"
+#include "core/support/result.h"
+
+#include <string>
+
+namespace io {
+
+/// The file of the case's edited 2-D curves, with its hash: each case has its own, `<case>.curves.csv` beside it.
+/// Written unless it is there already; the file of an earlier save of the same case is replaced, any other of that name
+/// is left alone and a number added to the name.
+core::Result<core::InputFile> keepEditedCurves(const core::RegistrationCase& registrationCase,
+                                               const std::string& casePath);
+
+}   // namespace io

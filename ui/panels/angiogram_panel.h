@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/tracing/subtract_run.h"
+#include "core/tracing/trace_angiogram.h"
+#include "ui/panels/number_field.h"
+#include "ui/panels/section.h"
+
+class QCheckBox;
+class QComboBox;
+class QPushButton;
+
+namespace ui {
+
+/// What the panel shows of the run.
+struct RunState {
+    core::RunTreatment treatment;
+    core::Polarity polarity = core::Polarity::VesselsDark;   ///< in force
+    std::vector<int> maskFrames;   ///< in force, or what would be chosen; empty: none
+    bool hasRun = false;   ///< several frames
+    bool isComputing = false;
+};
+
+/// How the frames become the picture that is traced: subtraction of mask frames, composite, meaning of the pixel
+/// values; and the few numbers of the tracing that a user would turn.
+class AngiogramPanel : public Section {
+    Q_OBJECT
+public:
+    explicit AngiogramPanel(QWidget* parent = nullptr);
+
+    void showRun(const RunState& state);   ///< silent
+    void showTracing(const core::TraceOptions& options);   ///< silent
+
+signals:
+    void treatmentEdited(const core::RunTreatment& treatment, const QString& what);
+    void shiftByHandRequested();
+    void tracingEdited(const core::TraceOptions& options, const QString& what);
+
+private:
+    void buildSubtraction();
+    void buildPixels();
+    void buildTracing();
+    void editShift();
+    template <class Change>
+    void edit(const Change& change, const QString& what);
+    NumberField* tracingRow(class QGridLayout& grid, int row, const QString& label, const QString& help,
+                            const NumberFormat& format, double core::TraceOptions::*value);
+    NumberField* lengthRow(class QGridLayout& grid, int row);
+
+    RunState state_;
+    core::TraceOptions tracing_;
+    QCheckBox* subtract_;
+    QCheckBox* composite_;
+    ElidedLabel* masks_;
+    QPushButton* automaticMasks_;
+    NumberField* right_;
+    NumberField* down_;
+    QPushButton* automaticShift_;
+    QPushButton* byHand_;
+    QComboBox* relation_;
+    QComboBox* vessels_;
+    NumberField* sensitivity_ = nullptr;
+    NumberField* length_ = nullptr;
+    NumberField* widest_ = nullptr;
+    QPushButton* defaults_;
+};
+
+}   // namespace ui

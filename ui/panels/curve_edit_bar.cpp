@@ -1,0 +1,97 @@
+#include "ui/panels/curve_edit_bar.h"
+
+#include "ui/panels/section.h"
+
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QToolButton>
+
+#include <array>
+
+namespace ui {
+namespace {
+
+struct EditRow {
+    CurveEdit edit;
+    const char* text;
+    const char* key;
+    const char* help;
+};
+
+constexpr std::array editRows{
+    EditRow{CurveEdit::Remove, QT_TRANSLATE_NOOP("ui::CurveEditBar", "Not a vessel"), "X",
+            QT_TRANSLATE_NOOP("ui::CurveEditBar", "Click a curve to leave it out")},
+    EditRow{CurveEdit::Erase, QT_TRANSLATE_NOOP("ui::CurveEditBar", "Erase"), "E",
+            QT_TRANSLATE_NOOP("ui::CurveEditBar", "Brush over parts of curves")},
+    EditRow{CurveEdit::Draw, QT_TRANSLATE_NOOP("ui::CurveEditBar", "Draw"), "D",
+            QT_TRANSLATE_NOOP("ui::CurveEditBar", "Click along a vessel: the line follows it")},
+    EditRow{CurveEdit::Cut, QT_TRANSLATE_NOOP("ui::CurveEditBar", "Cut"), "C",
+            QT_TRANSLATE_NOOP("ui::CurveEditBar", "Click where a curve is to fall in two")},
+    EditRow{CurveEdit::Box, QT_TRANSLATE_NOOP("ui::CurveEditBar", "Box"), "B",
+            QT_TRANSLATE_NOOP("ui::CurveEditBar", "Keep what lies in a box; Ctrl: leave it out")},
+    EditRow{CurveEdit::Lasso, QT_TRANSLATE_NOOP("ui::CurveEditBar", "Lasso"), "L",
+            QT_TRANSLATE_NOOP("ui::CurveEditBar", "Keep what lies in a lasso; Ctrl: leave it out")},
+};
+
+QString withKey(const QString& text, const QString& key)
+{
+    return QStringLiteral("%1  %2").arg(text, key);
+}
+
+}   // namespace
+
+CurveEditBar::CurveEditBar(QWidget* parent)
+    : QFrame(parent), count_(roleLabel("hint")), traceAgain_(new QPushButton(tr("Trace again")))
+{
+    setProperty("role", "imageBar");
+    setAttribute(Qt::WA_StyledBackground);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(8, 6, 8, 6);
+    layout->setSpacing(4);
+    for (const EditRow& row : editRows) {
+        auto* button = new QToolButton;
+        button->setText(withKey(tr(row.text), QString::fromLatin1(row.key)));
+        button->setToolTip(QStringLiteral("%1 (%2)").arg(tr(row.help), QString::fromLatin1(row.key)));
+        button->setAccessibleName(tr(row.text));
+        button->setCheckable(true);
+        button->setFocusPolicy(Qt::TabFocus);
+        connect(button, &QToolButton::clicked, this, [this, row] {
+            showEdit(row.edit);
+            emit editChosen(row.edit);
+        });
+        layout->addWidget(button);
+        buttons_[row.edit] = button;
+    }
+    layout->addSpacing(8);
+    layout->addWidget(count_);
+    layout->addSpacing(8);
+    traceAgain_->setToolTip(tr("Forget the edits of this frame and trace it automatically; undo brings them back"));
+    traceAgain_->setProperty("role", "quiet");
+    connect(traceAgain_, &QPushButton::clicked, this, &CurveEditBar::traceAgainRequested);
+    layout->addWidget(traceAgain_);
+    auto* done = new QPushButton(withKey(tr("Done"), QStringLiteral("Esc")));
+    done->setAccessibleName(tr("Done"));
+    connect(done, &QPushButton::clicked, this, &CurveEditBar::doneRequested);
+    layout->addWidget(done);
+    showEdit(CurveEdit::Remove);
+    setEdited(false);
+}
+
+void CurveEditBar::showEdit(CurveEdit edit)
+{
+    for (const auto& [each, button] : buttons_) {
+        button->setChecked(each == edit);
+    }
+}
+
+void CurveEditBar::showCurves(int count, int suspects)
+{
+    count_->setText(suspects > 0 ? tr("%1 curves, %2 suspect").arg(count).arg(suspects) : tr("%1 curves").arg(count));
+}
+
+void CurveEditBar::setEdited(bool edited)
+{
+    traceAgain_->setEnabled(edited);
+}
+
+}   // namespace ui

@@ -1,0 +1,317 @@
+#include "ui/views/tools/edit_curves_tool.h"
+
+#include "core/tracing/edit_centerline.h"
+#include "ui/views/angiogram_view.h"
+
+#include <QKeyEvent>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ui {
+namespace {
+
+constexpr double reachOnScreenPx = 9.0;
+constexpr double smallestBrush = 4.0;
+constexpr double largestBrush = 80.0;
+constexpr double brushStep = 1.25;
+
+struct EditKey {
+    Qt::Key key;
+    CurveEdit edit;
+};
+constexpr std::array editKeys{EditKey{Qt::Key_E, CurveEdit::Erase}, EditKey{Qt::Key_D, CurveEdit::Draw},
+                              EditKey{Qt::Key_C, CurveEdit::Cut},   EditKey{Qt::Key_X, CurveEdit::Remove},
+                              EditKey{Qt::Key_B, CurveEdit::Box},   EditKey{Qt::Key_L, CurveEdit::Lasso}};
+
+std::optional<CurveEdit> editOf(const QKeyEvent& event)
+{
+    const auto* found = std::ranges::find(editKeys, event.key(), [](const EditKey& row) { return int{row.key}; });
+    const bool isPlain = event.modifiers() == Qt::NoModifier;
+    return isPlain && found != editKeys.end() ? std::optional(found->edit) : std::nullopt;
+}
+
+bool isSame(const core::Centerline2d& a, const core::Centerline2d& b)
+{
+    return a.pointCount() == b.pointCount() && a.curves.size() == b.curves.size();
+}
+
+bool isStraight(const ToolPoint& point)
+{
+    return point.modifiers.testFlag(Qt::ShiftModifier);
+}
+
+}   // namespace
+
+EditCurvesTool::EditCurvesTool(AngiogramView& view) : ImageTool(view) {}
+
+EditCurvesTool::~EditCurvesTool() = default;
+
+void EditCurvesTool::showCurves(const core::Centerline2d& curves, const std::vector<int>& suspectIds)
+{
+    curves_ = shown_ = curves;
+    suspects_ = suspectIds;
+    hovered_ = -1;
+    region_.clear();
+    view().update();
+}
+
+void EditCurvesTool::setReady(bool ready)
+{
+    isReady_ = ready;
+    view().update();
+}
+
+void EditCurvesTool::setGround(std::shared_ptr<CurveGround> ground)
+{
+    ground_ = std::move(ground);
+    path_.clear();
+}
+
+void EditCurvesTool::setEdit(CurveEdit edit)
+{
+    if (edit != edit_) {
+        path_.clear();
+        edit_ = edit;
+        view().update();
+        emit editChanged(edit);
+    }
+}
+
+void EditCurvesTool::setBrush(double radius)
+{
+    brushRadius_ = std::clamp(radius, smallestBrush, largestBrush);
+    view().update();
+}
+
+QString EditCurvesTool::caption() const
+{
+    if (!isReady_) {
+        return tr("Edit vessels: tracing this frame …");
+    }
+    switch (edit_) {
+        case CurveEdit::Erase:
+            return tr("Erase: brush over curves, [ ] size of the brush, Esc ends");
+        case CurveEdit::Draw:
+            return tr("Draw: click along the vessel, Enter ends, Backspace takes a point back, Shift straight");
+        case CurveEdit::Cut:
+            return tr("Cut: click where a curve is to fall in two, Esc ends");
+        case CurveEdit::Remove:
+            return tr("Not a vessel: click a curve to leave it out, Esc ends");
+        case CurveEdit::Box:
+            return tr("Box: drag around what counts, Ctrl around what does not, Esc ends");
+        case CurveEdit::Lasso:
+            return tr("Lasso: draw around what counts, Ctrl around what does not, Esc ends");
+    }
+    return {};
+}
+
+void EditCurvesTool::begin()
+{
+    emit begun();
+}
+
+void EditCurvesTool::end()
+{
+    path_.clear();
+    region_.clear();
+    mouse_.reset();
+    hovered_ = -1;
+}
+
+double EditCurvesTool::reachPx() const
+{
+    return reachOnScreenPx / view().zoom();
+}
+
+void EditCurvesTool::report(const core::Centerline2d& curves, const QString& what)
+{
+    if (!isSame(curves, curves_)) {
+        emit edited(curves, what);
+    }
+    shown_ = curves_;   // as the answer to the report left it
+    view().update();
+}
+
+void EditCurvesTool::eraseAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+{
+    const double radiusPx = brushRadius_ / view().zoom();
+    const int steps = std::max(1, static_cast<int>(std::ceil((to - from).norm() / (0.5 * radiusPx))));
+    for (int k = 0; k <= steps; ++k) {
+        shown_ = core::erased(shown_, from + (to - from) * k / steps, radiusPx);
+    }
+}
+
+bool EditCurvesTool::startDrag(const ToolPoint& pressed)
+{
+    const bool drags = edit_ == CurveEdit::Erase || edit_ == CurveEdit::Box || edit_ == CurveEdit::Lasso;
+    if (!isReady_ || !drags) {
+        return false;
+    }
+    isDragging_ = true;
+    mouse_ = pressed;
+    region_ = {pressed.imagePx};
+    isKeeping_ = !pressed.modifiers.testFlag(Qt::ControlModifier);
+    hovered_ = -1;
+    return true;
+}
+
+void EditCurvesTool::drag(const ToolPoint& point)
+{
+    if (!isDragging_) {
+        return;   // the curves changed on the way
+    }
+    if (edit_ == CurveEdit::Erase) {
+        eraseAlong(mouse_ ? mouse_->imagePx : point.imagePx, point.imagePx);
+    } else {
+        region_.push_back(point.imagePx);
+        shown_ = isKeeping_ ? core::restrictedTo(curves_, outline()) : core::withoutRegion(curves_, outline());
+    }
+    mouse_ = point;
+    view().update();
+}
+
+void EditCurvesTool::finishDrag(const ToolPoint&)
+{
+    if (!std::exchange(isDragging_, false)) {
+        return;
+    }
+    const std::vector<Eigen::Vector2d> polygon = outline();
+    region_.clear();
+    if (edit_ == CurveEdit::Erase) {
+        report(core::Centerline2d(shown_), tr("Erase curves"));
+    } else if (isKeeping_) {
+        report(core::restrictedTo(curves_, polygon), tr("Restrict to a region"));
+    } else {
+        report(core::withoutRegion(curves_, polygon), tr("Leave out a region"));
+    }
+}
+
+void EditCurvesTool::cancelDrag()
+{
+    isDragging_ = false;
+    region_.clear();
+    shown_ = curves_;
+}
+
+bool EditCurvesTool::click(const ToolPoint& point)
+{
+    if (!isReady_ || clickSign(point)) {
+        return true;
+    }
+    switch (edit_) {
+        case CurveEdit::Erase:
+            eraseAlong(point.imagePx, point.imagePx);
+            report(core::Centerline2d(shown_), tr("Erase curves"));
+            break;
+        case CurveEdit::Draw:
+            setAnchor(point);
+            break;
+        case CurveEdit::Cut:
+            report(core::cutAt(curves_, point.imagePx, reachPx()), tr("Cut a curve"));
+            break;
+        case CurveEdit::Remove:
+            report(core::withoutCurve(curves_, core::curveAt(curves_, point.imagePx, reachPx())),
+                   tr("Mark as not a vessel"));
+            break;
+        case CurveEdit::Box:
+        case CurveEdit::Lasso:
+            break;
+    }
+    return true;
+}
+
+void EditCurvesTool::setAnchor(const ToolPoint& point)
+{
+    path_.add(point.imagePx, ground_ ? &ground_->wire : nullptr, isStraight(point));
+    view().update();
+}
+
+bool EditCurvesTool::doubleClick(const ToolPoint&)
+{
+    if (edit_ == CurveEdit::Draw) {
+        finishPath();
+    }
+    return true;   // no fitting to the window by accident
+}
+
+void EditCurvesTool::finishPath()
+{
+    const std::vector<Eigen::Vector2d> path = path_.points();
+    path_.clear();
+    report(ground_ ? core::withDrawn(curves_, path, ground_->opacity, ground_->maxRadiusPx)
+                   : core::withDrawn(curves_, path),
+           tr("Draw a curve"));
+}
+
+void EditCurvesTool::hover(const ToolPoint& point)
+{
+    mouse_ = point;
+    const bool picks = isReady_ && (edit_ == CurveEdit::Cut || edit_ == CurveEdit::Remove);
+    hovered_ = picks ? core::curveAt(curves_, point.imagePx, reachPx()) : -1;
+    if (edit_ == CurveEdit::Draw && isReady_) {
+        path_.aim(point.imagePx, ground_ ? &ground_->wire : nullptr, isStraight(point));
+    }
+    view().update();
+}
+
+void EditCurvesTool::leave()
+{
+    mouse_.reset();
+    hovered_ = -1;
+}
+
+bool EditCurvesTool::takesKey(const QKeyEvent& event) const
+{
+    const bool isBrush = edit_ == CurveEdit::Erase && event.modifiers() == Qt::NoModifier &&
+                         (event.key() == Qt::Key_BracketLeft || event.key() == Qt::Key_BracketRight);
+    const bool isPath = !path_.isEmpty() && (event.key() == Qt::Key_Backspace || event.key() == Qt::Key_Return ||
+                                             event.key() == Qt::Key_Enter);
+    // Backspace would move the pose: in this mode it belongs to the path, even where there is none.
+    return isBrush || isPath || event.key() == Qt::Key_Backspace || editOf(event).has_value();
+}
+
+void EditCurvesTool::keyPress(const QKeyEvent& event)
+{
+    if (const auto chosen = editOf(event)) {
+        setEdit(*chosen);
+    } else if (event.key() == Qt::Key_BracketLeft || event.key() == Qt::Key_BracketRight) {
+        setBrush(brushRadius_ * (event.key() == Qt::Key_BracketLeft ? 1.0 / brushStep : brushStep));
+    } else if (event.key() == Qt::Key_Backspace) {
+        path_.takeBack(ground_ ? &ground_->wire : nullptr);
+        view().update();
+    } else {
+        finishPath();
+    }
+}
+
+bool EditCurvesTool::takeBack()
+{
+    const bool wasDrawing = !path_.isEmpty();
+    path_.clear();
+    return wasDrawing;
+}
+
+std::optional<QCursor> EditCurvesTool::cursor(bool) const
+{
+    if (!isReady_) {
+        return QCursor(Qt::BusyCursor);
+    }
+    if (edit_ == CurveEdit::Erase) {
+        return QCursor(Qt::BlankCursor);   // the brush is drawn
+    }
+    return QCursor(hovered_ >= 0 ? Qt::PointingHandCursor : Qt::CrossCursor);
+}
+
+std::vector<Eigen::Vector2d> EditCurvesTool::outline() const
+{
+    if (edit_ != CurveEdit::Box || region_.size() < 2) {
+        return region_;
+    }
+    const Eigen::Vector2d a = region_.front();
+    const Eigen::Vector2d b = region_.back();
+    return {a, {b.x(), a.y()}, b, {a.x(), b.y()}};
+}
+
+}   // namespace ui

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "core/tracing/live_wire.h"
+#include "core/vessel/centerline2d.h"
+#include "ui/views/tools/image_tool.h"
+#include "ui/views/tools/wire_path.h"
+
+#include <memory>
+#include <vector>
+
+namespace ui {
+
+enum class CurveEdit { Erase, Draw, Cut, Remove, Box, Lasso };
+
+/// What the live wire follows, and what drawn curves are centred on.
+struct CurveGround {
+    core::LiveWire wire;
+    core::ImageF opacity;
+    double maxRadiusPx = 8.0;
+};
+
+/// Edits the traced curves of the frame by mouse: see `CurveEdit`. Curves that may be catheters are dashed amber, with
+/// a tick and a cross to click. Shows the curves it is told, and reports what they would be after each edit.
+class EditCurvesTool : public ImageTool {
+    Q_OBJECT
+public:
+    explicit EditCurvesTool(AngiogramView& view);
+    ~EditCurvesTool() override;
+
+    void showCurves(const core::Centerline2d& curves, const std::vector<int>& suspectIds);   ///< ends what is under way
+    void setReady(bool ready);   ///< false while the frame is being traced: nothing can be edited yet
+    void setGround(std::shared_ptr<CurveGround> ground);   ///< null: not there yet, drawn lines are straight
+    void setEdit(CurveEdit edit);
+    CurveEdit edit() const { return edit_; }
+    void setBrush(double radius);   ///< widget px
+    double brush() const { return brushRadius_; }
+
+    QString caption() const override;
+    void begin() override;
+    void end() override;
+    bool startDrag(const ToolPoint& pressed) override;
+    void drag(const ToolPoint& point) override;
+    void finishDrag(const ToolPoint& point) override;
+    void cancelDrag() override;
+    bool click(const ToolPoint& point) override;
+    bool doubleClick(const ToolPoint& point) override;
+    void hover(const ToolPoint& point) override;
+    void leave() override;
+    bool takesKey(const QKeyEvent& event) const override;
+    void keyPress(const QKeyEvent& event) override;
+    bool takeBack() override;
+    bool picksBranches() const override { return false; }
+    bool hidesOverlay() const override { return true; }
+    std::optional<QCursor> cursor(bool isDragging) const override;
+    void drawStrokes(Canvas canvas) const override;
+    void paint(QPainter& painter) const override;
+
+signals:
+    void begun();   ///< the mode is on: a ground is wanted
+    void editChanged(ui::CurveEdit edit);
+    void edited(const core::Centerline2d& curves, const QString& what);
+    void suspectAccepted(int curveId);
+
+private:
+    struct Sign;
+
+    double reachPx() const;   ///< image px
+    void eraseAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
+    void report(const core::Centerline2d& curves, const QString& what);
+    void setAnchor(const ToolPoint& point);
+    void finishPath();
+    std::vector<Eigen::Vector2d> outline() const;   ///< of the region under way, image px
+    std::vector<Sign> signs() const;
+    bool clickSign(const ToolPoint& point);
+    Eigen::Vector2d onCanvas(const Eigen::Vector2d& imagePx, Canvas canvas) const;
+
+    core::Centerline2d curves_;
+    core::Centerline2d shown_;   ///< with the drag under way
+    std::vector<int> suspects_;
+    std::shared_ptr<CurveGround> ground_;
+    bool isReady_ = false;
+    CurveEdit edit_ = CurveEdit::Remove;
+    double brushRadius_ = 14.0;
+    std::optional<ToolPoint> mouse_;
+    int hovered_ = -1;
+    bool isDragging_ = false;
+    bool isKeeping_ = true;   ///< a region keeps what is in it, with Ctrl what is outside
+    std::vector<Eigen::Vector2d> region_;
+    WirePath path_;
+};
+
+}   // namespace ui

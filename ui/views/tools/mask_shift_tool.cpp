@@ -1,0 +1,94 @@
+#include "ui/views/tools/mask_shift_tool.h"
+
+#include "ui/views/angiogram_view.h"
+
+#include <QKeyEvent>
+
+namespace ui {
+namespace {
+
+constexpr double stepPx = 0.25;
+constexpr double finePace = 0.2;
+constexpr double coarsePace = 4.0;
+
+std::optional<Eigen::Vector2d> stepOf(const QKeyEvent& event)
+{
+    const double pace = event.modifiers().testFlag(Qt::ShiftModifier)     ? coarsePace
+                        : event.modifiers().testFlag(Qt::ControlModifier) ? finePace
+                                                                          : 1.0;
+    const double step = pace * stepPx;
+    switch (event.key()) {
+        case Qt::Key_Left:
+            return Eigen::Vector2d(-step, 0.0);
+        case Qt::Key_Right:
+            return Eigen::Vector2d(step, 0.0);
+        case Qt::Key_Up:
+            return Eigen::Vector2d(0.0, -step);
+        case Qt::Key_Down:
+            return Eigen::Vector2d(0.0, step);
+        default:
+            return std::nullopt;
+    }
+}
+
+}   // namespace
+
+void MaskShiftTool::showShift(const Eigen::Vector2d& shiftPx)
+{
+    shift_ = shiftPx;
+    view().update();
+}
+
+QString MaskShiftTool::caption() const
+{
+    return tr("Mask: arrows or drag move it, Shift 1 px, Ctrl 0.05 px, Esc ends · right %1, down %2 px")
+        .arg(shift_.x(), 0, 'f', 2)
+        .arg(shift_.y(), 0, 'f', 2);
+}
+
+const Color& MaskShiftTool::tone() const
+{
+    return palette(ThemeMode::Dark).attention;
+}
+
+void MaskShiftTool::moveTo(const Eigen::Vector2d& shiftPx)
+{
+    shift_ = shiftPx;
+    view().update();
+    emit shifted(shift_);
+}
+
+bool MaskShiftTool::startDrag(const ToolPoint& pressed)
+{
+    shiftBefore_ = shift_;
+    last_ = pressed.imagePx;
+    return true;
+}
+
+void MaskShiftTool::drag(const ToolPoint& point)
+{
+    const double pace = point.modifiers.testFlag(Qt::ControlModifier) ? finePace : 1.0;
+    const Eigen::Vector2d step = pace * (point.imagePx - last_);
+    last_ = point.imagePx;
+    moveTo(shift_ + step);
+}
+
+void MaskShiftTool::cancelDrag()
+{
+    moveTo(shiftBefore_);
+}
+
+bool MaskShiftTool::takesKey(const QKeyEvent& event) const
+{
+    return stepOf(event).has_value() && !event.modifiers().testFlag(Qt::AltModifier);
+}
+
+void MaskShiftTool::keyPress(const QKeyEvent& event)
+{
+    if (const auto step = stepOf(event)) {
+        moveTo(shift_ + *step);
+        emit settled();
+    }
+}
+
+}   // namespace ui
