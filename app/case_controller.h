@@ -9,6 +9,7 @@
 #include "app/registration/target_provider.h"
 #include "app/review/judgement_controller.h"
 #include "app/review/look_controller.h"
+#include "app/review/pose_tools.h"
 #include "app/review/replay_controller.h"
 #include "app/review/review_controller.h"
 #include "app/review/view_sync.h"
@@ -36,6 +37,7 @@ public:
     PoseController& pose() { return pose_; }
     BranchController& branches() { return branches_; }
     TargetProvider& target() { return target_; }
+    PoseTools& poses() { return poses_; }
     const SharedJudgement& judgement() const { return judgement_.current(); }
 
 private:
@@ -68,6 +70,7 @@ private:
     LookController look_;
     ReplayController replay_;
     JudgementController judgement_;
+    PoseTools poses_;
     QTimer clock_;   ///< keeps "Autosaved 12 s ago" true
     bool exported_ = false;
 };

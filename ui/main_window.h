@@ -7,7 +7,9 @@
 #include "ui/panels/pose_panel.h"
 #include "ui/panels/registration_panel.h"
 #include "ui/panels/result_panel.h"
+#include "ui/panels/snapshot_panel.h"
 #include "ui/panels/step_bar.h"
+#include "ui/panels/trial_bar.h"
 #include "ui/panels/welcome_page.h"
 #include "ui/window_actions.h"
 
@@ -37,6 +39,8 @@ public:
     GeometryPanel& geometryPanel() { return *geometry_; }
     RegistrationPanel& registration() { return *registration_; }
     ResultPanel& result() { return *result_; }
+    SnapshotPanel& snapshots() { return *snapshots_; }
+    TrialBar& trialBar() { return *trialBar_; }
     BottomStrip& strip() { return *strip_; }
     WelcomePage& welcome() { return *welcome_; }
     WindowActions& actions() { return *actions_; }
@@ -45,7 +49,9 @@ public:
     void showWelcomePage();
     void focusStep(Step step);   ///< brings the step's part of the window to the user
 
-    QByteArray layoutState() const;
+    void setImageOnly(bool on);   ///< hides the columns beside the image
+
+    QByteArray layoutState() const;   ///< place, widths and folded parts
     void restoreLayout(const QByteArray& state);
     void closeNow();   ///< closes without asking again
 
@@ -81,6 +87,8 @@ private:
     PosePanel* pose_;
     RegistrationPanel* registration_;
     ResultPanel* result_;
+    SnapshotPanel* snapshots_;
+    TrialBar* trialBar_;
     QScrollArea* rightColumn_;
     BottomStrip* strip_;
     QSplitter* columns_;

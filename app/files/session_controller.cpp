@@ -5,7 +5,9 @@
 #include "app/files/series_rows.h"
 #include "app/jobs/input_kind.h"
 #include "app/settings.h"
+#include "app/window_layout.h"
 #include "ui/dialogs/message_dialog.h"
+#include "ui/dialogs/missing_inputs.h"
 #include "ui/main_window.h"
 
 #include <QFileDialog>
@@ -88,17 +90,14 @@ void SessionController::connectOpening()
         }
     });
     connect(&open_, &OpenController::seriesChoiceNeeded, this, &SessionController::chooseSeries);
+    connect(&open_, &OpenController::inputsMissing, this, &SessionController::askForInputs);
     connect(&open_, &OpenController::ended, this, [this] { window_.strip().showIdle(tr("Ready")); });
     connect(&open_, &OpenController::opened, this, [this](const QStringList& notes) {
-        if (recovering_) {
-            recovering_ = false;
-            document_.markUnsaved();
-        }
+        save_.noteOpened(open_.openedCopy());
         fillRecent();
         notices_.showNote(notes.isEmpty() ? tr("Opened") : notes.join(QLatin1Char(' ')));
     });
     connect(&open_, &OpenController::failed, this, [this](const QString& reason, const QStringList& paths) {
-        recovering_ = false;
         notices_.showProblem(paths.size() == 1 ? tr("Could not open the file") : tr("Could not open the files"), reason,
                              paths);
     });
@@ -117,10 +116,8 @@ void SessionController::connectSaving()
         fillRecent();
         notices_.showNote(tr("Saved"));
     });
-    connect(&save_, &SaveController::recoveryWanted, this, [this](const LeftBehind& copy) {
-        recovering_ = true;
-        open({copy.path});
-    });
+    connect(&save_, &SaveController::recoveryWanted, this,
+            [this](const LeftBehind& copy) { open_.openCopy(copy.path, copy.original); });
 }
 
 void SessionController::connectExporting()
@@ -172,6 +169,22 @@ void SessionController::chooseSeries(const QString& folder, const std::vector<io
     chooser->open();
 }
 
+void SessionController::askForInputs(const QString& casePath, const QStringList& missing)
+{
+    const QFileInfo file(casePath);
+    auto* dialog = new ui::MissingInputs(file.fileName(), missing, file.absolutePath(), &window_);
+    connect(dialog, &ui::MissingInputs::located, this, [this](const std::map<QString, QString>& places) {
+        io::MovedInputs moved;
+        for (const auto& [wanted, place] : places) {
+            moved[wanted.toStdString()] = place.toStdString();
+        }
+        open_.openWithInputs(moved);
+    });
+    connect(dialog, &ui::MissingInputs::searchRequested, this,
+            [this](const QString& folder) { open_.openWithInputs({}, folder); });
+    dialog->open();
+}
+
 void SessionController::openSample()
 {
     if (files_.isBusy()) {
@@ -212,6 +225,7 @@ void SessionController::requestClose()
     if (window_.findChild<QDialog*>(QStringLiteral("closeQuestion"))) {
         return;
     }
+    emit aboutToClose();
     const bool running = registration_.isRunning();
     if (!running && !document_.isModified()) {
         closeWindow();
@@ -254,7 +268,7 @@ void SessionController::closeWindow()
         return;
     }
     save_.discardAutosave();
-    settings::windowLayout.write(window_.layoutState());
+    storeWindowLayout(window_);
     window_.closeNow();
 }
 

@@ -12,7 +12,8 @@ namespace io {
 /// Paths of a case file are relative to its folder.
 void makePathsAbsolute(core::RegistrationCase& values, const std::string& casePath);
 
-/// The case with its inputs read and checked against what it says: frame, camera size, branches, hashes, start pose.
+/// The case with its inputs (absolute paths) read and checked against what it says: frame, camera size, branches,
+/// hashes, start pose.
 core::Result<core::RegistrationCase> loadInputs(CaseDocument document, const std::string& casePath,
                                                 std::vector<std::string>& warnings, const ReadObserver& observe);
 

@@ -81,6 +81,11 @@ const std::vector<Press>& presses()
                                          {Key_Y, Qt::ControlModifier},
                                          {Key_C, Qt::ControlModifier},
                                          {Key_Escape},
+                                         {Key_K},
+                                         {Key_Y},
+                                         {Key_Y},
+                                         {Key_4},
+                                         {Key_L, Qt::ControlModifier},
                                          {Key_F1}};
     return keys;
 }
