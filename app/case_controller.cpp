@@ -5,6 +5,7 @@
 #include "app/settings.h"
 #include "app/step_states.h"
 #include "app/texts/geometry_state.h"
+#include "app/window_layout.h"
 #include "ui/dialogs/key_sheet.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/views/angiogram_view.h"
@@ -73,7 +74,8 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       judgement_({document_, target_, pose_, registration_, sync_, look_, replay_, window}),
       slices_(document_, branches_, window),
       tracing_(document_, window),
-      treeActions_(document_, branches_, tracing_, window)
+      treeActions_(document_, branches_, tracing_, window),
+      poses_({document_, target_, branches_, session_, review_, replay_, judgement_, sync_, notices_, window})
 {
     connectEditing();
     connectBranches();
@@ -83,7 +85,6 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
     connectRegistration();
     connectHelp();
     connect(&document_, &CaseDocument::changed, this, &CaseController::followDocument);
-    connect(&document_, &CaseDocument::stateChanged, this, &CaseController::showTitle);
     connect(&target_, &TargetProvider::changed, this, &CaseController::followTarget);
     connect(&session_, &SessionController::exported, this, [this] {
         exported_ = true;
@@ -92,9 +93,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
     clock_.setInterval(5s);
     connect(&clock_, &QTimer::timeout, this, [this] { window_.strip().showSaveState(session_.saving().saveState()); });
     clock_.start();
-    if (const QByteArray layout = settings::windowLayout.read(); !layout.isEmpty()) {
-        window_.restoreLayout(layout);
-    }
+    restoreWindowLayout(window_);
     followDocument();
 }
 
@@ -103,25 +102,19 @@ void CaseController::connectEditing()
     QUndoStack& stack = document_.undoStack();
     QAction* undo = window_.actions()[ui::Command::Undo];
     QAction* redo = window_.actions()[ui::Command::Redo];
-    connect(undo, &QAction::triggered, this, [this] {
-        if (!document_.isLocked()) {
-            document_.undoStack().undo();
-        }
-    });
-    connect(redo, &QAction::triggered, this, [this] {
-        if (!document_.isLocked()) {
-            document_.undoStack().redo();
-        }
-    });
+    connect(undo, &QAction::triggered, &document_, &CaseDocument::undo);
+    connect(redo, &QAction::triggered, &document_, &CaseDocument::redo);
     const auto showHistory = [this, undo, redo, &stack] {
-        undo->setEnabled(stack.canUndo());
+        const bool canUndo = document_.canUndo();
+        undo->setEnabled(canUndo);
         redo->setEnabled(stack.canRedo());
-        undo->setText(stack.canUndo() ? tr("Undo: %1").arg(stack.undoText()) : tr("Undo"));
+        undo->setText(canUndo ? tr("Undo: %1").arg(stack.undoText()) : tr("Undo"));
         redo->setText(stack.canRedo() ? tr("Redo: %1").arg(stack.redoText()) : tr("Redo"));
-        window_.strip().showUndoState(stack.canUndo() ? tr("Undo: %1").arg(stack.undoText()) : QString());
+        window_.strip().showUndoState(canUndo ? tr("Undo: %1").arg(stack.undoText()) : QString());
         showTitle();
     };
     connect(&stack, &QUndoStack::indexChanged, this, showHistory);
+    connect(&document_, &CaseDocument::stateChanged, this, showHistory);
     connect(&stack, &QUndoStack::cleanChanged, this, &CaseController::showTitle);
     connect(&document_, &CaseDocument::editRefused, this,
             [this] { notices_.showNote(tr("A registration is running. Stop it to edit.")); });

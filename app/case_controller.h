@@ -13,6 +13,7 @@
 #include "app/registration/target_provider.h"
 #include "app/review/judgement_controller.h"
 #include "app/review/look_controller.h"
+#include "app/review/pose_tools.h"
 #include "app/review/replay_controller.h"
 #include "app/review/review_controller.h"
 #include "app/review/slice_controller.h"
@@ -43,6 +44,7 @@ public:
     AngiogramController& angiogram() { return angiogram_; }
     TargetProvider& target() { return target_; }
     TracingController& tracing() { return tracing_; }
+    PoseTools& poses() { return poses_; }
     const SharedJudgement& judgement() const { return judgement_.current(); }
 
 private:
@@ -79,6 +81,7 @@ private:
     SliceController slices_;
     TracingController tracing_;
     TreeActions treeActions_;
+    PoseTools poses_;
     QTimer clock_;   ///< keeps "Autosaved 12 s ago" true
     bool exported_ = false;
 };

@@ -29,8 +29,13 @@ inline const Setting<QString> theme{"window/theme", QStringLiteral("dark")};   /
 inline const Setting<bool> reduceMotion{"window/reduceMotion", false};
 inline const Setting<bool> noticeAccepted{"window/noticeAccepted", false};
 inline const Setting<double> overlayOpacity{"view/overlayOpacity", 0.9};
+inline const Setting<QStringList> brightness{"view/brightness", {}};   ///< see BrightnessMemory
 inline const Setting<bool> identityHidden{"view/identityHidden", false};
 inline const Setting<int> cornerView{"view/corner", 0};   ///< 0: 3-D, then axial, coronal, sagittal
+inline const Setting<QString> observer{"user/observer", {}};   ///< signs kept poses; empty: the login name
+inline const Setting<QString> trialLog{"user/trialLog", {}};
+inline const Setting<double> trialRangeMm{"user/trialRangeMm", 15.0};
+inline const Setting<double> trialRangeDeg{"user/trialRangeDeg", 8.0};
 inline const Setting<int> exportWidthPx{"export/widthPx", 1024};
 inline const Setting<bool> exportResiduals{"export/residuals", true};
 }   // namespace settings

@@ -4,6 +4,7 @@
 #include "core/geometry/landmark.h"
 #include "core/imaging/angiogram.h"
 #include "core/imaging/volume.h"
+#include "core/registration/pose_snapshot.h"
 #include "core/registration/registration.h"
 #include "core/tracing/subtract_run.h"
 #include "core/tracing/trace_angiogram.h"
@@ -68,6 +69,7 @@ struct RegistrationCase {
     RegistrationOptions options;
     std::string extraKeys;   ///< JSON object with the keys of the case file that this version does not know
     std::optional<RegistrationResult> result;   ///< of the last run, while the pose is still its pose
+    std::vector<PoseSnapshot> snapshots;   ///< poses kept by the user and left by runs, oldest first
 };
 
 /// The camera of the case: the override, or what follows from the C-arm and the image size.

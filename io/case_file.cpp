@@ -13,6 +13,7 @@
 #include "io/support/json_text.h"
 #include "io/vessel_input_file.h"
 
+#include <array>
 #include <exception>
 #include <filesystem>
 
@@ -53,6 +54,11 @@ CaseDocument examine(const std::string& text)
     return document.problems.empty() ? parseCaseDocument(text) : document;
 }
 
+std::array<core::InputFile*, 3> inputsOf(RegistrationCase& values)
+{
+    return {&values.centerlineFile, &values.imageFile, &values.targetFile};
+}
+
 /// The input that `path` is, if any.
 std::string inputAt(const RegistrationCase& registrationCase, const std::string& path)
 {
@@ -82,7 +88,7 @@ std::string findUnsavable(const RegistrationCase& values)
 }   // namespace
 
 core::Result<RegistrationCase> loadCase(const std::string& path, std::vector<std::string>& warnings,
-                                        const ReadObserver& observe)
+                                        const ReadObserver& observe, const MovedInputs& moved)
 {
     const auto text = readCaseText(path);
     if (!text) {
@@ -93,9 +99,38 @@ core::Result<RegistrationCase> loadCase(const std::string& path, std::vector<std
         if (!document.problems.empty()) {
             return fileError(path, document.problems.front());
         }
+        makePathsAbsolute(document.values, path);
+        for (core::InputFile* file : inputsOf(document.values)) {
+            const auto place = moved.find(file->path);
+            file->path = place == moved.end() ? file->path : place->second;
+        }
         return loadInputs(std::move(document), path, warnings, observe);
     } catch (const std::exception&) {   // a value the schema let through
         return fileError(path, "a value in it has the wrong kind. Compare it with the published schema.");
+    }
+}
+
+core::Result<std::vector<MissingInput>> missingInputs(const std::string& casePath)
+{
+    const auto text = readCaseText(casePath);
+    if (!text) {
+        return text.error();
+    }
+    try {
+        CaseDocument document = examine(text.value());
+        if (!document.problems.empty()) {
+            return fileError(casePath, document.problems.front());
+        }
+        makePathsAbsolute(document.values, casePath);
+        std::vector<MissingInput> missing;
+        for (const core::InputFile* file : inputsOf(document.values)) {
+            if (std::error_code failed; !file->path.empty() && !fs::exists(file->path, failed)) {
+                missing.push_back({file->path, file->sha256});
+            }
+        }
+        return missing;
+    } catch (const std::exception&) {
+        return fileError(casePath, "a value in it has the wrong kind. Compare it with the published schema.");
     }
 }
 

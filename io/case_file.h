@@ -2,6 +2,7 @@
 
 #include "core/registration_case.h"
 #include "core/support/result.h"
+#include "io/moved_inputs.h"
 #include "io/support/read_observer.h"
 
 #include <string>
@@ -14,9 +15,10 @@ std::string_view caseSchema();
 
 /// Reads a case file and the inputs it names (FORMATS §2). Relative paths are relative to the case file.
 /// An input whose content no longer matches its stored hash loads with a warning. Vessels given as a volume, a
-/// segmentation or a surface are traced: `observe` shows the progress and can stop it.
+/// segmentation or a surface are traced: `observe` shows the progress and can stop it. Inputs in `moved` are read from
+/// there instead.
 core::Result<core::RegistrationCase> loadCase(const std::string& path, std::vector<std::string>& warnings,
-                                              const ReadObserver& observe = {});
+                                              const ReadObserver& observe = {}, const MovedInputs& moved = {});
 
 /// Schema and meaning only, without loading the inputs: every problem found, empty when the case is fine.
 core::Result<std::vector<std::string>> validateCase(const std::string& path);

@@ -28,6 +28,18 @@ QWidget* column(QWidget* content)
     return content;
 }
 
+/// Names of the parts that are folded now.
+QStringList foldedSections(const QWidget& window)
+{
+    QStringList names;
+    for (const Section* section : window.findChildren<Section*>()) {
+        if (section->isFoldable() && section->isFolded()) {
+            names << section->objectName();
+        }
+    }
+    return names;
+}
+
 }   // namespace
 
 MainWindow::MainWindow(QWidget* parent)
@@ -51,6 +63,8 @@ MainWindow::MainWindow(QWidget* parent)
       landmarks_(new LandmarkPanel),
       registration_(new RegistrationPanel),
       result_(new ResultPanel),
+      snapshots_(new SnapshotPanel),
+      trialBar_(new TrialBar),
       rightColumn_(new QScrollArea),
       strip_(new BottomStrip),
       columns_(new QSplitter(Qt::Horizontal)),
@@ -72,6 +86,7 @@ MainWindow::MainWindow(QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(header_);
     layout->addWidget(steps_);
+    layout->addWidget(trialBar_);
     layout->addWidget(columns_, 1);
     layout->addWidget(strip_);
     setCentralWidget(central);
@@ -123,6 +138,7 @@ QWidget* MainWindow::makeRightColumn()
     layout->addWidget(result_);
     layout->addWidget(landmarks_);
     layout->addWidget(angiogramPanel_);
+    layout->addWidget(snapshots_);
     layout->addWidget(geometry_);
     layout->addStretch(1);
     rightColumn_->setProperty("role", "column");
@@ -197,11 +213,17 @@ void MainWindow::focusStep(Step step)
     steps_->showCurrent(step);
 }
 
+void MainWindow::setImageOnly(bool on)
+{
+    leftSplitter_->setVisible(!on);
+    rightColumn_->setVisible(!on);
+}
+
 QByteArray MainWindow::layoutState() const
 {
     QByteArray state;
     QDataStream stream(&state, QIODevice::WriteOnly);
-    stream << saveGeometry() << columns_->saveState() << leftSplitter_->saveState();
+    stream << saveGeometry() << columns_->saveState() << leftSplitter_->saveState() << foldedSections(*this);
     return state;
 }
 
@@ -211,10 +233,19 @@ void MainWindow::restoreLayout(const QByteArray& state)
     QByteArray windowGeometry;
     QByteArray columnState;
     QByteArray leftState;
-    stream >> windowGeometry >> columnState >> leftState;
+    QStringList folded;
+    stream >> windowGeometry >> columnState >> leftState >> folded;
     restoreGeometry(windowGeometry);
     columns_->restoreState(columnState);
     leftSplitter_->restoreState(leftState);
+    if (stream.status() != QDataStream::Ok) {
+        return;   // written by a version that did not remember it
+    }
+    for (Section* section : findChildren<Section*>()) {
+        if (section->isFoldable()) {
+            section->setFolded(folded.contains(section->objectName()));
+        }
+    }
 }
 
 void MainWindow::closeNow()

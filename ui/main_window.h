@@ -9,7 +9,9 @@
 #include "ui/panels/pose_panel.h"
 #include "ui/panels/registration_panel.h"
 #include "ui/panels/result_panel.h"
+#include "ui/panels/snapshot_panel.h"
 #include "ui/panels/step_bar.h"
+#include "ui/panels/trial_bar.h"
 #include "ui/panels/welcome_page.h"
 #include "ui/slices/slice_model.h"
 #include "ui/slices/tracing_panel.h"
@@ -49,6 +51,8 @@ public:
     LandmarkPanel& landmarks() { return *landmarks_; }
     RegistrationPanel& registration() { return *registration_; }
     ResultPanel& result() { return *result_; }
+    SnapshotPanel& snapshots() { return *snapshots_; }
+    TrialBar& trialBar() { return *trialBar_; }
     BottomStrip& strip() { return *strip_; }
     WelcomePage& welcome() { return *welcome_; }
     WindowActions& actions() { return *actions_; }
@@ -58,7 +62,9 @@ public:
     void showWelcomePage();
     void focusStep(Step step);   ///< brings the step's part of the window to the user
 
-    QByteArray layoutState() const;
+    void setImageOnly(bool on);   ///< hides the columns beside the image
+
+    QByteArray layoutState() const;   ///< place, widths and folded parts
     void restoreLayout(const QByteArray& state);
     void closeNow();   ///< closes without asking again
 
@@ -103,6 +109,8 @@ private:
     LandmarkPanel* landmarks_;
     RegistrationPanel* registration_;
     ResultPanel* result_;
+    SnapshotPanel* snapshots_;
+    TrialBar* trialBar_;
     QScrollArea* rightColumn_;
     BottomStrip* strip_;
     QSplitter* columns_;

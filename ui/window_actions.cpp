@@ -61,6 +61,10 @@ const std::vector<ActionRow>& rows()
          QT_TRANSLATE_NOOP("ui::WindowActions", "Auxiliary: the branches in view"), "V"},
         {Command::AuxiliaryWide, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Auxiliary: the wider half"),
          "Shift+V"},
+        {Command::Lasso, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Auxiliary: draw a lasso"), "Ctrl+L",
+         Kind::Switch},
+        {Command::AuxiliaryAdvice, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Auxiliary: which branches …"),
+         "Shift+A"},
         {Command::ToggleExcluded, Menu::Edit,
          QT_TRANSLATE_NOOP("ui::WindowActions", "Exclude or include selected branches"), "X"},
         {Command::SelectAll, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Select all branches"), "Ctrl+A"},
@@ -87,6 +91,13 @@ const std::vector<ActionRow>& rows()
         {Command::Register, Menu::Registration, QT_TRANSLATE_NOOP("ui::WindowActions", "Register"), "R"},
         {Command::Stop, Menu::Registration, QT_TRANSLATE_NOOP("ui::WindowActions", "Stop and keep the best pose"),
          "Shift+R"},
+        {Command::KeepPose, Menu::Registration, QT_TRANSLATE_NOOP("ui::WindowActions", "Keep this pose"), "K"},
+        {Command::SwitchPoses, Menu::Registration,
+         QT_TRANSLATE_NOOP("ui::WindowActions", "Switch between poses A and B"), "Y"},
+        {Command::ComparePoses, Menu::Registration,
+         QT_TRANSLATE_NOOP("ui::WindowActions", "Compare poses and methods …"), "Shift+K"},
+        {Command::BlindTrial, Menu::Registration, QT_TRANSLATE_NOOP("ui::WindowActions", "Blind observer trial …"), ""},
+        {Command::TrialDone, Menu::Registration, QT_TRANSLATE_NOOP("ui::WindowActions", "Trial done"), "Ctrl+Return"},
         {Command::Fit, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Fit the image to the window"), "1"},
         {Command::AutoWindow, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Automatic brightness"), "0"},
         {Command::Invert, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Invert grey values"), "I", Kind::Switch},
@@ -124,6 +135,8 @@ const std::vector<ActionRow>& rows()
          QT_TRANSLATE_NOOP("ui::WindowActions", "3-D, axial, coronal, sagittal below the branches"), "2"},
         {Command::SlicesLarge, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Slices instead of the angiogram"),
          "M", Kind::Switch},
+        {Command::ImageOnly, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Image alone, without the columns"),
+         "4", Kind::Switch},
         {Command::FullScreen, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Full screen"), "F11", Kind::Switch},
         {Command::ReduceMotion, Menu::View, QT_TRANSLATE_NOOP("ui::WindowActions", "Reduce motion"), "", Kind::Switch},
         {Command::ThemeDark, Menu::Theme, QT_TRANSLATE_NOOP("ui::WindowActions", "Dark"), "", Kind::Switch},
@@ -229,7 +242,8 @@ bool startsGroup(Command command)
     return command == Command::Save || command == Command::ExportOverlay || command == Command::Close ||
            command == Command::Nudge || command == Command::ToggleAuxiliary || command == Command::Outline ||
            command == Command::Cine || command == Command::RenameBranch || command == Command::DeleteBranches ||
-           command == Command::FullScreen;
+           command == Command::KeepPose ||
+           command == Command::BlindTrial || command == Command::ImageOnly;
 }
 
 }   // namespace

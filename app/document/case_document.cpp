@@ -16,6 +16,7 @@ void CaseDocument::replace(core::RegistrationCase opened, const QString& path)
     ++caseNumber_;
     unsavedByNature_ = path.isEmpty() && !isEmpty();
     undoStack_.clear();
+    undoFloor_ = 0;
     emit changed();
     emit stateChanged();
 }
@@ -49,6 +50,46 @@ bool CaseDocument::push(std::unique_ptr<QUndoCommand> edit)
     }
     undoStack_.push(edit.release());
     return true;
+}
+
+void CaseDocument::undo()
+{
+    if (!locked_ && canUndo()) {
+        undoStack_.undo();
+    }
+}
+
+void CaseDocument::redo()
+{
+    if (!locked_) {
+        undoStack_.redo();
+    }
+}
+
+void CaseDocument::beginTrial(std::unique_ptr<QUndoCommand> edit)
+{
+    if (isInTrial() || locked_) {
+        return;
+    }
+    undoFloor_ = undoStack_.index() + 1;   // known before anyone looks at the changed case
+    undoStack_.push(edit.release());
+    emit stateChanged();
+}
+
+void CaseDocument::endTrial()
+{
+    if (!isInTrial()) {
+        return;
+    }
+    {
+        const QSignalBlocker quiet(this);   // nobody needs to see each step
+        undoStack_.setIndex(std::exchange(undoFloor_, 0) - 1);
+    }
+    auto nothing = std::make_unique<QUndoCommand>();
+    nothing->setObsolete(true);
+    undoStack_.push(nothing.release());   // what could be redone is dropped with it
+    emit changed();
+    emit stateChanged();
 }
 
 void CaseDocument::setLocked(bool locked)

@@ -45,6 +45,17 @@ public:
     void setLocked(bool locked);   ///< during a registration: its result must fit the case it started from
     bool isLocked() const { return locked_; }
 
+    /// Steps of undo by the user; never back behind the start of a trial.
+    void undo();
+    void redo();
+    bool canUndo() const { return undoStack_.index() > undoFloor_ && undoStack_.canUndo(); }
+
+    /// A blind trial begins with this edit; ending it takes that edit and all since back, for good.
+    void beginTrial(std::unique_ptr<QUndoCommand> edit);
+    void endTrial();
+    bool isInTrial() const { return undoFloor_ > 0; }
+    int trialEdits() const { return undoStack_.index() - undoFloor_; }   ///< steps of undo since it began
+
 signals:
     void changed();
     void stateChanged();   ///< path, saved state or lock
@@ -61,6 +72,7 @@ private:
     std::uint64_t revision_ = 0;   ///< counts the changes
     bool unsavedByNature_ = false;
     bool locked_ = false;
+    int undoFloor_ = 0;   ///< of the running trial; 0: no trial
 };
 
 }   // namespace app

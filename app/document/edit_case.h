@@ -14,6 +14,17 @@ using core::RegistrationCase;
 /// A hand edit of the pose: what the last run said no longer holds.
 using MovePose = SetFields<&RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
 
+/// What a run found, and the snapshot it leaves.
+using ApplyRun =
+    SetFields<&RegistrationCase::cameraFromPatient, &RegistrationCase::result, &RegistrationCase::snapshots>;
+
+using ChangeSnapshots = SetFields<&RegistrationCase::snapshots>;
+
+/// A blind trial: another start pose, and nothing in sight of what was found before.
+using HideWhatIsKnown =
+    SetFields<&RegistrationCase::cameraFromPatient, &RegistrationCase::hasInitialPose,
+              &RegistrationCase::initialCameraFromPatient, &RegistrationCase::result, &RegistrationCase::snapshots>;
+
 /// Another frame; where the gantry turned, the poses turn with it.
 using ShowFrame = SetFields<&RegistrationCase::frame, &RegistrationCase::initialCameraFromPatient,
                             &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;

@@ -72,7 +72,8 @@ QString Autosave::path() const
 void Autosave::saveSoon()
 {
     const int index = document_.undoStack().index();
-    if (files_.isBusy() || document_.isEmpty() || !document_.isModified() || index == savedIndex_) {
+    if (files_.isBusy() || document_.isEmpty() || !document_.isModified() || document_.isInTrial() ||
+        index == savedIndex_) {
         return;
     }
     savedIndex_ = index;

@@ -21,6 +21,16 @@ class ExportController : public QObject {
 public:
     ExportController(CaseDocument& document, TargetProvider& target, ui::MainWindow& window, QObject* parent = nullptr);
 
+    struct FileQuestion {
+        QString title;
+        QString filter;
+        QString suffix;   ///< also the end of the suggested name
+    };
+    /// Writes one file on a worker; gets all it needs by value.
+    using Write = std::function<core::Status(const QString& path)>;
+    void askFile(const FileQuestion& question, const Write& write);
+    void writeFile(const QString& path, const Write& write);   ///< returns at once
+
     void askOverlay();
     void exportOverlay(const ui::ExportChoice& choice, const QString& path);   ///< returns at once
     void askResult();
@@ -33,16 +43,7 @@ signals:
     void failed(const QString& reason);
 
 private:
-    struct FileQuestion {
-        QString title;
-        QString filter;
-        QString suffix;   ///< also the end of the suggested name
-    };
-    /// Writes one file on a worker; gets all it needs by value.
-    using Write = std::function<core::Status(const QString& path)>;
     Write overlayWriter(const ui::ExportChoice& choice) const;
-    void askFile(const FileQuestion& question, const Write& write);
-    void writeFile(const QString& path, const Write& write);
 
     CaseDocument& document_;
     TargetProvider& target_;

@@ -3,6 +3,7 @@
 #include "app/document/edit_case.h"
 #include "app/files/assemble_case.h"
 #include "app/files/recent_cases.h"
+#include "app/settings.h"
 #include "core/imaging/patient_match.h"
 
 #include <QDir>
@@ -34,13 +35,63 @@ QStringList notesOf(const LoadedInputs& inputs, const core::RegistrationCase& op
     return notes;
 }
 
+/// Where the user has been lately.
+QStringList foldersInUse()
+{
+    QStringList folders;
+    for (const QString& path : recentCases()) {
+        folders << QFileInfo(path).absolutePath();
+    }
+    if (const QString last = settings::lastFolder.read(); !last.isEmpty()) {
+        folders << last;
+    }
+    folders.removeDuplicates();
+    return folders;
+}
+
 }   // namespace
 
 OpenController::OpenController(CaseDocument& document, QObject* parent) : QObject(parent), document_(document) {}
 
-void OpenController::load(const QStringList& paths, const QString& seriesId)
+void OpenController::open(const QStringList& paths)
+{
+    original_.reset();
+    load(paths, {{}, {}, foldersInUse()});
+}
+
+void OpenController::openCopy(const QString& copy, const QString& original)
+{
+    OpenHints hints{{}, {}, foldersInUse()};
+    if (!original.isEmpty()) {
+        hints.searchFolders.prepend(QFileInfo(original).absolutePath());
+    }
+    original_ = original;
+    copy_ = copy;
+    load({copy}, hints);
+}
+
+void OpenController::openSeries(const QString& seriesId)
+{
+    load(askedPaths_, {seriesId, {}, {}});
+}
+
+void OpenController::openWithInputs(const io::MovedInputs& moved, const QString& searchFolder)
+{
+    OpenHints hints{{}, moved_, foldersInUse()};
+    hints.moved.insert(moved.begin(), moved.end());
+    if (!searchFolder.isEmpty()) {
+        hints.searchFolders.prepend(searchFolder);
+    }
+    load(askedPaths_, hints);
+}
+
+void OpenController::load(const QStringList& paths, const OpenHints& hints)
 {
     if (paths.isEmpty()) {
+        return;
+    }
+    if (document_.isInTrial()) {
+        emit failed(tr("A blind trial is under way. End it before opening another file."), paths);
         return;
     }
     if (document_.isLocked()) {
@@ -60,7 +111,7 @@ void OpenController::load(const QStringList& paths, const QString& seriesId)
     const QString what = tr("Reading %1 …").arg(namesOf(paths));
     connect(job_, &LoadJob::advanced, this, [this, what](double fraction) { emit advanced(what, fraction); });
     emit started(what);
-    job_->start(paths, seriesId);
+    job_->start(paths, hints);
 }
 
 void OpenController::abandon()
@@ -81,13 +132,27 @@ void OpenController::finish()
 
 void OpenController::take(const LoadedInputs& inputs, const QStringList& paths)
 {
+    if (document_.isInTrial()) {
+        emit failed(tr("A blind trial was started meanwhile. Open the file again when it has ended."), paths);
+        return;
+    }
     if (document_.isLocked()) {
         emit failed(tr("A registration was started meanwhile. Open the file again when it has ended."), paths);
         return;
     }
     if (!inputs.offered.empty()) {
-        offeredPaths_ = paths;
+        askedPaths_ = paths;
         emit seriesChoiceNeeded(paths.join(QStringLiteral(", ")), inputs.offered);
+        return;
+    }
+    if (!inputs.missing.empty()) {
+        askedPaths_ = paths;
+        moved_ = inputs.moved;
+        QStringList missing;
+        for (const io::MissingInput& each : inputs.missing) {
+            missing << QString::fromStdString(each.path);
+        }
+        emit inputsMissing(paths.front(), missing);
         return;
     }
     const bool replaces = inputs.wholeCase || makesNewCase(inputs);
@@ -95,7 +160,7 @@ void OpenController::take(const LoadedInputs& inputs, const QStringList& paths)
         join(inputs, paths);
         return;
     }
-    const QString path = inputs.wholeCase ? paths.front() : QString();
+    const QString path = inputs.wholeCase ? original_.value_or(paths.front()) : QString();
     if (document_.isModified()) {
         waiting_ = inputs;
         waitingPath_ = path;
@@ -117,6 +182,9 @@ void OpenController::replaceWith(const LoadedInputs& inputs, const QString& path
     document_.replace(inputs.wholeCase ? *inputs.wholeCase : withInputs({}, inputs), path);
     if (!path.isEmpty()) {
         rememberCase(path);
+    }
+    if (original_ || !inputs.moved.empty()) {
+        document_.markUnsaved();   // the file knows less than the window
     }
     emit opened(notesOf(inputs, document_.current()));
 }

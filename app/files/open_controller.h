@@ -14,9 +14,15 @@ class OpenController : public QObject {
 public:
     explicit OpenController(CaseDocument& document, QObject* parent = nullptr);
 
-    void open(const QStringList& paths) { load(paths, {}); }
+    void open(const QStringList& paths);
+    /// Opens the copy of a case that lives at `original` (empty: it was never saved); it counts as unsaved.
+    void openCopy(const QString& copy, const QString& original);
     /// Answers `seriesChoiceNeeded`: opens one of the series that were offered.
-    void openSeries(const QString& seriesId) { load(offeredPaths_, seriesId); }
+    void openSeries(const QString& seriesId);
+    /// Answers `inputsMissing`: where some of them lie, or another folder to search.
+    void openWithInputs(const io::MovedInputs& moved, const QString& searchFolder = {});
+    /// The copy that the open case came from; empty when it is no copy.
+    QString openedCopy() const { return original_ ? copy_ : QString(); }
     void abandon();
     bool isLoading() const { return job_ != nullptr; }
 
@@ -26,6 +32,8 @@ signals:
     /// A DICOM folder holds several series; answer with `openSeries` or nothing.
     void seriesChoiceNeeded(const QString& folder, const std::vector<io::DicomSeries>& series);
     void ended();
+    /// A case refers to files that were found nowhere; answer with `openWithInputs` or nothing.
+    void inputsMissing(const QString& casePath, const QStringList& missing);
     void opened(const QStringList& notes);   ///< what to know about the files, in words
     void failed(const QString& reason, const QStringList& paths);
     /// Asked before the open case, with unsaved changes, is replaced; answer with `replaceOpenCase` or nothing.
@@ -35,7 +43,7 @@ public slots:
     void replaceOpenCase();
 
 private:
-    void load(const QStringList& paths, const QString& seriesId);
+    void load(const QStringList& paths, const OpenHints& hints);
     void take(const LoadedInputs& inputs, const QStringList& paths);
     void replaceWith(const LoadedInputs& inputs, const QString& path);
     void join(const LoadedInputs& inputs, const QStringList& paths);
@@ -45,7 +53,10 @@ private:
     LoadJob* job_ = nullptr;
     std::optional<LoadedInputs> waiting_;   ///< read, but the user still has to agree
     QString waitingPath_;
-    QStringList offeredPaths_;   ///< what was opened when a choice of series was asked for
+    QStringList askedPaths_;   ///< what was opened when a choice of series or the place of inputs was asked for
+    io::MovedInputs moved_;   ///< inputs found so far of the case that lacks some
+    std::optional<QString> original_;   ///< of a copy, the last that was opened: where its case lives
+    QString copy_;
 };
 
 }   // namespace app

@@ -3,12 +3,15 @@
 #include "app/files/recent_cases.h"
 #include "app/settings.h"
 #include "io/case_file.h"
-#include "ui/dialogs/message_dialog.h"
+#include "ui/dialogs/recovery_dialog.h"
 
 #include <QDir>
 #include <QFileDialog>
 #include <QLocale>
 #include <QWidget>
+
+#include <algorithm>
+#include <utility>
 
 namespace app {
 namespace {
@@ -28,6 +31,7 @@ QString suggestedPath(const CaseDocument& document)
 SaveController::SaveController(CaseDocument& document, QWidget& window, QObject* parent)
     : QObject(parent), document_(document), window_(window), autosave_(document)
 {
+    connect(&autosave_, &Autosave::saved, this, &SaveController::forgetRecovered);
 }
 
 void SaveController::save(std::function<void()> whenSaved)
@@ -52,6 +56,10 @@ void SaveController::saveAs(std::function<void()> whenSaved)
 
 void SaveController::saveTo(const QString& path, std::function<void()> whenSaved)
 {
+    if (document_.isInTrial()) {
+        emit failed(tr("A blind trial is under way. End it before saving."));
+        return;
+    }
     emit started();
     files_.run(
         [snapshot = document_.current(), path]() -> core::Result<QString> {
@@ -75,6 +83,7 @@ void SaveController::saveTo(const QString& path, std::function<void()> whenSaved
 void SaveController::take(const QString& path, const CaseState& written)
 {
     document_.markSaved(path, written);
+    forgetRecovered();
     settings::lastFolder.write(QFileInfo(path).absolutePath());
     rememberCase(path);
     if (!document_.isModified()) {
@@ -89,22 +98,45 @@ void SaveController::offerRecovery()
     if (copies.empty()) {
         return;
     }
-    const LeftBehind newest = copies.front();
-    const QString name =
-        newest.original.isEmpty() ? tr("a case that was never saved") : QFileInfo(newest.original).fileName();
-    auto* question = new ui::QuestionDialog({tr("Recover unsaved work?"),
-                                             tr("AngioPose ended unexpectedly. There is a copy of %1 from %2.")
-                                                 .arg(name, QLocale().toString(newest.when, QLocale::ShortFormat)),
-                                             {}},
-                                            {tr("Recover"), tr("Delete the copy"), tr("Decide later")}, &window_);
-    connect(question, &ui::QuestionDialog::answered, this, [this, newest](int index) {
-        if (index == 0) {
-            emit recoveryWanted(newest);
-        } else if (index == 1) {
-            Autosave::forget(newest);
+    std::vector<ui::RecoveryRow> rows;
+    for (const LeftBehind& copy : copies) {
+        const QFileInfo original(copy.original);
+        rows.push_back({copy.path, copy.original.isEmpty() ? tr("Untitled case") : original.fileName(),
+                        QLocale().toString(copy.when, QLocale::ShortFormat),
+                        copy.original.isEmpty() ? QString() : original.absolutePath()});
+    }
+    auto* dialog = new ui::RecoveryDialog(rows, &window_);
+    const auto copyAt = [copies](const QString& path) { return *std::ranges::find(copies, path, &LeftBehind::path); };
+    connect(dialog, &ui::RecoveryDialog::recoverRequested, this,
+            [this, copyAt](const QString& path) { recover(copyAt(path)); });
+    connect(dialog, &ui::RecoveryDialog::discardRequested, this, [copyAt](const QStringList& paths) {
+        for (const QString& path : paths) {
+            Autosave::forget(copyAt(path));
         }
     });
-    question->open();
+    dialog->open();
+}
+
+void SaveController::recover(const LeftBehind& copy)
+{
+    wanted_ = copy;
+    emit recoveryWanted(copy);
+}
+
+void SaveController::noteOpened(const QString& copy)
+{
+    const auto wanted = std::exchange(wanted_, std::nullopt);
+    recovered_ = wanted && wanted->path == copy ? wanted : std::nullopt;
+    if (recovered_) {
+        autosave_.saveSoon();
+    }
+}
+
+void SaveController::forgetRecovered()
+{
+    if (recovered_) {
+        Autosave::forget(*std::exchange(recovered_, std::nullopt));
+    }
 }
 
 QString SaveController::saveState() const

@@ -23,6 +23,8 @@ public:
     void saveTo(const QString& path, std::function<void()> whenSaved = {});   ///< returns at once
     bool isSaving() const { return files_.isBusy(); }
     void offerRecovery();
+    void noteOpened(const QString& copy);   ///< another case is open; from a left copy, or not (empty)
+    void autosaveSoon() { autosave_.saveSoon(); }
     void discardAutosave() { autosave_.discard(); }
     QString saveState() const;   ///< "Autosaved 12 s ago", "All changes saved", …
 
@@ -33,12 +35,16 @@ signals:
     void recoveryWanted(const app::LeftBehind& copy);
 
 private:
+    void recover(const LeftBehind& copy);
+    void forgetRecovered();
     void take(const QString& path, const CaseState& written);
 
     CaseDocument& document_;
     QWidget& window_;
     Autosave autosave_;
     FileQueue files_;
+    std::optional<LeftBehind> wanted_;   ///< being opened
+    std::optional<LeftBehind> recovered_;   ///< open; its copy goes once this session has its own
 };
 
 }   // namespace app

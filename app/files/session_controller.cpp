@@ -6,7 +6,9 @@
 #include "app/jobs/input_kind.h"
 #include "app/settings.h"
 #include "core/imaging/patient_match.h"
+#include "app/window_layout.h"
 #include "ui/dialogs/message_dialog.h"
+#include "ui/dialogs/missing_inputs.h"
 #include "ui/main_window.h"
 
 #include <QFileDialog>
@@ -99,18 +101,15 @@ void SessionController::connectOpening()
         }
     });
     connect(&open_, &OpenController::seriesChoiceNeeded, this, &SessionController::chooseSeries);
+    connect(&open_, &OpenController::inputsMissing, this, &SessionController::askForInputs);
     connect(&open_, &OpenController::ended, this, [this] { window_.strip().showIdle(tr("Ready")); });
     connect(&open_, &OpenController::opened, this, [this](const QStringList& notes) {
-        if (recovering_) {
-            recovering_ = false;
-            document_.markUnsaved();
-        }
+        save_.noteOpened(open_.openedCopy());
         fillRecent();
         notices_.showNote(notes.isEmpty() ? tr("Opened") : notes.join(QLatin1Char(' ')));
         warnOfMismatch();
     });
     connect(&open_, &OpenController::failed, this, [this](const QString& reason, const QStringList& paths) {
-        recovering_ = false;
         notices_.showProblem(paths.size() == 1 ? tr("Could not open the file") : tr("Could not open the files"), reason,
                              paths);
     });
@@ -129,10 +128,8 @@ void SessionController::connectSaving()
         fillRecent();
         notices_.showNote(tr("Saved"));
     });
-    connect(&save_, &SaveController::recoveryWanted, this, [this](const LeftBehind& copy) {
-        recovering_ = true;
-        open({copy.path});
-    });
+    connect(&save_, &SaveController::recoveryWanted, this,
+            [this](const LeftBehind& copy) { open_.openCopy(copy.path, copy.original); });
 }
 
 void SessionController::connectExporting()
@@ -184,6 +181,22 @@ void SessionController::chooseSeries(const QString& folder, const std::vector<io
     chooser->open();
 }
 
+void SessionController::askForInputs(const QString& casePath, const QStringList& missing)
+{
+    const QFileInfo file(casePath);
+    auto* dialog = new ui::MissingInputs(file.fileName(), missing, file.absolutePath(), &window_);
+    connect(dialog, &ui::MissingInputs::located, this, [this](const std::map<QString, QString>& places) {
+        io::MovedInputs moved;
+        for (const auto& [wanted, place] : places) {
+            moved[wanted.toStdString()] = place.toStdString();
+        }
+        open_.openWithInputs(moved);
+    });
+    connect(dialog, &ui::MissingInputs::searchRequested, this,
+            [this](const QString& folder) { open_.openWithInputs({}, folder); });
+    dialog->open();
+}
+
 void SessionController::openSample()
 {
     if (files_.isBusy()) {
@@ -224,6 +237,7 @@ void SessionController::requestClose()
     if (window_.findChild<QDialog*>(QStringLiteral("closeQuestion"))) {
         return;
     }
+    emit aboutToClose();
     const bool running = registration_.isRunning();
     if (!running && !document_.isModified()) {
         closeWindow();
@@ -266,7 +280,7 @@ void SessionController::closeWindow()
         return;
     }
     save_.discardAutosave();
-    settings::windowLayout.write(window_.layoutState());
+    storeWindowLayout(window_);
     window_.closeNow();
 }
 

@@ -36,6 +36,7 @@ public:
 
 signals:
     void exported();
+    void aboutToClose();   ///< the user asked for it; what must not stay open ends now
 
 private:
     void warnOfMismatch();   ///< loudly: scan and angiogram of different patients
@@ -48,6 +49,7 @@ private:
     void askFiles();
     void askFolder();
     void chooseSeries(const QString& folder, const std::vector<io::DicomSeries>& series);
+    void askForInputs(const QString& casePath, const QStringList& missing);
     void openSample();
     void askToReplace();
     void requestClose();
@@ -64,7 +66,6 @@ private:
     FileQueue files_;   ///< makes the sample case
     enum class Closing { No, Now, AfterSaving };
     Closing closing_ = Closing::No;
-    bool recovering_ = false;
 };
 
 }   // namespace app

@@ -20,12 +20,45 @@ namespace {
 
 constexpr int pollMs = 60;
 
-core::Result<LoadedInputs> readCase(const QString& path, const io::ReadObserver& observe)
+/// The inputs of a case that are not in their place: what the hints know of them, and what a search finds.
+core::Status findInputs(LoadedInputs& inputs, const QString& path, const OpenHints& hints,
+                        const io::ReadObserver& observe)
+{
+    auto missing = io::missingInputs(path.toStdString());
+    if (!missing) {
+        return missing.error();
+    }
+    inputs.missing = std::move(missing).value();
+    inputs.moved = hints.moved;
+    const auto isFound = [&inputs](const io::MissingInput& each) { return inputs.moved.contains(each.path); };
+    std::erase_if(inputs.missing, isFound);
+    std::vector<std::string> folders{QFileInfo(path).absolutePath().toStdString()};
+    for (const QString& folder : hints.searchFolders) {
+        folders.push_back(folder.toStdString());
+    }
+    if (!inputs.missing.empty()) {
+        inputs.moved.merge(io::findMovedInputs(inputs.missing, folders, observe));
+        std::erase_if(inputs.missing, isFound);
+    }
+    return core::Done{};
+}
+
+core::Result<LoadedInputs> readCase(const QString& path, const OpenHints& hints, const io::ReadObserver& observe)
 {
     LoadedInputs inputs;
-    auto loaded = io::loadCase(path.toStdString(), inputs.warnings, observe);
+    if (const auto found = findInputs(inputs, path, hints, observe); !found) {
+        return found.error();
+    }
+    if (!inputs.missing.empty()) {
+        return inputs;
+    }
+    auto loaded = io::loadCase(path.toStdString(), inputs.warnings, observe, inputs.moved);
     if (!loaded) {
         return loaded.error();
+    }
+    for (const auto& [wanted, place] : inputs.moved) {
+        inputs.warnings.push_back(QFileInfo(QString::fromStdString(wanted)).fileName().toStdString() +
+                                  " has moved and was found as " + place + ". Save the case to remember.");
     }
     inputs.wholeCase = std::move(loaded).value();
     return inputs;
@@ -174,20 +207,19 @@ void addHash(core::InputFile& file)
 
 }   // namespace
 
-core::Result<LoadedInputs> readInputs(const QStringList& paths, const QString& seriesId,
-                                      const io::ReadObserver& observe)
+core::Result<LoadedInputs> readInputs(const QStringList& paths, const OpenHints& hints, const io::ReadObserver& observe)
 {
     if (paths.size() == 1) {
         const auto kind = inputKindOf(paths.front());
         if (kind && kind.value() == InputKind::Case) {
-            return readCase(paths.front(), observe);
+            return readCase(paths.front(), hints, observe);
         }
     }
     LoadedInputs inputs;
     for (qsizetype i = 0; i < paths.size(); ++i) {
         const auto share = 1.0 / static_cast<double>(paths.size());
         const auto part = io::partOf(observe, share * static_cast<double>(i), share * static_cast<double>(i + 1));
-        if (const auto added = addFile(inputs, paths[i], seriesId, part); !added) {
+        if (const auto added = addFile(inputs, paths[i], hints.seriesId, part); !added) {
             return added.error();
         }
         if (!inputs.offered.empty()) {
@@ -212,19 +244,19 @@ LoadJob::~LoadJob()
     abandon();
 }
 
-void LoadJob::start(const QStringList& paths, const QString& seriesId)
+void LoadJob::start(const QStringList& paths, const OpenHints& hints)
 {
     Q_ASSERT(!isRunning());
     running_ = true;
     paths_ = paths;
     shared_ = std::make_shared<Shared>();
     poll_.start();
-    watcher_.setFuture(QtConcurrent::run([paths, seriesId, shared = shared_] {
+    watcher_.setFuture(QtConcurrent::run([paths, hints, shared = shared_] {
         const io::ReadObserver observe = [&shared](double fraction) {
             shared->fraction = fraction;
             return shared->isStopWished ? core::Verdict::Stop : core::Verdict::Continue;
         };
-        return guarded<LoadedInputs>([&] { return readInputs(paths, seriesId, observe); });
+        return guarded<LoadedInputs>([&] { return readInputs(paths, hints, observe); });
     }));
 }
 

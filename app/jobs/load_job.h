@@ -2,6 +2,7 @@
 
 #include "core/registration_case.h"
 #include "io/dicom_series.h"
+#include "io/moved_inputs.h"
 
 #include <QFutureWatcher>
 #include <QObject>
@@ -30,12 +31,21 @@ struct LoadedInputs {
     std::shared_ptr<const core::Centerline2d> target;
     std::vector<std::string> warnings;
     std::vector<io::DicomSeries> offered;   ///< of a folder with several: nothing is read until one is chosen
+    std::vector<io::MissingInput> missing;   ///< of a case, found nowhere: nothing else is read
+    io::MovedInputs moved;   ///< inputs of the case that were found elsewhere
+};
+
+/// What helps to open files beside their paths.
+struct OpenHints {
+    QString seriesId;   ///< of a DICOM folder among them; empty: where there are several, they are offered
+    io::MovedInputs moved;   ///< where inputs of a case lie now
+    QStringList searchFolders;   ///< where inputs of a case are looked for that are not in their place
 };
 
 /// Reads files together: either one case file, or at most one of each kind of input. Scans, segmentations and surfaces
-/// are traced. `seriesId` is the series of a DICOM folder among them; empty: where there are several, they are offered.
-/// Fails with one sentence.
-core::Result<LoadedInputs> readInputs(const QStringList& paths, const QString& seriesId = {},
+/// are traced. Inputs of a case that have moved are searched for beside it and where the hints say. Fails with one
+/// sentence.
+core::Result<LoadedInputs> readInputs(const QStringList& paths, const OpenHints& hints = {},
                                       const io::ReadObserver& observe = {});
 
 /// Reads files off the GUI thread. A job that is abandoned or destroyed stops its reading and drops what was read.
@@ -46,7 +56,7 @@ public:
 
     ~LoadJob() override;
 
-    void start(const QStringList& paths, const QString& seriesId = {});
+    void start(const QStringList& paths, const OpenHints& hints = {});
     void abandon();
     bool isRunning() const { return running_; }
     const QStringList& paths() const { return paths_; }

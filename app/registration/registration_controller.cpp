@@ -1,6 +1,8 @@
 #include "app/registration/registration_controller.h"
 
 #include "app/document/edit_case.h"
+#include "app/review/snapshot_texts.h"
+#include "ui/panels/snapshot_panel.h"
 
 namespace app {
 
@@ -19,6 +21,9 @@ RegistrationController::RegistrationController(CaseDocument& document, TargetPro
 QString RegistrationController::whyNotReady() const
 {
     const core::RegistrationCase& current = document_.current();
+    if (document_.isInTrial()) {
+        return tr("A blind trial is fitted by hand.");
+    }
     if (!current.tree) {
         return tr("Open a vessel centreline first.");
     }
@@ -36,7 +41,7 @@ QString RegistrationController::whyNotReady() const
 
 void RegistrationController::start()
 {
-    if (isRunning()) {
+    if (isRunning() || document_.isInTrial()) {
         return;
     }
     if (const QString why = whyNotReady(); !why.isEmpty()) {
@@ -87,9 +92,12 @@ void RegistrationController::continueAfterTracing()
 void RegistrationController::apply(const core::RegistrationResult& result)
 {
     end();
-    document_.push(
-        std::make_unique<MovePose>(document_, MovePose::Values{result.cameraFromPatient, result},
-                                   tr("Register (%1)").arg(methodLabel(document_.current().options.method))));
+    const core::RegistrationCase& current = document_.current();
+    document_.push(std::make_unique<ApplyRun>(
+        document_,
+        ApplyRun::Values{result.cameraFromPatient, result,
+                         core::withSnapshot(current.snapshots, snapshotOfRun(result, current.frame))},
+        tr("Register (%1)").arg(ui::methodWords(current.options.method))));
     emit finished(result);
 }
 
@@ -98,16 +106,6 @@ void RegistrationController::end()
     phase_ = Phase::Idle;
     document_.setLocked(false);
     emit runningChanged(false);
-}
-
-QString methodLabel(const std::string& methodId)
-{
-    for (const core::MethodInfo& info : core::methodInfos()) {
-        if (info.id == methodId) {
-            return QString::fromUtf8(info.label.data(), static_cast<qsizetype>(info.label.size()));
-        }
-    }
-    return QString::fromStdString(methodId);
 }
 
 }   // namespace app

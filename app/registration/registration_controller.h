@@ -40,7 +40,4 @@ private:
     Phase phase_ = Phase::Idle;
 };
 
-/// "AngioPose" for "angiopose".
-QString methodLabel(const std::string& methodId);
-
 }   // namespace app

@@ -40,6 +40,7 @@ JudgementController::JudgementController(const Parts& parts, QObject* parent) : 
     connect(&job_, &JudgeJob::judged, this, [this](const SharedJudgement& judgement) {
         judgement_ = judgement;
         show();
+        emit judged(judgement);
     });
     connect(&job_, &JudgeJob::failed, this, [this](const QString& reason) {
         judgement_.reset();
@@ -51,7 +52,8 @@ JudgementController::JudgementController(const Parts& parts, QObject* parent) : 
 void JudgementController::judge(const core::RigidTransform& cameraFromPatient)
 {
     const SharedCenterline target = on_.target.current();
-    if (!target || !on_.pose.currentOffset()) {
+    const bool isHidden = on_.document.isInTrial();   // the observer must not see any of it
+    if (!target || !on_.pose.currentOffset() || isHidden) {
         job_.cancel();
         judgement_.reset();
         return;

@@ -39,6 +39,9 @@ public:
     void show();
     const SharedJudgement& current() const { return judgement_; }
 
+signals:
+    void judged(const app::SharedJudgement& judgement);
+
 private:
     ui::JudgedPose judgedPose(const core::ProjectionCamera& camera) const;
     void showNothing();

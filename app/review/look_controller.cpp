@@ -14,7 +14,7 @@ constexpr double opacityStep = 0.1;
 }   // namespace
 
 LookController::LookController(const CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent)
-    : QObject(parent), document_(document), sync_(sync), window_(window)
+    : QObject(parent), document_(document), sync_(sync), window_(window), brightness_(document, window)
 {
     connectOverlay();
     connectBrightness();

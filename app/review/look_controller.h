@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/document/case_document.h"
+#include "app/review/brightness_memory.h"
 #include "app/review/view_sync.h"
 #include "core/registration/registration.h"
 
@@ -43,6 +44,7 @@ private:
     const CaseDocument& document_;
     ViewSync& sync_;
     ui::MainWindow& window_;
+    BrightnessMemory brightness_;
     ui::OverlayMode style_ = ui::OverlayMode::Centerline;
     bool heldHidden_ = false;
     std::vector<core::BranchResidual> worstFirst_;

@@ -64,6 +64,7 @@ void ReplayController::showItself()
 {
     if (std::exchange(solution_, 0) != 0) {
         sync_.endPreview();
+        emit solutionChanged(0);
     }
 }
 
@@ -168,18 +169,29 @@ void ReplayController::showNextSolution()
                                           : tr("There is no run yet. Register first (R)."));
         return;
     }
+    showSolution(solution_ < result->alternatives.size() ? solution_ + 1 : 0);
+}
+
+void ReplayController::showSolution(std::size_t index)
+{
+    const auto& result = document_.current().result;
+    if (!result || index > result->alternatives.size() || document_.isLocked()) {
+        return;
+    }
     emit solutionShown();
-    if (solution_ >= result->alternatives.size()) {
+    if (index == 0) {
         showItself();
         window_.strip().showStatus(tr("The solution itself"));
         return;
     }
-    const core::Hypothesis& other = result->alternatives[solution_++];
+    solution_ = index;
+    const core::Hypothesis& other = result->alternatives[index - 1];
     sync_.showPreview(other.cameraFromPatient, ResidualColors::Hidden);
     window_.strip().showStatus(tr("Other solution %1 of %2, score %3 · Shift+J takes it")
-                                   .arg(solution_)
+                                   .arg(index)
                                    .arg(result->alternatives.size())
                                    .arg(other.score, 0, 'f', 2));
+    emit solutionChanged(index);
 }
 
 void ReplayController::takeSolution()

@@ -24,9 +24,12 @@ public:
     void knowUncertainty(const std::optional<core::PoseUncertainty>& uncertainty) { uncertainty_ = uncertainty; }
 
     void showItself();   ///< the pose of the case instead of another solution
+    void showSolution(std::size_t index);   ///< 0: the pose itself
+    void takeSolution();   ///< the one shown becomes the pose of the case
 
 signals:
     void solutionShown();   ///< whatever moves should end
+    void solutionChanged(std::size_t index);
 
 private:
     struct Swing {
@@ -40,7 +43,6 @@ private:
     void setSwinging(bool on);
     void showSwing();
     void showNextSolution();
-    void takeSolution();
     void endPreview();
 
     CaseDocument& document_;

@@ -102,6 +102,24 @@ core::Result<core::ColorImage> drawOverlay(const core::RegistrationCase& registr
                                scaleMaximumPx, residualScaleMaximumMm);
 }
 
+core::Result<core::ColorImage> drawThumbnail(const core::RegistrationCase& registrationCase, int widthPx)
+{
+    const auto& angiogram = registrationCase.angiogram;
+    if (!registrationCase.tree || !angiogram || registrationCase.frame >= angiogram->frameCount()) {
+        return core::Error{"A picture needs a vessel tree and an angiogram. Open both first."};
+    }
+    const auto camera = core::cameraOf(registrationCase);
+    if (!camera) {
+        return camera.error();
+    }
+    ui::OverlayScene scene;
+    dressScene(scene, registrationCase, camera.value());
+    const core::ImageF& frame = angiogram->frames[static_cast<std::size_t>(registrationCase.frame)];
+    const int height = std::max(1, widthPx * frame.height / frame.width);
+    scene.setLineWidthPx(std::max(1.0, widthPx / 80.0));
+    return ui::renderOffscreen(scene, widthPx, height, wholeImage(frame));
+}
+
 std::map<std::string, std::string> provenanceTexts(const core::RegistrationCase& registrationCase)
 {
     std::map<std::string, std::string> texts{

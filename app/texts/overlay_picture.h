@@ -24,6 +24,9 @@ struct OverlayPictureOptions {
 core::Result<core::ColorImage> drawOverlay(const core::RegistrationCase& registrationCase,
                                            const core::Centerline2d& target, const OverlayPictureOptions& options = {});
 
+/// The same small, without colours of residuals and texts: the tree at the case's pose over the image.
+core::Result<core::ColorImage> drawThumbnail(const core::RegistrationCase& registrationCase, int widthPx);
+
 /// Where the picture comes from (inputs with hashes, version, method, pose, notice), for the PNG's text chunks.
 std::map<std::string, std::string> provenanceTexts(const core::RegistrationCase& registrationCase);
 

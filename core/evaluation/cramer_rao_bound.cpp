@@ -1,5 +1,7 @@
 #include "core/evaluation/cramer_rao_bound.h"
 
+#include "core/registration/judging/branch_information.h"
+
 #include <Eigen/LU>
 #include <cmath>
 
@@ -36,16 +38,7 @@ Matrix6d cramerRaoBound(const VesselTree& tree, const VesselTree& visible, const
         for (std::size_t i = 1; i < branch.pointsInPatient.size(); ++i) {
             const Eigen::Vector3d from = cameraFromPatient * branch.pointsInPatient[i - 1];
             const Eigen::Vector3d to = cameraFromPatient * branch.pointsInPatient[i];
-            const auto fromPx = project(camera, from);
-            const auto toPx = project(camera, to);
-            const Eigen::Vector2d along = fromPx && toPx ? Eigen::Vector2d(*toPx - *fromPx) : Eigen::Vector2d::Zero();
-            const double lengthPx = along.norm();   // as many traced points
-            if (lengthPx < 1e-9) {
-                continue;
-            }
-            const Eigen::Vector2d normal = Eigen::Vector2d(-along.y(), along.x()) / lengthPx;
-            const Vector6d row = pixelJacobian(camera, 0.5 * (from + to), centre).transpose() * normal;
-            information += lengthPx * row * row.transpose();
+            information += pieceInformation(camera, from, to, centre);
         }
     }
     return effectiveVariancePx2(noise) * information.inverse();

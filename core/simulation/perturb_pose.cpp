@@ -18,6 +18,21 @@ double radians(double degrees)
     return degrees * std::numbers::pi / 180.0;
 }
 
+Eigen::Vector3d uniformVector(double range, CounterRandom& random)
+{
+    const double x = random.uniform(-range, range);
+    const double y = random.uniform(-range, range);
+    const double z = random.uniform(-range, range);
+    return {x, y, z};
+}
+
+RigidTransform displaced(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient,
+                         const Eigen::Vector3d& omega, const Eigen::Vector3d& shift)
+{
+    const Eigen::Matrix3d rotation = expSo3(omega) * cameraFromPatient.rotation;
+    return {rotation, cameraFromPatient * centroidInPatient + shift - rotation * centroidInPatient};
+}
+
 }   // namespace
 
 RigidTransform perturbedAboutCentroid(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient,
@@ -25,8 +40,15 @@ RigidTransform perturbedAboutCentroid(const RigidTransform& cameraFromPatient, c
 {
     const Eigen::Vector3d omega = normalVector(radians(rotationStdDeg), random);
     const Eigen::Vector3d shift = normalVector(translationStdMm, random);
-    const Eigen::Matrix3d rotation = expSo3(omega) * cameraFromPatient.rotation;
-    return {rotation, cameraFromPatient * centroidInPatient + shift - rotation * centroidInPatient};
+    return displaced(cameraFromPatient, centroidInPatient, omega, shift);
+}
+
+RigidTransform uniformlyDisplaced(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient,
+                                  double rangeDeg, double rangeMm, CounterRandom& random)
+{
+    const Eigen::Vector3d omega = uniformVector(radians(rangeDeg), random);
+    const Eigen::Vector3d shift = uniformVector(rangeMm, random);
+    return displaced(cameraFromPatient, centroidInPatient, omega, shift);
 }
 
 RigidTransform perturbedAboutSource(const RigidTransform& cameraFromPatient, double rotationStdDeg,

@@ -63,6 +63,11 @@ RigidTransform perturbedAboutCentroid(const RigidTransform& cameraFromPatient, c
 RigidTransform perturbedAboutSource(const RigidTransform& cameraFromPatient, double rotationStdDeg,
                                     double translationStdMm, CounterRandom& random);
 
+/// OBJ too, but every part uniform: turned by up to ±`rangeDeg` about each camera axis, shifted by up to ±`rangeMm`
+/// along each.
+RigidTransform uniformlyDisplaced(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient,
+                                  double rangeDeg, double rangeMm, CounterRandom& random);
+
 /// Exact projections of every tree point, one curve per branch (points behind the source are left out).
 Centerline2d projectTree(const VesselTree& tree, const ProjectionCamera& camera,
                          const RigidTransform& cameraFromPatient);

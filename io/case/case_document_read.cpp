@@ -2,6 +2,7 @@
 #include "io/case/known_keys.h"
 #include "io/case/option_values.h"
 #include "io/case/tree_values.h"
+#include "io/case/snapshot_json.h"
 #include "io/case/vessel_key.h"
 #include "io/support/json_text.h"
 #include "io/support/pose_matrix.h"
@@ -338,6 +339,9 @@ CaseDocument parseCaseDocument(std::string_view json)
         document.values.otherViews.push_back(inputFile(view));
     }
     readOptions(root, document);
+    if (const Json& snapshots = member(root, "snapshots"); snapshots.is_array()) {
+        document.values.snapshots = snapshotsFromJson(snapshots.dump(), document.problems);
+    }
     document.values.extraKeys = unknownKeys(json, knownCaseKeys(document.values.vesselInput.kind));
     return document;
 }

@@ -1,6 +1,7 @@
 #include "io/case/case_document.h"
 #include "io/case/option_values.h"
 #include "io/case/tree_values.h"
+#include "io/case/snapshot_json.h"
 #include "io/case/vessel_key.h"
 #include "io/support/json_text.h"
 #include "io/support/pose_matrix.h"
@@ -257,6 +258,9 @@ std::string caseDocumentText(const core::RegistrationCase& registrationCase, con
     }
     root["method"] = registrationCase.options.method;
     root["options"] = Json::parse(optionsJson(registrationCase.options));
+    if (!registrationCase.snapshots.empty()) {
+        root["snapshots"] = Json::parse(snapshotsJson(registrationCase.snapshots));
+    }
     return prettyJson(withExtraKeys(root.dump(), registrationCase.extraKeys));
 }
 

@@ -268,7 +268,6 @@ void makePathsAbsolute(RegistrationCase& values, const std::string& casePath)
 core::Result<RegistrationCase> loadInputs(CaseDocument document, const std::string& casePath,
                                           std::vector<std::string>& warnings, const ReadObserver& observe)
 {
-    makePathsAbsolute(document.values, casePath);
     if (const auto read = readInputs(document.values, warnings, observe); !read) {
         return read.error();
     }

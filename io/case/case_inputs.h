@@ -15,7 +15,8 @@ void makePathsAbsolute(core::RegistrationCase& values, const std::string& casePa
 /// The case's own values win over the header's.
 void fillFromHeader(core::CArm& cArm, const core::CArm& header);
 
-/// The case with its inputs read and checked against what it says: frame, camera size, branches, hashes, start pose.
+/// The case with its inputs (absolute paths) read and checked against what it says: frame, camera size, branches,
+/// hashes, start pose.
 core::Result<core::RegistrationCase> loadInputs(CaseDocument document, const std::string& casePath,
                                                 std::vector<std::string>& warnings, const ReadObserver& observe);
 

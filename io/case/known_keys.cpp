@@ -28,7 +28,7 @@ std::string knownCaseKeys(core::VesselInputKind vesselKind)
     Json image = file;
     image["dicom"] = object({"studyInstanceUid", "seriesInstanceUid", "sopInstanceUid"});
 
-    Json keys = object({"format", "version", "title", "views", "method"});
+    Json keys = object({"format", "version", "title", "views", "method", "snapshots"});
     Json vessel = file;
     vessel["dicom"] = object({"seriesInstanceUid"});
     keys["vessel"] =

@@ -92,6 +92,18 @@ core::Result<CsvTable> parseCsv(std::string_view text, const std::string& path)
     return table;
 }
 
+std::string csvCell(std::string_view text)
+{
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+        return std::string(text);
+    }
+    std::string quoted = "\"";
+    for (const char letter : text) {
+        quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+    }
+    return quoted + "\"";
+}
+
 core::Result<double> numberAt(const CsvTable& table, std::size_t row, std::size_t column)
 {
     const std::string_view cell = table.rows[row][column];

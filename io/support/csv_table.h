@@ -23,6 +23,9 @@ struct CsvTable {
 /// Parses UTF-8 text. Fails, naming the line, on ragged rows and on text that is no table.
 core::Result<CsvTable> parseCsv(std::string_view text, const std::string& path);
 
+/// One cell as it is written: quoted where it has to be.
+std::string csvCell(std::string_view text);
+
 /// The finite number in a cell; fails naming line and column.
 core::Result<double> numberAt(const CsvTable& table, std::size_t row, std::size_t column);
 

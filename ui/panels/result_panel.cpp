@@ -53,8 +53,9 @@ QString sourceWords(const JudgedPose& judged)
 ResultPanel::ResultPanel(QWidget* parent)
     : QWidget(parent),
       section_(new Section(tr("Result"), Folding::Fixed)),
-      residualSection_(new Section(tr("Residuals"), Folding::Fixed)),
-      convergenceSection_(new Section(tr("Convergence"), Folding::Fixed)),
+      solutions_(new SolutionStrip),
+      residualSection_(new Section(tr("Residuals"), Folding::Foldable)),
+      convergenceSection_(new Section(tr("Convergence"), Folding::Foldable)),
       certain_(sentenceBox("fineBox")),
       doubtful_(sentenceBox("attentionBox")),
       histogram_(new HistogramPlot),
@@ -80,6 +81,7 @@ ResultPanel::ResultPanel(QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(section_);
+    layout->addWidget(solutions_);
     layout->addWidget(residualSection_);
     layout->addWidget(convergenceSection_);
     showNothing(tr("nothing to judge yet"));

@@ -3,6 +3,7 @@
 #include "core/registration/registration.h"
 #include "core/vessel/vessel_tree.h"
 #include "ui/panels/section.h"
+#include "ui/panels/solution_strip.h"
 
 namespace ui {
 
@@ -32,12 +33,14 @@ public:
     void startRun();   ///< empties the convergence plot
     void showProgress(const core::IterationReport& report);
     void showHistory(const std::vector<core::IterationReport>& history);
+    SolutionStrip& solutions() { return *solutions_; }
 
 private:
     QWidget* makeNumber(QLabel*& value, const QString& caption, const QString& toolTip);
     void showSentences(const JudgedPose& judged, const core::VesselTree& tree);
 
     Section* section_;
+    SolutionStrip* solutions_;
     Section* residualSection_;
     Section* convergenceSection_;
     QLabel* median_ = nullptr;

@@ -25,6 +25,7 @@ Section::Section(const QString& title, Folding folding, QWidget* parent)
     hint_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     header->addWidget(hint_, 1);
 
+    setObjectName(title);   // by which its folding is remembered
     contentLayout_ = new QVBoxLayout(content_);
     contentLayout_->setContentsMargins(0, 0, 0, 0);
     contentLayout_->setSpacing(6);

@@ -19,6 +19,7 @@ public:
 
     void setHint(const QString& hint);
     void setFolded(bool folded);
+    bool isFoldable() const { return fold_ != nullptr; }
     bool isFolded() const { return content_->isHidden(); }
     QVBoxLayout* contentLayout() { return contentLayout_; }
 

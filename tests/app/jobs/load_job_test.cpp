@@ -137,7 +137,7 @@ TEST(LoadJob, OffersTheSeriesOfAFolderAndOpensTheChosenOne)
     EXPECT_EQ(offered.value().offered.size(), 2U);
     EXPECT_FALSE(offered.value().tree);
 
-    const auto chosen = readInputs({folder.path()}, QStringLiteral("1.2.4"));
+    const auto chosen = readInputs({folder.path()}, {QStringLiteral("1.2.4"), {}, {}});
 
     ASSERT_FALSE(chosen) << "an empty scan holds no vessels";
     EXPECT_NE(chosen.error().message.find(folder.path().toStdString()), std::string::npos);

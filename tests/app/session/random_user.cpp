@@ -101,6 +101,11 @@ const std::vector<Press>& presses()
                                          {Key_Return},
                                          {Key_Delete},
                                          {Key_Q},
+                                         {Key_K},
+                                         {Key_Y},
+                                         {Key_Y},
+                                         {Key_4},
+                                         {Key_L, Qt::ControlModifier},
                                          {Key_F1}};
     return keys;
 }

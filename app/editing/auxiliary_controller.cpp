@@ -1,0 +1,294 @@
+#include "app/editing/auxiliary_controller.h"
+
+#include "core/registration/pose/centroid_pose.h"
+#include "core/support/quantile.h"
+#include "ui/main_window.h"
+#include "ui/panels/result_sentences.h"
+#include "ui/views/angiogram_view.h"
+#include "ui/views/tools/bind_tool.h"
+
+#include <QtConcurrentRun>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace app {
+namespace {
+
+constexpr int branchesPerStep = 2;   ///< named per step of the pose
+constexpr double insideShare = 0.5;   ///< of a branch's projection, from which a lasso holds it
+
+/// Order of core::PoseUncertainty; in the words of the pose panel.
+QString nameOfStep(std::size_t step)
+{
+    static const std::array names{QT_TRANSLATE_NOOP("app::AuxiliaryController", "tilt"),
+                                  QT_TRANSLATE_NOOP("app::AuxiliaryController", "turn"),
+                                  QT_TRANSLATE_NOOP("app::AuxiliaryController", "roll"),
+                                  QT_TRANSLATE_NOOP("app::AuxiliaryController", "sideways"),
+                                  QT_TRANSLATE_NOOP("app::AuxiliaryController", "up–down"),
+                                  QT_TRANSLATE_NOOP("app::AuxiliaryController", "depth")};
+    return AuxiliaryController::tr(names[step]);
+}
+
+bool alternates(const std::string& methodId)
+{
+    const auto& fields = core::optionFields();
+    const auto field = std::ranges::find(fields, "auxiliary", &core::OptionField::key);
+    return field != fields.end() &&
+           (field->methods.empty() || std::ranges::find(field->methods, methodId) != field->methods.end());
+}
+
+double medianRadiusMm(const core::VesselBranch& branch)
+{
+    return branch.radiusMm.empty() ? 0.0 : core::quantile(branch.radiusMm, 0.5);
+}
+
+/// Share of the branch's points whose projections lie inside.
+double shareInside(const core::VesselBranch& branch, const core::ProjectionCamera& camera,
+                   const core::RigidTransform& cameraFromPatient, const QPolygonF& outline)
+{
+    int inside = 0;
+    for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+        const auto pixel = core::project(camera, cameraFromPatient * point);
+        inside += pixel && outline.containsPoint({pixel->x(), pixel->y()}, Qt::OddEvenFill) ? 1 : 0;
+    }
+    return static_cast<double>(inside) / static_cast<double>(branch.pointsInPatient.size());
+}
+
+core::Vector6d inDegrees(core::Vector6d std)
+{
+    std.head<3>() *= 180.0 / std::numbers::pi;
+    return std;
+}
+
+}   // namespace
+
+AuxiliaryController::AuxiliaryController(CaseDocument& document, BranchController& branches, ui::MainWindow& window,
+                                         QObject* parent)
+    : QObject(parent), document_(document), branches_(branches), window_(window)
+{
+    auto* lasso = new ui::LassoTool(window_.angiogramView());
+    ui::bindTool(*window_.actions()[ui::Command::Lasso], window_.angiogramView(), *lasso);
+    connect(lasso, &ui::LassoTool::enclosed, this, &AuxiliaryController::chooseInside);
+    connect(window_.actions()[ui::Command::AuxiliaryAdvice], &QAction::triggered, this, &AuxiliaryController::open);
+    connect(&document_, &CaseDocument::changed, this, &AuxiliaryController::request);
+    connect(&job_, &QFutureWatcherBase::finished, this, [this] {
+        advice_ = job_.result();
+        isKnown_ = true;
+        if (std::exchange(isWanted_, false)) {
+            start();
+        }
+        show();
+        emit adviceChanged();
+    });
+}
+
+AuxiliaryController::~AuxiliaryController()
+{
+    job_.waitForFinished();
+}
+
+void AuxiliaryController::open()
+{
+    if (!dialog_) {
+        dialog_ = new ui::AuxiliaryDialog(&window_);
+        connectDialog();
+    }
+    dialog_->show();
+    dialog_->raise();
+    dialog_->activateWindow();
+    request();
+    show();
+}
+
+void AuxiliaryController::connectDialog()
+{
+    ui::AuxiliaryDialog* dialog = dialog_;
+    connect(dialog, &ui::AuxiliaryDialog::generationRequested, this, &AuxiliaryController::chooseGenerations);
+    connect(dialog, &ui::AuxiliaryDialog::radiusRequested, this, &AuxiliaryController::chooseWide);
+    connect(dialog, &ui::AuxiliaryDialog::suggestionRequested, this, &AuxiliaryController::chooseSuggestion);
+    connect(dialog, &ui::AuxiliaryDialog::clearRequested, this, [this] { branches_.setAuxiliary({}); });
+    connect(dialog, &ui::AuxiliaryDialog::viewRequested, window_.actions()[ui::Command::AuxiliaryInView],
+            &QAction::trigger);
+    connect(dialog, &ui::AuxiliaryDialog::lassoRequested, this, [this] {
+        window_.actions()[ui::Command::Lasso]->setChecked(true);
+        window_.activateWindow();
+        window_.angiogramView().setFocus();
+    });
+}
+
+void AuxiliaryController::chooseInside(const QPolygonF& outlineInImagePx, ui::LassoEffect effect)
+{
+    const core::RegistrationCase& current = document_.current();
+    const auto camera = core::cameraOf(current);
+    if (!current.tree || !camera) {
+        return;
+    }
+    std::set<int> inside;
+    for (const core::VesselBranch& branch : current.tree->branches) {
+        const double share = shareInside(branch, camera.value(), current.cameraFromPatient, outlineInImagePx);
+        if (share >= insideShare && !branches_.marks().excluded.contains(branch.id)) {
+            inside.insert(branch.id);
+        }
+    }
+    if (inside.empty()) {
+        emit refused(tr("No branch lies mostly inside the lasso."));
+        return;
+    }
+    std::set<int> chosen = effect == ui::LassoEffect::Replaces ? std::set<int>{} : branches_.marks().auxiliary;
+    for (const int id : inside) {
+        if (effect == ui::LassoEffect::Removes) {
+            chosen.erase(id);
+        } else {
+            chosen.insert(id);
+        }
+    }
+    branches_.setAuxiliary(chosen);
+}
+
+void AuxiliaryController::chooseGenerations(int last)
+{
+    std::set<int> chosen;
+    const auto& tree = document_.current().tree;
+    for (const core::VesselBranch& branch : tree ? tree->branches : std::vector<core::VesselBranch>{}) {
+        if (branch.generation >= 0 && branch.generation <= last && !branches_.marks().excluded.contains(branch.id)) {
+            chosen.insert(branch.id);
+        }
+    }
+    if (chosen.empty()) {
+        emit refused(tr("This tree knows no generations."));
+    } else {
+        branches_.setAuxiliary(chosen);
+    }
+}
+
+void AuxiliaryController::chooseWide(double atLeastMm)
+{
+    std::set<int> chosen;
+    const auto& tree = document_.current().tree;
+    for (const core::VesselBranch& branch : tree ? tree->branches : std::vector<core::VesselBranch>{}) {
+        if (!branch.radiusMm.empty() && medianRadiusMm(branch) >= atLeastMm &&
+            !branches_.marks().excluded.contains(branch.id)) {
+            chosen.insert(branch.id);
+        }
+    }
+    if (chosen.empty()) {
+        emit refused(tr("No branch is that wide."));
+    } else {
+        branches_.setAuxiliary(chosen);
+    }
+}
+
+void AuxiliaryController::chooseSuggestion()
+{
+    if (isKnown_ && !advice_.suggested.empty()) {
+        branches_.setAuxiliary({advice_.suggested.begin(), advice_.suggested.end()});
+    }
+}
+
+void AuxiliaryController::request()
+{
+    if (!dialog_ || !dialog_->isVisible()) {
+        return;
+    }
+    if (job_.isRunning()) {
+        isWanted_ = true;
+    } else {
+        start();
+    }
+}
+
+void AuxiliaryController::start()
+{
+    const core::RegistrationCase& current = document_.current();
+    const auto camera = core::cameraOf(current);
+    if (!current.tree || !camera) {
+        isKnown_ = false;
+        show();
+        return;
+    }
+    const core::Vector6d priorStd =
+        core::startPrior({}, current.options).std;   // what the solver believes of a start pose
+    job_.setFuture(QtConcurrent::run([tree = current.tree, camera = camera.value(), pose = current.cameraFromPatient,
+                                      excluded = current.excludedBranchIds, chosen = current.auxiliaryBranchIds,
+                                      priorStd] {
+        const auto branches = core::branchInformation(core::without(*tree, excluded), camera, pose);
+        std::vector<int> all;
+        for (const core::BranchInformation& branch : branches) {
+            all.push_back(branch.branchId);
+        }
+        Advice advice;
+        advice.stdOfAll = inDegrees(core::expectedStd(branches, all, priorStd));
+        advice.stdOfChosen = inDegrees(core::expectedStd(branches, chosen.empty() ? all : chosen, priorStd));
+        for (std::size_t step = 0; step < advice.pinnedBy.size(); ++step) {
+            advice.pinnedBy[step] = core::branchesThatPin(branches, static_cast<int>(step), priorStd, branchesPerStep);
+        }
+        advice.suggested = core::mostInformativeBranches(branches, priorStd);
+        return advice;
+    }));
+}
+
+QString AuxiliaryController::namesOf(const std::vector<int>& branchIds) const
+{
+    QStringList names;
+    for (const int id : branchIds) {
+        const core::VesselBranch* branch = document_.current().tree ? document_.current().tree->find(id) : nullptr;
+        names << (branch ? ui::displayName(*branch) : QString::number(id));
+    }
+    return names.join(QStringLiteral(", "));
+}
+
+QString AuxiliaryController::previewWords() const
+{
+    const core::RegistrationCase& current = document_.current();
+    if (!current.tree) {
+        return {};
+    }
+    double lengthMm = 0.0;
+    double chosenMm = 0.0;
+    for (const core::VesselBranch& branch : current.tree->branches) {
+        lengthMm += branch.lengthMm();
+        chosenMm += branches_.marks().auxiliary.contains(branch.id) ? branch.lengthMm() : 0.0;
+    }
+    const QString chosen = current.auxiliaryBranchIds.empty()
+                               ? tr("Nothing is chosen: the alternation takes the %n node(s) of the tree.", nullptr,
+                                    static_cast<int>(core::findNodes(*current.tree).size()))
+                               : tr("Chosen: %1 (%2 mm, %3 % of the tree).")
+                                     .arg(namesOf(current.auxiliaryBranchIds))
+                                     .arg(chosenMm, 0, 'f', 0)
+                                     .arg(100.0 * chosenMm / std::max(1e-9, lengthMm), 0, 'f', 0);
+    if (!alternates(current.options.method)) {
+        return tr("%1 The method chosen now does not alternate and takes all branches.").arg(chosen);
+    }
+    const auto set = static_cast<core::AuxiliarySet>(std::lround(current.options.auxiliary));
+    return set == core::AuxiliarySet::Chosen
+               ? chosen
+               : tr("%1 The option “Auxiliary points” of the method overrules this.").arg(chosen);
+}
+
+void AuxiliaryController::show()
+{
+    if (!dialog_) {
+        return;
+    }
+    ui::AuxiliaryAdvice shown;
+    shown.preview = previewWords();
+    const auto& tree = document_.current().tree;
+    for (const core::VesselBranch& branch : tree ? tree->branches : std::vector<core::VesselBranch>{}) {
+        shown.generations = std::max(shown.generations, branch.generation + 1);
+        if (!branch.radiusMm.empty()) {
+            shown.largestRadiusMm = std::max(shown.largestRadiusMm.value_or(0.0), medianRadiusMm(branch));
+        }
+    }
+    for (std::size_t step = 0; isKnown_ && step < advice_.pinnedBy.size(); ++step) {
+        const auto row = static_cast<Eigen::Index>(step);
+        shown.steps.push_back({nameOfStep(step), step < 3 ? tr("°") : tr("mm"), advice_.stdOfAll[row],
+                               advice_.stdOfChosen[row], namesOf(advice_.pinnedBy[step])});
+    }
+    shown.suggestion = isKnown_ ? namesOf(advice_.suggested) : QString();
+    dialog_->showAdvice(shown);
+}
+
+}   // namespace app

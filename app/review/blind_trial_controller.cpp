@@ -1,0 +1,200 @@
+#include "app/review/blind_trial_controller.h"
+
+#include "app/document/edit_case.h"
+#include "app/review/snapshot_texts.h"
+#include "app/settings.h"
+#include "core/simulation/simulated_case.h"
+#include "core/support/random.h"
+#include "ui/main_window.h"
+
+#include <QDir>
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+namespace {
+
+/// What would tell how good a pose is, show another one, or take the trial's state out of the program.
+constexpr std::array hiddenCommands{
+    ui::Command::Register,     ui::Command::WorstBranch,  ui::Command::Replay,   ui::Command::Swing,
+    ui::Command::NextSolution, ui::Command::TakeSolution, ui::Command::KeepPose, ui::Command::SwitchPoses,
+    ui::Command::ComparePoses, ui::Command::Save,         ui::Command::SaveAs,   ui::Command::ExportOverlay,
+    ui::Command::ExportResult, ui::Command::ExportPose,   ui::Command::Open,     ui::Command::OpenFolder,
+    ui::Command::OpenSample,   ui::Command::BlindTrial,   ui::Command::CopyPose};
+
+std::uint64_t nextSeed(const std::vector<core::PoseSnapshot>& snapshots)
+{
+    return 1 + static_cast<std::uint64_t>(snapshots.size());
+}
+
+}   // namespace
+
+BlindTrialController::BlindTrialController(CaseDocument& document, TargetProvider& target, ui::MainWindow& window,
+                                           QObject* parent)
+    : QObject(parent), document_(document), target_(target), window_(window)
+{
+    connect(window_.actions()[ui::Command::BlindTrial], &QAction::triggered, this, &BlindTrialController::ask);
+    connect(window_.actions()[ui::Command::TrialDone], &QAction::triggered, this, &BlindTrialController::finish);
+    connect(&window_.trialBar(), &ui::TrialBar::doneRequested, this, &BlindTrialController::finish);
+    connect(&window_.trialBar(), &ui::TrialBar::abandonRequested, this, &BlindTrialController::abandon);
+    connect(&judge_, &JudgeJob::judged, this, [this](const SharedJudgement& judgement) { keep(judgement->result); });
+    window_.actions()[ui::Command::TrialDone]->setEnabled(false);
+}
+
+void BlindTrialController::ask()
+{
+    const core::RegistrationCase& current = document_.current();
+    if (!current.tree || !current.angiogram || !core::startPoseOf(current) || document_.isLocked()) {
+        emit failed(tr("A trial needs vessels, an angiogram and a start pose, and no registration running."));
+        return;
+    }
+    ui::BlindTrialSetup suggested;
+    suggested.observer = observerName();
+    suggested.seed = nextSeed(current.snapshots);
+    suggested.rangeMm = settings::trialRangeMm.read();
+    suggested.rangeDeg = settings::trialRangeDeg.read();
+    suggested.logPath = settings::trialLog.read();
+    if (suggested.logPath.isEmpty()) {
+        suggested.logPath = QDir(settings::lastFolder.read()).filePath(QStringLiteral("observer-trials.csv"));
+    }
+    auto* dialog = new ui::BlindTrialDialog(suggested, &window_);
+    connect(dialog, &ui::BlindTrialDialog::startRequested, this, &BlindTrialController::start);
+    dialog->open();
+}
+
+void BlindTrialController::start(const ui::BlindTrialSetup& setup)
+{
+    const core::RegistrationCase& current = document_.current();
+    if (isRunning() || document_.isLocked() || !current.tree) {
+        return;
+    }
+    settings::observer.write(setup.observer);
+    settings::trialRangeMm.write(setup.rangeMm);
+    settings::trialRangeDeg.write(setup.rangeDeg);
+    settings::trialLog.write(setup.logPath);
+    emit aboutToStart();
+
+    setup_ = setup;
+    caseNumber_ = document_.state().caseNumber;
+    core::CounterRandom random(setup.seed);
+    trial_ = {};
+    trial_.startedAt = timeNow();
+    trial_.observer = setup.observer.toStdString();
+    trial_.caseTitle = current.title;
+    trial_.imageSha256 = current.imageFile.sha256;
+    trial_.seed = setup.seed;
+    trial_.rangeMm = setup.rangeMm;
+    trial_.rangeDeg = setup.rangeDeg;
+    trial_.centre = current.cameraFromPatient;
+    trial_.pivotInPatient = core::centroidInPatient(*current.tree);
+    trial_.start =
+        core::uniformlyDisplaced(trial_.centre, trial_.pivotInPatient, setup.rangeDeg, setup.rangeMm, random);
+    document_.beginTrial(std::make_unique<HideWhatIsKnown>(
+        document_, HideWhatIsKnown::Values{trial_.start, true, trial_.start, std::nullopt, {}}, tr("Blind trial")));
+    showRunning(true);
+    clock_.start();
+    emit started();
+}
+
+void BlindTrialController::finish()
+{
+    end(false);
+}
+
+void BlindTrialController::abandon()
+{
+    end(true);
+}
+
+void BlindTrialController::end(bool isAbandoned)
+{
+    if (!isRunning()) {
+        return;
+    }
+    trial_.durationS = 1e-3 * static_cast<double>(clock_.elapsed());
+    trial_.editCount = document_.trialEdits();
+    trial_.isAbandoned = isAbandoned;
+    trial_.frame = document_.current().frame;
+    trial_.final = document_.current().cameraFromPatient;
+    document_.endTrial();
+    showRunning(false);
+    emit ended();
+    log(trial_);
+    if (!isAbandoned) {
+        judge(trial_);
+    }
+}
+
+void BlindTrialController::showRunning(bool running)
+{
+    if (running) {
+        window_.trialBar().showTrial(setup_.observer);
+    } else {
+        window_.trialBar().hideTrial();
+    }
+    for (const ui::Command command : hiddenCommands) {
+        window_.actions()[command]->setEnabled(!running);
+    }
+    window_.actions()[ui::Command::TrialDone]->setEnabled(running);
+    window_.snapshots().setVisible(!running);
+    window_.result().setVisible(!running);
+}
+
+void BlindTrialController::log(const io::ObserverTrial& trial)
+{
+    files_.run(
+        [trial, path = setup_.logPath]() -> core::Result<QString> {
+            if (const auto written = io::appendTrial(trial, path.toStdString()); !written) {
+                return written.error();
+            }
+            return path;
+        },
+        [this](const core::Result<QString>& written) {
+            if (written) {
+                emit logged(written.value());
+            } else {
+                emit failed(QString::fromStdString(written.error().message));
+            }
+        });
+}
+
+void BlindTrialController::judge(const io::ObserverTrial& trial)
+{
+    const bool isSameFrame = target_.current() && trial.frame == document_.current().frame;
+    auto input = isSameFrame ? core::registrationInputOf(document_.current(), *target_.current())
+                             : core::Result<core::RegistrationInput>(core::Error{});
+    if (input) {
+        judge_.request({std::move(input).value(), trial.final});
+        return;
+    }
+    core::RegistrationResult unjudged;
+    unjudged.cameraFromPatient = trial.final;
+    keep(unjudged);
+}
+
+void BlindTrialController::keep(const core::RegistrationResult& judged)
+{
+    if (document_.state().caseNumber != caseNumber_ || document_.isInTrial()) {
+        return;   // the log has it
+    }
+    core::PoseSnapshot snapshot;
+    snapshot.name = tr("%1, blind").arg(setup_.observer).toStdString();
+    snapshot.author = trial_.observer;
+    snapshot.time = trial_.startedAt;
+    snapshot.note = tr("Blind trial, seed %1, %2 s, %3 edits")
+                        .arg(trial_.seed)
+                        .arg(trial_.durationS, 0, 'f', 0)
+                        .arg(trial_.editCount)
+                        .toStdString();
+    snapshot.frame = trial_.frame;
+    snapshot.cameraFromPatient = judged.cameraFromPatient;
+    if (judged.metrics.medianPx > 0.0) {
+        snapshot.metrics = core::metricsOf(judged);
+    }
+    document_.push(std::make_unique<ChangeSnapshots>(
+        document_, ChangeSnapshots::Values{core::withSnapshot(document_.current().snapshots, std::move(snapshot))},
+        tr("Keep a blind trial")));
+}
+
+}   // namespace app

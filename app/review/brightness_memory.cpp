@@ -1,0 +1,87 @@
+#include "app/review/brightness_memory.h"
+
+#include "app/settings.h"
+#include "ui/main_window.h"
+#include "ui/views/angiogram_view.h"
+
+#include <QCryptographicHash>
+
+namespace app {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr qsizetype keptSeries = 200;
+
+/// A series without telling whose it is: settings are no place for identities.
+QString seriesKey(const core::RegistrationCase& current)
+{
+    if (!current.angiogram) {
+        return {};
+    }
+    const std::string& uid = current.angiogram->identity.seriesUid;
+    const std::string& known = uid.empty() ? current.imageFile.sha256 : uid;
+    const QByteArray text(known.data(), static_cast<qsizetype>(known.size()));
+    return known.empty() ? QString()
+                         : QString::fromLatin1(QCryptographicHash::hash(text, QCryptographicHash::Sha1).toHex());
+}
+
+}   // namespace
+
+BrightnessMemory::BrightnessMemory(const CaseDocument& document, ui::MainWindow& window, QObject* parent)
+    : QObject(parent), document_(document), window_(window), remembered_(settings::brightness.read())
+{
+    storing_.setSingleShot(true);
+    storing_.setInterval(2s);
+    connect(&storing_, &QTimer::timeout, this, [this] { settings::brightness.write(remembered_); });
+    connect(&document_, &CaseDocument::changed, this, &BrightnessMemory::followDocument);
+    connect(&window_.angiogramView(), &ui::AngiogramView::windowLevelChanged, this, &BrightnessMemory::remember);
+}
+
+BrightnessMemory::~BrightnessMemory()
+{
+    if (storing_.isActive()) {
+        settings::brightness.write(remembered_);
+    }
+}
+
+void BrightnessMemory::followDocument()
+{
+    if (document_.current().angiogram != shown_) {
+        shown_ = document_.current().angiogram;
+        series_.clear();   // what the view does by itself on a new image is not the user's choice
+        QMetaObject::invokeMethod(this, &BrightnessMemory::recall, Qt::QueuedConnection);   // once the image is shown
+    }
+}
+
+void BrightnessMemory::recall()
+{
+    const QString series = seriesKey(document_.current());
+    bool isKnown = false;
+    for (const QString& line : std::as_const(remembered_)) {
+        const QStringList parts = line.split(QLatin1Char(' '));
+        if (parts.size() == 3 && parts[0] == series) {
+            isKnown = true;
+            window_.angiogramView().setWindowLevel(parts[1].toDouble(), parts[2].toDouble());
+            break;
+        }
+    }
+    if (!isKnown && shown_) {
+        window_.angiogramView().autoWindowLevel();
+    }
+    series_ = series;
+}
+
+void BrightnessMemory::remember(double window, double level)
+{
+    if (series_.isEmpty()) {
+        return;
+    }
+    const QString prefix = series_ + QLatin1Char(' ');
+    remembered_.removeIf([&prefix](const QString& line) { return line.startsWith(prefix); });
+    remembered_.prepend(prefix + QString::number(window, 'g', 9) + QLatin1Char(' ') + QString::number(level, 'g', 9));
+    remembered_ = remembered_.first(std::min(remembered_.size(), keptSeries));
+    storing_.start();
+}
+
+}   // namespace app

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "app/document/case_document.h"
+
+#include <QObject>
+#include <QStringList>
+#include <QTimer>
+
+#include <memory>
+
+namespace ui {
+class MainWindow;
+}
+
+namespace app {
+
+/// Remembers window and level per series: the next time it is opened it looks as it was left. Other images start with
+/// automatic brightness.
+class BrightnessMemory : public QObject {
+    Q_OBJECT
+public:
+    BrightnessMemory(const CaseDocument& document, ui::MainWindow& window, QObject* parent = nullptr);
+    ~BrightnessMemory() override;
+
+private:
+    void followDocument();
+    void recall();
+    void remember(double window, double level);
+
+    const CaseDocument& document_;
+    ui::MainWindow& window_;
+    std::shared_ptr<const core::Angiogram> shown_;
+    QString series_;   ///< empty: nothing to remember it by
+    QStringList remembered_;   ///< "series window level", the last used first
+    QTimer storing_;
+};
+
+}   // namespace app

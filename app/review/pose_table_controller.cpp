@@ -1,0 +1,205 @@
+#include "app/review/pose_table_controller.h"
+
+#include "app/document/edit_case.h"
+#include "app/review/snapshot_texts.h"
+#include "io/snapshot_table.h"
+#include "ui/main_window.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace app {
+namespace {
+
+constexpr int seriesBursts = 1 << 22;   ///< keeps burst numbers of series apart from those of poses and frames
+
+/// A fair default: the own method, a classic, and the one the literature compares with.
+const std::vector<std::string> usualMethods{"angiopose", "dt-icp", "iterative-pnp"};
+
+}   // namespace
+
+PoseTableController::PoseTableController(CaseDocument& document, TargetProvider& target, SnapshotController& snapshots,
+                                         ExportController& exporting, ui::MainWindow& window, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      target_(target),
+      snapshots_(snapshots),
+      exporting_(exporting),
+      window_(window),
+      chosen_(usualMethods)
+{
+    connect(window_.actions()[ui::Command::ComparePoses], &QAction::triggered, this, &PoseTableController::open);
+    connect(&window_.snapshots(), &ui::SnapshotPanel::compareRequested, this, &PoseTableController::open);
+    connect(&document_, &CaseDocument::changed, this, &PoseTableController::refresh);
+    connect(&snapshots_, &SnapshotController::poseWasJudged, this, &PoseTableController::refresh);
+    connect(&document_, &CaseDocument::stateChanged, this, &PoseTableController::flush);
+    connectJob();
+}
+
+void PoseTableController::open()
+{
+    if (!document_.current().tree || document_.isInTrial()) {
+        window_.strip().showStatus(tr("There are no poses to compare yet."));
+        return;
+    }
+    if (!table_) {
+        table_ = new ui::PoseTable(&window_);
+        connectTable();
+        table_->showChosenMethods(chosen_);
+        refresh();
+    }
+    table_->show();
+    table_->raise();
+    table_->activateWindow();
+}
+
+void PoseTableController::close()
+{
+    if (table_) {
+        table_->close();
+    }
+}
+
+void PoseTableController::connectTable()
+{
+    ui::PoseTable* table = table_;
+    connect(table, &ui::PoseTable::wasPicked, &snapshots_, &SnapshotController::show);
+    connect(table, &ui::PoseTable::restoreRequested, &snapshots_, &SnapshotController::restore);
+    connect(table, &ui::PoseTable::removeRequested, &snapshots_, &SnapshotController::remove);
+    connect(table, &ui::PoseTable::textEdited, &snapshots_, &SnapshotController::change,
+            Qt::QueuedConnection);   // its editor is still at work
+    connect(table, &ui::PoseTable::runRequested, this, &PoseTableController::run);
+    connect(table, &ui::PoseTable::stopRequested, this, &PoseTableController::stop);
+    connect(table, &ui::PoseTable::exportRequested, this, &PoseTableController::exportTable);
+    connect(table, &ui::PoseTable::referenceRequested, this, [this](int snapshotId) {
+        referenceId_ = snapshotId;
+        refresh();
+    });
+    connect(table, &QDialog::finished, &snapshots_, &SnapshotController::showItself);
+}
+
+std::vector<core::PoseSnapshot> PoseTableController::listed() const
+{
+    const core::RegistrationCase& current = document_.current();
+    core::PoseSnapshot itself;
+    itself.name = tr("The pose as it is").toStdString();
+    itself.frame = current.frame;
+    itself.cameraFromPatient = current.cameraFromPatient;
+    itself.metrics = snapshots_.metricsOfPose();
+    if (current.result) {
+        itself.method = current.result->method;
+        itself.runMs = current.result->time.totalMs;
+    }
+    std::vector<core::PoseSnapshot> all{itself};
+    all.insert(all.end(), current.snapshots.begin(), current.snapshots.end());
+    return all;
+}
+
+void PoseTableController::refresh()
+{
+    if (!table_ || !document_.current().tree) {
+        return;
+    }
+    const std::vector<core::PoseSnapshot> all = listed();
+    const core::PoseSnapshot* reference = core::findSnapshot(all, referenceId_);
+    if (!reference) {
+        referenceId_ = 0;
+        reference = &all.front();
+    }
+    const Eigen::Vector3d pivot = core::centroidInPatient(*document_.current().tree);
+    std::vector<ui::PoseRow> rows;
+    for (const core::PoseSnapshot& each : all) {
+        rows.push_back({each, core::differenceBetween(reference->cameraFromPatient, each.cameraFromPatient, pivot)});
+    }
+    table_->showRows(rows, referenceId_);
+}
+
+void PoseTableController::run(const std::vector<std::string>& methodIds)
+{
+    const core::RegistrationCase& current = document_.current();
+    if (job_.isRunning() || methodIds.empty() || document_.isInTrial() || !table_) {
+        return;
+    }
+    if (!target_.current()) {
+        table_->showIdle(target_.problem().isEmpty() ? tr("The vessels of this frame are still being traced.")
+                                                     : target_.problem());
+        return;
+    }
+    auto input = core::registrationInputOf(current, *target_.current());
+    if (!input) {
+        table_->showIdle(QString::fromStdString(input.error().message));
+        return;
+    }
+    origin_ = {document_.state().caseNumber, current.tree, current.angiogram, current.frame};
+    chosen_ = methodIds;
+    failures_.clear();
+    solvedCount_ = 0;
+    ++burst_;
+    table_->showRun(tr("Starting …"), 0.0);
+    job_.start(std::move(input).value(), current.options, methodIds);
+}
+
+void PoseTableController::connectJob()
+{
+    connect(&job_, &MethodSeriesJob::advanced, this, [this](const QString& methodId, double progress) {
+        if (table_ && job_.isRunning()) {
+            table_->showRun(ui::methodWords(methodId.toStdString()), progress);
+        }
+    });
+    connect(&job_, &MethodSeriesJob::solved, this, &PoseTableController::take);
+    connect(&job_, &MethodSeriesJob::failed, this, [this](const QString& methodId, const QString& reason) {
+        failures_ << tr("%1: %2").arg(ui::methodWords(methodId.toStdString()), reason);
+    });
+    connect(&job_, &MethodSeriesJob::ended, this, &PoseTableController::finish);
+}
+
+void PoseTableController::take(const core::RegistrationResult& result)
+{
+    waiting_.push_back(snapshotOfRun(result, origin_.frame));
+    ++solvedCount_;
+    flush();
+}
+
+void PoseTableController::flush()
+{
+    if (waiting_.empty() || document_.isLocked() || document_.isInTrial()) {
+        return;
+    }
+    const core::RegistrationCase& current = document_.current();
+    const bool stillFits = document_.state().caseNumber == origin_.caseNumber && current.tree == origin_.tree &&
+                           current.angiogram == origin_.angiogram;
+    std::vector<core::PoseSnapshot> snapshots = current.snapshots;
+    for (core::PoseSnapshot& solved : std::exchange(waiting_, {})) {
+        snapshots = core::withSnapshot(std::move(snapshots), std::move(solved));
+    }
+    if (stillFits) {
+        document_.push(std::make_unique<ChangeSnapshots>(document_, ChangeSnapshots::Values{std::move(snapshots)},
+                                                         tr("Run several methods"), seriesBursts + burst_));
+    }
+}
+
+void PoseTableController::finish(bool wasStopped)
+{
+    if (table_) {
+        const QString count = tr("%n method(s) done", nullptr, solvedCount_);
+        table_->showIdle(wasStopped          ? tr("Stopped. %1.").arg(count)
+                         : failures_.empty() ? count
+                                             : failures_.join(QLatin1Char(' ')));
+    }
+}
+
+void PoseTableController::exportTable()
+{
+    const std::vector<core::PoseSnapshot> all = listed();
+    const core::PoseSnapshot* reference = core::findSnapshot(all, referenceId_);
+    if (!reference || !document_.current().tree) {
+        return;
+    }
+    exporting_.askFile(
+        {tr("Export comparison"), tr("Tables (*.csv)"), QStringLiteral("poses.csv")},
+        [all, chosen = *reference, pivot = core::centroidInPatient(*document_.current().tree)](const QString& path) {
+            return io::writeSnapshotTable(all, chosen, pivot, path.toStdString());
+        });
+}
+
+}   // namespace app

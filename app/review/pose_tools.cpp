@@ -1,0 +1,55 @@
+#include "app/review/pose_tools.h"
+
+#include "ui/main_window.h"
+
+#include <QFileInfo>
+
+namespace app {
+
+PoseTools::PoseTools(const Parts& on, QObject* parent)
+    : QObject(parent),
+      solutions_(on.document, on.window),
+      snapshots_(on.document, on.sync, on.window),
+      table_(on.document, on.target, snapshots_, on.session.exporting(), on.window),
+      blindTrial_(on.document, on.target, on.window),
+      auxiliary_(on.document, on.branches, on.window),
+      plots_(on.window, on.session.exporting())
+{
+    connectLooks(on);
+    connectTrial(on);
+    connect(&auxiliary_, &AuxiliaryController::refused, &on.notices, &Notices::showNote);
+}
+
+/// One look at another pose at a time.
+void PoseTools::connectLooks(const Parts& on)
+{
+    ReplayController* replay = &on.replay;
+    connect(&solutions_, &SolutionController::solutionWanted, replay, &ReplayController::showSolution);
+    connect(&solutions_, &SolutionController::takeWanted, replay, [replay](std::size_t index) {
+        replay->showSolution(index);
+        replay->takeSolution();
+    });
+    connect(replay, &ReplayController::solutionChanged, &solutions_, &SolutionController::showCurrent);
+    connect(replay, &ReplayController::solutionShown, &snapshots_, &SnapshotController::showItself);
+    connect(&snapshots_, &SnapshotController::wasShown, &on.review, &ReviewController::stopMotion);
+    connect(&snapshots_, &SnapshotController::wasShown, replay, &ReplayController::showItself);
+    connect(&on.judgement, &JudgementController::judged, &snapshots_, &SnapshotController::knowJudgement);
+}
+
+void PoseTools::connectTrial(const Parts& on)
+{
+    Notices* notices = &on.notices;
+    connect(&blindTrial_, &BlindTrialController::aboutToStart, this,
+            [this, review = &on.review, session = &on.session] {
+                review->stopMotion();
+                table_.close();
+                session->saving().autosaveSoon();
+            });
+    connect(&on.session, &SessionController::aboutToClose, &blindTrial_, &BlindTrialController::abandon);
+    connect(&blindTrial_, &BlindTrialController::logged, notices,
+            [notices](const QString& path) { notices->showNote(tr("Logged: %1").arg(QFileInfo(path).fileName())); });
+    connect(&blindTrial_, &BlindTrialController::failed, notices,
+            [notices](const QString& reason) { notices->showProblem(tr("Blind trial"), reason); });
+}
+
+}   // namespace app

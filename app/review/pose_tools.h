@@ -1,0 +1,56 @@
+#pragma once
+
+#include "app/editing/auxiliary_controller.h"
+#include "app/files/plot_export.h"
+#include "app/files/session_controller.h"
+#include "app/notices.h"
+#include "app/review/blind_trial_controller.h"
+#include "app/review/judgement_controller.h"
+#include "app/review/pose_table_controller.h"
+#include "app/review/replay_controller.h"
+#include "app/review/review_controller.h"
+#include "app/review/snapshot_controller.h"
+#include "app/review/solution_controller.h"
+
+#include <QObject>
+
+namespace app {
+
+/// What can be done with poses beside moving them: solutions, snapshots, comparison, blind trials, advice on branches.
+/// Owns and wires these.
+class PoseTools : public QObject {
+    Q_OBJECT
+public:
+    /// What they work on and tell.
+    struct Parts {
+        CaseDocument& document;
+        TargetProvider& target;
+        BranchController& branches;
+        SessionController& session;
+        ReviewController& review;
+        ReplayController& replay;
+        JudgementController& judgement;
+        ViewSync& sync;
+        Notices& notices;
+        ui::MainWindow& window;
+    };
+    explicit PoseTools(const Parts& parts, QObject* parent = nullptr);
+
+    SnapshotController& snapshots() { return snapshots_; }
+    PoseTableController& table() { return table_; }
+    BlindTrialController& blindTrial() { return blindTrial_; }
+    AuxiliaryController& auxiliary() { return auxiliary_; }
+
+private:
+    void connectLooks(const Parts& on);
+    void connectTrial(const Parts& on);
+
+    SolutionController solutions_;
+    SnapshotController snapshots_;
+    PoseTableController table_;
+    BlindTrialController blindTrial_;
+    AuxiliaryController auxiliary_;
+    PlotExport plots_;
+};
+
+}   // namespace app

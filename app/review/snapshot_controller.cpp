@@ -1,0 +1,228 @@
+#include "app/review/snapshot_controller.h"
+
+#include "app/document/edit_case.h"
+#include "app/review/snapshot_texts.h"
+#include "ui/main_window.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace app {
+namespace {
+
+bool isSame(const core::RigidTransform& a, const core::RigidTransform& b)
+{
+    return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() < 1e-9;
+}
+
+/// "Pose 4": the first number that is free.
+QString freeName(const std::vector<core::PoseSnapshot>& snapshots)
+{
+    for (int number = 1;; ++number) {
+        const QString name = SnapshotController::tr("Pose %1").arg(number);
+        if (std::ranges::find(snapshots, name.toStdString(), &core::PoseSnapshot::name) == snapshots.end()) {
+            return name;
+        }
+    }
+}
+
+}   // namespace
+
+SnapshotController::SnapshotController(CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent)
+    : QObject(parent), document_(document), sync_(sync), window_(window)
+{
+    connectWindow();
+    connect(&document_, &CaseDocument::changed, this, &SnapshotController::followDocument);
+    connect(&window_, &ui::MainWindow::escapePressed, this, &SnapshotController::showItself);
+}
+
+void SnapshotController::connectWindow()
+{
+    ui::SnapshotPanel& panel = window_.snapshots();
+    connect(&panel, &ui::SnapshotPanel::keepRequested, this, &SnapshotController::keep);
+    connect(&panel, &ui::SnapshotPanel::wasPicked, this, &SnapshotController::show);
+    connect(&panel, &ui::SnapshotPanel::restoreRequested, this, &SnapshotController::restore);
+    // Queued: the list is filled anew, and its editor is still at work when it reports.
+    connect(&panel, &ui::SnapshotPanel::renamed, this, &SnapshotController::rename, Qt::QueuedConnection);
+    connect(&panel, &ui::SnapshotPanel::removeRequested, this, &SnapshotController::remove);
+    connect(&panel, &ui::SnapshotPanel::markRequested, this, &SnapshotController::mark);
+    connect(window_.actions()[ui::Command::KeepPose], &QAction::triggered, this, &SnapshotController::keep);
+    connect(window_.actions()[ui::Command::SwitchPoses], &QAction::triggered, this, &SnapshotController::switchSides);
+}
+
+void SnapshotController::knowJudgement(const SharedJudgement& judgement)
+{
+    judgement_ = judgement;
+    if (metricsOfPose()) {
+        emit poseWasJudged();
+    }
+}
+
+const core::PoseSnapshot* SnapshotController::find(int snapshotId) const
+{
+    return core::findSnapshot(document_.current().snapshots, snapshotId);
+}
+
+std::optional<core::SnapshotMetrics> SnapshotController::metricsOfPose() const
+{
+    const core::RegistrationCase& current = document_.current();
+    if (current.result) {
+        return core::metricsOf(*current.result);
+    }
+    if (judgement_ && isSame(judgement_->result.cameraFromPatient, current.cameraFromPatient)) {
+        return core::metricsOf(judgement_->result);
+    }
+    return std::nullopt;
+}
+
+void SnapshotController::keep()
+{
+    const core::RegistrationCase& current = document_.current();
+    if (!current.tree || !current.angiogram) {
+        window_.strip().showStatus(tr("There is no pose to keep yet."));
+        return;
+    }
+    core::PoseSnapshot kept;
+    kept.name = freeName(current.snapshots).toStdString();
+    kept.author = observerName().toStdString();
+    kept.time = timeNow();
+    kept.method = current.result ? current.result->method : std::string();
+    kept.frame = current.frame;
+    kept.cameraFromPatient = current.cameraFromPatient;
+    kept.metrics = metricsOfPose();
+    kept.runMs = current.result ? current.result->time.totalMs : 0.0;
+    const QString name = QString::fromStdString(kept.name);
+    push(core::withSnapshot(current.snapshots, kept), tr("Keep %1").arg(name));
+    window_.strip().showStatus(tr("Kept as “%1” · Y compares").arg(name));
+}
+
+void SnapshotController::push(std::vector<core::PoseSnapshot> snapshots, const QString& text)
+{
+    document_.push(std::make_unique<ChangeSnapshots>(document_, ChangeSnapshots::Values{std::move(snapshots)}, text));
+}
+
+void SnapshotController::show(int snapshotId)
+{
+    const core::PoseSnapshot* snapshot = find(snapshotId);
+    if (!snapshot || document_.isLocked()) {
+        showItself();
+        return;
+    }
+    emit wasShown();
+    sync_.showPreview(snapshot->cameraFromPatient, ResidualColors::Hidden);
+    marks_.shown = snapshotId;
+    showMarks();
+    const QString name = QString::fromStdString(snapshot->name);
+    window_.strip().showStatus(
+        snapshot->metrics
+            ? tr("“%1”: median %2 mm · Esc goes back").arg(name).arg(snapshot->metrics->medianMm, 0, 'f', 2)
+            : tr("“%1” · Esc goes back").arg(name));
+}
+
+void SnapshotController::showItself()
+{
+    if (std::exchange(marks_.shown, std::nullopt)) {
+        sync_.endPreview();
+        showMarks();
+    }
+}
+
+void SnapshotController::switchSides()
+{
+    const auto& snapshots = document_.current().snapshots;
+    if (snapshots.empty()) {
+        window_.strip().showStatus(tr("There is nothing to compare with yet: K keeps a pose, R leaves one."));
+        return;
+    }
+    if (!marks_.b) {
+        mark(snapshots.back().id, false);
+    }
+    isOnB_ = !isOnB_;
+    const std::optional<int> side = isOnB_ ? marks_.b : marks_.a;
+    if (side) {
+        show(*side);
+    } else {
+        showItself();
+        window_.strip().showStatus(tr("A: the pose as it is"));
+    }
+}
+
+void SnapshotController::mark(int snapshotId, bool isA)
+{
+    (isA ? marks_.a : marks_.b) = snapshotId;
+    if (marks_.a == marks_.b) {
+        (isA ? marks_.b : marks_.a).reset();
+    }
+    isOnB_ = false;
+    showMarks();
+}
+
+void SnapshotController::restore(int snapshotId)
+{
+    if (const core::PoseSnapshot* snapshot = find(snapshotId)) {
+        const core::RigidTransform pose = snapshot->cameraFromPatient;
+        document_.push(std::make_unique<MovePose>(document_, MovePose::Values{pose, std::nullopt},
+                                                  tr("Restore %1").arg(QString::fromStdString(snapshot->name))));
+    }
+}
+
+void SnapshotController::rename(int snapshotId, const QString& name)
+{
+    if (const core::PoseSnapshot* snapshot = find(snapshotId)) {
+        core::PoseSnapshot edited = *snapshot;
+        edited.name = name.trimmed().toStdString();
+        change(edited);
+    }
+}
+
+void SnapshotController::change(const core::PoseSnapshot& edited)
+{
+    std::vector<core::PoseSnapshot> snapshots = document_.current().snapshots;
+    const auto found = std::ranges::find(snapshots, edited.id, &core::PoseSnapshot::id);
+    if (found == snapshots.end()) {
+        return;
+    }
+    const bool hasName = !edited.name.empty();
+    found->name = hasName ? edited.name : found->name;
+    found->author = edited.author;
+    found->note = edited.note;
+    found->kind = core::SnapshotKind::Kept;   // what has a name of its own is not swept away with old runs
+    push(std::move(snapshots), tr("Describe a pose"));
+}
+
+void SnapshotController::remove(const std::set<int>& snapshotIds)
+{
+    std::vector<core::PoseSnapshot> snapshots = document_.current().snapshots;
+    const auto count =
+        std::erase_if(snapshots, [&](const core::PoseSnapshot& each) { return snapshotIds.contains(each.id); });
+    if (count > 0) {
+        push(std::move(snapshots), tr("Delete %n pose(s)", nullptr, static_cast<int>(count)));
+    }
+}
+
+void SnapshotController::followDocument()
+{
+    const auto& snapshots = document_.current().snapshots;
+    showItself();
+    isOnB_ = false;
+    for (std::optional<int>* side : {&marks_.a, &marks_.b}) {
+        if (*side && !find(**side)) {
+            side->reset();
+        }
+    }
+    std::vector<std::string> listed;
+    for (const core::PoseSnapshot& each : snapshots) {
+        listed.push_back(std::to_string(each.id) + "\n" + each.name + "\n" + each.author + "\n" + each.note);
+    }
+    if (std::exchange(listed_, listed) != listed) {   // most changes are of the pose
+        window_.snapshots().showSnapshots(snapshots);
+    }
+    showMarks();
+}
+
+void SnapshotController::showMarks()
+{
+    window_.snapshots().showMarks(marks_);
+}
+
+}   // namespace app

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/jobs/judge_job.h"
+#include "app/review/view_sync.h"
+#include "ui/panels/snapshot_panel.h"
+
+#include <QObject>
+
+#include <set>
+
+namespace ui {
+class MainWindow;
+}
+
+namespace app {
+
+/// Poses as things: keep, look at, restore, rename, delete, and go between two with one key. Looking changes nothing;
+/// the rest are steps of undo.
+class SnapshotController : public QObject {
+    Q_OBJECT
+public:
+    SnapshotController(CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent = nullptr);
+
+    /// The numbers that a pose kept now gets; null while they are not known.
+    void knowJudgement(const SharedJudgement& judgement);
+    std::optional<core::SnapshotMetrics> metricsOfPose() const;   ///< nothing while they are not known
+
+    void keep();
+    void show(int snapshotId);   ///< 0: the pose as it is
+    void showItself();
+    void restore(int snapshotId);
+    void rename(int snapshotId, const QString& name);
+    void change(const core::PoseSnapshot& edited);   ///< name, author and note of the snapshot with its id
+    void remove(const std::set<int>& snapshotIds);
+    void mark(int snapshotId, bool isA);
+    void switchSides();   ///< A, B, A, …
+    const ui::SnapshotMarks& marks() const { return marks_; }
+
+signals:
+    void wasShown();   ///< whatever else moves should end
+    void poseWasJudged();
+
+private:
+    void connectWindow();
+    void followDocument();
+    const core::PoseSnapshot* find(int snapshotId) const;
+    void push(std::vector<core::PoseSnapshot> snapshots, const QString& text);
+    void showMarks();
+
+    CaseDocument& document_;
+    ViewSync& sync_;
+    ui::MainWindow& window_;
+    SharedJudgement judgement_;
+    ui::SnapshotMarks marks_;
+    bool isOnB_ = false;
+    std::vector<std::string> listed_;   ///< what the panel shows, to fill it only when that changed
+};
+
+}   // namespace app

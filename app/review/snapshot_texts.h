@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/registration/pose_snapshot.h"
+
+#include <QString>
+
+namespace app {
+
+/// Who sits here: as set for observer studies, or the login name.
+QString observerName();
+
+/// ISO 8601, UTC, to the second.
+std::string timeNow();
+
+/// What a run leaves behind, named after its method and the time.
+core::PoseSnapshot snapshotOfRun(const core::RegistrationResult& result, int frame);
+
+}   // namespace app

@@ -1,0 +1,132 @@
+#include "app/review/solution_controller.h"
+
+#include "app/texts/overlay_picture.h"
+#include "core/geometry/pose_difference.h"
+#include "ui/main_window.h"
+
+#include <QtConcurrentRun>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+constexpr std::size_t mostSolutions = 9;
+
+bool isSame(const std::vector<core::RigidTransform>& a, const std::vector<core::RigidTransform>& b)
+{
+    return std::ranges::equal(a, b, [](const core::RigidTransform& one, const core::RigidTransform& other) {
+        return one.matrix() == other.matrix();
+    });
+}
+
+/// The pose itself and the others; nothing where there are no others.
+std::vector<core::RigidTransform> posesOf(const core::RegistrationCase& current)
+{
+    std::vector<core::RigidTransform> poses;
+    if (!current.result || current.result->alternatives.empty() || !current.tree || !current.angiogram) {
+        return poses;
+    }
+    poses.push_back(current.result->cameraFromPatient);
+    for (const core::Hypothesis& other : current.result->alternatives) {
+        if (poses.size() < mostSolutions) {
+            poses.push_back(other.cameraFromPatient);
+        }
+    }
+    return poses;
+}
+
+std::vector<ui::SolutionLine> linesOf(const core::RegistrationCase& current, std::size_t count)
+{
+    std::vector<ui::SolutionLine> lines;
+    const Eigen::Vector3d pivot = core::centroidInPatient(*current.tree);
+    lines.push_back({SolutionController::tr("found"), SolutionController::tr("The solution itself")});
+    for (std::size_t i = 1; i < count; ++i) {
+        const core::Hypothesis& other = current.result->alternatives[i - 1];
+        const core::PoseDifference difference =
+            core::differenceBetween(current.result->cameraFromPatient, other.cameraFromPatient, pivot);
+        lines.push_back({SolutionController::tr("%1 mm, %2°")
+                             .arg(difference.inPlaneMm, 0, 'f', 1)
+                             .arg(difference.rotationDeg, 0, 'f', 1),
+                         SolutionController::tr("Other solution %1, score %2: %3 mm aside, %4 mm in depth and %5° "
+                                                "turned from the one found. Return takes it.")
+                             .arg(i)
+                             .arg(other.score, 0, 'f', 2)
+                             .arg(difference.inPlaneMm, 0, 'f', 1)
+                             .arg(difference.depthMm, 0, 'f', 1)
+                             .arg(difference.rotationDeg, 0, 'f', 1)});
+    }
+    return lines;
+}
+
+}   // namespace
+
+SolutionController::SolutionController(const CaseDocument& document, ui::MainWindow& window, QObject* parent)
+    : QObject(parent), document_(document), window_(window)
+{
+    ui::SolutionStrip& strip = window_.result().solutions();
+    connect(&document_, &CaseDocument::changed, this, &SolutionController::followDocument);
+    connect(&strip, &ui::SolutionStrip::wasPicked, this,
+            [this](int index) { emit solutionWanted(static_cast<std::size_t>(index)); });
+    connect(&strip, &ui::SolutionStrip::takeRequested, this,
+            [this](int index) { emit takeWanted(static_cast<std::size_t>(index)); });
+    connect(&pictures_, &QFutureWatcherBase::finished, this, [this] {
+        const Pictures pictures = pictures_.future().resultCount() > 0 ? pictures_.result() : Pictures{};
+        for (std::size_t i = 0; i < pictures.size(); ++i) {
+            window_.result().solutions().showPicture(static_cast<int>(i), pictures[i]);
+        }
+    });
+}
+
+SolutionController::~SolutionController()
+{
+    if (stopWished_) {
+        *stopWished_ = true;
+    }
+    pictures_.waitForFinished();
+}
+
+void SolutionController::showCurrent(std::size_t index)
+{
+    window_.result().solutions().showCurrent(static_cast<int>(index));
+}
+
+void SolutionController::followDocument()
+{
+    std::vector<core::RigidTransform> poses = posesOf(document_.current());
+    if (isSame(poses, shown_)) {
+        return;
+    }
+    shown_ = std::move(poses);
+    window_.result().solutions().showSolutions(shown_.empty() ? std::vector<ui::SolutionLine>{}
+                                                              : linesOf(document_.current(), shown_.size()));
+    draw(shown_);
+}
+
+void SolutionController::draw(const std::vector<core::RigidTransform>& poses)
+{
+    if (stopWished_) {
+        *stopWished_ = true;   // of the pictures that nobody wants any more
+    }
+    stopWished_ = std::make_shared<std::atomic<bool>>(false);
+    if (poses.empty()) {
+        pictures_.setFuture({});
+        return;
+    }
+    const int widthPx = window_.result().solutions().pictureWidthPx();
+    pictures_.setFuture(
+        QtConcurrent::run([snapshot = document_.current(), poses, widthPx, stop = stopWished_]() mutable {
+            Pictures pictures;
+            for (const core::RigidTransform& pose : poses) {
+                snapshot.cameraFromPatient = pose;
+                auto picture = *stop ? core::Result<core::ColorImage>(core::Error{}) : drawThumbnail(snapshot, widthPx);
+                if (!picture) {
+                    break;
+                }
+                pictures.push_back(std::move(picture).value());
+            }
+            return pictures;
+        }));
+}
+
+}   // namespace app

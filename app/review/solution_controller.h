@@ -1,0 +1,46 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "core/imaging/image2d.h"
+
+#include <QFutureWatcher>
+#include <QObject>
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace ui {
+class MainWindow;
+}
+
+namespace app {
+
+/// The solutions of the last run as a strip of small pictures: the pose itself first, then the others by their score,
+/// each with how far it lies from the pose. Pictures are drawn on a worker.
+class SolutionController : public QObject {
+    Q_OBJECT
+public:
+    SolutionController(const CaseDocument& document, ui::MainWindow& window, QObject* parent = nullptr);
+    ~SolutionController() override;
+
+    void showCurrent(std::size_t index);   ///< the one that is on screen now
+
+signals:
+    void solutionWanted(std::size_t index);   ///< 0: the pose itself
+    void takeWanted(std::size_t index);
+
+private:
+    using Pictures = std::vector<core::ColorImage>;
+    void followDocument();
+    void draw(const std::vector<core::RigidTransform>& poses);
+
+    const CaseDocument& document_;
+    ui::MainWindow& window_;
+    std::vector<core::RigidTransform> shown_;   ///< poses in the strip
+    std::shared_ptr<std::atomic<bool>> stopWished_;   ///< of the drawing under way
+    QFutureWatcher<Pictures> pictures_;
+};
+
+}   // namespace app

@@ -1,0 +1,62 @@
+#include "io/observer_log.h"
+
+#include "core/geometry/pose_difference.h"
+#include "io/snapshot_table.h"
+#include "io/support/atomic_file.h"
+#include "io/support/csv_table.h"
+#include "io/support/file_error.h"
+#include "io/support/input_bytes.h"
+#include "io/support/numbers.h"
+
+#include <filesystem>
+
+namespace io {
+namespace {
+
+std::string poseColumns(const std::string& prefix)
+{
+    std::string text;
+    for (const char* name : {"r00", "r01", "r02", "t0", "r10", "r11", "r12", "t1", "r20", "r21", "r22", "t2"}) {
+        text += "," + prefix + "_" + name;
+    }
+    return text;
+}
+
+std::string header()
+{
+    return "started_at,observer,case,image_sha256,frame,seed,range_mm,range_deg,duration_s,edits,outcome,"
+           "in_plane_from_centre_mm,depth_from_centre_mm,rotation_from_centre_deg" +
+           poseColumns("start") + poseColumns("final") + poseColumns("centre") + "\n";
+}
+
+std::string rowOf(const ObserverTrial& trial)
+{
+    const core::PoseDifference difference = core::differenceBetween(trial.centre, trial.final, trial.pivotInPatient);
+    return csvCell(trial.startedAt) + "," + csvCell(trial.observer) + "," + csvCell(trial.caseTitle) + "," +
+           csvCell(trial.imageSha256) + "," + std::to_string(trial.frame) + "," + std::to_string(trial.seed) + "," +
+           toText(trial.rangeMm) + "," + toText(trial.rangeDeg) + "," + toText(trial.durationS) + "," +
+           std::to_string(trial.editCount) + (trial.isAbandoned ? ",abandoned," : ",done,") +
+           toText(difference.inPlaneMm) + "," + toText(difference.depthMm) + "," + toText(difference.rotationDeg) +
+           "," + poseCells(trial.start) + "," + poseCells(trial.final) + "," + poseCells(trial.centre) + "\n";
+}
+
+}   // namespace
+
+core::Status appendTrial(const ObserverTrial& trial, const std::string& path)
+{
+    std::string content = header();
+    if (std::error_code absent; std::filesystem::exists(path, absent)) {
+        const auto before = openInput(path);
+        if (!before) {
+            return before.error();
+        }
+        if (!before.value().view().starts_with(header())) {
+            return fileError(path, "this is not a log of observer trials. Choose another name.");
+        }
+        content = before.value().view();
+        content += content.ends_with('\n') ? "" : "\n";
+    }
+    return writeAtomically(path, content + rowOf(trial));
+}
+
+}   // namespace io

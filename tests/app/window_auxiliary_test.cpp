@@ -1,0 +1,102 @@
+#include "tests/app/open_window.h"
+
+#include <QLabel>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+using test::OpenWindow;
+
+/// Draws a rectangle with the mouse, in shares of the view's size.
+void drawLasso(OpenWindow& w, const QRectF& shares, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
+{
+    QWidget& view = w.window.angiogramView();
+    const auto at = [&view](double x, double y) {
+        return QPoint(static_cast<int>(x * view.width()), static_cast<int>(y * view.height()));
+    };
+    const std::array corners{at(shares.left(), shares.top()), at(shares.right(), shares.top()),
+                             at(shares.right(), shares.bottom()), at(shares.left(), shares.bottom())};
+    QTest::mousePress(&view, Qt::LeftButton, modifiers, corners[0]);
+    for (const QPoint& corner : corners) {
+        QMouseEvent move(QEvent::MouseMove, corner, view.mapToGlobal(corner), Qt::NoButton, Qt::LeftButton, modifiers);
+        QApplication::sendEvent(&view, &move);
+    }
+    QTest::mouseRelease(&view, Qt::LeftButton, modifiers, corners[3]);
+}
+
+TEST(WindowAuxiliary, TakesTheBranchesInsideALasso)
+{
+    OpenWindow w;
+    w.openSample();
+    QAction* lasso = w.window.actions()[ui::Command::Lasso];
+    w.press(Qt::Key_L, Qt::ControlModifier);
+    ASSERT_TRUE(lasso->isChecked());
+
+    drawLasso(w, {0.01, 0.01, 0.98, 0.98});
+    const std::size_t all = w.current().auxiliaryBranchIds.size();
+    EXPECT_GT(all, w.current().tree->branches.size() / 2);
+    EXPECT_EQ(w.history().count(), 1);
+
+    drawLasso(w, {0.01, 0.01, 0.5, 0.98}, Qt::ControlModifier);   // takes some away
+    const std::size_t fewer = w.current().auxiliaryBranchIds.size();
+    EXPECT_LT(fewer, all);
+    drawLasso(w, {0.01, 0.01, 0.5, 0.98}, Qt::ShiftModifier);   // and puts them back
+    EXPECT_EQ(w.current().auxiliaryBranchIds.size(), all);
+    w.press(Qt::Key_Escape);
+    EXPECT_FALSE(lasso->isChecked());
+}
+
+TEST(WindowAuxiliary, SaysWhenALassoHoldsNothing)
+{
+    OpenWindow w;
+    w.openSample();
+    w.press(Qt::Key_L, Qt::ControlModifier);
+    drawLasso(w, {0.0, 0.0, 0.03, 0.03});
+    EXPECT_TRUE(w.current().auxiliaryBranchIds.empty());
+    EXPECT_EQ(w.history().count(), 0);
+}
+
+TEST(WindowAuxiliary, AdvisesWhichBranchesPinThePose)
+{
+    OpenWindow w;
+    w.openSample();
+    w.press(Qt::Key_A, Qt::ShiftModifier);
+    AuxiliaryController& auxiliary = w.controller.poses().auxiliary();
+    ASSERT_TRUE(auxiliary.dialog());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !auxiliary.suggestion().empty(); }, test::patienceMs));
+    EXPECT_LT(auxiliary.suggestion().size(), w.current().tree->branches.size());
+
+    OpenWindow::clickButton(auxiliary.dialog(), QStringLiteral("Choose these"));
+
+    std::vector<int> expected = auxiliary.suggestion();
+    std::ranges::sort(expected);
+    EXPECT_EQ(w.current().auxiliaryBranchIds, expected);
+    const auto labels = auxiliary.dialog()->findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(
+        labels, [](const QLabel* label) { return label->text().contains(QStringLiteral("depth")); }));
+    EXPECT_TRUE(std::ranges::any_of(
+        labels, [](const QLabel* label) { return label->text().startsWith(QStringLiteral("Chosen: ")); }));
+}
+
+TEST(WindowAuxiliary, ChoosesByGenerationAndRadius)
+{
+    OpenWindow w;
+    w.openSample();
+    AuxiliaryController& auxiliary = w.controller.poses().auxiliary();
+    const auto& branches = w.current().tree->branches;
+    auxiliary.chooseWide(0.0);
+    const std::size_t wide = w.current().auxiliaryBranchIds.size();
+    auxiliary.chooseWide(1e6);   // none: says so and keeps the choice
+    EXPECT_EQ(w.current().auxiliaryBranchIds.size(), wide);
+    const auto firstGenerations =
+        std::ranges::count_if(branches, [](const auto& branch) { return branch.generation == 0; });
+    if (firstGenerations > 0) {
+        auxiliary.chooseGenerations(0);
+        EXPECT_EQ(static_cast<std::ptrdiff_t>(w.current().auxiliaryBranchIds.size()), firstGenerations);
+    }
+}
+
+}   // namespace
+}   // namespace app

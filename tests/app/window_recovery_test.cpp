@@ -1,0 +1,165 @@
+#include "tests/app/open_window.h"
+
+#include "app/document/edit_case.h"
+#include "app/files/autosave.h"
+#include "tests/support/temporary_folder.h"
+
+#include <QDir>
+#include <QFile>
+#include <QStandardPaths>
+#include <QTreeWidget>
+
+#include <filesystem>
+
+namespace app {
+namespace {
+
+using test::OpenWindow;
+
+/// Copies as two crashed sessions would have left them: of a case that was saved, and of one that never was.
+class CrashedSessions {
+public:
+    CrashedSessions()
+    {
+        OpenWindow w;
+        w.openSample();
+        saved_ = QString::fromStdString(folder_.file("study.angiopose"));
+        save(w, saved_);
+        w.press(Qt::Key_N);
+        w.press(Qt::Key_Left);
+        pose_ = w.current().cameraFromPatient;
+        save(w, copyOf(1));
+        w.press(Qt::Key_Left);
+        save(w, copyOf(2));
+        QFile origin(copyOf(1) + QStringLiteral(".origin"));
+        EXPECT_TRUE(origin.open(QIODevice::WriteOnly));
+        origin.write(saved_.toUtf8());
+    }
+    ~CrashedSessions()
+    {
+        for (const LeftBehind& copy : Autosave::leftBehind()) {
+            Autosave::forget(copy);
+        }
+    }
+
+    static QString copyOf(int session)
+    {
+        const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+                          QStringLiteral("/autosave"));
+        EXPECT_TRUE(folder.mkpath(QStringLiteral(".")));
+        return folder.filePath(QStringLiteral("session-99999%1.angiopose").arg(session));
+    }
+    const QString& saved() const { return saved_; }
+    const core::RigidTransform& pose() const { return pose_; }
+
+private:
+    static void save(OpenWindow& w, const QString& path)
+    {
+        bool isSaved = false;
+        w.controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
+        EXPECT_TRUE(QTest::qWaitFor([&] { return isSaved; }, test::patienceMs));
+    }
+
+    test::TemporaryFolder folder_;
+    QString saved_;
+    core::RigidTransform pose_;
+};
+
+QTreeWidgetItem* itemOf(const QDialog& dialog, const QString& name)
+{
+    const auto items = dialog.findChild<QTreeWidget*>()->findItems(name, Qt::MatchExactly);
+    return items.isEmpty() ? nullptr : items.front();
+}
+
+TEST(WindowRecovery, OpensTheChosenCopyUnderTheNameOfItsCase)
+{
+    const CrashedSessions crashed;
+    OpenWindow w;
+    w.controller.saving().offerRecovery();
+    ASSERT_EQ(w.dialogs("recoveryDialog").size(), 1);
+    QDialog* dialog = w.dialogs("recoveryDialog").front();
+    ASSERT_EQ(dialog->findChild<QTreeWidget*>()->topLevelItemCount(), 2);
+    QTreeWidgetItem* copy = itemOf(*dialog, QStringLiteral("study.angiopose"));
+    ASSERT_TRUE(copy);
+    dialog->findChild<QTreeWidget*>()->setCurrentItem(copy);
+
+    OpenWindow::clickButton(dialog, QStringLiteral("Recover"));
+
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !w.controller.isLoading() && !w.controller.document().isEmpty(); },
+                                test::patienceMs));
+    EXPECT_LT(test::distance(w.current().cameraFromPatient, crashed.pose()), 1e-9);
+    EXPECT_EQ(w.controller.document().path(), crashed.saved());   // Save goes where the case lives
+    EXPECT_TRUE(w.controller.document().isModified());
+    ASSERT_TRUE(QTest::qWaitFor([] { return !QFile::exists(CrashedSessions::copyOf(1)); }, test::patienceMs));
+    EXPECT_TRUE(QFile::exists(CrashedSessions::copyOf(2)));   // nobody decided about the other
+}
+
+TEST(WindowRecovery, DeletesOnlyWhatWasChosen)
+{
+    const CrashedSessions crashed;
+    OpenWindow w;
+    w.controller.saving().offerRecovery();
+    QDialog* dialog = w.dialogs("recoveryDialog").front();
+    dialog->findChild<QTreeWidget*>()->setCurrentItem(itemOf(*dialog, QStringLiteral("Untitled case")));
+    OpenWindow::clickButton(dialog, QStringLiteral("Delete"));
+    EXPECT_FALSE(QFile::exists(CrashedSessions::copyOf(2)));
+    OpenWindow::clickButton(dialog, QStringLiteral("Decide later"));
+    EXPECT_TRUE(QFile::exists(CrashedSessions::copyOf(1)));
+}
+
+TEST(WindowRecovery, OpensACaseWhoseInputsHaveMoved)
+{
+    const CrashedSessions crashed;
+    namespace fs = std::filesystem;
+    const test::TemporaryFolder folder;
+    const fs::path home = fs::path(folder.file("x")).parent_path();
+    OpenWindow w;
+    w.drop({crashed.saved()});
+    core::RegistrationCase inputs = w.current();
+    const fs::path tree = home / fs::path(inputs.centerlineFile.path).filename();
+    const fs::path image = home / fs::path(inputs.imageFile.path).filename();
+    fs::copy_file(inputs.centerlineFile.path, tree);
+    fs::copy_file(inputs.imageFile.path, image);
+    auto wanted = w.current();
+    wanted.centerlineFile.path = tree.string();
+    wanted.imageFile.path = image.string();
+    w.controller.document().push(joinInputs(w.controller.document(), wanted, QStringLiteral("move")));
+    bool isSaved = false;
+    const QString path = QString::fromStdString((home / "moved.angiopose").string());
+    w.controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isSaved; }, test::patienceMs));
+    fs::create_directories(home / "below");
+    fs::rename(tree, home / "below" / ("another-name" + tree.extension().string()));
+    fs::rename(image, home / "below" / image.filename());
+
+    OpenWindow again;
+    again.drop({path});
+
+    ASSERT_TRUE(again.current().tree);
+    EXPECT_TRUE(again.dialogs("messageDialog").isEmpty());
+    EXPECT_TRUE(again.controller.document().isModified());   // the file does not know the new places yet
+    EXPECT_EQ(again.current().tree->pointCount(), inputs.tree->pointCount());
+}
+
+TEST(WindowRecovery, AsksWhereInputsAreThatNobodyFinds)
+{
+    const CrashedSessions crashed;
+    namespace fs = std::filesystem;
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("lost.angiopose");
+    std::string text = test::readText(crashed.saved().toStdString());
+    const std::size_t hash = text.find("\"sha256\": \"");
+    ASSERT_NE(hash, std::string::npos);
+    text.replace(hash + 11, 64, std::string(64, '0'));   // nothing has this content
+    const std::size_t name = text.find("\"path\": \"");
+    text.insert(name + 9, "gone/");
+    test::writeText(path, text);
+    OpenWindow w;
+    w.drop({QString::fromStdString(path)});
+    EXPECT_TRUE(w.controller.document().isEmpty());
+    ASSERT_EQ(w.dialogs("missingInputs").size(), 1);
+    OpenWindow::clickButton(w.dialogs("missingInputs").front(), QStringLiteral("Cancel"));
+}
+
+}   // namespace
+}   // namespace app

@@ -1,0 +1,136 @@
+#include "tests/app/open_window.h"
+
+#include "tests/support/temporary_folder.h"
+
+#include <QFile>
+#include <QLabel>
+
+namespace app {
+namespace {
+
+using test::OpenWindow;
+
+ui::BlindTrialSetup setupIn(const test::TemporaryFolder& folder)
+{
+    return {QStringLiteral("Ada"), 7, 10.0, 5.0, QString::fromStdString(folder.file("trials.csv"))};
+}
+
+QByteArrayList linesOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll().trimmed().split('\n') : QByteArrayList{};
+}
+
+/// Registered once, so that there is something to hide.
+void prepare(OpenWindow& w)
+{
+    w.openSample();
+    w.press(Qt::Key_R);
+    w.waitForRun();
+    w.press(Qt::Key_K);
+}
+
+TEST(WindowTrial, HidesWhateverTellsHowGoodThePoseIs)
+{
+    OpenWindow w;
+    prepare(w);
+    const core::RigidTransform before = w.current().cameraFromPatient;
+    const test::TemporaryFolder folder;
+
+    w.controller.poses().blindTrial().start(setupIn(folder));
+    QTest::qWait(400);   // a judgement under way would have arrived
+
+    EXPECT_GT(test::distance(w.current().cameraFromPatient, before), 0.1);
+    EXPECT_FALSE(w.controller.judgement());
+    EXPECT_FALSE(w.current().result);
+    EXPECT_TRUE(w.current().snapshots.empty());
+    EXPECT_FALSE(w.window.result().isVisible());
+    EXPECT_FALSE(w.window.snapshots().isVisible());
+    EXPECT_TRUE(w.window.trialBar().isVisible());
+    w.press(Qt::Key_N);
+    w.press(Qt::Key_Left);
+    QTest::qWait(300);
+    EXPECT_FALSE(w.controller.judgement());
+    for (const Qt::Key key : {Qt::Key_R, Qt::Key_W, Qt::Key_J, Qt::Key_P, Qt::Key_U, Qt::Key_K, Qt::Key_Y}) {
+        w.press(key);
+    }
+    EXPECT_FALSE(w.controller.registration().isRunning());
+    EXPECT_FALSE(w.window.registration().registerButton()->isEnabled());
+    EXPECT_TRUE(w.current().snapshots.empty());
+    for (int i = 0; i < 5; ++i) {   // not back behind the start
+        w.press(Qt::Key_Z, Qt::ControlModifier);
+    }
+    EXPECT_TRUE(w.controller.poses().blindTrial().isRunning());
+    EXPECT_GT(test::distance(w.current().cameraFromPatient, before), 0.1);
+}
+
+TEST(WindowTrial, LogsTheTrialAndGivesTheCaseBack)
+{
+    OpenWindow w;
+    prepare(w);
+    const core::RigidTransform before = w.current().cameraFromPatient;
+    const core::RigidTransform start = core::startPoseOf(w.current()).value();
+    const std::size_t known = w.current().snapshots.size();
+    const int step = w.history().index();
+    const test::TemporaryFolder folder;
+    const ui::BlindTrialSetup setup = setupIn(folder);
+    w.controller.poses().blindTrial().start(setup);
+    w.press(Qt::Key_N);
+    w.press(Qt::Key_Left);
+    w.press(Qt::Key_Up);
+    const core::RigidTransform final = w.current().cameraFromPatient;
+
+    w.press(Qt::Key_Return, Qt::ControlModifier);
+
+    EXPECT_FALSE(w.controller.poses().blindTrial().isRunning());
+    EXPECT_EQ(test::distance(w.current().cameraFromPatient, before), 0.0);
+    EXPECT_EQ(test::distance(core::startPoseOf(w.current()).value(), start), 0.0);
+    EXPECT_TRUE(w.current().result);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return w.current().snapshots.size() == known + 1; }, test::patienceMs));
+    const core::PoseSnapshot& observed = w.current().snapshots.back();
+    EXPECT_EQ(observed.author, "Ada");
+    EXPECT_TRUE(observed.metrics);
+    EXPECT_EQ(test::distance(observed.cameraFromPatient, final), 0.0);
+    EXPECT_EQ(w.history().index(), step + 1);
+    EXPECT_FALSE(w.history().canRedo());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return linesOf(setup.logPath).size() == 2; }, test::patienceMs));
+    EXPECT_TRUE(linesOf(setup.logPath)[1].contains(",Ada,"));
+    EXPECT_TRUE(linesOf(setup.logPath)[1].contains(",2,done,"));   // two edits
+    EXPECT_TRUE(w.window.result().isVisible());
+}
+
+TEST(WindowTrial, StartsAlikeForTheSameSeedAndLeavesNothingWhenAbandoned)
+{
+    OpenWindow w;
+    prepare(w);
+    const core::RigidTransform before = w.current().cameraFromPatient;
+    const std::size_t known = w.current().snapshots.size();
+    const test::TemporaryFolder folder;
+    w.controller.poses().blindTrial().start(setupIn(folder));
+    const core::RigidTransform first = w.current().cameraFromPatient;
+    w.controller.poses().blindTrial().abandon();
+    EXPECT_EQ(test::distance(w.current().cameraFromPatient, before), 0.0);
+    EXPECT_FALSE(w.history().canRedo());
+    w.controller.poses().blindTrial().start(setupIn(folder));
+    EXPECT_EQ(test::distance(w.current().cameraFromPatient, first), 0.0);
+    w.controller.poses().blindTrial().abandon();
+    EXPECT_EQ(w.current().snapshots.size(), known);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return linesOf(setupIn(folder).logPath).size() == 3; }, test::patienceMs));
+    EXPECT_TRUE(linesOf(setupIn(folder).logPath)[2].contains(",abandoned,"));
+}
+
+TEST(WindowTrial, CannotBeSavedNorReplacedUnderWay)
+{
+    OpenWindow w;
+    prepare(w);
+    const test::TemporaryFolder folder;
+    w.controller.poses().blindTrial().start(setupIn(folder));
+    const QString path = QString::fromStdString(folder.file("leak.angiopose"));
+    w.controller.saving().saveTo(path);
+    QTest::qWait(100);
+    EXPECT_FALSE(QFile::exists(path));
+    w.controller.poses().blindTrial().abandon();
+}
+
+}   // namespace
+}   // namespace app

@@ -1,0 +1,111 @@
+#include "io/snapshot_table.h"
+
+#include "io/observer_log.h"
+#include "io/support/csv_table.h"
+#include "tests/io/scratch_folder.h"
+
+#include <gtest/gtest.h>
+#include <fstream>
+#include <sstream>
+
+namespace {
+
+core::PoseSnapshot snapshotAt(const std::string& name, double right)
+{
+    core::PoseSnapshot snapshot;
+    snapshot.name = name;
+    snapshot.cameraFromPatient.translation = {right, 0.0, 700.0};
+    return snapshot;
+}
+
+std::string contentOf(const std::string& path)
+{
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+}
+
+TEST(SnapshotTable, TellsEveryPoseAndItsDistanceFromTheReference)
+{
+    core::PoseSnapshot measured = snapshotAt("b", 3.0);
+    measured.metrics = core::SnapshotMetrics{0.7, 0.25, 0.6, 0.93, true};
+    measured.runMs = 12.5;
+    measured.method = "angiopose";
+    const std::vector snapshots{snapshotAt("a", 0.0), measured};
+
+    const std::string text = io::snapshotTable(snapshots, snapshots[0], {1.0, 2.0, 3.0});
+    const auto table = io::parseCsv(text, "poses.csv");
+
+    ASSERT_TRUE(table) << table.error().message;
+    ASSERT_EQ(table.value().rows.size(), 2u);
+    const auto number = [&](std::size_t row, const char* column) {
+        return io::numberAt(table.value(), row, *table.value().column(column)).value();
+    };
+    EXPECT_EQ(number(0, "in_plane_difference_mm"), 0.0);
+    EXPECT_EQ(number(1, "in_plane_difference_mm"), 3.0);
+    EXPECT_EQ(number(1, "median_mm"), 0.25);
+    EXPECT_EQ(number(1, "run_ms"), 12.5);
+    EXPECT_EQ(number(1, "t0"), 3.0);
+    EXPECT_EQ(number(1, "t2"), 700.0);
+    EXPECT_EQ(number(1, "r00"), 1.0);
+    EXPECT_EQ(table.value().rows[0][*table.value().column("median_mm")], "");
+}
+
+TEST(SnapshotTable, QuotesTextsThatHoldCommasQuotesAndLines)
+{
+    EXPECT_EQ(io::csvCell("plain"), "plain");
+    EXPECT_EQ(io::csvCell("a, b"), "\"a, b\"");
+    EXPECT_EQ(io::csvCell("say \"hi\""), "\"say \"\"hi\"\"\"");
+    EXPECT_EQ(io::csvCell("two\nlines"), "\"two\nlines\"");
+}
+
+io::ObserverTrial trialOf(const std::string& observer)
+{
+    io::ObserverTrial trial;
+    trial.observer = observer;
+    trial.startedAt = "2026-11-21T16:00:00Z";
+    trial.seed = 7;
+    trial.durationS = 42.5;
+    trial.editCount = 31;
+    trial.final.translation = {0.0, 4.0, 3.0};
+    return trial;
+}
+
+TEST(ObserverLog, AddsOneRowPerTrialToWhatIsThere)
+{
+    const test::ScratchFolder folder;
+    const std::string path = folder.path("trials.csv");
+    ASSERT_TRUE(io::appendTrial(trialOf("Ada"), path));
+    io::ObserverTrial abandoned = trialOf("Bob");
+    abandoned.isAbandoned = true;
+    ASSERT_TRUE(io::appendTrial(abandoned, path));
+
+    const std::string text = contentOf(path);
+    const auto table = io::parseCsv(text, path);
+    ASSERT_TRUE(table) << table.error().message;
+    ASSERT_EQ(table.value().rows.size(), 2u);
+    const auto cell = [&](std::size_t row, const char* column) {
+        return std::string(table.value().rows[row][*table.value().column(column)]);
+    };
+    EXPECT_EQ(cell(0, "observer"), "Ada");
+    EXPECT_EQ(cell(0, "outcome"), "done");
+    EXPECT_EQ(cell(1, "outcome"), "abandoned");
+    EXPECT_EQ(cell(0, "duration_s"), "42.5");
+    EXPECT_EQ(cell(0, "edits"), "31");
+    EXPECT_EQ(cell(0, "in_plane_from_centre_mm"), "4");
+    EXPECT_EQ(cell(0, "depth_from_centre_mm"), "3");
+    EXPECT_EQ(cell(0, "final_t1"), "4");
+}
+
+TEST(ObserverLog, DoesNotTouchAnotherFile)
+{
+    const test::ScratchFolder folder;
+    const std::string path = folder.path("letters.csv");
+    std::ofstream(path) << "dear diary\n";
+    const auto refused = io::appendTrial(trialOf("Ada"), path);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("not a log"), std::string::npos);
+    EXPECT_EQ(contentOf(path), "dear diary\n");
+}
+
+}   // namespace

@@ -1,0 +1,145 @@
+#include "ui/dialogs/auxiliary_dialog.h"
+
+#include "ui/panels/number_field.h"
+#include "ui/panels/section.h"
+
+#include <QGridLayout>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace ui {
+namespace {
+
+constexpr int dialogWidth = 560;
+
+QPushButton* button(const QString& text, const QString& toolTip)
+{
+    auto* made = new QPushButton(text);
+    made->setToolTip(toolTip);
+    made->setAutoDefault(false);
+    return made;
+}
+
+QLabel* wrapped(const char* role)
+{
+    QLabel* label = roleLabel(role);
+    label->setWordWrap(true);
+    return label;
+}
+
+}   // namespace
+
+AuxiliaryDialog::AuxiliaryDialog(QWidget* parent)
+    : QDialog(parent),
+      suggestion_(wrapped("body")),
+      preview_(wrapped("body")),
+      generation_(new NumberField({0.0, 99.0, 0, {}, 1.0})),
+      radius_(new NumberField({0.0, 50.0, 1, tr("mm"), 0.1})),
+      byGeneration_(button(tr("Up to generation"), tr("Generation 0 begins at the root of the tree."))),
+      byRadius_(button(tr("At least this wide"), tr("By the median radius of a branch."))),
+      take_(button(tr("Choose these"), tr("Makes the suggested branches the auxiliary ones.")))
+{
+    setObjectName(QStringLiteral("auxiliaryDialog"));
+    setWindowTitle(tr("Auxiliary branches"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    resize(dialogWidth, sizeHint().height());
+    auto* words = wrapped("hint");
+    words->setText(
+        tr("The alternating methods solve for these branches first, so choose what is filled, still and told "
+           "apart well. One image tells a branch only across its course: which ones pin which step of the "
+           "pose is computed here for the pose as it is."));
+    auto* suggested = new QHBoxLayout;
+    suggested->setSpacing(8);
+    suggested->addWidget(suggestion_, 1);
+    suggested->addWidget(take_, 0, Qt::AlignTop);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(20, 16, 20, 14);
+    layout->setSpacing(12);
+    layout->addWidget(words);
+    layout->addWidget(makeTable());
+    layout->addLayout(suggested);
+    layout->addLayout(makeWays());
+    layout->addWidget(preview_);
+    layout->addStretch(1);
+    connect(take_, &QPushButton::clicked, this, &AuxiliaryDialog::suggestionRequested);
+    showAdvice({});
+}
+
+QWidget* AuxiliaryDialog::makeTable()
+{
+    auto* table = new QWidget;
+    auto* grid = new QGridLayout(table);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(18);
+    grid->setVerticalSpacing(4);
+    grid->setColumnStretch(3, 1);
+    const std::array headings{tr("step"), tr("all branches"), tr("the chosen"), tr("pinned best by")};
+    for (int column = 0; column < 4; ++column) {
+        grid->addWidget(roleLabel("hint", headings[static_cast<std::size_t>(column)]), 0, column);
+        for (int row = 0; row < 6; ++row) {
+            QLabel* cell = roleLabel(column == 0 ? "label" : "body");
+            cells_[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = cell;
+            grid->addWidget(cell, row + 1, column);
+        }
+    }
+    table->setToolTip(tr("± is one standard deviation expected of traced vessels with usual noise."));
+    return table;
+}
+
+QLayout* AuxiliaryDialog::makeWays()
+{
+    generation_->setAccessibleName(tr("Last generation"));
+    radius_->setAccessibleName(tr("Smallest radius"));
+    generation_->showValue(1.0);
+    radius_->showValue(1.0);
+    auto* lasso = button(tr("Lasso  Ctrl+L"), tr("Draw around the branches on the image (Ctrl+L)."));
+    auto* inView = button(tr("In view  V"), tr("The branches that lie wholly in the view (V)."));
+    auto* none = button(tr("None"), tr("Without chosen branches the nodes of the tree are used."));
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(8);
+    grid->addWidget(byGeneration_, 0, 0);
+    grid->addWidget(generation_, 0, 1);
+    grid->addWidget(lasso, 0, 2);
+    grid->addWidget(byRadius_, 1, 0);
+    grid->addWidget(radius_, 1, 1);
+    grid->addWidget(inView, 1, 2);
+    grid->addWidget(none, 1, 3);
+    connect(lasso, &QPushButton::clicked, this, &AuxiliaryDialog::lassoRequested);
+    connect(inView, &QPushButton::clicked, this, &AuxiliaryDialog::viewRequested);
+    connect(none, &QPushButton::clicked, this, &AuxiliaryDialog::clearRequested);
+    connect(byGeneration_, &QPushButton::clicked, this,
+            [this] { emit generationRequested(static_cast<int>(generation_->value().value_or(0.0))); });
+    connect(byRadius_, &QPushButton::clicked, this, [this] { emit radiusRequested(radius_->value().value_or(0.0)); });
+    return grid;
+}
+
+void AuxiliaryDialog::showAdvice(const AuxiliaryAdvice& advice)
+{
+    for (std::size_t row = 0; row < cells_.size(); ++row) {
+        const bool isKnown = row < advice.steps.size();
+        const PinnedStep step = isKnown ? advice.steps[row] : PinnedStep{};
+        const auto plusMinus = [&step](double std) { return tr("±%1 %2").arg(std, 0, 'f', 2).arg(step.unit); };
+        cells_[row][0]->setText(step.name);
+        cells_[row][1]->setText(isKnown ? plusMinus(step.stdOfAll) : QString());
+        cells_[row][2]->setText(isKnown ? plusMinus(step.stdOfChosen) : QString());
+        cells_[row][3]->setText(step.pinnedBy);
+        setRole(cells_[row][2], isKnown && step.stdOfChosen > 2.0 * step.stdOfAll ? "attention" : "body");
+    }
+    suggestion_->setText(advice.suggestion.isEmpty()
+                             ? tr("Vessels, camera and pose are needed for a suggestion.")
+                             : tr("Suggested: %1. They tell nearly as much as all together.").arg(advice.suggestion));
+    take_->setEnabled(!advice.suggestion.isEmpty());
+    preview_->setText(advice.preview);
+    const auto enable = [](QPushButton* way, NumberField* field, bool isPossible, const QString& whyNot) {
+        way->setEnabled(isPossible);
+        field->setEnabled(isPossible);
+        field->setToolTip(isPossible ? QString() : whyNot);
+    };
+    enable(byGeneration_, generation_, advice.generations > 0, tr("This tree knows no generations."));
+    enable(byRadius_, radius_, advice.largestRadiusMm.has_value(), tr("This tree knows no radii."));
+}
+
+}   // namespace ui

@@ -1,0 +1,111 @@
+#include "ui/dialogs/blind_trial_dialog.h"
+
+#include "ui/panels/number_field.h"
+#include "ui/panels/section.h"
+
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QPushButton>
+
+namespace ui {
+namespace {
+
+constexpr int dialogWidth = 520;
+
+NumberField* numberField(const QString& name, const NumberFormat& format, double value)
+{
+    auto* field = new NumberField(format);
+    field->setAccessibleName(name);
+    field->showValue(value);
+    return field;
+}
+
+}   // namespace
+
+BlindTrialDialog::BlindTrialDialog(const BlindTrialSetup& suggested, QWidget* parent)
+    : QDialog(parent),
+      observer_(new QLineEdit(suggested.observer)),
+      seed_(numberField(tr("Seed"), {0.0, 1e9, 0, {}, 1.0}, static_cast<double>(suggested.seed))),
+      rangeMm_(numberField(tr("Start shifted by up to"), {0.0, 200.0, 1, tr("mm"), 1.0}, suggested.rangeMm)),
+      rangeDeg_(numberField(tr("Start turned by up to"), {0.0, 90.0, 1, tr("°"), 1.0}, suggested.rangeDeg)),
+      log_(new QLineEdit(suggested.logPath)),
+      start_(new QPushButton(tr("Start trial")))
+{
+    setObjectName(QStringLiteral("blindTrialDialog"));
+    setWindowTitle(tr("Blind observer trial"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    setMinimumWidth(dialogWidth);
+    auto* words = roleLabel(
+        "body", tr("The vessels start at random around the pose as it is. Until Done all numbers, residual colours and "
+                   "earlier poses are out of sight; time and final pose go to the log, and the case stays as it is."));
+    words->setWordWrap(true);
+    observer_->setAccessibleName(tr("Observer"));
+    log_->setAccessibleName(tr("Log"));
+    auto* choose = new QPushButton(tr("Choose …"));
+    choose->setAutoDefault(false);
+    auto* logRow = new QHBoxLayout;
+    logRow->addWidget(log_, 1);
+    logRow->addWidget(choose);
+
+    auto* form = new QFormLayout;
+    form->setHorizontalSpacing(14);
+    form->setVerticalSpacing(10);
+    form->addRow(roleLabel("label", tr("Observer")), observer_);
+    form->addRow(roleLabel("label", tr("Start shifted by up to")), rangeMm_);
+    form->addRow(roleLabel("label", tr("Start turned by up to")), rangeDeg_);
+    form->addRow(roleLabel("label", tr("Seed")), seed_);
+    form->addRow(roleLabel("label", tr("Log")), logRow);
+
+    auto* cancel = new QPushButton(tr("Cancel"));
+    cancel->setAutoDefault(false);
+    start_->setProperty("role", "primary");
+    start_->setDefault(true);
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(cancel);
+    buttons->addWidget(start_);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(22, 20, 22, 16);
+    layout->setSpacing(14);
+    layout->addWidget(words);
+    layout->addLayout(form);
+    layout->addLayout(buttons);
+
+    connect(choose, &QPushButton::clicked, this, &BlindTrialDialog::chooseLog);
+    connect(observer_, &QLineEdit::textChanged, this, &BlindTrialDialog::updateButton);
+    connect(log_, &QLineEdit::textChanged, this, &BlindTrialDialog::updateButton);
+    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    connect(start_, &QPushButton::clicked, this, [this] {
+        const BlindTrialSetup wanted = setup();
+        accept();
+        emit startRequested(wanted);
+    });
+    updateButton();
+}
+
+BlindTrialSetup BlindTrialDialog::setup() const
+{
+    return {observer_->text().trimmed(), static_cast<std::uint64_t>(seed_->value().value_or(1.0)),
+            rangeMm_->value().value_or(0.0), rangeDeg_->value().value_or(0.0), log_->text().trimmed()};
+}
+
+void BlindTrialDialog::chooseLog()
+{
+    auto* dialog = new QFileDialog(this, tr("Log of the trials"), log_->text(), tr("Tables (*.csv)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setOption(QFileDialog::DontConfirmOverwrite);   // trials are added to what is there
+    dialog->setDefaultSuffix(QStringLiteral("csv"));
+    connect(dialog, &QFileDialog::fileSelected, log_, &QLineEdit::setText);
+    dialog->open();
+}
+
+void BlindTrialDialog::updateButton()
+{
+    const bool isComplete = !observer_->text().trimmed().isEmpty() && !log_->text().trimmed().isEmpty();
+    start_->setEnabled(isComplete);
+    start_->setToolTip(isComplete ? QString() : tr("Observer and log are needed."));
+}
+
+}   // namespace ui

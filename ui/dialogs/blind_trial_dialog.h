@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QDialog>
+
+#include <cstdint>
+
+class QLineEdit;
+class QPushButton;
+
+namespace ui {
+
+class NumberField;
+
+/// What a blind trial needs to know before it begins.
+struct BlindTrialSetup {
+    QString observer;
+    std::uint64_t seed = 1;
+    double rangeMm = 15.0;
+    double rangeDeg = 8.0;
+    QString logPath;   ///< comma-separated table, one row per trial
+};
+
+/// Asks for observer, start range, seed and log of a blind trial.
+class BlindTrialDialog : public QDialog {
+    Q_OBJECT
+public:
+    BlindTrialDialog(const BlindTrialSetup& suggested, QWidget* parent);
+
+signals:
+    void startRequested(const ui::BlindTrialSetup& setup);
+
+private:
+    BlindTrialSetup setup() const;
+    void chooseLog();
+    void updateButton();
+
+    QLineEdit* observer_;
+    NumberField* seed_;
+    NumberField* rangeMm_;
+    NumberField* rangeDeg_;
+    QLineEdit* log_;
+    QPushButton* start_;
+};
+
+}   // namespace ui

@@ -1,0 +1,113 @@
+#include "ui/dialogs/missing_inputs.h"
+
+#include "ui/panels/section.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QPushButton>
+
+namespace ui {
+namespace {
+
+constexpr int dialogWidth = 620;
+
+}   // namespace
+
+MissingInputs::MissingInputs(const QString& caseName, const QStringList& missing, const QString& startFolder,
+                             QWidget* parent)
+    : QDialog(parent), startFolder_(startFolder), open_(new QPushButton(tr("Open")))
+{
+    setObjectName(QStringLiteral("missingInputs"));
+    setWindowTitle(tr("Where are the inputs?"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    setMinimumWidth(dialogWidth);
+    auto* words = roleLabel(
+        "body", tr("“%1” refers to files that are not where they were, and a search beside it and among recent cases "
+                   "did not find them. The case itself is unharmed.")
+                    .arg(caseName));
+    words->setWordWrap(true);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(22, 20, 22, 16);
+    layout->setSpacing(12);
+    layout->addWidget(roleLabel("heading", tr("Where are the inputs?")));
+    layout->addWidget(words);
+    for (const QString& path : missing) {
+        layout->addLayout(makeRow(path));
+    }
+    layout->addLayout(makeButtons());
+}
+
+QLayout* MissingInputs::makeRow(const QString& wanted)
+{
+    const QFileInfo file(wanted);
+    auto* name = roleLabel("strong", file.fileName());
+    auto* place = roleLabel("hint", tr("was in %1").arg(file.absolutePath()));
+    place->setWordWrap(true);
+    auto* locateButton = new QPushButton(tr("Locate …"));
+    locateButton->setAccessibleName(tr("Locate %1").arg(file.fileName()));
+    locateButton->setAutoDefault(false);
+    auto* texts = new QVBoxLayout;
+    texts->setSpacing(1);
+    texts->addWidget(name);
+    texts->addWidget(place);
+    auto* row = new QHBoxLayout;
+    row->addLayout(texts, 1);
+    row->addWidget(locateButton, 0, Qt::AlignVCenter);
+    rows_.push_back({wanted, place});
+    connect(locateButton, &QPushButton::clicked, this, [this, index = rows_.size() - 1] { locate(index); });
+    return row;
+}
+
+QLayout* MissingInputs::makeButtons()
+{
+    auto* search = new QPushButton(tr("Search a folder …"));
+    search->setToolTip(tr("Looks in the folder and all below it, by name and by content."));
+    search->setAutoDefault(false);
+    auto* cancel = new QPushButton(tr("Cancel"));
+    cancel->setAutoDefault(false);
+    open_->setProperty("role", "primary");
+    open_->setDefault(true);
+    open_->setEnabled(false);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(8);
+    buttons->addWidget(search);
+    buttons->addStretch(1);
+    buttons->addWidget(cancel);
+    buttons->addWidget(open_);
+    connect(search, &QPushButton::clicked, this, &MissingInputs::searchFolder);
+    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    connect(open_, &QPushButton::clicked, this, [this] {
+        accept();
+        emit located(places_);
+    });
+    return buttons;
+}
+
+void MissingInputs::locate(std::size_t row)
+{
+    auto* dialog = new QFileDialog(this, tr("Locate %1").arg(QFileInfo(rows_[row].wanted).fileName()), startFolder_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, [this, row](const QString& path) {
+        startFolder_ = QFileInfo(path).absolutePath();
+        places_[rows_[row].wanted] = path;
+        rows_[row].place->setText(tr("now %1").arg(path));
+        open_->setEnabled(places_.size() == rows_.size());
+    });
+    dialog->open();
+}
+
+void MissingInputs::searchFolder()
+{
+    auto* dialog = new QFileDialog(this, tr("Search a folder"), startFolder_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
+        accept();
+        emit searchRequested(folder);
+    });
+    dialog->open();
+}
+
+}   // namespace ui

@@ -1,0 +1,299 @@
+#include "ui/dialogs/pose_table.h"
+
+#include "ui/panels/snapshot_panel.h"
+#include "ui/theme/active_theme.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScopedValueRollback>
+#include <QStyledItemDelegate>
+#include <QTreeWidget>
+
+#include <algorithm>
+
+namespace ui {
+namespace {
+
+constexpr int dialogWidth = 1060;
+constexpr int dialogHeight = 560;
+constexpr int idRole = Qt::UserRole;
+constexpr int orderRole = Qt::UserRole + 1;
+constexpr int methodColumns = 4;
+
+enum Column { Name, Method, Median, P95, Covered, InPlane, Depth, Turn, Time, Author, When, Note, ColumnCount };
+
+/// Sorts by the number behind the text.
+class Row : public QTreeWidgetItem {
+public:
+    using QTreeWidgetItem::QTreeWidgetItem;
+    bool operator<(const QTreeWidgetItem& other) const override
+    {
+        const int column = treeWidget()->sortColumn();
+        const QVariant mine = data(column, orderRole);
+        const QVariant its = other.data(column, orderRole);
+        return mine.isValid() && its.isValid() ? mine.toDouble() < its.toDouble() : QTreeWidgetItem::operator<(other);
+    }
+};
+
+/// What was measured is not typed over.
+class ReadOnly : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    QWidget* createEditor(QWidget*, const QStyleOptionViewItem&, const QModelIndex&) const override { return nullptr; }
+};
+
+void setNumber(QTreeWidgetItem& item, int column, std::optional<double> number, int decimals)
+{
+    item.setText(column, number ? QString::number(*number, 'f', decimals) : QStringLiteral("–"));
+    item.setData(column, orderRole, number.value_or(1e300));
+    item.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+}
+
+QPushButton* button(const QString& text, const QString& toolTip)
+{
+    auto* made = new QPushButton(text);
+    made->setToolTip(toolTip);
+    made->setAutoDefault(false);
+    return made;
+}
+
+}   // namespace
+
+PoseTable::PoseTable(QWidget* parent)
+    : QDialog(parent),
+      table_(new QTreeWidget),
+      reference_(roleLabel("hint")),
+      run_(button(tr("Run"), tr("Runs the ticked methods one after the other from the pose as it is."))),
+      stop_(button(tr("Stop"), tr("Stops the running method and skips the rest; what is finished stays."))),
+      progress_(new QProgressBar),
+      words_(roleLabel("hint")),
+      restore_(button(tr("Restore"), tr("Moves the vessels there; undo takes it back."))),
+      makeReference_(button(tr("Use as reference"), tr("Differences are told from this pose."))),
+      remove_(button(tr("Delete"), tr("Removes the snapshots; undo brings them back.")))
+{
+    setObjectName(QStringLiteral("poseTable"));
+    setWindowTitle(tr("Compare poses"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    resize(dialogWidth, dialogHeight);
+    table_->setAccessibleName(tr("Poses side by side"));
+    table_->setRootIsDecorated(false);
+    table_->setUniformRowHeights(true);
+    table_->setAlternatingRowColors(true);
+    table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    table_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+    table_->setHeaderLabels({tr("Pose"), tr("Method"), tr("median mm"), tr("95 % mm"), tr("covered %"),
+                             tr("Δ in plane mm"), tr("Δ depth mm"), tr("Δ turn °"), tr("run ms"), tr("Author"),
+                             tr("When"), tr("Note")});
+    for (int column = Median; column <= Time; ++column) {
+        table_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+    }
+    table_->header()->setStretchLastSection(true);
+    for (int column = 0; column < ColumnCount; ++column) {
+        if (column != Name && column != Author && column != Note) {
+            table_->setItemDelegateForColumn(column, new ReadOnly(table_));
+        }
+    }
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(18, 16, 18, 14);
+    layout->setSpacing(10);
+    layout->addWidget(reference_);
+    layout->addWidget(table_, 1);
+    layout->addLayout(makeButtons());
+    layout->addWidget(makeMethods());
+
+    connect(table_, &QTreeWidget::itemSelectionChanged, this, [this] {
+        updateButtons();
+        if (const auto ids = selectedIds(); !showing_ && ids.size() == 1) {
+            emit wasPicked(*ids.begin());
+        }
+    });
+    connect(table_, &QTreeWidget::itemChanged, this, [this](const QTreeWidgetItem* item, int column) {
+        if (!showing_) {
+            reportEdit(*item, column);
+        }
+    });
+    showIdle({});
+}
+
+QLayout* PoseTable::makeButtons()
+{
+    auto* exportTable = button(tr("Export CSV …"), tr("Writes the table with poses as matrices."));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    for (QPushButton* each : {restore_, makeReference_, remove_}) {
+        row->addWidget(each);
+    }
+    row->addStretch(1);
+    row->addWidget(exportTable);
+    connect(restore_, &QPushButton::clicked, this, [this] { emit restoreRequested(*selectedIds().begin()); });
+    connect(makeReference_, &QPushButton::clicked, this, [this] { emit referenceRequested(*selectedIds().begin()); });
+    connect(remove_, &QPushButton::clicked, this, [this] { emit removeRequested(selectedIds()); });
+    connect(exportTable, &QPushButton::clicked, this, &PoseTable::exportRequested);
+    return row;
+}
+
+QWidget* PoseTable::makeMethods()
+{
+    auto* section = new Section(tr("Run several methods"), Folding::Foldable);
+    section->setHint(tr("each leaves its pose in the table; the case keeps its own"));
+    section->layout()->setContentsMargins(0, 4, 0, 0);
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(16);
+    for (const core::MethodInfo& info : core::methodInfos()) {
+        auto* box = new QCheckBox(methodWords(std::string(info.id)));
+        box->setProperty("method", QByteArray(info.id.data(), static_cast<qsizetype>(info.id.size())));
+        box->setToolTip(QString::fromUtf8(info.summary.data(), static_cast<qsizetype>(info.summary.size())));
+        const int index = static_cast<int>(methods_.size());
+        grid->addWidget(box, index / methodColumns, index % methodColumns);
+        methods_.push_back(box);
+        connect(box, &QCheckBox::toggled, this, &PoseTable::updateButtons);
+    }
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    run_->setProperty("role", "primary");
+    progress_->setTextVisible(false);
+    progress_->setMaximumHeight(6);
+    progress_->setRange(0, 1000);
+    row->addWidget(run_);
+    row->addWidget(stop_);
+    row->addWidget(progress_, 1);
+    row->addWidget(words_, 2);
+    section->contentLayout()->addLayout(grid);
+    section->contentLayout()->addLayout(row);
+    connect(run_, &QPushButton::clicked, this, [this] { emit runRequested(chosenMethods()); });
+    connect(stop_, &QPushButton::clicked, this, &PoseTable::stopRequested);
+    return section;
+}
+
+void PoseTable::fillRow(QTreeWidgetItem& item, const PoseRow& row, bool isReference)
+{
+    const core::PoseSnapshot& snapshot = row.snapshot;
+    item.setData(Name, idRole, snapshot.id);
+    item.setText(Name, snapshot.id == 0 ? tr("The pose as it is") : QString::fromStdString(snapshot.name));
+    item.setText(Method, methodWords(snapshot.method));
+    const auto& metrics = snapshot.metrics;
+    setNumber(item, Median, metrics ? std::optional(metrics->medianMm) : std::nullopt, 2);
+    setNumber(item, P95, metrics ? std::optional(metrics->p95Mm) : std::nullopt, 2);
+    setNumber(item, Covered, metrics ? std::optional(100.0 * metrics->coverage) : std::nullopt, 0);
+    setNumber(item, InPlane, row.difference.inPlaneMm, 2);
+    setNumber(item, Depth, row.difference.depthMm, 2);
+    setNumber(item, Turn, row.difference.rotationDeg, 2);
+    setNumber(item, Time, snapshot.runMs > 0.0 ? std::optional(snapshot.runMs) : std::nullopt,
+              snapshot.runMs < 10.0 ? 1 : 0);
+    item.setText(Author, QString::fromStdString(snapshot.author));
+    item.setText(When, shortTime(snapshot.time));
+    item.setText(Note, QString::fromStdString(snapshot.note));
+    if (metrics && !metrics->isTrustworthy) {
+        item.setForeground(Median, toQColor(activePalette().attention));
+        item.setToolTip(Median, tr("This fit was not trustworthy."));
+    }
+    if (isReference) {
+        QFont strong = table_->font();
+        strong.setWeight(QFont::DemiBold);
+        item.setFont(Name, strong);
+    }
+    item.setFlags(snapshot.id > 0 ? item.flags() | Qt::ItemIsEditable : item.flags());
+}
+
+void PoseTable::showRows(const std::vector<PoseRow>& rows, int referenceId)
+{
+    const QScopedValueRollback quiet(showing_, true);
+    const std::set<int> selected = selectedIds();
+    const bool isFirst = rows_.empty();
+    rows_ = rows;
+    table_->setSortingEnabled(false);
+    table_->clear();
+    for (const PoseRow& row : rows) {
+        auto* item = new Row(table_);
+        fillRow(*item, row, row.snapshot.id == referenceId);
+        item->setSelected(selected.contains(row.snapshot.id));
+        if (row.snapshot.id == referenceId) {
+            reference_->setText(tr("Differences are told from “%1”, about the centre of the tree. Amber: not "
+                                   "trustworthy.")
+                                    .arg(item->text(Name)));
+        }
+    }
+    table_->header()->setSortIndicator(isFirst ? -1 : table_->header()->sortIndicatorSection(),
+                                       table_->header()->sortIndicatorOrder());
+    table_->setSortingEnabled(true);
+    for (int column = 0; isFirst && column < ColumnCount; ++column) {
+        table_->resizeColumnToContents(column);
+    }
+    updateButtons();
+}
+
+void PoseTable::showChosenMethods(const std::vector<std::string>& methodIds)
+{
+    for (QCheckBox* box : methods_) {
+        const std::string id = box->property("method").toByteArray().toStdString();
+        box->setChecked(std::ranges::find(methodIds, id) != methodIds.end());
+    }
+}
+
+void PoseTable::showRun(const QString& what, double progress)
+{
+    running_ = true;
+    words_->setText(what);
+    progress_->setValue(static_cast<int>(1000.0 * progress));
+    updateButtons();
+}
+
+void PoseTable::showIdle(const QString& words)
+{
+    running_ = false;
+    words_->setText(words);
+    updateButtons();
+}
+
+void PoseTable::updateButtons()
+{
+    const std::set<int> ids = selectedIds();
+    restore_->setEnabled(ids.size() == 1 && !ids.contains(0));
+    makeReference_->setEnabled(ids.size() == 1);
+    remove_->setEnabled(!ids.empty() && !ids.contains(0));
+    run_->setEnabled(!running_ && !chosenMethods().empty());
+    stop_->setEnabled(running_);
+    progress_->setVisible(running_);
+}
+
+void PoseTable::reportEdit(const QTreeWidgetItem& item, int column)
+{
+    const int id = item.data(Name, idRole).toInt();
+    const auto row = std::ranges::find(rows_, id, [](const PoseRow& each) { return each.snapshot.id; });
+    if (row == rows_.end() || id == 0) {
+        return;
+    }
+    core::PoseSnapshot edited = row->snapshot;
+    edited.name = item.text(Name).trimmed().toStdString();
+    edited.author = item.text(Author).trimmed().toStdString();
+    edited.note = item.text(Note).trimmed().toStdString();
+    if (column == Name || column == Author || column == Note) {
+        emit textEdited(edited);
+    }
+}
+
+std::set<int> PoseTable::selectedIds() const
+{
+    std::set<int> ids;
+    for (const QTreeWidgetItem* item : table_->selectedItems()) {
+        ids.insert(item->data(Name, idRole).toInt());
+    }
+    return ids;
+}
+
+std::vector<std::string> PoseTable::chosenMethods() const
+{
+    std::vector<std::string> ids;
+    for (const QCheckBox* box : methods_) {
+        if (box->isChecked()) {
+            ids.push_back(box->property("method").toByteArray().toStdString());
+        }
+    }
+    return ids;
+}
+
+}   // namespace ui

@@ -1,0 +1,285 @@
+#include "ui/panels/snapshot_panel.h"
+
+#include "ui/theme/active_theme.h"
+
+#include <QDateTime>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMenu>
+#include <QPushButton>
+#include <QScopedValueRollback>
+#include <QTreeWidget>
+
+#include <algorithm>
+
+namespace ui {
+namespace {
+
+constexpr int idRole = Qt::UserRole;
+constexpr int mostRows = 8;
+
+enum Column { Mark, Name, Median, ColumnCount };
+
+QString toQt(const std::string& text)
+{
+    return QString::fromStdString(text);
+}
+
+QString toolTipOf(const core::PoseSnapshot& snapshot)
+{
+    QStringList lines{methodWords(snapshot.method)};
+    const QString time = shortTime(snapshot.time);
+    if (!time.isEmpty() || !snapshot.author.empty()) {
+        lines << QStringList{toQt(snapshot.author), time}.join(QStringLiteral("  "));
+    }
+    if (snapshot.metrics) {
+        lines << SnapshotPanel::tr("median %1 mm, 95 % %2 mm, covered %3 %")
+                     .arg(snapshot.metrics->medianMm, 0, 'f', 2)
+                     .arg(snapshot.metrics->p95Mm, 0, 'f', 2)
+                     .arg(100.0 * snapshot.metrics->coverage, 0, 'f', 0);
+    }
+    lines << SnapshotPanel::tr("frame %1").arg(snapshot.frame) << toQt(snapshot.note);
+    lines.removeAll(QString());
+    return lines.join(QLatin1Char('\n'));
+}
+
+}   // namespace
+
+SnapshotPanel::SnapshotPanel(QWidget* parent)
+    : Section(tr("Poses"), Folding::Foldable, parent),
+      list_(new QTreeWidget),
+      empty_(roleLabel("hint", tr("K keeps the pose; Y goes between two. Every run leaves its pose here."))),
+      compare_(new QPushButton(tr("Compare …")))
+{
+    list_->setAccessibleName(tr("Kept poses"));
+    list_->setColumnCount(ColumnCount);
+    list_->setHeaderHidden(true);
+    list_->setRootIsDecorated(true);
+    list_->setIndentation(12);
+    list_->setUniformRowHeights(true);
+    list_->setFrameShape(QFrame::NoFrame);
+    list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
+    list_->setContextMenuPolicy(Qt::CustomContextMenu);
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list_->header()->setStretchLastSection(false);
+    list_->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
+    list_->header()->setSectionResizeMode(Mark, QHeaderView::ResizeToContents);
+    list_->header()->setSectionResizeMode(Median, QHeaderView::ResizeToContents);
+    list_->installEventFilter(this);
+    empty_->setWordWrap(true);
+
+    auto* keep = new QPushButton(tr("Keep pose  K"));
+    keep->setToolTip(tr("Keeps this pose with its numbers under a name (K)."));
+    compare_->setToolTip(tr("Poses and methods side by side, as a table (Shift+K)."));
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(8);
+    buttons->addWidget(keep);
+    buttons->addWidget(compare_);
+    contentLayout()->addWidget(empty_);
+    contentLayout()->addWidget(list_);
+    contentLayout()->addLayout(buttons);
+
+    connect(keep, &QPushButton::clicked, this, &SnapshotPanel::keepRequested);
+    connect(compare_, &QPushButton::clicked, this, &SnapshotPanel::compareRequested);
+    connect(list_, &QTreeWidget::itemSelectionChanged, this, [this] {
+        if (const auto ids = selectedIds(); !showing_ && ids.size() == 1) {
+            emit wasPicked(*ids.begin());
+        }
+    });
+    connect(list_, &QTreeWidget::itemDoubleClicked, this, [this](const QTreeWidgetItem* item) {
+        if (const int id = item->data(Name, idRole).toInt(); id > 0) {
+            emit restoreRequested(id);
+        }
+    });
+    connect(list_, &QTreeWidget::itemChanged, this, [this](const QTreeWidgetItem* item, int column) {
+        if (!showing_ && column == Name) {
+            emit renamed(item->data(Name, idRole).toInt(), item->text(Name));
+        }
+    });
+    connect(list_, &QTreeWidget::itemExpanded, this, &SnapshotPanel::fitHeight);
+    connect(list_, &QTreeWidget::itemCollapsed, this, &SnapshotPanel::fitHeight);
+    connect(list_, &QWidget::customContextMenuRequested, this, &SnapshotPanel::showContextMenu);
+    showSnapshots({});
+}
+
+void SnapshotPanel::fillItem(QTreeWidgetItem& item, const core::PoseSnapshot& snapshot) const
+{
+    item.setData(Name, idRole, snapshot.id);
+    item.setText(Name, toQt(snapshot.name));
+    item.setText(Median, snapshot.metrics ? QString::number(snapshot.metrics->medianMm, 'f', 2) : QStringLiteral("–"));
+    item.setTextAlignment(Median, Qt::AlignRight | Qt::AlignVCenter);
+    item.setFlags(item.flags() | Qt::ItemIsEditable);
+    for (int column = 0; column < ColumnCount; ++column) {
+        item.setToolTip(column, toolTipOf(snapshot));
+    }
+    const bool doubtful = snapshot.metrics && !snapshot.metrics->isTrustworthy;
+    item.setForeground(Median, toQColor(doubtful ? activePalette().attention : activePalette().label));
+}
+
+void SnapshotPanel::addRuns(const std::vector<core::PoseSnapshot>& snapshots)
+{
+    const auto count = std::ranges::count(snapshots, core::SnapshotKind::Run, &core::PoseSnapshot::kind);
+    if (count == 0) {
+        return;
+    }
+    auto* group = new QTreeWidgetItem(list_, {QString(), tr("Runs (%1)").arg(count), QString()});
+    group->setFlags(Qt::ItemIsEnabled);
+    group->setForeground(Name, toQColor(activePalette().label));
+    for (auto run = snapshots.rbegin(); run != snapshots.rend(); ++run) {   // newest first
+        if (run->kind == core::SnapshotKind::Run) {
+            fillItem(*new QTreeWidgetItem(group), *run);
+        }
+    }
+    group->setExpanded(areRunsUnfolded_);
+}
+
+void SnapshotPanel::showSnapshots(const std::vector<core::PoseSnapshot>& snapshots)
+{
+    const QScopedValueRollback quiet(showing_, true);
+    const std::set<int> selected = selectedIds();
+    list_->clear();
+    for (const core::PoseSnapshot& snapshot : snapshots) {
+        if (snapshot.kind == core::SnapshotKind::Kept) {
+            fillItem(*new QTreeWidgetItem(list_), snapshot);
+        }
+    }
+    addRuns(snapshots);
+    for (const int id : selected) {
+        if (QTreeWidgetItem* item = itemOf(id)) {
+            item->setSelected(true);
+        }
+    }
+    empty_->setVisible(snapshots.empty());
+    list_->setVisible(!snapshots.empty());
+    setHint(snapshots.empty() ? QString() : tr("median mm · Y: A ⇄ B"));
+    showMarks(marks_);
+    fitHeight();
+}
+
+void SnapshotPanel::showMarks(const SnapshotMarks& marks)
+{
+    const QScopedValueRollback quiet(showing_, true);
+    marks_ = marks;
+    for (QTreeWidgetItemIterator each(list_); *each; ++each) {
+        const int id = (*each)->data(Name, idRole).toInt();
+        const QString mark = marks.a == id ? tr("A") : marks.b == id ? tr("B") : QString();
+        (*each)->setText(Mark, marks.shown == id ? mark + QStringLiteral("●") : mark);
+        (*each)->setForeground(Mark, toQColor(activePalette().accent));
+    }
+}
+
+void SnapshotPanel::editName(int snapshotId)
+{
+    if (QTreeWidgetItem* item = itemOf(snapshotId)) {
+        setFolded(false);
+        list_->setCurrentItem(item, Name);
+        list_->editItem(item, Name);
+    }
+}
+
+QTreeWidgetItem* SnapshotPanel::itemOf(int snapshotId) const
+{
+    for (QTreeWidgetItemIterator each(list_); *each; ++each) {
+        if ((*each)->data(Name, idRole).toInt() == snapshotId) {
+            return *each;
+        }
+    }
+    return nullptr;
+}
+
+std::set<int> SnapshotPanel::selectedIds() const
+{
+    std::set<int> ids;
+    for (const QTreeWidgetItem* item : list_->selectedItems()) {
+        ids.insert(item->data(Name, idRole).toInt());
+    }
+    return ids;
+}
+
+bool SnapshotPanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched != list_ || event->type() != QEvent::KeyPress) {
+        return Section::eventFilter(watched, event);
+    }
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const std::set<int> ids = selectedIds();
+    if (key == Qt::Key_Delete && !ids.empty()) {
+        emit removeRequested(ids);
+        return true;
+    }
+    if ((key == Qt::Key_Return || key == Qt::Key_Enter) && ids.size() == 1) {
+        emit restoreRequested(*ids.begin());
+        return true;
+    }
+    return Section::eventFilter(watched, event);
+}
+
+void SnapshotPanel::showContextMenu(const QPoint& position)
+{
+    const QTreeWidgetItem* item = list_->itemAt(position);
+    const int id = item ? item->data(Name, idRole).toInt() : 0;
+    if (id == 0) {
+        return;
+    }
+    std::set<int> affected = selectedIds();
+    if (!affected.contains(id)) {
+        affected = {id};
+    }
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("Restore\tReturn"), this, [this, id] { emit restoreRequested(id); });
+    menu->addAction(tr("Use as A"), this, [this, id] { emit markRequested(id, true); });
+    menu->addAction(tr("Use as B"), this, [this, id] { emit markRequested(id, false); });
+    menu->addSeparator();
+    menu->addAction(tr("Rename\tF2"), this, [this, id] { editName(id); });
+    menu->addAction(tr("Delete\tDel"), this, [this, affected] { emit removeRequested(affected); });
+    menu->addSeparator();
+    menu->addAction(tr("Compare …\tShift+K"), this, &SnapshotPanel::compareRequested);
+    menu->popup(list_->viewport()->mapToGlobal(position));
+}
+
+void SnapshotPanel::fitHeight()
+{
+    if (!showing_) {
+        for (int i = 0; i < list_->topLevelItemCount(); ++i) {
+            const QTreeWidgetItem* item = list_->topLevelItem(i);
+            areRunsUnfolded_ = item->childCount() > 0 ? item->isExpanded() : areRunsUnfolded_;
+        }
+    }
+    int rows = 0;
+    for (QTreeWidgetItem* item = list_->topLevelItem(0); item; item = list_->itemBelow(item)) {
+        ++rows;
+    }
+    const int rowHeight = std::max(list_->sizeHintForRow(0), list_->fontMetrics().height() + 6);
+    list_->setFixedHeight(std::clamp(rows, 1, mostRows) * rowHeight + 2);
+}
+
+QString shortTime(const std::string& isoTime)
+{
+    const QDateTime time = QDateTime::fromString(toQt(isoTime), Qt::ISODate).toLocalTime();
+    if (!time.isValid()) {
+        return {};
+    }
+    const QLocale locale;
+    const QString clock = locale.toString(time.time(), QStringLiteral("HH:mm"));
+    return time.date() == QDate::currentDate()
+               ? clock
+               : locale.toString(time.date(), QLocale::ShortFormat) + QLatin1Char(' ') + clock;
+}
+
+QString methodWords(const std::string& methodId)
+{
+    if (methodId.empty()) {
+        return SnapshotPanel::tr("by hand");
+    }
+    for (const core::MethodInfo& info : core::methodInfos()) {
+        if (info.id == methodId) {
+            return QString::fromUtf8(info.label.data(), static_cast<qsizetype>(info.label.size()));
+        }
+    }
+    return toQt(methodId);
+}
+
+}   // namespace ui

@@ -1,0 +1,82 @@
+#include "ui/panels/solution_strip.h"
+
+#include <QListWidget>
+#include <QScopedValueRollback>
+
+namespace ui {
+namespace {
+
+constexpr int pictureSize = 84;
+
+QPixmap pixmapOf(const core::ColorImage& picture, double ratio)
+{
+    const uchar* bytes = picture.rgb.data();
+    const QImage image(bytes, picture.width, picture.height, 3 * picture.width, QImage::Format_RGB888);
+    QPixmap pixmap = QPixmap::fromImage(image.copy());   // the picture goes away
+    pixmap.setDevicePixelRatio(ratio);
+    return pixmap;
+}
+
+}   // namespace
+
+SolutionStrip::SolutionStrip(QWidget* parent)
+    : Section(tr("Solutions"), Folding::Foldable, parent), list_(new QListWidget)
+{
+    setHint(tr("J shows the next · Shift+J takes it"));
+    list_->setAccessibleName(tr("Solutions of the run"));
+    list_->setViewMode(QListView::IconMode);
+    list_->setMovement(QListView::Static);
+    list_->setFlow(QListView::LeftToRight);
+    list_->setWrapping(false);
+    list_->setIconSize({pictureSize, pictureSize});
+    list_->setSpacing(2);
+    list_->setUniformItemSizes(true);
+    list_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list_->setFrameShape(QFrame::NoFrame);
+    list_->setSelectionMode(QAbstractItemView::SingleSelection);
+    list_->setFixedHeight(pictureSize + 2 * list_->fontMetrics().height() + 20);
+    contentLayout()->addWidget(list_);
+    connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
+        if (!showing_ && row >= 0) {
+            emit wasPicked(row);
+        }
+    });
+    connect(list_, &QListWidget::itemActivated, this,
+            [this](const QListWidgetItem* item) { emit takeRequested(list_->row(item)); });
+    hide();
+}
+
+int SolutionStrip::pictureWidthPx() const
+{
+    return static_cast<int>(pictureSize * devicePixelRatioF());
+}
+
+void SolutionStrip::showSolutions(const std::vector<SolutionLine>& solutions)
+{
+    const QScopedValueRollback quiet(showing_, true);
+    list_->clear();
+    QPixmap empty(pictureWidthPx(), pictureWidthPx());
+    empty.fill(Qt::black);
+    empty.setDevicePixelRatio(devicePixelRatioF());
+    for (const SolutionLine& solution : solutions) {
+        auto* item = new QListWidgetItem(QIcon(empty), solution.words, list_);
+        item->setToolTip(solution.toolTip);
+        item->setTextAlignment(Qt::AlignHCenter | Qt::AlignTop);
+    }
+    setVisible(solutions.size() > 1);
+}
+
+void SolutionStrip::showPicture(int index, const core::ColorImage& picture)
+{
+    if (QListWidgetItem* item = list_->item(index)) {
+        item->setIcon(QIcon(pixmapOf(picture, devicePixelRatioF())));
+    }
+}
+
+void SolutionStrip::showCurrent(int index)
+{
+    const QScopedValueRollback quiet(showing_, true);
+    list_->setCurrentRow(index);
+}
+
+}   // namespace ui

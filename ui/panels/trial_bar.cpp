@@ -1,0 +1,38 @@
+#include "ui/panels/trial_bar.h"
+
+#include "ui/panels/section.h"
+
+#include <QHBoxLayout>
+#include <QPushButton>
+
+namespace ui {
+
+TrialBar::TrialBar(QWidget* parent) : QWidget(parent), words_(roleLabel("attention"))
+{
+    setProperty("role", "column");
+    setAttribute(Qt::WA_StyledBackground);
+    auto* abandon = new QPushButton(tr("Abandon"));
+    abandon->setToolTip(tr("Ends the trial; the log says that it was abandoned."));
+    auto* done = new QPushButton(tr("Done  Ctrl+Return"));
+    done->setProperty("role", "primary");
+    done->setAccessibleName(tr("Done"));
+    done->setToolTip(tr("Logs time and pose, and brings the numbers back (Ctrl+Return)."));
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(14, 6, 14, 6);
+    layout->setSpacing(10);
+    layout->addWidget(words_, 1);
+    layout->addWidget(abandon);
+    layout->addWidget(done);
+    connect(done, &QPushButton::clicked, this, &TrialBar::doneRequested);
+    connect(abandon, &QPushButton::clicked, this, &TrialBar::abandonRequested);
+    hide();
+}
+
+void TrialBar::showTrial(const QString& observer)
+{
+    words_->setText(
+        tr("Blind trial of %1: lay the vessels onto the image. Numbers come back when you are done.").arg(observer));
+    show();
+}
+
+}   // namespace ui

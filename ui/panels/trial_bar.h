@@ -1,0 +1,25 @@
+#pragma once
+
+#include <QLabel>
+#include <QWidget>
+
+namespace ui {
+
+/// Says that a blind trial is on, and how to end it. Hidden otherwise.
+class TrialBar : public QWidget {
+    Q_OBJECT
+public:
+    explicit TrialBar(QWidget* parent = nullptr);
+
+    void showTrial(const QString& observer);
+    void hideTrial() { hide(); }
+
+signals:
+    void doneRequested();
+    void abandonRequested();
+
+private:
+    QLabel* words_;
+};
+
+}   // namespace ui
