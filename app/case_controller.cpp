@@ -10,6 +10,7 @@
 #include "ui/views/tools/bind_tool.h"
 #include "ui/views/tools/nudge_tool.h"
 #include "ui/views/tree_view.h"
+#include "ui/words/core_texts.h"
 
 #include <QClipboard>
 #include <QCoreApplication>
@@ -67,7 +68,8 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       review_(document_, sync_, window),
       look_(document_, sync_, window),
       replay_(document_, sync_, window),
-      judgement_({document_, target_, pose_, registration_, sync_, look_, replay_, window})
+      judgement_({document_, target_, pose_, registration_, sync_, look_, replay_, window}),
+      habits_(window)
 {
     connectEditing();
     connectBranches();
@@ -306,9 +308,8 @@ void CaseController::showProgress(const core::IterationReport& report)
     }
     sync_.showPreview(report.cameraFromPatient, ResidualColors::Kept);
     window_.result().showProgress(report);
-    const QString stage = QString::fromUtf8(report.stage.data(), static_cast<qsizetype>(report.stage.size()));
     window_.strip().showProgress(tr("Registering: %1 · %2 % · %3 px")
-                                     .arg(stage)
+                                     .arg(ui::coreText(report.stage))
                                      .arg(100.0 * report.progress, 0, 'f', 0)
                                      .arg(report.medianDistancePx, 0, 'f', 1),
                                  report.progress);
@@ -374,10 +375,10 @@ void CaseController::showGeometry()
     if (current.angiogram) {
         const auto camera = core::cameraOf(current);
         if (!camera) {
-            state.missing = QString::fromStdString(camera.error().message);
+            state.missing = ui::coreText(camera.error().message);
         } else if (current.tree) {
             if (const auto start = core::startPoseOf(current); !start) {
-                state.missing = QString::fromStdString(start.error().message);
+                state.missing = ui::coreText(start.error().message);
             }
             const double depthMm = (current.cameraFromPatient * core::centroidInPatient(*current.tree)).z();
             if (depthMm > core::minProjectableDepthMm) {

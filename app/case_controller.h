@@ -4,6 +4,7 @@
 #include "app/editing/branch_controller.h"
 #include "app/editing/pose_controller.h"
 #include "app/files/session_controller.h"
+#include "app/habits/habits.h"
 #include "app/notices.h"
 #include "app/registration/registration_controller.h"
 #include "app/registration/target_provider.h"
@@ -68,6 +69,7 @@ private:
     LookController look_;
     ReplayController replay_;
     JudgementController judgement_;
+    Habits habits_;
     QTimer clock_;   ///< keeps "Autosaved 12 s ago" true
     bool exported_ = false;
 };

@@ -11,7 +11,7 @@
 namespace ui {
 namespace {
 
-enum class Menu { File, Edit, Registration, View, Theme, Help };
+enum class Menu { File, Edit, Registration, View, Theme, Language, Help };
 enum class Kind { Plain, Switch };
 
 struct ActionRow {
@@ -88,6 +88,11 @@ const std::vector<ActionRow>& rows()
         {Command::ThemeDark, Menu::Theme, QT_TRANSLATE_NOOP("ui::WindowActions", "Dark"), "", Kind::Switch},
         {Command::ThemeLight, Menu::Theme, QT_TRANSLATE_NOOP("ui::WindowActions", "Light"), "", Kind::Switch},
         {Command::ThemeSystem, Menu::Theme, QT_TRANSLATE_NOOP("ui::WindowActions", "As the desktop"), "", Kind::Switch},
+        {Command::LanguageSystem, Menu::Language, QT_TRANSLATE_NOOP("ui::WindowActions", "Language of the desktop"), "",
+         Kind::Switch},
+        {Command::LanguageEnglish, Menu::Language, "English", "", Kind::Switch},
+        {Command::LanguageGerman, Menu::Language, "Deutsch", "", Kind::Switch},
+        {Command::LanguageChinese, Menu::Language, "简体中文", "", Kind::Switch},
         {Command::Keys, Menu::Help, QT_TRANSLATE_NOOP("ui::WindowActions", "Keys"), "F1; ?"},
         {Command::About, Menu::Help, QT_TRANSLATE_NOOP("ui::WindowActions", "About AngioPose"), ""},
     };
@@ -154,7 +159,8 @@ bool startsGroup(Command command)
 
 WindowActions::WindowActions(QWidget* window) : QObject(window), recent_(new QMenu(tr("Open recent"), window))
 {
-    auto* themes = new QActionGroup(this);
+    std::map<Menu, QActionGroup*> choices{{Menu::Theme, new QActionGroup(this)},
+                                          {Menu::Language, new QActionGroup(this)}};
     for (const ActionRow& row : rows()) {
         auto* action = new QAction(translated(row.text), this);
         action->setCheckable(row.kind == Kind::Switch);
@@ -162,8 +168,8 @@ WindowActions::WindowActions(QWidget* window) : QObject(window), recent_(new QMe
         action->setAutoRepeat(row.command == Command::MoreOpacity || row.command == Command::LessOpacity ||
                               row.command == Command::MoreContrast || row.command == Command::LessContrast ||
                               row.command == Command::Undo || row.command == Command::Redo);
-        if (row.menu == Menu::Theme) {
-            themes->addAction(action);
+        if (const auto group = choices.find(row.menu); group != choices.end()) {
+            group->second->addAction(action);
         }
         window->addAction(action);
         actions_[row.command] = action;
@@ -179,6 +185,7 @@ void WindowActions::fillMenus(QMenuBar* menuBar)
     menus[Menu::View] = menuBar->addMenu(tr("&View"));
     menus[Menu::Help] = menuBar->addMenu(tr("&Help"));
     menus[Menu::Theme] = new QMenu(tr("Theme"), menuBar);
+    menus[Menu::Language] = new QMenu(tr("Language"), menuBar);
     for (const ActionRow& row : rows()) {
         if (startsGroup(row.command)) {
             menus[row.menu]->addSeparator();
@@ -189,6 +196,7 @@ void WindowActions::fillMenus(QMenuBar* menuBar)
         }
     }
     menus[Menu::View]->addMenu(menus[Menu::Theme]);
+    menus[Menu::View]->addMenu(menus[Menu::Language]);
 }
 
 std::vector<KeyLine> WindowActions::keySheet() const

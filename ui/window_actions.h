@@ -64,6 +64,10 @@ enum class Command {
     ThemeDark,
     ThemeLight,
     ThemeSystem,
+    LanguageSystem,
+    LanguageEnglish,
+    LanguageGerman,
+    LanguageChinese,
     Keys,
     About
 };

@@ -4,6 +4,7 @@
 #include "app/files/assemble_case.h"
 #include "app/files/recent_cases.h"
 #include "core/imaging/patient_match.h"
+#include "ui/words/core_texts.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -25,11 +26,11 @@ QStringList notesOf(const LoadedInputs& inputs, const core::RegistrationCase& op
 {
     QStringList notes;
     for (const std::string& warning : inputs.warnings) {
-        notes << QString::fromStdString(warning);
+        notes << ui::coreText(warning);
     }
     if (!inputs.wholeCase && opened.angiogram) {   // a case file has compared them itself
         const std::string mismatch = core::findPatientMismatch(opened.scanIdentity, opened.angiogram->identity);
-        notes << (mismatch.empty() ? QStringList() : QStringList(QString::fromStdString(mismatch)));
+        notes << (mismatch.empty() ? QStringList() : QStringList(ui::coreText(mismatch)));
     }
     return notes;
 }

@@ -7,6 +7,7 @@
 #include "app/settings.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
+#include "ui/words/core_texts.h"
 
 #include <QFileDialog>
 
@@ -183,7 +184,7 @@ void SessionController::openSample()
         if (path) {
             open({path.value()});
         } else {
-            notices_.showProblem(tr("Could not make the sample case"), QString::fromStdString(path.error().message));
+            notices_.showProblem(tr("Could not make the sample case"), ui::coreText(path.error().message));
         }
     });
 }

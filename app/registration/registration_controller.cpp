@@ -1,6 +1,7 @@
 #include "app/registration/registration_controller.h"
 
 #include "app/document/edit_case.h"
+#include "ui/words/core_texts.h"
 
 namespace app {
 
@@ -26,12 +27,12 @@ QString RegistrationController::whyNotReady() const
         return tr("Open an angiogram first.");
     }
     if (const auto camera = core::cameraOf(current); !camera) {
-        return QString::fromStdString(camera.error().message);
+        return ui::coreText(camera.error().message);
     }
     if (const auto start = core::startPoseOf(current); !start) {
-        return QString::fromStdString(start.error().message);
+        return ui::coreText(start.error().message);
     }
-    return QString::fromStdString(core::findProblem(current.options));
+    return ui::coreText(core::findProblem(current.options));
 }
 
 void RegistrationController::start()
@@ -77,7 +78,7 @@ void RegistrationController::continueAfterTracing()
     auto input = core::registrationInputOf(document_.current(), *target_.current());
     if (!input) {
         end();
-        emit failed(QString::fromStdString(input.error().message));
+        emit failed(ui::coreText(input.error().message));
         return;
     }
     phase_ = Phase::Solving;

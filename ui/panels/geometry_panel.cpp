@@ -1,5 +1,7 @@
 #include "ui/panels/geometry_panel.h"
 
+#include "ui/words/core_texts.h"
+
 #include <QGridLayout>
 
 namespace ui {
@@ -162,7 +164,7 @@ void GeometryPanel::showRow(Value value)
     const core::Origin origin = sourced.value ? sourced.origin : core::Origin::Missing;
     row.field->showValue(sourced.value);
     row.origin->setText(originWord(origin));
-    row.origin->setToolTip(QString::fromStdString(sourced.basis));
+    row.origin->setToolTip(coreText(sourced.basis));
     setRole(row.origin, needsLook(origin) ? "attention" : "hint");
 }
 
@@ -173,7 +175,7 @@ void GeometryPanel::showNotes(const GeometryState& state)
         notes << state.missing;
     }
     for (const std::string& contradiction : state.contradictions) {
-        notes << QString::fromStdString(contradiction);
+        notes << coreText(contradiction);
     }
     notes_->setText(notes.join(QLatin1Char(' ')));
     notes_->setVisible(!notes.isEmpty());

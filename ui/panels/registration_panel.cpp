@@ -2,6 +2,7 @@
 
 #include "ui/dialogs/method_help.h"
 #include "ui/panels/option_form.h"
+#include "ui/words/core_texts.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -40,7 +41,7 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
     method_->setFocusPolicy(Qt::StrongFocus);
     for (const core::MethodInfo& info : core::methodInfos()) {
         method_->addItem(fromView(info.label), QByteArray(info.id.data(), static_cast<qsizetype>(info.id.size())));
-        method_->setItemData(method_->count() - 1, fromView(info.summary), Qt::ToolTipRole);
+        method_->setItemData(method_->count() - 1, coreText(info.summary), Qt::ToolTipRole);
     }
     summary_->setWordWrap(true);
     optionSection_->contentLayout()->addLayout(methodRow());
