@@ -4,7 +4,6 @@
 #include "app/files/assemble_case.h"
 #include "app/settings.h"
 #include "app/step_states.h"
-#include "ui/dialogs/key_sheet.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/bind_tool.h"
@@ -69,7 +68,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       look_(document_, sync_, window),
       replay_(document_, sync_, window),
       judgement_({document_, target_, pose_, registration_, sync_, look_, replay_, window}),
-      habits_(window)
+      habits_(branches_, window)
 {
     connectEditing();
     connectBranches();
@@ -326,10 +325,6 @@ void CaseController::showFinished(const core::RegistrationResult& result)
 void CaseController::connectHelp()
 {
     ui::WindowActions& actions = window_.actions();
-    connect(actions[ui::Command::Keys], &QAction::triggered, this, [this] {
-        auto* sheet = new ui::KeySheet(window_.actions().keySheet(), &window_);
-        sheet->open();
-    });
     connect(actions[ui::Command::About], &QAction::triggered, this, [this] {
         ui::MessageDialog::show(
             {tr("AngioPose %1").arg(QCoreApplication::applicationVersion()),
@@ -358,7 +353,7 @@ void CaseController::showSteps()
 {
     const core::RegistrationCase& current = document_.current();
     StepFacts facts;
-    facts.targetProblem = target_.problem();
+    facts.targetProblem = ui::coreText(target_.problem());
     facts.isTracing = target_.isTracing();
     facts.isRunning = registration_.isRunning();
     facts.poseEdited = pose_.isMovedFromStart();

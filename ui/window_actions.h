@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/dialogs/key_sheet.h"
+#include "ui/views/mouse_preset.h"
 
 #include <QAction>
 #include <QObject>
@@ -50,6 +51,8 @@ enum class Command {
     MoreContrast,
     LessContrast,
     CopyPose,
+    CopyWindow,
+    SaveWindow,
     AuxiliaryInView,
     AuxiliaryWide,
     ShowTrace,
@@ -68,6 +71,12 @@ enum class Command {
     LanguageEnglish,
     LanguageGerman,
     LanguageChinese,
+    MouseRadiology,
+    MouseSlicer,
+    MouseScroll,
+    PanelHelp,
+    Tour,
+    GoodFit,
     Keys,
     About
 };
@@ -81,7 +90,8 @@ public:
     QAction* operator[](Command command) const { return actions_.at(command); }
     QMenu* recentMenu() const { return recent_; }
     void fillMenus(QMenuBar* menuBar);
-    std::vector<KeyLine> keySheet() const;   ///< every key, and what the mouse does
+    /// Every command with its key, the keys that are fixed, and what the mouse does.
+    std::vector<KeyLine> keySheet(const MousePreset& mouse) const;
 
 private:
     std::map<Command, QAction*> actions_;

@@ -9,9 +9,14 @@ namespace app {
 namespace {
 
 /// The words of this file.
-struct SeriesWords {
+struct Words {
     Q_DECLARE_TR_FUNCTIONS(app::SeriesRows)
 };
+
+QString numberedName(int number)
+{
+    return Words::tr("Series %1").arg(number);
+}
 
 QString sizeText(const io::DicomSeries& series)
 {
@@ -42,7 +47,7 @@ ui::SeriesRow rowOf(const io::DicomSeries& series)
     row.description =
         QString::fromStdString(series.description.empty() ? series.identity.description : series.description);
     if (row.description.isEmpty()) {
-        row.description = SeriesWords::tr("Series %1").arg(series.number);
+        row.description = numberedName(series.number);
     }
     if (!series.part.empty()) {
         row.description += QStringLiteral(" (%1)").arg(ui::coreText(series.part));

@@ -1602,471 +1602,471 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>affine</source>
-        <translation type="unfinished" />
+        <translation>affin</translation>
     </message>
     <message>
         <source>an HDF5 file</source>
-        <translation type="unfinished" />
+        <translation>eine HDF5-Datei</translation>
     </message>
     <message>
         <source>an MRtrix tractogram</source>
-        <translation type="unfinished" />
+        <translation>ein MRtrix-Traktogramm</translation>
     </message>
     <message>
         <source>an NRRD volume</source>
-        <translation type="unfinished" />
+        <translation>ein NRRD-Volumen</translation>
     </message>
     <message>
         <source>an STL surface</source>
-        <translation type="unfinished" />
+        <translation>eine STL-Oberfläche</translation>
     </message>
     <message>
         <source>an XML file</source>
-        <translation type="unfinished" />
+        <translation>eine XML-Datei</translation>
     </message>
     <message>
         <source>an image without modality</source>
-        <translation type="unfinished" />
+        <translation>ein Bild ohne Modalität</translation>
     </message>
     <message>
         <source>angiogram.frame: %1 does not exist. The image has frames 0 to %2.</source>
-        <translation type="unfinished" />
+        <translation>angiogram.frame: %1 gibt es nicht. Die Aufnahme hat die Bilder 0 bis %2.</translation>
     </message>
     <message>
         <source>angiogram.trace: maxVesselRadiusPx is below minVesselRadiusPx. Exchange them.</source>
-        <translation type="unfinished" />
+        <translation>angiogram.trace: maxVesselRadiusPx liegt unter minVesselRadiusPx. Beide vertauschen.</translation>
     </message>
     <message>
         <source>assumed</source>
-        <translation type="unfinished" />
+        <translation>angenommen</translation>
     </message>
     <message>
         <source>auxiliary</source>
-        <translation type="unfinished" />
+        <translation>Hilfsäste</translation>
     </message>
     <message>
         <source>birth date</source>
-        <translation type="unfinished" />
+        <translation>Geburtsdatum</translation>
     </message>
     <message>
         <source>cameraFromPatient has an entry that is not a finite number.</source>
-        <translation type="unfinished" />
+        <translation>cameraFromPatient enthält einen Eintrag, der keine endliche Zahl ist.</translation>
     </message>
     <message>
         <source>cameraFromPatient is a reflection (determinant below 0). A mirrored image belongs into the sign of fx, never into the rotation.</source>
-        <translation type="unfinished" />
+        <translation>cameraFromPatient ist eine Spiegelung (Determinante unter 0). Ein gespiegeltes Bild gehört ins Vorzeichen von fx, nie in die Drehung.</translation>
     </message>
     <message>
         <source>cameraFromPatient must have four rows of four numbers.</source>
-        <translation type="unfinished" />
+        <translation>cameraFromPatient muss vier Zeilen zu vier Zahlen haben.</translation>
     </message>
     <message>
         <source>converged</source>
-        <translation type="unfinished" />
+        <translation>konvergiert</translation>
     </message>
     <message>
         <source>derived</source>
-        <translation type="unfinished" />
+        <translation>abgeleitet</translation>
     </message>
     <message>
         <source>frame %1 cannot be decoded (transfer syntax %2): damaged, cut short, or a compression this program does not read. Export the run again, uncompressed if possible.</source>
-        <translation type="unfinished" />
+        <translation>Bild %1 lässt sich nicht dekodieren (Transfersyntax %2): beschädigt, unvollständig oder unbekannte Kompression. Serie neu exportieren, möglichst unkomprimiert.</translation>
     </message>
     <message>
         <source>full</source>
-        <translation type="unfinished" />
+        <translation>alle Punkte</translation>
     </message>
     <message>
         <source>geometry.camera: it is for an image of %1 x %2 pixels, but the angiogram has %3 x %4. Give the camera of this image.</source>
-        <translation type="unfinished" />
+        <translation>geometry.camera: gilt für ein Bild mit %1 x %2 Pixeln, das Angiogramm hat aber %3 x %4. Die Kamera dieses Bildes angeben.</translation>
     </message>
     <message>
         <source>header</source>
-        <translation type="unfinished" />
+        <translation>Header</translation>
     </message>
     <message>
         <source>identity hidden</source>
-        <translation type="unfinished" />
+        <translation>Patientendaten verborgen</translation>
     </message>
     <message>
         <source>it cannot be opened (%1). Check that you may read it.</source>
-        <translation type="unfinished" />
+        <translation>lässt sich nicht öffnen (%1). Leserechte prüfen.</translation>
     </message>
     <message>
         <source>it cannot be reached (%1). Check the path.</source>
-        <translation type="unfinished" />
+        <translation>ist nicht erreichbar (%1). Pfad prüfen.</translation>
     </message>
     <message>
         <source>it cannot be read (%1). Copy it to a local disk.</source>
-        <translation type="unfinished" />
+        <translation>lässt sich nicht lesen (%1). Auf eine lokale Platte kopieren.</translation>
     </message>
     <message>
         <source>it cannot be read. Copy it to a local disk.</source>
-        <translation type="unfinished" />
+        <translation>lässt sich nicht lesen. Auf eine lokale Platte kopieren.</translation>
     </message>
     <message>
         <source>it cannot be written (%1). Choose another folder or make room.</source>
-        <translation type="unfinished" />
+        <translation>lässt sich nicht schreiben (%1). Anderen Ordner wählen oder Platz schaffen.</translation>
     </message>
     <message>
         <source>it declares %1 frames of %2 x %3 pixels, more than this program holds. Export fewer frames.</source>
-        <translation type="unfinished" />
+        <translation>nennt %1 Bilder mit %2 x %3 Pixeln, mehr als dieses Programm fasst. Weniger Bilder exportieren.</translation>
     </message>
     <message>
         <source>it declares %1, more than this program holds. Crop the scan to the vessels.</source>
-        <translation type="unfinished" />
+        <translation>nennt %1, mehr als dieses Programm fasst. Den Scan auf die Gefäße zuschneiden.</translation>
     </message>
     <message>
         <source>it declares more data than memory holds. The file is damaged; export it again.</source>
-        <translation type="unfinished" />
+        <translation>nennt mehr Daten, als in den Speicher passen. Die Datei ist beschädigt; neu exportieren.</translation>
     </message>
     <message>
         <source>it does not begin like a VTK file. Export the centrelines again.</source>
-        <translation type="unfinished" />
+        <translation>beginnt nicht wie eine VTK-Datei. Die Mittellinien neu exportieren.</translation>
     </message>
     <message>
         <source>it does not follow the published schema. Compare it with a case that loads.</source>
-        <translation type="unfinished" />
+        <translation>folgt nicht dem veröffentlichten Schema. Mit einem ladbaren Fall vergleichen.</translation>
     </message>
     <message>
         <source>it does not hold one ITK transform as text. Export a single rigid transform.</source>
-        <translation type="unfinished" />
+        <translation>enthält nicht eine ITK-Transformation als Text. Eine einzelne starre Transformation exportieren.</translation>
     </message>
     <message>
         <source>it does not say where its voxels are (ElementDataFile). Export it again.</source>
-        <translation type="unfinished" />
+        <translation>sagt nicht, wo die Voxel liegen (ElementDataFile). Neu exportieren.</translation>
     </message>
     <message>
         <source>it has %1 dimensions (4-D or more). Save the one volume to use and open that.</source>
-        <translation type="unfinished" />
+        <translation>hat %1 Dimensionen (4-D oder mehr). Das gewünschte Volumen einzeln speichern und öffnen.</translation>
     </message>
     <message>
         <source>it has %1 dimensions, but a volume has three. Choose the whole scan.</source>
-        <translation type="unfinished" />
+        <translation>hat %1 Dimensionen, ein Volumen aber drei. Den ganzen Scan wählen.</translation>
     </message>
     <message>
         <source>it has %1 points; a centreline tree has at most %2. Resample the centrelines.</source>
-        <translation type="unfinished" />
+        <translation>hat %1 Punkte; ein Gefäßbaum hat höchstens %2. Die Mittellinien ausdünnen.</translation>
     </message>
     <message>
         <source>it has %1 separate lines; a centreline tree has at most %2. Keep the vessels of interest.</source>
-        <translation type="unfinished" />
+        <translation>hat %1 getrennte Linien; ein Gefäßbaum hat höchstens %2. Nur die wichtigen Gefäße behalten.</translation>
     </message>
     <message>
         <source>it has %1 values per voxel. Choose the scan itself, in grey values.</source>
-        <translation type="unfinished" />
+        <translation>hat %1 Werte je Voxel. Den Scan selbst in Grauwerten wählen.</translation>
     </message>
     <message>
         <source>it has %1: a single slice is no volume. Choose the whole scan.</source>
-        <translation type="unfinished" />
+        <translation>hat %1: eine einzelne Schicht ist kein Volumen. Den ganzen Scan wählen.</translation>
     </message>
     <message>
         <source>it has a column z: this is a 3-D centreline. Choose the centreline traced in the image.</source>
-        <translation type="unfinished" />
+        <translation>hat eine Spalte z: das ist eine 3-D-Mittellinie. Die im Bild erkannte Mittellinie wählen.</translation>
     </message>
     <message>
         <source>it has more than a million points. Resample the centreline.</source>
-        <translation type="unfinished" />
+        <translation>hat über eine Million Punkte. Die Mittellinie ausdünnen.</translation>
     </message>
     <message>
         <source>it has more triangles than this program holds. Decimate the surface.</source>
-        <translation type="unfinished" />
+        <translation>hat mehr Dreiecke, als dieses Programm fasst. Die Oberfläche vereinfachen.</translation>
     </message>
     <message>
         <source>it has no matrix `cameraFromPatient` of four rows of four numbers, at the top or in `pose`. Give one.</source>
-        <translation type="unfinished" />
+        <translation>hat keine Matrix `cameraFromPatient` mit vier Zeilen zu vier Zahlen, weder oben noch in `pose`. Eine angeben.</translation>
     </message>
     <message>
         <source>it holds %1 volumes or values per voxel (4-D). Extract the one to use and open that.</source>
-        <translation type="unfinished" />
+        <translation>enthält %1 Volumen oder Werte je Voxel (4-D). Das gewünschte herauslösen und öffnen.</translation>
     </message>
     <message>
         <source>it holds %1 volumes, layers or values per voxel (4-D). Save the one to use and open that.</source>
-        <translation type="unfinished" />
+        <translation>enthält %1 Volumen, Lagen oder Werte je Voxel (4-D). Das gewünschte einzeln speichern und öffnen.</translation>
     </message>
     <message>
         <source>it holds %1, not POLYDATA or UNSTRUCTURED_GRID. Export the centrelines as poly-lines.</source>
-        <translation type="unfinished" />
+        <translation>enthält %1, nicht POLYDATA oder UNSTRUCTURED_GRID. Die Mittellinien als Polylinien exportieren.</translation>
     </message>
     <message>
         <source>it holds %1, which is no label: labels are whole numbers from 0. Choose a label image.</source>
-        <translation type="unfinished" />
+        <translation>enthält %1, kein Label: Labels sind ganze Zahlen ab 0. Ein Labelbild wählen.</translation>
     </message>
     <message>
         <source>it holds a %1, not an image. Choose the scan.</source>
-        <translation type="unfinished" />
+        <translation>enthält ein %1, kein Bild. Den Scan wählen.</translation>
     </message>
     <message>
         <source>it holds a surface, not centrelines. Extract the centrelines first (e.g. with VMTK or Slicer) and open those.</source>
-        <translation type="unfinished" />
+        <translation>enthält eine Oberfläche, keine Mittellinien. Diese zuerst berechnen (etwa mit VMTK oder Slicer) und öffnen.</translation>
     </message>
     <message>
         <source>it holds more than 50000 files. Choose the folder of one study.</source>
-        <translation type="unfinished" />
+        <translation>enthält über 50000 Dateien. Den Ordner einer einzelnen Untersuchung wählen.</translation>
     </message>
     <message>
         <source>it holds no lines. Choose a file with vessel centrelines.</source>
-        <translation type="unfinished" />
+        <translation>enthält keine Linien. Eine Datei mit Gefäß-Mittellinien wählen.</translation>
     </message>
     <message>
         <source>it holds no triangles. Choose the surface of a vessel.</source>
-        <translation type="unfinished" />
+        <translation>enthält keine Dreiecke. Die Oberfläche eines Gefäßes wählen.</translation>
     </message>
     <message>
         <source>it is a DICOM segmentation. Export it as a NIfTI or NRRD label image.</source>
-        <translation type="unfinished" />
+        <translation>ist eine DICOM-Segmentierung. Als NIfTI- oder NRRD-Labelbild exportieren.</translation>
     </message>
     <message>
         <source>it is a colour image. Choose the scan itself, in grey values.</source>
-        <translation type="unfinished" />
+        <translation>ist ein Farbbild. Den Scan selbst in Grauwerten wählen.</translation>
     </message>
     <message>
         <source>it is a single slice, not a volume. Copy all slices of the series, or choose another one.</source>
-        <translation type="unfinished" />
+        <translation>ist eine einzelne Schicht, kein Volumen. Alle Schichten der Serie kopieren oder eine andere wählen.</translation>
     </message>
     <message>
         <source>it is not VTK XML PolyData or UnstructuredGrid. Export the centrelines as .vtp.</source>
-        <translation type="unfinished" />
+        <translation>ist weder VTK-XML-PolyData noch UnstructuredGrid. Die Mittellinien als .vtp exportieren.</translation>
     </message>
     <message>
         <source>it is not a Slicer markups file with curves. Export the centrelines as .mrk.json curves, .vtp, .vtk, .csv or .swc.</source>
-        <translation type="unfinished" />
+        <translation>ist keine Slicer-Markups-Datei mit Kurven. Die Mittellinien als .mrk.json-Kurven, .vtp, .vtk, .csv oder .swc exportieren.</translation>
     </message>
     <message>
         <source>it is not valid JSON at line %1. Correct it there.</source>
-        <translation type="unfinished" />
+        <translation>ist in Zeile %1 kein gültiges JSON. Dort berichtigen.</translation>
     </message>
     <message>
         <source>it is only %1 x %2 pixels. Choose the angiogram at its full size.</source>
-        <translation type="unfinished" />
+        <translation>hat nur %1 x %2 Pixel. Das Angiogramm in voller Größe wählen.</translation>
     </message>
     <message>
         <source>it is stored in palette colours. Export the angiogram in grey.</source>
-        <translation type="unfinished" />
+        <translation>ist in Palettenfarben gespeichert. Das Angiogramm in Graustufen exportieren.</translation>
     </message>
     <message>
         <source>it is too large for a case file. Choose an .angiopose file.</source>
-        <translation type="unfinished" />
+        <translation>ist zu groß für eine Falldatei. Eine .angiopose-Datei wählen.</translation>
     </message>
     <message>
         <source>it is too large for a pose. Choose a .json or .tfm file.</source>
-        <translation type="unfinished" />
+        <translation>ist zu groß für eine Lage. Eine .json- oder .tfm-Datei wählen.</translation>
     </message>
     <message>
         <source>it looks like a list of graph nodes (column id), which has no order along the vessels. Give a branch column, or export the centrelines themselves.</source>
-        <translation type="unfinished" />
+        <translation>sieht nach einer Liste von Graphknoten aus (Spalte id) ohne Reihenfolge längs der Gefäße. Eine Spalte branch angeben oder die Mittellinien selbst exportieren.</translation>
     </message>
     <message>
         <source>it skips lines of another file. Save header and voxels as one file.</source>
-        <translation type="unfinished" />
+        <translation>überspringt Zeilen einer anderen Datei. Header und Voxel als eine Datei speichern.</translation>
     </message>
     <message>
         <source>iteration limit</source>
-        <translation type="unfinished" />
+        <translation>Iterationsgrenze</translation>
     </message>
     <message>
         <source>its DimSize makes no sense. The file is damaged; export it again.</source>
-        <translation type="unfinished" />
+        <translation>die DimSize ergibt keinen Sinn. Die Datei ist beschädigt; neu exportieren.</translation>
     </message>
     <message>
         <source>its HeaderSize makes no sense. Correct the header.</source>
-        <translation type="unfinished" />
+        <translation>die HeaderSize ergibt keinen Sinn. Den Header berichtigen.</translation>
     </message>
     <message>
         <source>its JSON is nested more than %1 levels deep. This is no file of this program.</source>
-        <translation type="unfinished" />
+        <translation>das JSON ist mehr als %1 Ebenen tief. Das ist keine Datei dieses Programms.</translation>
     </message>
     <message>
         <source>its PLY data are damaged or cut short. Export it again.</source>
-        <translation type="unfinished" />
+        <translation>die PLY-Daten sind beschädigt oder unvollständig. Neu exportieren.</translation>
     </message>
     <message>
         <source>its PLY header is damaged or cut short. Export it again.</source>
-        <translation type="unfinished" />
+        <translation>der PLY-Header ist beschädigt oder unvollständig. Neu exportieren.</translation>
     </message>
     <message>
         <source>its PLY header is damaged: the element "%1" has no properties. Export it again.</source>
-        <translation type="unfinished" />
+        <translation>der PLY-Header ist beschädigt: das Element "%1" hat keine Eigenschaften. Neu exportieren.</translation>
     </message>
     <message>
         <source>its axes are %1° apart instead of 90°. Resample the volume to perpendicular axes.</source>
-        <translation type="unfinished" />
+        <translation>die Achsen stehen %1° statt 90° zueinander. Das Volumen auf senkrechte Achsen umrechnen.</translation>
     </message>
     <message>
         <source>its bits per pixel contradict each other. The header is damaged; export the run again.</source>
-        <translation type="unfinished" />
+        <translation>die Angaben der Bits je Pixel widersprechen sich. Der Header ist beschädigt; Serie neu exportieren.</translation>
     </message>
     <message>
         <source>its centre is not finite. Export the transform again.</source>
-        <translation type="unfinished" />
+        <translation>der Mittelpunkt ist nicht endlich. Die Transformation neu exportieren.</translation>
     </message>
     <message>
         <source>its compressed pixels are cut short. Copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>die komprimierten Pixel sind unvollständig. Neu kopieren oder exportieren.</translation>
     </message>
     <message>
         <source>its coordinates are in %1. Export the curves in mm.</source>
-        <translation type="unfinished" />
+        <translation>die Koordinaten sind in %1. Die Kurven in mm exportieren.</translation>
     </message>
     <message>
         <source>its deflated content is damaged or cut short. Copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>der gepackte Inhalt ist beschädigt oder unvollständig. Neu kopieren oder exportieren.</translation>
     </message>
     <message>
         <source>its first axis has %1 entries: this is a colour picture, not a volume. Choose the scan.</source>
-        <translation type="unfinished" />
+        <translation>die erste Achse hat %1 Einträge: das ist ein Farbbild, kein Volumen. Den Scan wählen.</translation>
     </message>
     <message>
         <source>its header gives %1. The file is damaged; export it again.</source>
-        <translation type="unfinished" />
+        <translation>der Header nennt %1. Die Datei ist beschädigt; neu exportieren.</translation>
     </message>
     <message>
         <source>its header gives no image size. The file is damaged; export the run again.</source>
-        <translation type="unfinished" />
+        <translation>der Header nennt keine Bildgröße. Die Datei ist beschädigt; Serie neu exportieren.</translation>
     </message>
     <message>
         <source>its header gives no usable voxel size or place. Export the volume again.</source>
-        <translation type="unfinished" />
+        <translation>der Header nennt keine brauchbare Voxelgröße oder Lage. Das Volumen neu exportieren.</translation>
     </message>
     <message>
         <source>its header is damaged: it names %1 dimensions. Export it again.</source>
-        <translation type="unfinished" />
+        <translation>der Header ist beschädigt: er nennt %1 Dimensionen. Neu exportieren.</translation>
     </message>
     <message>
         <source>its header is damaged: the voxels begin at an impossible place. Export it again.</source>
-        <translation type="unfinished" />
+        <translation>der Header ist beschädigt: die Voxel beginnen an unmöglicher Stelle. Neu exportieren.</translation>
     </message>
     <message>
         <source>its images do not say how large a pixel is, so they make no volume. Choose another series.</source>
-        <translation type="unfinished" />
+        <translation>die Bilder nennen keine Pixelgröße und ergeben kein Volumen. Andere Serie wählen.</translation>
     </message>
     <message>
         <source>its images do not say where they lie in the patient, so they make no volume. Choose another series.</source>
-        <translation type="unfinished" />
+        <translation>die Bilder nennen keine Lage im Patienten und ergeben kein Volumen. Andere Serie wählen.</translation>
     </message>
     <message>
         <source>its line skip or byte skip makes no sense. Correct the header.</source>
-        <translation type="unfinished" />
+        <translation>line skip oder byte skip ergibt keinen Sinn. Den Header berichtigen.</translation>
     </message>
     <message>
         <source>its lines visit the same points too often. The file is damaged; export it again.</source>
-        <translation type="unfinished" />
+        <translation>die Linien besuchen dieselben Punkte zu oft. Die Datei ist beschädigt; neu exportieren.</translation>
     </message>
     <message>
         <source>its pixels (%1, %2 samples) are not grey or colour. Export the angiogram in grey.</source>
-        <translation type="unfinished" />
+        <translation>die Pixel (%1, %2 Werte) sind weder grau noch farbig. Das Angiogramm in Graustufen exportieren.</translation>
     </message>
     <message>
         <source>its pixels are cut short: %1 of %2 bytes are there. Copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>die Pixel sind unvollständig: %1 von %2 Bytes vorhanden. Neu kopieren oder exportieren.</translation>
     </message>
     <message>
         <source>its pixels are not finite numbers of a known kind. Export it with 8 or 16 bits.</source>
-        <translation type="unfinished" />
+        <translation>die Pixel sind keine endlichen Zahlen bekannter Art. Mit 8 oder 16 Bit exportieren.</translation>
     </message>
     <message>
         <source>its pixels are not of the size its header gives. Export it again.</source>
-        <translation type="unfinished" />
+        <translation>die Pixel haben nicht die Größe laut Header. Neu exportieren.</translation>
     </message>
     <message>
         <source>its pixels have %1 bits. Export the angiogram with 8 or 16 bits.</source>
-        <translation type="unfinished" />
+        <translation>die Pixel haben %1 Bit. Das Angiogramm mit 8 oder 16 Bit exportieren.</translation>
     </message>
     <message>
         <source>its sizes are no numbers. The file is damaged; export it again.</source>
-        <translation type="unfinished" />
+        <translation>die Größen sind keine Zahlen. Die Datei ist beschädigt; neu exportieren.</translation>
     </message>
     <message>
         <source>its slices lie beside each other rather than above. Choose another series.</source>
-        <translation type="unfinished" />
+        <translation>die Schichten liegen neben- statt übereinander. Andere Serie wählen.</translation>
     </message>
     <message>
         <source>its slices lie too unevenly to make a volume of them (%1 over %2 mm). Copy all slices of the series, or choose another one.</source>
-        <translation type="unfinished" />
+        <translation>die Schichten liegen zu ungleich für ein Volumen (%1 auf %2 mm). Alle Schichten der Serie kopieren oder eine andere wählen.</translation>
     </message>
     <message>
         <source>its transform "%1" is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
-        <translation type="unfinished" />
+        <translation>die Transformation "%1" ist nicht starr oder hat zu wenig Parameter. Eine starre exportieren (affine, Euler3D oder VersorRigid3D).</translation>
     </message>
     <message>
         <source>its triangles are damaged or cut short. Copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>die Dreiecke sind beschädigt oder unvollständig. Neu kopieren oder exportieren.</translation>
     </message>
     <message>
         <source>its voxel type ("%1") is not read. Save it as 16-bit or float.</source>
-        <translation type="unfinished" />
+        <translation>der Voxeltyp ("%1") wird nicht gelesen. Als 16 Bit oder float speichern.</translation>
     </message>
     <message>
         <source>its voxel type (NIfTI datatype %1) is not read. Save it as 16-bit or float.</source>
-        <translation type="unfinished" />
+        <translation>der Voxeltyp (NIfTI-Datentyp %1) wird nicht gelesen. Als 16 Bit oder float speichern.</translation>
     </message>
     <message>
         <source>its voxels are colours. Choose the scan itself, in grey values.</source>
-        <translation type="unfinished" />
+        <translation>die Voxel sind Farben. Den Scan selbst in Grauwerten wählen.</translation>
     </message>
     <message>
         <source>its voxels are cut short, or their packing is damaged. Copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>die Voxel sind unvollständig oder falsch gepackt. Neu kopieren oder exportieren.</translation>
     </message>
     <message>
         <source>its voxels are cut short. Copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>die Voxel sind unvollständig. Neu kopieren oder exportieren.</translation>
     </message>
     <message>
         <source>its voxels are cut short: %1 of %2 bytes are there. Copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>die Voxel sind unvollständig: %1 von %2 Bytes vorhanden. Neu kopieren oder exportieren.</translation>
     </message>
     <message>
         <source>its voxels are packed with bzip2. Save it with gzip or raw encoding.</source>
-        <translation type="unfinished" />
+        <translation>die Voxel sind mit bzip2 gepackt. Mit gzip oder roh speichern.</translation>
     </message>
     <message>
         <source>its voxels are written as text (%1). Save it with gzip or raw encoding.</source>
-        <translation type="unfinished" />
+        <translation>die Voxel sind als Text geschrieben (%1). Mit gzip oder roh speichern.</translation>
     </message>
     <message>
         <source>its voxels are written as text. Save it with binary data.</source>
-        <translation type="unfinished" />
+        <translation>die Voxel sind als Text geschrieben. Binär speichern.</translation>
     </message>
     <message>
         <source>its voxels lie in several files. Save it as one file.</source>
-        <translation type="unfinished" />
+        <translation>die Voxel liegen in mehreren Dateien. Als eine Datei speichern.</translation>
     </message>
     <message>
         <source>line %1 does not give a point. The file is damaged; export it again.</source>
-        <translation type="unfinished" />
+        <translation>Zeile %1 ergibt keinen Punkt. Die Datei ist beschädigt; neu exportieren.</translation>
     </message>
     <message>
         <source>line %1 has %2 columns, the first line has %3. Separate columns by commas and use . as decimal point.</source>
-        <translation type="unfinished" />
+        <translation>Zeile %1 hat %2 Spalten, die erste hat %3. Spalten durch Kommas trennen, Dezimalpunkt verwenden.</translation>
     </message>
     <message>
         <source>line %1 is not `id type x y z radius parent`. Correct the line or export it again.</source>
-        <translation type="unfinished" />
+        <translation>Zeile %1 ist nicht `id type x y z radius parent`. Berichtigen oder neu exportieren.</translation>
     </message>
     <message>
         <source>line %1 lies far outside any image. Coordinates are in pixels.</source>
-        <translation type="unfinished" />
+        <translation>Zeile %1 liegt weit außerhalb jedes Bildes. Koordinaten sind in Pixeln.</translation>
     </message>
     <message>
         <source>line %1 names a parent, %2, that is not there. Export the whole tree.</source>
-        <translation type="unfinished" />
+        <translation>Zeile %1 nennt ein Elternteil %2, das fehlt. Den ganzen Baum exportieren.</translation>
     </message>
     <message>
         <source>line %1 repeats an id. Ids must be unique.</source>
-        <translation type="unfinished" />
+        <translation>Zeile %1 wiederholt eine id. Jede id muss einmalig sein.</translation>
     </message>
     <message>
         <source>line %1, column %2: "%3" is not a finite number. Correct or remove the line.</source>
-        <translation type="unfinished" />
+        <translation>Zeile %1, Spalte %2: "%3" ist keine endliche Zahl. Berichtigen oder entfernen.</translation>
     </message>
     <message>
         <source>line %1: the branch must be a whole number. Correct the line.</source>
-        <translation type="unfinished" />
+        <translation>Zeile %1: branch muss eine ganze Zahl sein. Berichtigen.</translation>
     </message>
     <message>
         <source>method: "%1" is unknown. Use one of %2.</source>
-        <translation type="unfinished" />
+        <translation>method: "%1" ist unbekannt. Möglich: %2.</translation>
     </message>
     <message>
         <source>missing</source>
@@ -2074,759 +2074,759 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>modality %1</source>
-        <translation type="unfinished" />
+        <translation>Modalität %1</translation>
     </message>
     <message>
         <source>name</source>
-        <translation type="unfinished" />
+        <translation>Name</translation>
     </message>
     <message>
         <source>no DICOM element in it can be read. The file is damaged; copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>kein DICOM-Element darin ist lesbar. Die Datei ist beschädigt; neu kopieren oder exportieren.</translation>
     </message>
     <message>
         <source>no data set</source>
-        <translation type="unfinished" />
+        <translation>kein Datensatz</translation>
     </message>
     <message>
         <source>no file this program knows</source>
-        <translation type="unfinished" />
+        <translation>keine bekannte Datei</translation>
     </message>
     <message>
         <source>no image this program reads</source>
-        <translation type="unfinished" />
+        <translation>kein lesbares Bild</translation>
     </message>
     <message>
         <source>no improvement</source>
-        <translation type="unfinished" />
+        <translation>keine Verbesserung</translation>
     </message>
     <message>
         <source>no name</source>
-        <translation type="unfinished" />
+        <translation>kein Name</translation>
     </message>
     <message>
         <source>no series in this folder makes a volume. Choose another folder.</source>
-        <translation type="unfinished" />
+        <translation>keine Serie dieses Ordners ergibt ein Volumen. Anderen Ordner wählen.</translation>
     </message>
     <message>
         <source>none of its lines has two different points. Choose a file with vessel centrelines.</source>
-        <translation type="unfinished" />
+        <translation>keine der Linien hat zwei verschiedene Punkte. Eine Datei mit Gefäß-Mittellinien wählen.</translation>
     </message>
     <message>
         <source>none of its triangles has an area. Choose the surface of a vessel.</source>
-        <translation type="unfinished" />
+        <translation>keines der Dreiecke hat eine Fläche. Die Oberfläche eines Gefäßes wählen.</translation>
     </message>
     <message>
         <source>none of its voxels is a number. Export the volume again.</source>
-        <translation type="unfinished" />
+        <translation>keines der Voxel ist eine Zahl. Das Volumen neu exportieren.</translation>
     </message>
     <message>
         <source>number</source>
-        <translation type="unfinished" />
+        <translation>Nummer</translation>
     </message>
     <message>
         <source>only %1 of its %2 frames are there. Copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>nur %1 von %2 Bildern vorhanden. Neu kopieren oder exportieren.</translation>
     </message>
     <message>
         <source>options.%1: give %2.</source>
-        <translation type="unfinished" />
+        <translation>options.%1: angeben: %2.</translation>
     </message>
     <message>
         <source>part %1 of %2</source>
-        <translation type="unfinished" />
+        <translation>Teil %1 von %2</translation>
     </message>
     <message>
         <source>pose.initial: it is missing, and the angles do not give a start pose. %1</source>
-        <translation type="unfinished" />
+        <translation>pose.initial: fehlt, und die Winkel ergeben keine Startlage. %1</translation>
     </message>
     <message>
         <source>poses are written as .json or .tfm. Change the extension.</source>
-        <translation type="unfinished" />
+        <translation>Lagen werden als .json oder .tfm geschrieben. Die Endung ändern.</translation>
     </message>
     <message>
         <source>reading was stopped.</source>
-        <translation type="unfinished" />
+        <translation>das Lesen wurde angehalten.</translation>
     </message>
     <message>
         <source>refine</source>
-        <translation type="unfinished" />
+        <translation>Verfeinern</translation>
     </message>
     <message>
         <source>rotation</source>
-        <translation type="unfinished" />
+        <translation>Drehung</translation>
     </message>
     <message>
         <source>search</source>
-        <translation type="unfinished" />
+        <translation>Suche</translation>
     </message>
     <message>
         <source>settle</source>
-        <translation type="unfinished" />
+        <translation>Einpassen</translation>
     </message>
     <message>
         <source>stopped by the user</source>
-        <translation type="unfinished" />
+        <translation>von Hand angehalten</translation>
     </message>
     <message>
         <source>surfaces are written as .stl. Change the extension.</source>
-        <translation type="unfinished" />
+        <translation>Oberflächen werden als .stl geschrieben. Die Endung ändern.</translation>
     </message>
     <message>
         <source>the SWC unit must be a positive length in mm.</source>
-        <translation type="unfinished" />
+        <translation>die SWC-Einheit muss eine positive Länge in mm sein.</translation>
     </message>
     <message>
         <source>the VTK XML data in it is damaged or cut short. Export it again.</source>
-        <translation type="unfinished" />
+        <translation>die VTK-XML-Daten sind beschädigt oder unvollständig. Neu exportieren.</translation>
     </message>
     <message>
         <source>the element %1 declares %2 bytes, but %3 are left</source>
-        <translation type="unfinished" />
+        <translation>das Element %1 nennt %2 Bytes, es bleiben aber %3</translation>
     </message>
     <message>
         <source>the file is empty. Export or copy it again.</source>
-        <translation type="unfinished" />
+        <translation>die Datei ist leer. Neu exportieren oder kopieren.</translation>
     </message>
     <message>
         <source>the file with its voxels cannot be read (%1).</source>
-        <translation type="unfinished" />
+        <translation>die Datei mit den Voxeln lässt sich nicht lesen (%1).</translation>
     </message>
     <message>
         <source>the first line must name the columns: x,y,z and, where known, radius,branch.</source>
-        <translation type="unfinished" />
+        <translation>die erste Zeile muss die Spalten nennen: x,y,z und, wo bekannt, radius,branch.</translation>
     </message>
     <message>
         <source>the folder cannot be read (%1). Check the path.</source>
-        <translation type="unfinished" />
+        <translation>der Ordner lässt sich nicht lesen (%1). Pfad prüfen.</translation>
     </message>
     <message>
         <source>the folder cannot be read to its end. Copy it to a local disk.</source>
-        <translation type="unfinished" />
+        <translation>der Ordner lässt sich nicht zu Ende lesen. Auf eine lokale Platte kopieren.</translation>
     </message>
     <message>
         <source>the frames differ in size. All frames of a run must be equally large.</source>
-        <translation type="unfinished" />
+        <translation>die Bilder sind verschieden groß. Alle Bilder einer Serie müssen gleich groß sein.</translation>
     </message>
     <message>
         <source>the header row has no columns x and y. The first line must name the columns: x,y and, where known, branch,radius (px).</source>
-        <translation type="unfinished" />
+        <translation>der Kopfzeile fehlen die Spalten x und y. Die erste Zeile muss die Spalten nennen: x,y und, wo bekannt, branch,radius (px).</translation>
     </message>
     <message>
         <source>the header row has no columns x, y and z. Name them (mm, patient LPS).</source>
-        <translation type="unfinished" />
+        <translation>der Kopfzeile fehlen die Spalten x, y und z. Sie benennen (mm, Patient LPS).</translation>
     </message>
     <message>
         <source>the image cannot be decoded: damaged, cut short or of an unusual kind. Export it again.</source>
-        <translation type="unfinished" />
+        <translation>das Bild lässt sich nicht dekodieren: beschädigt, unvollständig oder ungewöhnlich. Neu exportieren.</translation>
     </message>
     <message>
         <source>the image has fewer than 8 pixels on a side, or more than this program holds. Export the angiogram at its own size.</source>
-        <translation type="unfinished" />
+        <translation>das Bild hat weniger als 8 Pixel je Seite, oder mehr als dieses Programm fasst. Das Angiogramm in eigener Größe exportieren.</translation>
     </message>
     <message>
         <source>the image is damaged or cut short. Copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>das Bild ist beschädigt oder unvollständig. Neu kopieren oder exportieren.</translation>
     </message>
     <message>
         <source>the image is damaged or of an unusual kind. Export it in grey or RGB with 8 or 16 bits, without tiles.</source>
-        <translation type="unfinished" />
+        <translation>das Bild ist beschädigt oder ungewöhnlich. In Grau oder RGB mit 8 oder 16 Bit ohne Kacheln exportieren.</translation>
     </message>
     <message>
         <source>the last row of cameraFromPatient must be 0 0 0 1. Is the matrix transposed?</source>
-        <translation type="unfinished" />
+        <translation>die letzte Zeile von cameraFromPatient muss 0 0 0 1 sein. Ist die Matrix transponiert?</translation>
     </message>
     <message>
         <source>the pose is not a rigid motion of finite numbers. Reset it before saving.</source>
-        <translation type="unfinished" />
+        <translation>die Lage ist keine starre Bewegung endlicher Zahlen. Vor dem Speichern zurücksetzen.</translation>
     </message>
     <message>
         <source>the pose is not a rigid motion of finite numbers. Reset the pose before saving.</source>
-        <translation type="unfinished" />
+        <translation>die Lage ist keine starre Bewegung endlicher Zahlen. Vor dem Speichern zurücksetzen.</translation>
     </message>
     <message>
         <source>the run is too large for an uncompressed DICOM file. Write fewer frames.</source>
-        <translation type="unfinished" />
+        <translation>die Serie ist zu groß für eine unkomprimierte DICOM-Datei. Weniger Bilder schreiben.</translation>
     </message>
     <message>
         <source>the section "%1" is damaged or cut short. Export it again.</source>
-        <translation type="unfinished" />
+        <translation>der Abschnitt "%1" ist beschädigt oder unvollständig. Neu exportieren.</translation>
     </message>
     <message>
         <source>the sequence %1 has no end</source>
-        <translation type="unfinished" />
+        <translation>die Sequenz %1 hat kein Ende</translation>
     </message>
     <message>
         <source>the series %1 is not in this folder. Choose the folder it is in.</source>
-        <translation type="unfinished" />
+        <translation>die Serie %1 ist nicht in diesem Ordner. Den richtigen Ordner wählen.</translation>
     </message>
     <message>
         <source>the series of the case is not in this folder. Choose the folder it is in.</source>
-        <translation type="unfinished" />
+        <translation>die Serie des Falls ist nicht in diesem Ordner. Den richtigen Ordner wählen.</translation>
     </message>
     <message>
         <source>the third line of a legacy VTK file must be ASCII or BINARY. Export it again.</source>
-        <translation type="unfinished" />
+        <translation>die dritte Zeile einer alten VTK-Datei muss ASCII oder BINARY sein. Neu exportieren.</translation>
     </message>
     <message>
         <source>the unit must be a positive length in mm.</source>
-        <translation type="unfinished" />
+        <translation>die Einheit muss eine positive Länge in mm sein.</translation>
     </message>
     <message>
         <source>the upper left 3 x 3 of cameraFromPatient is not a rotation (scale or shear). Give a rigid pose in mm.</source>
-        <translation type="unfinished" />
+        <translation>die linken oberen 3 x 3 von cameraFromPatient sind keine Drehung (Skalierung oder Scherung). Eine starre Lage in mm angeben.</translation>
     </message>
     <message>
         <source>the volume is larger than this computer's memory. Crop the scan to the vessels.</source>
-        <translation type="unfinished" />
+        <translation>das Volumen ist größer als der Speicher dieses Rechners. Den Scan auf die Gefäße zuschneiden.</translation>
     </message>
     <message>
         <source>there are no frames to write. Load or simulate an angiogram first.</source>
-        <translation type="unfinished" />
+        <translation>keine Bilder zu schreiben. Zuerst ein Angiogramm laden oder simulieren.</translation>
     </message>
     <message>
         <source>there are no voxels to write. Load a volume first.</source>
-        <translation type="unfinished" />
+        <translation>keine Voxel zu schreiben. Zuerst ein Volumen laden.</translation>
     </message>
     <message>
         <source>there is no DICOM image in this folder. Choose the folder of a scan.</source>
-        <translation type="unfinished" />
+        <translation>in diesem Ordner ist kein DICOM-Bild. Den Ordner eines Scans wählen.</translation>
     </message>
     <message>
         <source>there is no memory left to pack the volume.</source>
-        <translation type="unfinished" />
+        <translation>kein Speicher mehr, um das Volumen zu packen.</translation>
     </message>
     <message>
         <source>there is no picture to write. Render or trace one first.</source>
-        <translation type="unfinished" />
+        <translation>kein Bild zu schreiben. Zuerst eines erzeugen.</translation>
     </message>
     <message>
         <source>there is no such file. Check the path.</source>
-        <translation type="unfinished" />
+        <translation>die Datei gibt es nicht. Pfad prüfen.</translation>
     </message>
     <message>
         <source>there is not enough memory to write this run. Write fewer frames.</source>
-        <translation type="unfinished" />
+        <translation>der Speicher reicht nicht, um diese Serie zu schreiben. Weniger Bilder schreiben.</translation>
     </message>
     <message>
         <source>this DICOM file (%1)</source>
-        <translation type="unfinished" />
+        <translation>diese DICOM-Datei (%1)</translation>
     </message>
     <message>
         <source>this DICOM file holds no image. Choose a scan.</source>
-        <translation type="unfinished" />
+        <translation>diese DICOM-Datei enthält kein Bild. Einen Scan wählen.</translation>
     </message>
     <message>
         <source>this JSON is not an AngioPose case (its format is not "angiopose-case"). Choose an .angiopose file.</source>
-        <translation type="unfinished" />
+        <translation>dieses JSON ist kein AngioPose-Fall (sein format ist nicht "angiopose-case"). Eine .angiopose-Datei wählen.</translation>
     </message>
     <message>
         <source>this is %1, not a 2-D centreline. Choose a CSV table or a PNG mask.</source>
-        <translation type="unfinished" />
+        <translation>das ist %1, keine 2-D-Mittellinie. Eine CSV-Tabelle oder PNG-Maske wählen.</translation>
     </message>
     <message>
         <source>this is %1, not a case. Choose an .angiopose file.</source>
-        <translation type="unfinished" />
+        <translation>das ist %1, kein Fall. Eine .angiopose-Datei wählen.</translation>
     </message>
     <message>
         <source>this is %1, not a centreline. %2</source>
-        <translation type="unfinished" />
+        <translation>das ist %1, keine Mittellinie. %2</translation>
     </message>
     <message>
         <source>this is %1, not a surface. Choose a .vtp, .vtk, .stl, .ply or .obj file.</source>
-        <translation type="unfinished" />
+        <translation>das ist %1, keine Oberfläche. Eine .vtp-, .vtk-, .stl-, .ply- oder .obj-Datei wählen.</translation>
     </message>
     <message>
         <source>this is %1, not a volume. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).</source>
-        <translation type="unfinished" />
+        <translation>das ist %1, kein Volumen. Einen DICOM-Ordner, NIfTI, NRRD oder MetaImage (.mha, .mhd) wählen.</translation>
     </message>
     <message>
         <source>this is %1, not an angiogram. Choose a DICOM XA run, a PNG, TIFF or JPEG image.</source>
-        <translation type="unfinished" />
+        <translation>das ist %1, kein Angiogramm. Eine DICOM-XA-Serie, ein PNG-, TIFF- oder JPEG-Bild wählen.</translation>
     </message>
     <message>
         <source>this is a Git LFS pointer, not the file itself. Run `git lfs pull` where it came from.</source>
-        <translation type="unfinished" />
+        <translation>das ist ein Git-LFS-Verweis, nicht die Datei selbst. Am Ursprungsort `git lfs pull` ausführen.</translation>
     </message>
     <message>
         <source>this is a folder. Choose a file in it.</source>
-        <translation type="unfinished" />
+        <translation>das ist ein Ordner. Eine Datei darin wählen.</translation>
     </message>
     <message>
         <source>this is a gzip archive without a readable DICOM file in it. Unpack it and choose the angiogram itself.</source>
-        <translation type="unfinished" />
+        <translation>das ist ein gzip-Archiv ohne lesbare DICOM-Datei. Auspacken und das Angiogramm selbst wählen.</translation>
     </message>
     <message>
         <source>this is an Analyze 7.5 header, which does not say left from right. Convert it to NIfTI where the orientation is known.</source>
-        <translation type="unfinished" />
+        <translation>das ist ein Analyze-7.5-Header, der links und rechts nicht unterscheidet. Wo die Ausrichtung bekannt ist, in NIfTI umwandeln.</translation>
     </message>
     <message>
         <source>this is an X-ray run, not a volume. Open it as the angiogram.</source>
-        <translation type="unfinished" />
+        <translation>das ist eine Röntgenserie, kein Volumen. Als Angiogramm öffnen.</translation>
     </message>
     <message>
         <source>this is an input of the case and will not be overwritten. Choose another name.</source>
-        <translation type="unfinished" />
+        <translation>das ist eine Eingabe des Falls und wird nicht überschrieben. Anderen Namen wählen.</translation>
     </message>
     <message>
         <source>this is no centreline format AngioPose reads. %1</source>
-        <translation type="unfinished" />
+        <translation>dieses Mittellinienformat liest AngioPose nicht. %1</translation>
     </message>
     <message>
         <source>this is no pose. Choose a .json or an ITK .tfm file.</source>
-        <translation type="unfinished" />
+        <translation>das ist keine Lage. Eine .json- oder ITK-.tfm-Datei wählen.</translation>
     </message>
     <message>
         <source>this is not a DICOM file. Choose a scan.</source>
-        <translation type="unfinished" />
+        <translation>das ist keine DICOM-Datei. Einen Scan wählen.</translation>
     </message>
     <message>
         <source>this is not a mask of two levels. Draw the vessels white on black.</source>
-        <translation type="unfinished" />
+        <translation>das ist keine Maske mit zwei Stufen. Die Gefäße weiß auf schwarz zeichnen.</translation>
     </message>
     <message>
         <source>this is not a place for a file. Give a file name in an existing folder.</source>
-        <translation type="unfinished" />
+        <translation>hier kann keine Datei liegen. Einen Namen in einem vorhandenen Ordner angeben.</translation>
     </message>
     <message>
         <source>this is not a regular file. Choose a file on disk.</source>
-        <translation type="unfinished" />
+        <translation>das ist keine gewöhnliche Datei. Eine Datei auf der Platte wählen.</translation>
     </message>
     <message>
         <source>this is not a text table. Choose a CSV file with a header row.</source>
-        <translation type="unfinished" />
+        <translation>das ist keine Texttabelle. Eine CSV-Datei mit Kopfzeile wählen.</translation>
     </message>
     <message>
         <source>user</source>
-        <translation type="unfinished" />
+        <translation>eingegeben</translation>
     </message>
     <message>
         <source>version: the case was saved by a newer AngioPose. Update the program.</source>
-        <translation type="unfinished" />
+        <translation>version: der Fall stammt von einem neueren AngioPose. Das Programm aktualisieren.</translation>
     </message>
     <message>
         <source>vessel trees are written as .vtp, .csv or .mrk.json. Change the extension.</source>
-        <translation type="unfinished" />
+        <translation>Gefäßbäume werden als .vtp, .csv oder .mrk.json geschrieben. Die Endung ändern.</translation>
     </message>
     <message>
         <source>vessel.%1: the tree has no branch %2; it is left out.</source>
-        <translation type="unfinished" />
+        <translation>vessel.%1: der Baum hat keinen Ast %2; er wird ausgelassen.</translation>
     </message>
     <message>
         <source>vessel: it names no input. Give the file of the vessels as centerline, segmentation, surface or volume.</source>
-        <translation type="unfinished" />
+        <translation>vessel: nennt keine Eingabe. Die Datei der Gefäße als centerline, segmentation, surface oder volume angeben.</translation>
     </message>
     <message>
         <source>volumes are written as .nii, .nii.gz, .nrrd or .mha. Change the extension.</source>
-        <translation type="unfinished" />
+        <translation>Volumen werden als .nii, .nii.gz, .nrrd oder .mha geschrieben. Die Endung ändern.</translation>
     </message>
     <message>
         <source>chosen</source>
-        <translation type="unfinished" />
+        <translation>gewählte</translation>
     </message>
     <message>
         <source>closest</source>
-        <translation type="unfinished" />
+        <translation>nächster</translation>
     </message>
     <message>
         <source>cma-es</source>
-        <translation type="unfinished" />
+        <translation>CMA-ES</translation>
     </message>
     <message>
         <source>five</source>
-        <translation type="unfinished" />
+        <translation>fünf</translation>
     </message>
     <message>
         <source>grid</source>
-        <translation type="unfinished" />
+        <translation>Gitter</translation>
     </message>
     <message>
         <source>halving</source>
-        <translation type="unfinished" />
+        <translation>Halbierung</translation>
     </message>
     <message>
         <source>image</source>
-        <translation type="unfinished" />
+        <translation>Bild</translation>
     </message>
     <message>
         <source>kd-tree</source>
-        <translation type="unfinished" />
+        <translation>k-d-Baum</translation>
     </message>
     <message>
         <source>largest</source>
-        <translation type="unfinished" />
+        <translation>größter</translation>
     </message>
     <message>
         <source>largest squared</source>
-        <translation type="unfinished" />
+        <translation>größter im Quadrat</translation>
     </message>
     <message>
         <source>lbfgs</source>
-        <translation type="unfinished" />
+        <translation>L-BFGS</translation>
     </message>
     <message>
         <source>literal</source>
-        <translation type="unfinished" />
+        <translation>wörtlich</translation>
     </message>
     <message>
         <source>lm</source>
-        <translation type="unfinished" />
+        <translation>LM</translation>
     </message>
     <message>
         <source>main branches</source>
-        <translation type="unfinished" />
+        <translation>Hauptäste</translation>
     </message>
     <message>
         <source>map</source>
-        <translation type="unfinished" />
+        <translation>Karte</translation>
     </message>
     <message>
         <source>metric</source>
-        <translation type="unfinished" />
+        <translation>metrisch</translation>
     </message>
     <message>
         <source>nodes</source>
-        <translation type="unfinished" />
+        <translation>Knoten</translation>
     </message>
     <message>
         <source>off</source>
-        <translation type="unfinished" />
+        <translation>aus</translation>
     </message>
     <message>
         <source>on</source>
-        <translation type="unfinished" />
+        <translation>an</translation>
     </message>
     <message>
         <source>one plus one</source>
-        <translation type="unfinished" />
+        <translation>eins plus eins</translation>
     </message>
     <message>
         <source>out of plane</source>
-        <translation type="unfinished" />
+        <translation>aus der Ebene</translation>
     </message>
     <message>
         <source>particles</source>
-        <translation type="unfinished" />
+        <translation>Partikel</translation>
     </message>
     <message>
         <source>radius</source>
-        <translation type="unfinished" />
+        <translation>Radius</translation>
     </message>
     <message>
         <source>random</source>
-        <translation type="unfinished" />
+        <translation>zufällig</translation>
     </message>
     <message>
         <source>rigid</source>
-        <translation type="unfinished" />
+        <translation>starr</translation>
     </message>
     <message>
         <source>seed mean</source>
-        <translation type="unfinished" />
+        <translation>Mittel</translation>
     </message>
     <message>
         <source>seed metric</source>
-        <translation type="unfinished" />
+        <translation>metrisch</translation>
     </message>
     <message>
         <source>seed noprior</source>
-        <translation type="unfinished" />
+        <translation>ohne Prior</translation>
     </message>
     <message>
         <source>seed sum</source>
-        <translation type="unfinished" />
+        <translation>Summe</translation>
     </message>
     <message>
         <source>stagnation</source>
-        <translation type="unfinished" />
+        <translation>Stillstand</translation>
     </message>
     <message>
         <source>traced vessels</source>
-        <translation type="unfinished" />
+        <translation>erkannte Gefäße</translation>
     </message>
     <message>
         <source> The intensifier of %1 mm suggests at most %2 mm.</source>
-        <translation type="unfinished" />
+        <translation> Der Bildverstärker mit %1 mm legt höchstens %2 mm nahe.</translation>
     </message>
     <message>
         <source> · not trustworthy</source>
-        <translation type="unfinished" />
+        <translation> · nicht vertrauenswürdig</translation>
     </message>
     <message>
         <source>%1 and elsewhere</source>
-        <translation type="unfinished" />
+        <translation>%1 und anderswo</translation>
     </message>
     <message>
         <source>%1 cannot be read: %2. Check its permissions.</source>
-        <translation type="unfinished" />
+        <translation>%1 lässt sich nicht lesen: %2. Die Rechte prüfen.</translation>
     </message>
     <message>
         <source>%1 does not exist. Check the name, or whether its drive is mounted.</source>
-        <translation type="unfinished" />
+        <translation>%1 gibt es nicht. Namen prüfen, oder ob das Laufwerk eingehängt ist.</translation>
     </message>
     <message>
         <source>%1 files of the series are damaged at their end.</source>
-        <translation type="unfinished" />
+        <translation>%1 Dateien der Serie sind am Ende beschädigt.</translation>
     </message>
     <message>
         <source>%1 files of the series are there twice.</source>
-        <translation type="unfinished" />
+        <translation>%1 Dateien der Serie sind doppelt vorhanden.</translation>
     </message>
     <message>
         <source>%1 holds no image. Choose the X-ray angiography run.</source>
-        <translation type="unfinished" />
+        <translation>%1 enthält kein Bild. Die Röntgenangiographie-Serie wählen.</translation>
     </message>
     <message>
         <source>%1 is a case. Open it alone, without other files.</source>
-        <translation type="unfinished" />
+        <translation>%1 ist ein Fall. Allein öffnen, ohne andere Dateien.</translation>
     </message>
     <message>
         <source>%1 is a second %2. Open one %3 at a time.</source>
-        <translation type="unfinished" />
+        <translation>%1 ist das zweite seiner Art (%2). Nur eines auf einmal öffnen (%3).</translation>
     </message>
     <message>
         <source>%1 is damaged before its pixels: %2. Copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>%1 ist vor den Pixeln beschädigt: %2. Neu kopieren oder exportieren.</translation>
     </message>
     <message>
         <source>%1 is empty. Copy the file again from where it came from.</source>
-        <translation type="unfinished" />
+        <translation>%1 ist leer. Die Datei vom Ursprungsort neu kopieren.</translation>
     </message>
     <message>
         <source>%1 is missing or not positive. Enter it in the geometry of the case (the image header does not tell).</source>
-        <translation type="unfinished" />
+        <translation>%1 fehlt oder ist nicht positiv. In der Geometrie des Falls eintragen (der Bildheader nennt ihn nicht).</translation>
     </message>
     <message>
         <source>%1 is not a file that AngioPose opens. Open a case (.angiopose), a centreline (VTP, VTK, CSV, SWC), a CT scan (DICOM folder, NIfTI, NRRD, MetaImage), a surface (STL, PLY, OBJ) or an angiogram (DICOM, PNG, TIFF).</source>
-        <translation type="unfinished" />
+        <translation>%1 kann AngioPose nicht öffnen. Einen Fall (.angiopose), eine Mittellinie (VTP, VTK, CSV, SWC), ein CT (DICOM-Ordner, NIfTI, NRRD, MetaImage), eine Oberfläche (STL, PLY, OBJ) oder ein Angiogramm (DICOM, PNG, TIFF) öffnen.</translation>
     </message>
     <message>
         <source>%1 mm/px at the vessels</source>
-        <translation type="unfinished" />
+        <translation>%1 mm/px an den Gefäßen</translation>
     </message>
     <message>
         <source>%1 mm/px detector (%2)</source>
-        <translation type="unfinished" />
+        <translation>%1 mm/px Detektor (%2)</translation>
     </message>
     <message>
         <source>%1 occurs twice in the vessel tree. Branch ids must be unique.</source>
-        <translation type="unfinished" />
+        <translation>%1 kommt im Gefäßbaum doppelt vor. Ast-Nummern müssen einmalig sein.</translation>
     </message>
     <message>
         <source>%1 of %2 slices lie where another one does; the first recorded of each is used.</source>
-        <translation type="unfinished" />
+        <translation>%1 von %2 Schichten liegen auf einer anderen; die jeweils zuerst aufgenommene gilt.</translation>
     </message>
     <message>
         <source>%1 of the vessel tree does not have one radius per point.</source>
-        <translation type="unfinished" />
+        <translation>%1 des Gefäßbaums hat nicht je Punkt einen Radius.</translation>
     </message>
     <message>
         <source>%1 of the vessel tree has a coordinate that is not a number (NaN or infinite).</source>
-        <translation type="unfinished" />
+        <translation>%1 des Gefäßbaums hat eine Koordinate, die keine Zahl ist (NaN oder unendlich).</translation>
     </message>
     <message>
         <source>%1 of the vessel tree has fewer than two points. Remove it or add points.</source>
-        <translation type="unfinished" />
+        <translation>%1 des Gefäßbaums hat weniger als zwei Punkte. Entfernen oder Punkte ergänzen.</translation>
     </message>
     <message>
         <source>%1 of the vessel tree has no length: all its points coincide.</source>
-        <translation type="unfinished" />
+        <translation>%1 des Gefäßbaums hat keine Länge: alle Punkte fallen zusammen.</translation>
     </message>
     <message>
         <source>%1 voxels are not numbers; they are taken as the lowest value.</source>
-        <translation type="unfinished" />
+        <translation>%1 Voxel sind keine Zahlen; sie gelten als kleinster Wert.</translation>
     </message>
     <message>
         <source>%1 · median %2 px%3</source>
-        <translation type="unfinished" />
+        <translation>%1 · Median %2 px%3</translation>
     </message>
     <message>
         <source>%1: %2 Correct it.</source>
-        <translation type="unfinished" />
+        <translation>%1: %2 Berichtigen.</translation>
     </message>
     <message>
         <source>%1: the file has changed since the case was saved. Check that it is the right one.</source>
-        <translation type="unfinished" />
+        <translation>%1: die Datei hat sich seit dem Speichern des Falls geändert. Prüfen, ob es die richtige ist.</translation>
     </message>
     <message>
         <source>%1: the key %2 is missing. Add it.</source>
-        <translation type="unfinished" />
+        <translation>%1: der Schlüssel %2 fehlt. Ergänzen.</translation>
     </message>
     <message>
         <source>%1: the value is not one of those allowed. See the published schema.</source>
-        <translation type="unfinished" />
+        <translation>%1: der Wert ist nicht erlaubt. Siehe das veröffentlichte Schema.</translation>
     </message>
     <message>
         <source>%1: the value is of the wrong kind. See the published schema.</source>
-        <translation type="unfinished" />
+        <translation>%1: der Wert ist von falscher Art. Siehe das veröffentlichte Schema.</translation>
     </message>
     <message>
         <source>%1: this is another DICOM image than the one the case was made for.</source>
-        <translation type="unfinished" />
+        <translation>%1: das ist ein anderes DICOM-Bild als das des Falls.</translation>
     </message>
     <message>
         <source>(0018,1149) field of view %1 mm / %2 px</source>
-        <translation type="unfinished" />
+        <translation>(0018,1149) Bildfeld %1 mm / %2 px</translation>
     </message>
     <message>
         <source>(0028,0030) Pixel Spacing (%1) times SID/SOD</source>
-        <translation type="unfinished" />
+        <translation>(0028,0030) Pixel Spacing (%1) mal SID/SOD</translation>
     </message>
     <message>
         <source>A branch cannot be joined to itself. Choose two branches.</source>
-        <translation type="unfinished" />
+        <translation>Ein Ast lässt sich nicht mit sich selbst verbinden. Zwei Äste wählen.</translation>
     </message>
     <message>
         <source>A joint registration needs at least two views.</source>
-        <translation type="unfinished" />
+        <translation>Eine gemeinsame Registrierung braucht mindestens zwei Projektionen.</translation>
     </message>
     <message>
         <source>A library gave up: </source>
-        <translation type="unfinished" />
+        <translation>Eine Bibliothek gab auf: </translation>
     </message>
     <message>
         <source>A library gave up: %1. Check the inputs.</source>
-        <translation type="unfinished" />
+        <translation>Eine Bibliothek gab auf: %1. Die Eingaben prüfen.</translation>
     </message>
     <message>
         <source>A plain image has no C-arm geometry: enter it in the geometry of the case.</source>
-        <translation type="unfinished" />
+        <translation>Ein einfaches Bild hat keine C-Bogen-Geometrie: in der Geometrie des Falls eintragen.</translation>
     </message>
     <message>
         <source>a DICOM file</source>
-        <translation type="unfinished" />
+        <translation>eine DICOM-Datei</translation>
     </message>
     <message>
         <source>a JPEG image</source>
-        <translation type="unfinished" />
+        <translation>ein JPEG-Bild</translation>
     </message>
     <message>
         <source>a JSON file</source>
-        <translation type="unfinished" />
+        <translation>eine JSON-Datei</translation>
     </message>
     <message>
         <source>a MetaImage header</source>
-        <translation type="unfinished" />
+        <translation>ein MetaImage-Header</translation>
     </message>
     <message>
         <source>a NIfTI header</source>
-        <translation type="unfinished" />
+        <translation>ein NIfTI-Header</translation>
     </message>
     <message>
         <source>a NIfTI volume</source>
-        <translation type="unfinished" />
+        <translation>ein NIfTI-Volumen</translation>
     </message>
     <message>
         <source>a NetCDF (MINC) volume</source>
-        <translation type="unfinished" />
+        <translation>ein NetCDF-Volumen (MINC)</translation>
     </message>
     <message>
         <source>a PDF document</source>
-        <translation type="unfinished" />
+        <translation>ein PDF-Dokument</translation>
     </message>
     <message>
         <source>a PLY surface</source>
-        <translation type="unfinished" />
+        <translation>eine PLY-Oberfläche</translation>
     </message>
     <message>
         <source>a PNG image</source>
-        <translation type="unfinished" />
+        <translation>ein PNG-Bild</translation>
     </message>
     <message>
         <source>a TIFF image</source>
-        <translation type="unfinished" />
+        <translation>ein TIFF-Bild</translation>
     </message>
     <message>
         <source>a TrackVis tractogram</source>
-        <translation type="unfinished" />
+        <translation>ein TrackVis-Traktogramm</translation>
     </message>
     <message>
         <source>a VTK XML file</source>
-        <translation type="unfinished" />
+        <translation>eine VTK-XML-Datei</translation>
     </message>
     <message>
         <source>a case needs a vessel tree and an angiogram. Open both before saving.</source>
-        <translation type="unfinished" />
+        <translation>ein Fall braucht Gefäßbaum und Angiogramm. Vor dem Speichern beide öffnen.</translation>
     </message>
     <message>
         <source>a coordinate is not a number, or beyond a kilometre. Correct or export it again.</source>
-        <translation type="unfinished" />
+        <translation>eine Koordinate ist keine Zahl oder über einen Kilometer groß. Berichtigen oder neu exportieren.</translation>
     </message>
     <message>
         <source>a file name or a text in the case is not UTF-8. Rename the file.</source>
-        <translation type="unfinished" />
+        <translation>ein Dateiname oder Text im Fall ist nicht UTF-8. Die Datei umbenennen.</translation>
     </message>
     <message>
         <source>a glTF scene</source>
-        <translation type="unfinished" />
+        <translation>eine glTF-Szene</translation>
     </message>
     <message>
         <source>a gzip archive</source>
-        <translation type="unfinished" />
+        <translation>ein gzip-Archiv</translation>
     </message>
     <message>
         <source>a legacy VTK file</source>
-        <translation type="unfinished" />
+        <translation>eine alte VTK-Datei</translation>
     </message>
     <message>
         <source>a line refers to a point that does not exist. The file is damaged; export it again.</source>
-        <translation type="unfinished" />
+        <translation>eine Linie verweist auf einen Punkt, den es nicht gibt. Die Datei ist beschädigt; neu exportieren.</translation>
     </message>
     <message>
         <source>a number from %1 to %2</source>
-        <translation type="unfinished" />
+        <translation>eine Zahl von %1 bis %2</translation>
     </message>
     <message>
         <source>a number in it is too large for a double. Correct it.</source>
-        <translation type="unfinished" />
+        <translation>eine Zahl darin ist zu groß für double. Berichtigen.</translation>
     </message>
     <message>
         <source>a pixel is not a finite number. Correct the image before writing it.</source>
-        <translation type="unfinished" />
+        <translation>ein Pixel ist keine endliche Zahl. Das Bild vor dem Schreiben berichtigen.</translation>
     </message>
     <message>
         <source>a pixel is not a finite number. Export the image again.</source>
-        <translation type="unfinished" />
+        <translation>ein Pixel ist keine endliche Zahl. Das Bild neu exportieren.</translation>
     </message>
     <message>
         <source>a triangle refers to a point that does not exist. The file is damaged; export it again.</source>
-        <translation type="unfinished" />
+        <translation>ein Dreieck verweist auf einen Punkt, den es nicht gibt. Die Datei ist beschädigt; neu exportieren.</translation>
     </message>
     <message>
         <source>a value in it has the wrong kind. Compare it with the published schema.</source>
-        <translation type="unfinished" />
+        <translation>ein Wert darin ist von falscher Art. Mit dem veröffentlichten Schema vergleichen.</translation>
     </message>
     <message>
         <source>a zip archive</source>
-        <translation type="unfinished" />
+        <translation>ein zip-Archiv</translation>
     </message>
     <message>
         <source>%1 (%2): filled in between their neighbours. Copy the series again if you can.</source>
-        <translation type="unfinished" />
+        <translation>%1 (%2): zwischen den Nachbarn ergänzt. Die Serie wenn möglich neu kopieren.</translation>
     </message>
     <message>
         <source>%1 loops were opened at their thinnest places: look there for vessels that only touch.</source>
-        <translation type="unfinished" />
+        <translation>%1 Schleifen wurden an den dünnsten Stellen geöffnet: dort nach Gefäßen sehen, die sich nur berühren.</translation>
     </message>
     <message>
         <source>%1 of %2 slices are missing</source>
-        <translation type="unfinished" />
+        <translation>%1 von %2 Schichten fehlen</translation>
     </message>
     <message>
         <source>%1 pieces that do not connect to the traced vessels were left out. Place a seed in each that belongs to the tree.</source>
-        <translation type="unfinished" />
+        <translation>%1 Stücke ohne Verbindung zu den erkannten Gefäßen wurden ausgelassen. In jedes, das zum Baum gehört, einen Startpunkt setzen.</translation>
     </message>
     <message>
         <source>1 loop was opened at the thinnest place: look there for vessels that only touch.</source>
-        <translation type="unfinished" />
+        <translation>1 Schleife wurde an der dünnsten Stelle geöffnet: dort nach Gefäßen sehen, die sich nur berühren.</translation>
     </message>
     <message>
         <source>1 of %1 slices is missing</source>
-        <translation type="unfinished" />
+        <translation>1 von %1 Schichten fehlt</translation>
     </message>
     <message>
         <source>A piece that does not connect to the traced vessels was left out. Place a seed in it if it belongs to the tree.</source>
-        <translation type="unfinished" />
+        <translation>Ein Stück ohne Verbindung zu den erkannten Gefäßen wurde ausgelassen. Einen Startpunkt hineinsetzen, wenn es zum Baum gehört.</translation>
     </message>
     <message>
         <source>Its two placements (qform and sform) differ; the qform, in the scanner's coordinates, is used.</source>
@@ -2838,15 +2838,15 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>after slice %1</source>
-        <translation type="unfinished" />
+        <translation>nach Schicht %1</translation>
     </message>
     <message>
         <source>it declares %1", which cannot be. The file is damaged; export it again.</source>
-        <translation type="unfinished" />
+        <translation>nennt %1", was nicht sein kann. Die Datei ist beschädigt; neu exportieren.</translation>
     </message>
     <message>
         <source>it holds %1 volumes (%2). Choose one by its series id; `info` lists them.</source>
-        <translation type="unfinished" />
+        <translation>enthält %1 Volumen (%2). Eines über seine Serien-ID wählen; `info` zeigt sie.</translation>
     </message>
 </context>
 <context>
@@ -2865,10 +2865,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>%1 mm at vessel</source>
         <translation>%1 mm am Gefäß</translation>
-    </message>
-    <message>
-        <source>Nudge: drag shifts, ring rolls, Ctrl is fine, Esc takes back</source>
-        <translation>Justieren: Ziehen schiebt, Ring dreht, Strg fein, Esc nimmt zurück</translation>
     </message>
 </context>
 <context>
@@ -3091,11 +3087,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>header</source>
-        <translation type="unfinished" />
+        <translation>Header</translation>
     </message>
     <message>
         <source>derived</source>
-        <translation type="unfinished" />
+        <translation>abgeleitet</translation>
     </message>
     <message>
         <source>typed</source>
@@ -3103,7 +3099,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>assumed</source>
-        <translation type="unfinished" />
+        <translation>angenommen</translation>
     </message>
     <message>
         <source>missing</source>
@@ -3227,6 +3223,13 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>ui::NudgeTool</name>
+    <message>
+        <source>Nudge: drag shifts, ring rolls, Ctrl is fine, Esc takes back</source>
+        <translation>Justieren: Ziehen schiebt, Ring dreht, Strg fein, Esc nimmt zurück</translation>
     </message>
 </context>
 <context>
@@ -3919,10 +3922,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>ziehen</translation>
     </message>
     <message>
-        <source>move; on the ring roll; Esc takes it back</source>
-        <translation>schieben; am Ring drehen; Esc nimmt zurück</translation>
-    </message>
-    <message>
         <source>left drag</source>
         <translation>links ziehen</translation>
     </message>
@@ -4017,6 +4016,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Language</source>
         <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>move; on the ring roll; Esc takes it back, then ends the mode</source>
+        <translation type="unfinished" />
     </message>
 </context>
 </TS>

@@ -1602,471 +1602,471 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>affine</source>
-        <translation type="unfinished" />
+        <translation>仿射</translation>
     </message>
     <message>
         <source>an HDF5 file</source>
-        <translation type="unfinished" />
+        <translation>HDF5 文件</translation>
     </message>
     <message>
         <source>an MRtrix tractogram</source>
-        <translation type="unfinished" />
+        <translation>MRtrix 纤维束图</translation>
     </message>
     <message>
         <source>an NRRD volume</source>
-        <translation type="unfinished" />
+        <translation>NRRD 体数据</translation>
     </message>
     <message>
         <source>an STL surface</source>
-        <translation type="unfinished" />
+        <translation>STL 表面</translation>
     </message>
     <message>
         <source>an XML file</source>
-        <translation type="unfinished" />
+        <translation>XML 文件</translation>
     </message>
     <message>
         <source>an image without modality</source>
-        <translation type="unfinished" />
+        <translation>未注明模态的图像</translation>
     </message>
     <message>
         <source>angiogram.frame: %1 does not exist. The image has frames 0 to %2.</source>
-        <translation type="unfinished" />
+        <translation>angiogram.frame：第 %1 帧不存在。图像有第 0 至 %2 帧。</translation>
     </message>
     <message>
         <source>angiogram.trace: maxVesselRadiusPx is below minVesselRadiusPx. Exchange them.</source>
-        <translation type="unfinished" />
+        <translation>angiogram.trace：maxVesselRadiusPx 小于 minVesselRadiusPx。请对调。</translation>
     </message>
     <message>
         <source>assumed</source>
-        <translation type="unfinished" />
+        <translation>假定</translation>
     </message>
     <message>
         <source>auxiliary</source>
-        <translation type="unfinished" />
+        <translation>辅助分支</translation>
     </message>
     <message>
         <source>birth date</source>
-        <translation type="unfinished" />
+        <translation>出生日期</translation>
     </message>
     <message>
         <source>cameraFromPatient has an entry that is not a finite number.</source>
-        <translation type="unfinished" />
+        <translation>cameraFromPatient 含有非有限数。</translation>
     </message>
     <message>
         <source>cameraFromPatient is a reflection (determinant below 0). A mirrored image belongs into the sign of fx, never into the rotation.</source>
-        <translation type="unfinished" />
+        <translation>cameraFromPatient 为镜像（行列式小于 0）。镜像应体现在 fx 的符号，而非旋转。</translation>
     </message>
     <message>
         <source>cameraFromPatient must have four rows of four numbers.</source>
-        <translation type="unfinished" />
+        <translation>cameraFromPatient 须为四行四列数字。</translation>
     </message>
     <message>
         <source>converged</source>
-        <translation type="unfinished" />
+        <translation>已收敛</translation>
     </message>
     <message>
         <source>derived</source>
-        <translation type="unfinished" />
+        <translation>推算</translation>
     </message>
     <message>
         <source>frame %1 cannot be decoded (transfer syntax %2): damaged, cut short, or a compression this program does not read. Export the run again, uncompressed if possible.</source>
-        <translation type="unfinished" />
+        <translation>第 %1 帧无法解码（传输语法 %2）：损坏、截断或不支持的压缩。请重新导出，尽量不压缩。</translation>
     </message>
     <message>
         <source>full</source>
-        <translation type="unfinished" />
+        <translation>全部点</translation>
     </message>
     <message>
         <source>geometry.camera: it is for an image of %1 x %2 pixels, but the angiogram has %3 x %4. Give the camera of this image.</source>
-        <translation type="unfinished" />
+        <translation>geometry.camera：适用于 %1 x %2 像素的图像，但造影图像为 %3 x %4。请给出此图像的相机。</translation>
     </message>
     <message>
         <source>header</source>
-        <translation type="unfinished" />
+        <translation>文件头</translation>
     </message>
     <message>
         <source>identity hidden</source>
-        <translation type="unfinished" />
+        <translation>患者信息已隐藏</translation>
     </message>
     <message>
         <source>it cannot be opened (%1). Check that you may read it.</source>
-        <translation type="unfinished" />
+        <translation>无法打开（%1）。请检查读取权限。</translation>
     </message>
     <message>
         <source>it cannot be reached (%1). Check the path.</source>
-        <translation type="unfinished" />
+        <translation>无法访问（%1）。请检查路径。</translation>
     </message>
     <message>
         <source>it cannot be read (%1). Copy it to a local disk.</source>
-        <translation type="unfinished" />
+        <translation>无法读取（%1）。请复制到本地磁盘。</translation>
     </message>
     <message>
         <source>it cannot be read. Copy it to a local disk.</source>
-        <translation type="unfinished" />
+        <translation>无法读取。请复制到本地磁盘。</translation>
     </message>
     <message>
         <source>it cannot be written (%1). Choose another folder or make room.</source>
-        <translation type="unfinished" />
+        <translation>无法写入（%1）。请选择其他文件夹或腾出空间。</translation>
     </message>
     <message>
         <source>it declares %1 frames of %2 x %3 pixels, more than this program holds. Export fewer frames.</source>
-        <translation type="unfinished" />
+        <translation>声明 %1 帧、每帧 %2 x %3 像素，超出程序容量。请导出较少帧。</translation>
     </message>
     <message>
         <source>it declares %1, more than this program holds. Crop the scan to the vessels.</source>
-        <translation type="unfinished" />
+        <translation>声明 %1，超出程序容量。请将扫描裁剪到血管范围。</translation>
     </message>
     <message>
         <source>it declares more data than memory holds. The file is damaged; export it again.</source>
-        <translation type="unfinished" />
+        <translation>声明的数据超过内存。文件损坏；请重新导出。</translation>
     </message>
     <message>
         <source>it does not begin like a VTK file. Export the centrelines again.</source>
-        <translation type="unfinished" />
+        <translation>开头不像 VTK 文件。请重新导出中心线。</translation>
     </message>
     <message>
         <source>it does not follow the published schema. Compare it with a case that loads.</source>
-        <translation type="unfinished" />
+        <translation>不符合公布的模式。请与可载入的病例比较。</translation>
     </message>
     <message>
         <source>it does not hold one ITK transform as text. Export a single rigid transform.</source>
-        <translation type="unfinished" />
+        <translation>未含单个文本形式的 ITK 变换。请导出一个刚性变换。</translation>
     </message>
     <message>
         <source>it does not say where its voxels are (ElementDataFile). Export it again.</source>
-        <translation type="unfinished" />
+        <translation>未说明体素所在（ElementDataFile）。请重新导出。</translation>
     </message>
     <message>
         <source>it has %1 dimensions (4-D or more). Save the one volume to use and open that.</source>
-        <translation type="unfinished" />
+        <translation>有 %1 维（四维或以上）。请单独保存所需体数据再打开。</translation>
     </message>
     <message>
         <source>it has %1 dimensions, but a volume has three. Choose the whole scan.</source>
-        <translation type="unfinished" />
+        <translation>有 %1 维，而体数据为三维。请选择完整扫描。</translation>
     </message>
     <message>
         <source>it has %1 points; a centreline tree has at most %2. Resample the centrelines.</source>
-        <translation type="unfinished" />
+        <translation>有 %1 个点；中心线树最多 %2 个。请重采样中心线。</translation>
     </message>
     <message>
         <source>it has %1 separate lines; a centreline tree has at most %2. Keep the vessels of interest.</source>
-        <translation type="unfinished" />
+        <translation>有 %1 条独立线；中心线树最多 %2 条。请只保留感兴趣的血管。</translation>
     </message>
     <message>
         <source>it has %1 values per voxel. Choose the scan itself, in grey values.</source>
-        <translation type="unfinished" />
+        <translation>每体素有 %1 个值。请选择灰度扫描本身。</translation>
     </message>
     <message>
         <source>it has %1: a single slice is no volume. Choose the whole scan.</source>
-        <translation type="unfinished" />
+        <translation>有 %1：单层不是体数据。请选择完整扫描。</translation>
     </message>
     <message>
         <source>it has a column z: this is a 3-D centreline. Choose the centreline traced in the image.</source>
-        <translation type="unfinished" />
+        <translation>含 z 列：这是三维中心线。请选择图像中提取的中心线。</translation>
     </message>
     <message>
         <source>it has more than a million points. Resample the centreline.</source>
-        <translation type="unfinished" />
+        <translation>超过一百万个点。请重采样中心线。</translation>
     </message>
     <message>
         <source>it has more triangles than this program holds. Decimate the surface.</source>
-        <translation type="unfinished" />
+        <translation>三角面超出程序容量。请简化表面。</translation>
     </message>
     <message>
         <source>it has no matrix `cameraFromPatient` of four rows of four numbers, at the top or in `pose`. Give one.</source>
-        <translation type="unfinished" />
+        <translation>顶层或 `pose` 中没有四行四列的 `cameraFromPatient` 矩阵。请提供。</translation>
     </message>
     <message>
         <source>it holds %1 volumes or values per voxel (4-D). Extract the one to use and open that.</source>
-        <translation type="unfinished" />
+        <translation>含 %1 个体数据或每体素多值（四维）。请提取所需的再打开。</translation>
     </message>
     <message>
         <source>it holds %1 volumes, layers or values per voxel (4-D). Save the one to use and open that.</source>
-        <translation type="unfinished" />
+        <translation>含 %1 个体数据、层或每体素多值（四维）。请单独保存所需的再打开。</translation>
     </message>
     <message>
         <source>it holds %1, not POLYDATA or UNSTRUCTURED_GRID. Export the centrelines as poly-lines.</source>
-        <translation type="unfinished" />
+        <translation>含 %1，而非 POLYDATA 或 UNSTRUCTURED_GRID。请以折线导出中心线。</translation>
     </message>
     <message>
         <source>it holds %1, which is no label: labels are whole numbers from 0. Choose a label image.</source>
-        <translation type="unfinished" />
+        <translation>含 %1，不是标签：标签为从 0 起的整数。请选择标签图像。</translation>
     </message>
     <message>
         <source>it holds a %1, not an image. Choose the scan.</source>
-        <translation type="unfinished" />
+        <translation>含 %1，而非图像。请选择扫描。</translation>
     </message>
     <message>
         <source>it holds a surface, not centrelines. Extract the centrelines first (e.g. with VMTK or Slicer) and open those.</source>
-        <translation type="unfinished" />
+        <translation>含表面而非中心线。请先提取中心线（如用 VMTK 或 Slicer）再打开。</translation>
     </message>
     <message>
         <source>it holds more than 50000 files. Choose the folder of one study.</source>
-        <translation type="unfinished" />
+        <translation>含超过 50000 个文件。请选择单个检查的文件夹。</translation>
     </message>
     <message>
         <source>it holds no lines. Choose a file with vessel centrelines.</source>
-        <translation type="unfinished" />
+        <translation>不含线。请选择含血管中心线的文件。</translation>
     </message>
     <message>
         <source>it holds no triangles. Choose the surface of a vessel.</source>
-        <translation type="unfinished" />
+        <translation>不含三角面。请选择血管表面。</translation>
     </message>
     <message>
         <source>it is a DICOM segmentation. Export it as a NIfTI or NRRD label image.</source>
-        <translation type="unfinished" />
+        <translation>是 DICOM 分割。请导出为 NIfTI 或 NRRD 标签图像。</translation>
     </message>
     <message>
         <source>it is a colour image. Choose the scan itself, in grey values.</source>
-        <translation type="unfinished" />
+        <translation>是彩色图像。请选择灰度扫描本身。</translation>
     </message>
     <message>
         <source>it is a single slice, not a volume. Copy all slices of the series, or choose another one.</source>
-        <translation type="unfinished" />
+        <translation>是单层而非体数据。请复制该序列全部层面，或另选。</translation>
     </message>
     <message>
         <source>it is not VTK XML PolyData or UnstructuredGrid. Export the centrelines as .vtp.</source>
-        <translation type="unfinished" />
+        <translation>不是 VTK XML PolyData 或 UnstructuredGrid。请导出为 .vtp。</translation>
     </message>
     <message>
         <source>it is not a Slicer markups file with curves. Export the centrelines as .mrk.json curves, .vtp, .vtk, .csv or .swc.</source>
-        <translation type="unfinished" />
+        <translation>不是含曲线的 Slicer markups 文件。请将中心线导出为 .mrk.json 曲线、.vtp、.vtk、.csv 或 .swc。</translation>
     </message>
     <message>
         <source>it is not valid JSON at line %1. Correct it there.</source>
-        <translation type="unfinished" />
+        <translation>第 %1 行不是有效 JSON。请更正。</translation>
     </message>
     <message>
         <source>it is only %1 x %2 pixels. Choose the angiogram at its full size.</source>
-        <translation type="unfinished" />
+        <translation>仅 %1 x %2 像素。请选择原尺寸造影图像。</translation>
     </message>
     <message>
         <source>it is stored in palette colours. Export the angiogram in grey.</source>
-        <translation type="unfinished" />
+        <translation>以调色板颜色存储。请以灰度导出造影图像。</translation>
     </message>
     <message>
         <source>it is too large for a case file. Choose an .angiopose file.</source>
-        <translation type="unfinished" />
+        <translation>作为病例文件过大。请选择 .angiopose 文件。</translation>
     </message>
     <message>
         <source>it is too large for a pose. Choose a .json or .tfm file.</source>
-        <translation type="unfinished" />
+        <translation>作为位姿过大。请选择 .json 或 .tfm 文件。</translation>
     </message>
     <message>
         <source>it looks like a list of graph nodes (column id), which has no order along the vessels. Give a branch column, or export the centrelines themselves.</source>
-        <translation type="unfinished" />
+        <translation>像是图节点列表（id 列），没有沿血管的顺序。请给出 branch 列，或导出中心线本身。</translation>
     </message>
     <message>
         <source>it skips lines of another file. Save header and voxels as one file.</source>
-        <translation type="unfinished" />
+        <translation>跳过了另一文件的行。请将文件头与体素保存为一个文件。</translation>
     </message>
     <message>
         <source>iteration limit</source>
-        <translation type="unfinished" />
+        <translation>达到迭代上限</translation>
     </message>
     <message>
         <source>its DimSize makes no sense. The file is damaged; export it again.</source>
-        <translation type="unfinished" />
+        <translation>DimSize 无意义。文件损坏；请重新导出。</translation>
     </message>
     <message>
         <source>its HeaderSize makes no sense. Correct the header.</source>
-        <translation type="unfinished" />
+        <translation>HeaderSize 无意义。请更正文件头。</translation>
     </message>
     <message>
         <source>its JSON is nested more than %1 levels deep. This is no file of this program.</source>
-        <translation type="unfinished" />
+        <translation>JSON 嵌套超过 %1 层。这不是本程序的文件。</translation>
     </message>
     <message>
         <source>its PLY data are damaged or cut short. Export it again.</source>
-        <translation type="unfinished" />
+        <translation>PLY 数据损坏或截断。请重新导出。</translation>
     </message>
     <message>
         <source>its PLY header is damaged or cut short. Export it again.</source>
-        <translation type="unfinished" />
+        <translation>PLY 文件头损坏或截断。请重新导出。</translation>
     </message>
     <message>
         <source>its PLY header is damaged: the element "%1" has no properties. Export it again.</source>
-        <translation type="unfinished" />
+        <translation>PLY 文件头损坏：元素 "%1" 没有属性。请重新导出。</translation>
     </message>
     <message>
         <source>its axes are %1° apart instead of 90°. Resample the volume to perpendicular axes.</source>
-        <translation type="unfinished" />
+        <translation>各轴夹角为 %1° 而非 90°。请重采样到正交轴。</translation>
     </message>
     <message>
         <source>its bits per pixel contradict each other. The header is damaged; export the run again.</source>
-        <translation type="unfinished" />
+        <translation>每像素位数相互矛盾。文件头损坏；请重新导出。</translation>
     </message>
     <message>
         <source>its centre is not finite. Export the transform again.</source>
-        <translation type="unfinished" />
+        <translation>中心非有限数。请重新导出变换。</translation>
     </message>
     <message>
         <source>its compressed pixels are cut short. Copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>压缩像素被截断。请重新复制或导出。</translation>
     </message>
     <message>
         <source>its coordinates are in %1. Export the curves in mm.</source>
-        <translation type="unfinished" />
+        <translation>坐标单位为 %1。请以 mm 导出曲线。</translation>
     </message>
     <message>
         <source>its deflated content is damaged or cut short. Copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>压缩内容损坏或截断。请重新复制或导出。</translation>
     </message>
     <message>
         <source>its first axis has %1 entries: this is a colour picture, not a volume. Choose the scan.</source>
-        <translation type="unfinished" />
+        <translation>第一轴有 %1 项：这是彩色图片而非体数据。请选择扫描。</translation>
     </message>
     <message>
         <source>its header gives %1. The file is damaged; export it again.</source>
-        <translation type="unfinished" />
+        <translation>文件头给出 %1。文件损坏；请重新导出。</translation>
     </message>
     <message>
         <source>its header gives no image size. The file is damaged; export the run again.</source>
-        <translation type="unfinished" />
+        <translation>文件头无图像尺寸。文件损坏；请重新导出。</translation>
     </message>
     <message>
         <source>its header gives no usable voxel size or place. Export the volume again.</source>
-        <translation type="unfinished" />
+        <translation>文件头无可用的体素大小或位置。请重新导出。</translation>
     </message>
     <message>
         <source>its header is damaged: it names %1 dimensions. Export it again.</source>
-        <translation type="unfinished" />
+        <translation>文件头损坏：标注 %1 维。请重新导出。</translation>
     </message>
     <message>
         <source>its header is damaged: the voxels begin at an impossible place. Export it again.</source>
-        <translation type="unfinished" />
+        <translation>文件头损坏：体素起始位置不可能。请重新导出。</translation>
     </message>
     <message>
         <source>its images do not say how large a pixel is, so they make no volume. Choose another series.</source>
-        <translation type="unfinished" />
+        <translation>图像未说明像素大小，无法组成体数据。请选择其他序列。</translation>
     </message>
     <message>
         <source>its images do not say where they lie in the patient, so they make no volume. Choose another series.</source>
-        <translation type="unfinished" />
+        <translation>图像未说明在患者中的位置，无法组成体数据。请选择其他序列。</translation>
     </message>
     <message>
         <source>its line skip or byte skip makes no sense. Correct the header.</source>
-        <translation type="unfinished" />
+        <translation>line skip 或 byte skip 无意义。请更正文件头。</translation>
     </message>
     <message>
         <source>its lines visit the same points too often. The file is damaged; export it again.</source>
-        <translation type="unfinished" />
+        <translation>线过多经过相同的点。文件损坏；请重新导出。</translation>
     </message>
     <message>
         <source>its pixels (%1, %2 samples) are not grey or colour. Export the angiogram in grey.</source>
-        <translation type="unfinished" />
+        <translation>像素（%1，%2 个采样）既非灰度也非彩色。请以灰度导出。</translation>
     </message>
     <message>
         <source>its pixels are cut short: %1 of %2 bytes are there. Copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>像素被截断：%2 字节中仅有 %1。请重新复制或导出。</translation>
     </message>
     <message>
         <source>its pixels are not finite numbers of a known kind. Export it with 8 or 16 bits.</source>
-        <translation type="unfinished" />
+        <translation>像素不是已知类型的有限数。请以 8 或 16 位导出。</translation>
     </message>
     <message>
         <source>its pixels are not of the size its header gives. Export it again.</source>
-        <translation type="unfinished" />
+        <translation>像素尺寸与文件头不符。请重新导出。</translation>
     </message>
     <message>
         <source>its pixels have %1 bits. Export the angiogram with 8 or 16 bits.</source>
-        <translation type="unfinished" />
+        <translation>像素为 %1 位。请以 8 或 16 位导出。</translation>
     </message>
     <message>
         <source>its sizes are no numbers. The file is damaged; export it again.</source>
-        <translation type="unfinished" />
+        <translation>尺寸不是数字。文件损坏；请重新导出。</translation>
     </message>
     <message>
         <source>its slices lie beside each other rather than above. Choose another series.</source>
-        <translation type="unfinished" />
+        <translation>层面并排而非堆叠。请选择其他序列。</translation>
     </message>
     <message>
         <source>its slices lie too unevenly to make a volume of them (%1 over %2 mm). Copy all slices of the series, or choose another one.</source>
-        <translation type="unfinished" />
+        <translation>层间距过于不均，无法组成体数据（%2 mm 内 %1 层）。请复制全部层面，或另选。</translation>
     </message>
     <message>
         <source>its transform "%1" is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
-        <translation type="unfinished" />
+        <translation>变换 "%1" 非刚性或缺少参数。请导出刚性变换（affine、Euler3D 或 VersorRigid3D）。</translation>
     </message>
     <message>
         <source>its triangles are damaged or cut short. Copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>三角面损坏或截断。请重新复制或导出。</translation>
     </message>
     <message>
         <source>its voxel type ("%1") is not read. Save it as 16-bit or float.</source>
-        <translation type="unfinished" />
+        <translation>不支持体素类型（"%1"）。请存为 16 位或浮点。</translation>
     </message>
     <message>
         <source>its voxel type (NIfTI datatype %1) is not read. Save it as 16-bit or float.</source>
-        <translation type="unfinished" />
+        <translation>不支持体素类型（NIfTI 类型 %1）。请存为 16 位或浮点。</translation>
     </message>
     <message>
         <source>its voxels are colours. Choose the scan itself, in grey values.</source>
-        <translation type="unfinished" />
+        <translation>体素为彩色。请选择灰度扫描本身。</translation>
     </message>
     <message>
         <source>its voxels are cut short, or their packing is damaged. Copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>体素被截断或压缩损坏。请重新复制或导出。</translation>
     </message>
     <message>
         <source>its voxels are cut short. Copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>体素被截断。请重新复制或导出。</translation>
     </message>
     <message>
         <source>its voxels are cut short: %1 of %2 bytes are there. Copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>体素被截断：%2 字节中仅有 %1。请重新复制或导出。</translation>
     </message>
     <message>
         <source>its voxels are packed with bzip2. Save it with gzip or raw encoding.</source>
-        <translation type="unfinished" />
+        <translation>体素以 bzip2 压缩。请用 gzip 或 raw 编码保存。</translation>
     </message>
     <message>
         <source>its voxels are written as text (%1). Save it with gzip or raw encoding.</source>
-        <translation type="unfinished" />
+        <translation>体素以文本写入（%1）。请用 gzip 或 raw 编码保存。</translation>
     </message>
     <message>
         <source>its voxels are written as text. Save it with binary data.</source>
-        <translation type="unfinished" />
+        <translation>体素以文本写入。请以二进制保存。</translation>
     </message>
     <message>
         <source>its voxels lie in several files. Save it as one file.</source>
-        <translation type="unfinished" />
+        <translation>体素分在多个文件。请存为一个文件。</translation>
     </message>
     <message>
         <source>line %1 does not give a point. The file is damaged; export it again.</source>
-        <translation type="unfinished" />
+        <translation>第 %1 行不是点。文件损坏；请重新导出。</translation>
     </message>
     <message>
         <source>line %1 has %2 columns, the first line has %3. Separate columns by commas and use . as decimal point.</source>
-        <translation type="unfinished" />
+        <translation>第 %1 行有 %2 列，首行有 %3 列。请以逗号分列，用 . 作小数点。</translation>
     </message>
     <message>
         <source>line %1 is not `id type x y z radius parent`. Correct the line or export it again.</source>
-        <translation type="unfinished" />
+        <translation>第 %1 行不是 `id type x y z radius parent`。请更正或重新导出。</translation>
     </message>
     <message>
         <source>line %1 lies far outside any image. Coordinates are in pixels.</source>
-        <translation type="unfinished" />
+        <translation>第 %1 行远在图像之外。坐标单位为像素。</translation>
     </message>
     <message>
         <source>line %1 names a parent, %2, that is not there. Export the whole tree.</source>
-        <translation type="unfinished" />
+        <translation>第 %1 行的父节点 %2 不存在。请导出整棵树。</translation>
     </message>
     <message>
         <source>line %1 repeats an id. Ids must be unique.</source>
-        <translation type="unfinished" />
+        <translation>第 %1 行 id 重复。id 必须唯一。</translation>
     </message>
     <message>
         <source>line %1, column %2: "%3" is not a finite number. Correct or remove the line.</source>
-        <translation type="unfinished" />
+        <translation>第 %1 行 %2 列："%3" 不是有限数。请更正或删除该行。</translation>
     </message>
     <message>
         <source>line %1: the branch must be a whole number. Correct the line.</source>
-        <translation type="unfinished" />
+        <translation>第 %1 行：branch 必须为整数。请更正。</translation>
     </message>
     <message>
         <source>method: "%1" is unknown. Use one of %2.</source>
-        <translation type="unfinished" />
+        <translation>method："%1" 未知。可用：%2。</translation>
     </message>
     <message>
         <source>missing</source>
@@ -2074,759 +2074,759 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>modality %1</source>
-        <translation type="unfinished" />
+        <translation>模态 %1</translation>
     </message>
     <message>
         <source>name</source>
-        <translation type="unfinished" />
+        <translation>姓名</translation>
     </message>
     <message>
         <source>no DICOM element in it can be read. The file is damaged; copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>无法读取任何 DICOM 元素。文件损坏；请重新复制或导出。</translation>
     </message>
     <message>
         <source>no data set</source>
-        <translation type="unfinished" />
+        <translation>无数据集</translation>
     </message>
     <message>
         <source>no file this program knows</source>
-        <translation type="unfinished" />
+        <translation>未知文件</translation>
     </message>
     <message>
         <source>no image this program reads</source>
-        <translation type="unfinished" />
+        <translation>不支持的图像</translation>
     </message>
     <message>
         <source>no improvement</source>
-        <translation type="unfinished" />
+        <translation>不再改善</translation>
     </message>
     <message>
         <source>no name</source>
-        <translation type="unfinished" />
+        <translation>无名称</translation>
     </message>
     <message>
         <source>no series in this folder makes a volume. Choose another folder.</source>
-        <translation type="unfinished" />
+        <translation>此文件夹中没有序列可组成体数据。请选择其他文件夹。</translation>
     </message>
     <message>
         <source>none of its lines has two different points. Choose a file with vessel centrelines.</source>
-        <translation type="unfinished" />
+        <translation>没有一条线含两个不同的点。请选择含血管中心线的文件。</translation>
     </message>
     <message>
         <source>none of its triangles has an area. Choose the surface of a vessel.</source>
-        <translation type="unfinished" />
+        <translation>三角面均无面积。请选择血管表面。</translation>
     </message>
     <message>
         <source>none of its voxels is a number. Export the volume again.</source>
-        <translation type="unfinished" />
+        <translation>没有体素是数字。请重新导出。</translation>
     </message>
     <message>
         <source>number</source>
-        <translation type="unfinished" />
+        <translation>编号</translation>
     </message>
     <message>
         <source>only %1 of its %2 frames are there. Copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>%2 帧中仅有 %1 帧。请重新复制或导出。</translation>
     </message>
     <message>
         <source>options.%1: give %2.</source>
-        <translation type="unfinished" />
+        <translation>options.%1：请给出 %2。</translation>
     </message>
     <message>
         <source>part %1 of %2</source>
-        <translation type="unfinished" />
+        <translation>第 %1 部分，共 %2</translation>
     </message>
     <message>
         <source>pose.initial: it is missing, and the angles do not give a start pose. %1</source>
-        <translation type="unfinished" />
+        <translation>pose.initial：缺失，且角度不足以得出初始位姿。%1</translation>
     </message>
     <message>
         <source>poses are written as .json or .tfm. Change the extension.</source>
-        <translation type="unfinished" />
+        <translation>位姿写为 .json 或 .tfm。请更改扩展名。</translation>
     </message>
     <message>
         <source>reading was stopped.</source>
-        <translation type="unfinished" />
+        <translation>读取已停止。</translation>
     </message>
     <message>
         <source>refine</source>
-        <translation type="unfinished" />
+        <translation>精配准</translation>
     </message>
     <message>
         <source>rotation</source>
-        <translation type="unfinished" />
+        <translation>旋转</translation>
     </message>
     <message>
         <source>search</source>
-        <translation type="unfinished" />
+        <translation>搜索</translation>
     </message>
     <message>
         <source>settle</source>
-        <translation type="unfinished" />
+        <translation>稳定</translation>
     </message>
     <message>
         <source>stopped by the user</source>
-        <translation type="unfinished" />
+        <translation>用户停止</translation>
     </message>
     <message>
         <source>surfaces are written as .stl. Change the extension.</source>
-        <translation type="unfinished" />
+        <translation>表面写为 .stl。请更改扩展名。</translation>
     </message>
     <message>
         <source>the SWC unit must be a positive length in mm.</source>
-        <translation type="unfinished" />
+        <translation>SWC 单位须为正的毫米长度。</translation>
     </message>
     <message>
         <source>the VTK XML data in it is damaged or cut short. Export it again.</source>
-        <translation type="unfinished" />
+        <translation>其中的 VTK XML 数据损坏或截断。请重新导出。</translation>
     </message>
     <message>
         <source>the element %1 declares %2 bytes, but %3 are left</source>
-        <translation type="unfinished" />
+        <translation>元素 %1 声明 %2 字节，但仅剩 %3</translation>
     </message>
     <message>
         <source>the file is empty. Export or copy it again.</source>
-        <translation type="unfinished" />
+        <translation>文件为空。请重新导出或复制。</translation>
     </message>
     <message>
         <source>the file with its voxels cannot be read (%1).</source>
-        <translation type="unfinished" />
+        <translation>无法读取体素文件（%1）。</translation>
     </message>
     <message>
         <source>the first line must name the columns: x,y,z and, where known, radius,branch.</source>
-        <translation type="unfinished" />
+        <translation>首行须为列名：x,y,z 以及已知的 radius,branch。</translation>
     </message>
     <message>
         <source>the folder cannot be read (%1). Check the path.</source>
-        <translation type="unfinished" />
+        <translation>无法读取文件夹（%1）。请检查路径。</translation>
     </message>
     <message>
         <source>the folder cannot be read to its end. Copy it to a local disk.</source>
-        <translation type="unfinished" />
+        <translation>无法读完文件夹。请复制到本地磁盘。</translation>
     </message>
     <message>
         <source>the frames differ in size. All frames of a run must be equally large.</source>
-        <translation type="unfinished" />
+        <translation>各帧大小不同。同一序列各帧须等大。</translation>
     </message>
     <message>
         <source>the header row has no columns x and y. The first line must name the columns: x,y and, where known, branch,radius (px).</source>
-        <translation type="unfinished" />
+        <translation>表头缺少 x 和 y 列。首行须为列名：x,y 以及已知的 branch,radius（px）。</translation>
     </message>
     <message>
         <source>the header row has no columns x, y and z. Name them (mm, patient LPS).</source>
-        <translation type="unfinished" />
+        <translation>表头缺少 x、y、z 列。请命名（mm，患者 LPS）。</translation>
     </message>
     <message>
         <source>the image cannot be decoded: damaged, cut short or of an unusual kind. Export it again.</source>
-        <translation type="unfinished" />
+        <translation>图像无法解码：损坏、截断或类型特殊。请重新导出。</translation>
     </message>
     <message>
         <source>the image has fewer than 8 pixels on a side, or more than this program holds. Export the angiogram at its own size.</source>
-        <translation type="unfinished" />
+        <translation>图像边长少于 8 像素，或超出程序容量。请按原尺寸导出。</translation>
     </message>
     <message>
         <source>the image is damaged or cut short. Copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>图像损坏或截断。请重新复制或导出。</translation>
     </message>
     <message>
         <source>the image is damaged or of an unusual kind. Export it in grey or RGB with 8 or 16 bits, without tiles.</source>
-        <translation type="unfinished" />
+        <translation>图像损坏或类型特殊。请以 8 或 16 位灰度或 RGB、不分块导出。</translation>
     </message>
     <message>
         <source>the last row of cameraFromPatient must be 0 0 0 1. Is the matrix transposed?</source>
-        <translation type="unfinished" />
+        <translation>cameraFromPatient 末行须为 0 0 0 1。矩阵是否转置了？</translation>
     </message>
     <message>
         <source>the pose is not a rigid motion of finite numbers. Reset it before saving.</source>
-        <translation type="unfinished" />
+        <translation>位姿不是有限数的刚体变换。保存前请重置。</translation>
     </message>
     <message>
         <source>the pose is not a rigid motion of finite numbers. Reset the pose before saving.</source>
-        <translation type="unfinished" />
+        <translation>位姿不是有限数的刚体变换。保存前请重置位姿。</translation>
     </message>
     <message>
         <source>the run is too large for an uncompressed DICOM file. Write fewer frames.</source>
-        <translation type="unfinished" />
+        <translation>该序列超出未压缩 DICOM 文件容量。请写入较少帧。</translation>
     </message>
     <message>
         <source>the section "%1" is damaged or cut short. Export it again.</source>
-        <translation type="unfinished" />
+        <translation>"%1" 部分损坏或截断。请重新导出。</translation>
     </message>
     <message>
         <source>the sequence %1 has no end</source>
-        <translation type="unfinished" />
+        <translation>序列 %1 没有结尾</translation>
     </message>
     <message>
         <source>the series %1 is not in this folder. Choose the folder it is in.</source>
-        <translation type="unfinished" />
+        <translation>序列 %1 不在此文件夹。请选择其所在文件夹。</translation>
     </message>
     <message>
         <source>the series of the case is not in this folder. Choose the folder it is in.</source>
-        <translation type="unfinished" />
+        <translation>病例的序列不在此文件夹。请选择其所在文件夹。</translation>
     </message>
     <message>
         <source>the third line of a legacy VTK file must be ASCII or BINARY. Export it again.</source>
-        <translation type="unfinished" />
+        <translation>旧版 VTK 文件第三行须为 ASCII 或 BINARY。请重新导出。</translation>
     </message>
     <message>
         <source>the unit must be a positive length in mm.</source>
-        <translation type="unfinished" />
+        <translation>单位须为正的毫米长度。</translation>
     </message>
     <message>
         <source>the upper left 3 x 3 of cameraFromPatient is not a rotation (scale or shear). Give a rigid pose in mm.</source>
-        <translation type="unfinished" />
+        <translation>cameraFromPatient 左上 3 x 3 不是旋转（含缩放或剪切）。请给出以 mm 为单位的刚性位姿。</translation>
     </message>
     <message>
         <source>the volume is larger than this computer's memory. Crop the scan to the vessels.</source>
-        <translation type="unfinished" />
+        <translation>体数据超过本机内存。请裁剪到血管范围。</translation>
     </message>
     <message>
         <source>there are no frames to write. Load or simulate an angiogram first.</source>
-        <translation type="unfinished" />
+        <translation>没有可写入的帧。请先载入或模拟造影图像。</translation>
     </message>
     <message>
         <source>there are no voxels to write. Load a volume first.</source>
-        <translation type="unfinished" />
+        <translation>没有可写入的体素。请先载入体数据。</translation>
     </message>
     <message>
         <source>there is no DICOM image in this folder. Choose the folder of a scan.</source>
-        <translation type="unfinished" />
+        <translation>此文件夹中没有 DICOM 图像。请选择扫描所在文件夹。</translation>
     </message>
     <message>
         <source>there is no memory left to pack the volume.</source>
-        <translation type="unfinished" />
+        <translation>内存不足，无法压缩体数据。</translation>
     </message>
     <message>
         <source>there is no picture to write. Render or trace one first.</source>
-        <translation type="unfinished" />
+        <translation>没有可写入的图片。请先生成。</translation>
     </message>
     <message>
         <source>there is no such file. Check the path.</source>
-        <translation type="unfinished" />
+        <translation>文件不存在。请检查路径。</translation>
     </message>
     <message>
         <source>there is not enough memory to write this run. Write fewer frames.</source>
-        <translation type="unfinished" />
+        <translation>内存不足以写入该序列。请写入较少帧。</translation>
     </message>
     <message>
         <source>this DICOM file (%1)</source>
-        <translation type="unfinished" />
+        <translation>此 DICOM 文件（%1）</translation>
     </message>
     <message>
         <source>this DICOM file holds no image. Choose a scan.</source>
-        <translation type="unfinished" />
+        <translation>此 DICOM 文件不含图像。请选择扫描。</translation>
     </message>
     <message>
         <source>this JSON is not an AngioPose case (its format is not "angiopose-case"). Choose an .angiopose file.</source>
-        <translation type="unfinished" />
+        <translation>此 JSON 不是 AngioPose 病例（format 不是 "angiopose-case"）。请选择 .angiopose 文件。</translation>
     </message>
     <message>
         <source>this is %1, not a 2-D centreline. Choose a CSV table or a PNG mask.</source>
-        <translation type="unfinished" />
+        <translation>这是%1，不是二维中心线。请选择 CSV 表或 PNG 掩模。</translation>
     </message>
     <message>
         <source>this is %1, not a case. Choose an .angiopose file.</source>
-        <translation type="unfinished" />
+        <translation>这是%1，不是病例。请选择 .angiopose 文件。</translation>
     </message>
     <message>
         <source>this is %1, not a centreline. %2</source>
-        <translation type="unfinished" />
+        <translation>这是%1，不是中心线。%2</translation>
     </message>
     <message>
         <source>this is %1, not a surface. Choose a .vtp, .vtk, .stl, .ply or .obj file.</source>
-        <translation type="unfinished" />
+        <translation>这是%1，不是表面。请选择 .vtp、.vtk、.stl、.ply 或 .obj 文件。</translation>
     </message>
     <message>
         <source>this is %1, not a volume. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).</source>
-        <translation type="unfinished" />
+        <translation>这是%1，不是体数据。请选择 DICOM 文件夹、NIfTI、NRRD 或 MetaImage（.mha、.mhd）。</translation>
     </message>
     <message>
         <source>this is %1, not an angiogram. Choose a DICOM XA run, a PNG, TIFF or JPEG image.</source>
-        <translation type="unfinished" />
+        <translation>这是%1，不是造影图像。请选择 DICOM XA 序列、PNG、TIFF 或 JPEG 图像。</translation>
     </message>
     <message>
         <source>this is a Git LFS pointer, not the file itself. Run `git lfs pull` where it came from.</source>
-        <translation type="unfinished" />
+        <translation>这是 Git LFS 指针而非文件本身。请在来源处运行 `git lfs pull`。</translation>
     </message>
     <message>
         <source>this is a folder. Choose a file in it.</source>
-        <translation type="unfinished" />
+        <translation>这是文件夹。请选择其中的文件。</translation>
     </message>
     <message>
         <source>this is a gzip archive without a readable DICOM file in it. Unpack it and choose the angiogram itself.</source>
-        <translation type="unfinished" />
+        <translation>这是不含可读 DICOM 文件的 gzip 压缩包。请解压后选择造影图像。</translation>
     </message>
     <message>
         <source>this is an Analyze 7.5 header, which does not say left from right. Convert it to NIfTI where the orientation is known.</source>
-        <translation type="unfinished" />
+        <translation>这是 Analyze 7.5 文件头，不区分左右。请在已知方位处转换为 NIfTI。</translation>
     </message>
     <message>
         <source>this is an X-ray run, not a volume. Open it as the angiogram.</source>
-        <translation type="unfinished" />
+        <translation>这是 X 线序列，不是体数据。请作为造影图像打开。</translation>
     </message>
     <message>
         <source>this is an input of the case and will not be overwritten. Choose another name.</source>
-        <translation type="unfinished" />
+        <translation>这是病例的输入文件，不会覆盖。请换名。</translation>
     </message>
     <message>
         <source>this is no centreline format AngioPose reads. %1</source>
-        <translation type="unfinished" />
+        <translation>AngioPose 不支持此中心线格式。%1</translation>
     </message>
     <message>
         <source>this is no pose. Choose a .json or an ITK .tfm file.</source>
-        <translation type="unfinished" />
+        <translation>这不是位姿。请选择 .json 或 ITK .tfm 文件。</translation>
     </message>
     <message>
         <source>this is not a DICOM file. Choose a scan.</source>
-        <translation type="unfinished" />
+        <translation>这不是 DICOM 文件。请选择扫描。</translation>
     </message>
     <message>
         <source>this is not a mask of two levels. Draw the vessels white on black.</source>
-        <translation type="unfinished" />
+        <translation>这不是二值掩模。请以黑底白色画血管。</translation>
     </message>
     <message>
         <source>this is not a place for a file. Give a file name in an existing folder.</source>
-        <translation type="unfinished" />
+        <translation>此处不能存放文件。请给出现有文件夹中的文件名。</translation>
     </message>
     <message>
         <source>this is not a regular file. Choose a file on disk.</source>
-        <translation type="unfinished" />
+        <translation>这不是普通文件。请选择磁盘上的文件。</translation>
     </message>
     <message>
         <source>this is not a text table. Choose a CSV file with a header row.</source>
-        <translation type="unfinished" />
+        <translation>这不是文本表。请选择有表头的 CSV 文件。</translation>
     </message>
     <message>
         <source>user</source>
-        <translation type="unfinished" />
+        <translation>用户</translation>
     </message>
     <message>
         <source>version: the case was saved by a newer AngioPose. Update the program.</source>
-        <translation type="unfinished" />
+        <translation>version：病例由较新的 AngioPose 保存。请更新程序。</translation>
     </message>
     <message>
         <source>vessel trees are written as .vtp, .csv or .mrk.json. Change the extension.</source>
-        <translation type="unfinished" />
+        <translation>血管树写为 .vtp、.csv 或 .mrk.json。请更改扩展名。</translation>
     </message>
     <message>
         <source>vessel.%1: the tree has no branch %2; it is left out.</source>
-        <translation type="unfinished" />
+        <translation>vessel.%1：树中没有分支 %2；已略去。</translation>
     </message>
     <message>
         <source>vessel: it names no input. Give the file of the vessels as centerline, segmentation, surface or volume.</source>
-        <translation type="unfinished" />
+        <translation>vessel：未指定输入。请以 centerline、segmentation、surface 或 volume 给出血管文件。</translation>
     </message>
     <message>
         <source>volumes are written as .nii, .nii.gz, .nrrd or .mha. Change the extension.</source>
-        <translation type="unfinished" />
+        <translation>体数据写为 .nii、.nii.gz、.nrrd 或 .mha。请更改扩展名。</translation>
     </message>
     <message>
         <source>chosen</source>
-        <translation type="unfinished" />
+        <translation>所选</translation>
     </message>
     <message>
         <source>closest</source>
-        <translation type="unfinished" />
+        <translation>最近</translation>
     </message>
     <message>
         <source>cma-es</source>
-        <translation type="unfinished" />
+        <translation>CMA-ES</translation>
     </message>
     <message>
         <source>five</source>
-        <translation type="unfinished" />
+        <translation>五个</translation>
     </message>
     <message>
         <source>grid</source>
-        <translation type="unfinished" />
+        <translation>网格</translation>
     </message>
     <message>
         <source>halving</source>
-        <translation type="unfinished" />
+        <translation>减半</translation>
     </message>
     <message>
         <source>image</source>
-        <translation type="unfinished" />
+        <translation>图像</translation>
     </message>
     <message>
         <source>kd-tree</source>
-        <translation type="unfinished" />
+        <translation>k-d 树</translation>
     </message>
     <message>
         <source>largest</source>
-        <translation type="unfinished" />
+        <translation>最大</translation>
     </message>
     <message>
         <source>largest squared</source>
-        <translation type="unfinished" />
+        <translation>最大平方</translation>
     </message>
     <message>
         <source>lbfgs</source>
-        <translation type="unfinished" />
+        <translation>L-BFGS</translation>
     </message>
     <message>
         <source>literal</source>
-        <translation type="unfinished" />
+        <translation>按原式</translation>
     </message>
     <message>
         <source>lm</source>
-        <translation type="unfinished" />
+        <translation>LM</translation>
     </message>
     <message>
         <source>main branches</source>
-        <translation type="unfinished" />
+        <translation>主要分支</translation>
     </message>
     <message>
         <source>map</source>
-        <translation type="unfinished" />
+        <translation>距离图</translation>
     </message>
     <message>
         <source>metric</source>
-        <translation type="unfinished" />
+        <translation>度量</translation>
     </message>
     <message>
         <source>nodes</source>
-        <translation type="unfinished" />
+        <translation>节点</translation>
     </message>
     <message>
         <source>off</source>
-        <translation type="unfinished" />
+        <translation>关</translation>
     </message>
     <message>
         <source>on</source>
-        <translation type="unfinished" />
+        <translation>开</translation>
     </message>
     <message>
         <source>one plus one</source>
-        <translation type="unfinished" />
+        <translation>一加一</translation>
     </message>
     <message>
         <source>out of plane</source>
-        <translation type="unfinished" />
+        <translation>平面外</translation>
     </message>
     <message>
         <source>particles</source>
-        <translation type="unfinished" />
+        <translation>粒子</translation>
     </message>
     <message>
         <source>radius</source>
-        <translation type="unfinished" />
+        <translation>半径</translation>
     </message>
     <message>
         <source>random</source>
-        <translation type="unfinished" />
+        <translation>随机</translation>
     </message>
     <message>
         <source>rigid</source>
-        <translation type="unfinished" />
+        <translation>刚性</translation>
     </message>
     <message>
         <source>seed mean</source>
-        <translation type="unfinished" />
+        <translation>均值</translation>
     </message>
     <message>
         <source>seed metric</source>
-        <translation type="unfinished" />
+        <translation>度量</translation>
     </message>
     <message>
         <source>seed noprior</source>
-        <translation type="unfinished" />
+        <translation>无先验</translation>
     </message>
     <message>
         <source>seed sum</source>
-        <translation type="unfinished" />
+        <translation>求和</translation>
     </message>
     <message>
         <source>stagnation</source>
-        <translation type="unfinished" />
+        <translation>停滞</translation>
     </message>
     <message>
         <source>traced vessels</source>
-        <translation type="unfinished" />
+        <translation>提取血管</translation>
     </message>
     <message>
         <source> The intensifier of %1 mm suggests at most %2 mm.</source>
-        <translation type="unfinished" />
+        <translation> 影像增强器 %1 mm，提示最多 %2 mm。</translation>
     </message>
     <message>
         <source> · not trustworthy</source>
-        <translation type="unfinished" />
+        <translation> · 不可信</translation>
     </message>
     <message>
         <source>%1 and elsewhere</source>
-        <translation type="unfinished" />
+        <translation>%1 等处</translation>
     </message>
     <message>
         <source>%1 cannot be read: %2. Check its permissions.</source>
-        <translation type="unfinished" />
+        <translation>无法读取 %1：%2。请检查权限。</translation>
     </message>
     <message>
         <source>%1 does not exist. Check the name, or whether its drive is mounted.</source>
-        <translation type="unfinished" />
+        <translation>%1 不存在。请检查名称或驱动器是否挂载。</translation>
     </message>
     <message>
         <source>%1 files of the series are damaged at their end.</source>
-        <translation type="unfinished" />
+        <translation>该序列 %1 个文件末尾损坏。</translation>
     </message>
     <message>
         <source>%1 files of the series are there twice.</source>
-        <translation type="unfinished" />
+        <translation>该序列 %1 个文件重复。</translation>
     </message>
     <message>
         <source>%1 holds no image. Choose the X-ray angiography run.</source>
-        <translation type="unfinished" />
+        <translation>%1 不含图像。请选择 X 线血管造影序列。</translation>
     </message>
     <message>
         <source>%1 is a case. Open it alone, without other files.</source>
-        <translation type="unfinished" />
+        <translation>%1 是病例。请单独打开，不要与其他文件一起。</translation>
     </message>
     <message>
         <source>%1 is a second %2. Open one %3 at a time.</source>
-        <translation type="unfinished" />
+        <translation>%1 是第二个%2。请每次只打开一个%3。</translation>
     </message>
     <message>
         <source>%1 is damaged before its pixels: %2. Copy or export it again.</source>
-        <translation type="unfinished" />
+        <translation>%1 在像素之前损坏：%2。请重新复制或导出。</translation>
     </message>
     <message>
         <source>%1 is empty. Copy the file again from where it came from.</source>
-        <translation type="unfinished" />
+        <translation>%1 为空。请从来源重新复制。</translation>
     </message>
     <message>
         <source>%1 is missing or not positive. Enter it in the geometry of the case (the image header does not tell).</source>
-        <translation type="unfinished" />
+        <translation>%1缺失或非正。请在病例几何中输入（图像文件头未提供）。</translation>
     </message>
     <message>
         <source>%1 is not a file that AngioPose opens. Open a case (.angiopose), a centreline (VTP, VTK, CSV, SWC), a CT scan (DICOM folder, NIfTI, NRRD, MetaImage), a surface (STL, PLY, OBJ) or an angiogram (DICOM, PNG, TIFF).</source>
-        <translation type="unfinished" />
+        <translation>AngioPose 无法打开 %1。请打开病例（.angiopose）、中心线（VTP、VTK、CSV、SWC）、CT 扫描（DICOM 文件夹、NIfTI、NRRD、MetaImage）、表面（STL、PLY、OBJ）或造影图像（DICOM、PNG、TIFF）。</translation>
     </message>
     <message>
         <source>%1 mm/px at the vessels</source>
-        <translation type="unfinished" />
+        <translation>血管处 %1 mm/px</translation>
     </message>
     <message>
         <source>%1 mm/px detector (%2)</source>
-        <translation type="unfinished" />
+        <translation>探测器 %1 mm/px（%2）</translation>
     </message>
     <message>
         <source>%1 occurs twice in the vessel tree. Branch ids must be unique.</source>
-        <translation type="unfinished" />
+        <translation>%1 在血管树中重复。分支编号必须唯一。</translation>
     </message>
     <message>
         <source>%1 of %2 slices lie where another one does; the first recorded of each is used.</source>
-        <translation type="unfinished" />
+        <translation>%2 层中 %1 层位置重复；采用最先采集的。</translation>
     </message>
     <message>
         <source>%1 of the vessel tree does not have one radius per point.</source>
-        <translation type="unfinished" />
+        <translation>血管树的 %1 并非每点都有半径。</translation>
     </message>
     <message>
         <source>%1 of the vessel tree has a coordinate that is not a number (NaN or infinite).</source>
-        <translation type="unfinished" />
+        <translation>血管树的 %1 有非数值坐标（NaN 或无穷）。</translation>
     </message>
     <message>
         <source>%1 of the vessel tree has fewer than two points. Remove it or add points.</source>
-        <translation type="unfinished" />
+        <translation>血管树的 %1 少于两点。请移除或补点。</translation>
     </message>
     <message>
         <source>%1 of the vessel tree has no length: all its points coincide.</source>
-        <translation type="unfinished" />
+        <translation>血管树的 %1 长度为零：所有点重合。</translation>
     </message>
     <message>
         <source>%1 voxels are not numbers; they are taken as the lowest value.</source>
-        <translation type="unfinished" />
+        <translation>%1 个体素不是数字；按最低值处理。</translation>
     </message>
     <message>
         <source>%1 · median %2 px%3</source>
-        <translation type="unfinished" />
+        <translation>%1 · 中位数 %2 px%3</translation>
     </message>
     <message>
         <source>%1: %2 Correct it.</source>
-        <translation type="unfinished" />
+        <translation>%1：%2 请更正。</translation>
     </message>
     <message>
         <source>%1: the file has changed since the case was saved. Check that it is the right one.</source>
-        <translation type="unfinished" />
+        <translation>%1：文件在病例保存后已更改。请确认是否正确。</translation>
     </message>
     <message>
         <source>%1: the key %2 is missing. Add it.</source>
-        <translation type="unfinished" />
+        <translation>%1：缺少键 %2。请补充。</translation>
     </message>
     <message>
         <source>%1: the value is not one of those allowed. See the published schema.</source>
-        <translation type="unfinished" />
+        <translation>%1：取值不在允许范围。请见公布的模式。</translation>
     </message>
     <message>
         <source>%1: the value is of the wrong kind. See the published schema.</source>
-        <translation type="unfinished" />
+        <translation>%1：取值类型错误。请见公布的模式。</translation>
     </message>
     <message>
         <source>%1: this is another DICOM image than the one the case was made for.</source>
-        <translation type="unfinished" />
+        <translation>%1：这与病例所用的 DICOM 图像不同。</translation>
     </message>
     <message>
         <source>(0018,1149) field of view %1 mm / %2 px</source>
-        <translation type="unfinished" />
+        <translation>(0018,1149) 视野 %1 mm / %2 px</translation>
     </message>
     <message>
         <source>(0028,0030) Pixel Spacing (%1) times SID/SOD</source>
-        <translation type="unfinished" />
+        <translation>(0028,0030) Pixel Spacing（%1）乘以 SID/SOD</translation>
     </message>
     <message>
         <source>A branch cannot be joined to itself. Choose two branches.</source>
-        <translation type="unfinished" />
+        <translation>分支不能与自身连接。请选择两个分支。</translation>
     </message>
     <message>
         <source>A joint registration needs at least two views.</source>
-        <translation type="unfinished" />
+        <translation>联合配准至少需要两个投影。</translation>
     </message>
     <message>
         <source>A library gave up: </source>
-        <translation type="unfinished" />
+        <translation>库函数失败：</translation>
     </message>
     <message>
         <source>A library gave up: %1. Check the inputs.</source>
-        <translation type="unfinished" />
+        <translation>库函数失败：%1。请检查输入。</translation>
     </message>
     <message>
         <source>A plain image has no C-arm geometry: enter it in the geometry of the case.</source>
-        <translation type="unfinished" />
+        <translation>普通图像没有 C 形臂几何：请在病例几何中输入。</translation>
     </message>
     <message>
         <source>a DICOM file</source>
-        <translation type="unfinished" />
+        <translation>DICOM 文件</translation>
     </message>
     <message>
         <source>a JPEG image</source>
-        <translation type="unfinished" />
+        <translation>JPEG 图像</translation>
     </message>
     <message>
         <source>a JSON file</source>
-        <translation type="unfinished" />
+        <translation>JSON 文件</translation>
     </message>
     <message>
         <source>a MetaImage header</source>
-        <translation type="unfinished" />
+        <translation>MetaImage 文件头</translation>
     </message>
     <message>
         <source>a NIfTI header</source>
-        <translation type="unfinished" />
+        <translation>NIfTI 文件头</translation>
     </message>
     <message>
         <source>a NIfTI volume</source>
-        <translation type="unfinished" />
+        <translation>NIfTI 体数据</translation>
     </message>
     <message>
         <source>a NetCDF (MINC) volume</source>
-        <translation type="unfinished" />
+        <translation>NetCDF（MINC）体数据</translation>
     </message>
     <message>
         <source>a PDF document</source>
-        <translation type="unfinished" />
+        <translation>PDF 文档</translation>
     </message>
     <message>
         <source>a PLY surface</source>
-        <translation type="unfinished" />
+        <translation>PLY 表面</translation>
     </message>
     <message>
         <source>a PNG image</source>
-        <translation type="unfinished" />
+        <translation>PNG 图像</translation>
     </message>
     <message>
         <source>a TIFF image</source>
-        <translation type="unfinished" />
+        <translation>TIFF 图像</translation>
     </message>
     <message>
         <source>a TrackVis tractogram</source>
-        <translation type="unfinished" />
+        <translation>TrackVis 纤维束图</translation>
     </message>
     <message>
         <source>a VTK XML file</source>
-        <translation type="unfinished" />
+        <translation>VTK XML 文件</translation>
     </message>
     <message>
         <source>a case needs a vessel tree and an angiogram. Open both before saving.</source>
-        <translation type="unfinished" />
+        <translation>病例需要血管树和造影图像。保存前请打开两者。</translation>
     </message>
     <message>
         <source>a coordinate is not a number, or beyond a kilometre. Correct or export it again.</source>
-        <translation type="unfinished" />
+        <translation>坐标不是数字或超过一公里。请更正或重新导出。</translation>
     </message>
     <message>
         <source>a file name or a text in the case is not UTF-8. Rename the file.</source>
-        <translation type="unfinished" />
+        <translation>病例中的文件名或文本不是 UTF-8。请重命名。</translation>
     </message>
     <message>
         <source>a glTF scene</source>
-        <translation type="unfinished" />
+        <translation>glTF 场景</translation>
     </message>
     <message>
         <source>a gzip archive</source>
-        <translation type="unfinished" />
+        <translation>gzip 压缩包</translation>
     </message>
     <message>
         <source>a legacy VTK file</source>
-        <translation type="unfinished" />
+        <translation>旧版 VTK 文件</translation>
     </message>
     <message>
         <source>a line refers to a point that does not exist. The file is damaged; export it again.</source>
-        <translation type="unfinished" />
+        <translation>线引用了不存在的点。文件损坏；请重新导出。</translation>
     </message>
     <message>
         <source>a number from %1 to %2</source>
-        <translation type="unfinished" />
+        <translation>%1 至 %2 之间的数</translation>
     </message>
     <message>
         <source>a number in it is too large for a double. Correct it.</source>
-        <translation type="unfinished" />
+        <translation>其中的数超出双精度范围。请更正。</translation>
     </message>
     <message>
         <source>a pixel is not a finite number. Correct the image before writing it.</source>
-        <translation type="unfinished" />
+        <translation>有像素不是有限数。写入前请更正图像。</translation>
     </message>
     <message>
         <source>a pixel is not a finite number. Export the image again.</source>
-        <translation type="unfinished" />
+        <translation>有像素不是有限数。请重新导出图像。</translation>
     </message>
     <message>
         <source>a triangle refers to a point that does not exist. The file is damaged; export it again.</source>
-        <translation type="unfinished" />
+        <translation>三角面引用了不存在的点。文件损坏；请重新导出。</translation>
     </message>
     <message>
         <source>a value in it has the wrong kind. Compare it with the published schema.</source>
-        <translation type="unfinished" />
+        <translation>其中有取值类型错误。请与公布的模式比较。</translation>
     </message>
     <message>
         <source>a zip archive</source>
-        <translation type="unfinished" />
+        <translation>zip 压缩包</translation>
     </message>
     <message>
         <source>%1 (%2): filled in between their neighbours. Copy the series again if you can.</source>
-        <translation type="unfinished" />
+        <translation>%1（%2）：已由相邻层插补。如可能请重新复制该序列。</translation>
     </message>
     <message>
         <source>%1 loops were opened at their thinnest places: look there for vessels that only touch.</source>
-        <translation type="unfinished" />
+        <translation>%1 个环在最细处断开：请检查这些地方是否仅为血管相触。</translation>
     </message>
     <message>
         <source>%1 of %2 slices are missing</source>
-        <translation type="unfinished" />
+        <translation>%2 层中缺 %1 层</translation>
     </message>
     <message>
         <source>%1 pieces that do not connect to the traced vessels were left out. Place a seed in each that belongs to the tree.</source>
-        <translation type="unfinished" />
+        <translation>有 %1 段未与提取血管相连，已略去。请在属于血管树的各段中放种子点。</translation>
     </message>
     <message>
         <source>1 loop was opened at the thinnest place: look there for vessels that only touch.</source>
-        <translation type="unfinished" />
+        <translation>1 个环在最细处断开：请检查该处是否仅为血管相触。</translation>
     </message>
     <message>
         <source>1 of %1 slices is missing</source>
-        <translation type="unfinished" />
+        <translation>%1 层中缺 1 层</translation>
     </message>
     <message>
         <source>A piece that does not connect to the traced vessels was left out. Place a seed in it if it belongs to the tree.</source>
-        <translation type="unfinished" />
+        <translation>有一段未与提取血管相连，已略去。若属于血管树，请在其中放种子点。</translation>
     </message>
     <message>
         <source>Its two placements (qform and sform) differ; the qform, in the scanner's coordinates, is used.</source>
@@ -2838,15 +2838,15 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>after slice %1</source>
-        <translation type="unfinished" />
+        <translation>第 %1 层之后</translation>
     </message>
     <message>
         <source>it declares %1", which cannot be. The file is damaged; export it again.</source>
-        <translation type="unfinished" />
+        <translation>声明 %1"，不可能。文件损坏；请重新导出。</translation>
     </message>
     <message>
         <source>it holds %1 volumes (%2). Choose one by its series id; `info` lists them.</source>
-        <translation type="unfinished" />
+        <translation>含 %1 个体数据（%2）。请按序列号选择；`info` 可列出。</translation>
     </message>
 </context>
 <context>
@@ -2865,10 +2865,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>%1 mm at vessel</source>
         <translation>血管处 %1 mm</translation>
-    </message>
-    <message>
-        <source>Nudge: drag shifts, ring rolls, Ctrl is fine, Esc takes back</source>
-        <translation>微调：拖动平移，圆环旋转，Ctrl 精细，Esc 取消</translation>
     </message>
 </context>
 <context>
@@ -3091,11 +3087,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>header</source>
-        <translation type="unfinished" />
+        <translation>文件头</translation>
     </message>
     <message>
         <source>derived</source>
-        <translation type="unfinished" />
+        <translation>推算</translation>
     </message>
     <message>
         <source>typed</source>
@@ -3103,7 +3099,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>assumed</source>
-        <translation type="unfinished" />
+        <translation>假定</translation>
     </message>
     <message>
         <source>missing</source>
@@ -3227,6 +3223,13 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Close</source>
         <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>ui::NudgeTool</name>
+    <message>
+        <source>Nudge: drag shifts, ring rolls, Ctrl is fine, Esc takes back</source>
+        <translation>微调：拖动平移，圆环旋转，Ctrl 精细，Esc 取消</translation>
     </message>
 </context>
 <context>
@@ -3918,10 +3921,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>拖动</translation>
     </message>
     <message>
-        <source>move; on the ring roll; Esc takes it back</source>
-        <translation>平移；在圆环上旋转；Esc 取消</translation>
-    </message>
-    <message>
         <source>left drag</source>
         <translation>左键拖动</translation>
     </message>
@@ -4016,6 +4015,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Language</source>
         <translation>语言</translation>
+    </message>
+    <message>
+        <source>move; on the ring roll; Esc takes it back, then ends the mode</source>
+        <translation type="unfinished" />
     </message>
 </context>
 </TS>
