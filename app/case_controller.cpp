@@ -68,7 +68,8 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       look_(document_, sync_, window),
       replay_(document_, sync_, window),
       judgement_({document_, target_, pose_, registration_, sync_, look_, replay_, window}),
-      habits_(branches_, window)
+      habits_(branches_, window),
+      help_(window)
 {
     connectEditing();
     connectBranches();
@@ -334,7 +335,21 @@ void CaseController::connectHelp()
              {}},
             &window_);
     });
-    connect(&window_.steps(), &ui::StepBar::stepClicked, &window_, &ui::MainWindow::focusStep);
+    connect(&session_, &SessionController::noticeAccepted, &help_, &HelpController::offerTour);
+    connect(&window_.steps(), &ui::StepBar::stepClicked, this, &CaseController::goToStep);
+}
+
+/// A step whose input is missing asks for it.
+void CaseController::goToStep(ui::Step step)
+{
+    const core::RegistrationCase& current = document_.current();
+    const bool asks =
+        (step == ui::Step::Vessels && !current.tree) || (step == ui::Step::Angiogram && !current.angiogram);
+    if (asks && !session_.isLoading()) {
+        window_.actions()[ui::Command::Open]->trigger();
+    } else {
+        window_.focusStep(step);
+    }
 }
 
 void CaseController::showTitle()

@@ -5,6 +5,7 @@
 #include "app/editing/pose_controller.h"
 #include "app/files/session_controller.h"
 #include "app/habits/habits.h"
+#include "app/help/help_controller.h"
 #include "app/notices.h"
 #include "app/registration/registration_controller.h"
 #include "app/registration/target_provider.h"
@@ -47,6 +48,7 @@ private:
     void connectGeometry();
     void connectRegistration();
     void connectHelp();
+    void goToStep(ui::Step step);
     void followDocument();
     void followTarget();
     void showProgress(const core::IterationReport& report);
@@ -70,6 +72,7 @@ private:
     ReplayController replay_;
     JudgementController judgement_;
     Habits habits_;
+    HelpController help_;
     QTimer clock_;   ///< keeps "Autosaved 12 s ago" true
     bool exported_ = false;
 };

@@ -62,7 +62,10 @@ void SessionController::showNotice()
          {}},
         {tr("I understand")}, &window_);
     notice->setObjectName(QStringLiteral("noticeDialog"));
-    connect(notice, &ui::QuestionDialog::answered, this, [] { settings::noticeAccepted.write(true); });
+    connect(notice, &ui::QuestionDialog::answered, this, [this] {
+        settings::noticeAccepted.write(true);
+        emit noticeAccepted();
+    });
     notice->open();
 }
 

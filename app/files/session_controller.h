@@ -35,6 +35,7 @@ public:
     ExportController& exporting() { return export_; }
 
 signals:
+    void noticeAccepted();   ///< on the first start
     void exported();
 
 private:

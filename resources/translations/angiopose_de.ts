@@ -2,13 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
-    <name>SeriesWords</name>
-    <message>
-        <source>Series %1</source>
-        <translation>Serie %1</translation>
-    </message>
-</context>
-<context>
     <name>app::BranchController</name>
     <message>
         <source>Select a branch first: click it in the list or in a view.</source>
@@ -118,126 +111,6 @@
         <translation>Registriert: Median %1 mm</translation>
     </message>
     <message>
-        <source>Open DICOM folder</source>
-        <translation>DICOM-Ordner öffnen</translation>
-    </message>
-    <message>
-        <source>Not for clinical use</source>
-        <translation>Nicht für den klinischen Einsatz</translation>
-    </message>
-    <message>
-        <source>AngioPose is a research program. It is not a medical device: do not use it for diagnosis, treatment or navigation. Results can be wrong; one projection cannot tell everything about depth.</source>
-        <translation>AngioPose ist ein Forschungsprogramm und kein Medizinprodukt: nicht für Diagnose, Behandlung oder Navigation verwenden. Ergebnisse können falsch sein; eine einzelne Projektion verrät nicht alles über die Tiefe.</translation>
-    </message>
-    <message>
-        <source>I understand</source>
-        <translation>Verstanden</translation>
-    </message>
-    <message>
-        <source>Opened</source>
-        <translation>Geöffnet</translation>
-    </message>
-    <message>
-        <source>Could not open the file</source>
-        <translation>Die Datei ließ sich nicht öffnen</translation>
-    </message>
-    <message>
-        <source>Could not open the files</source>
-        <translation>Die Dateien ließen sich nicht öffnen</translation>
-    </message>
-    <message>
-        <source>Could not save</source>
-        <translation>Speichern nicht möglich</translation>
-    </message>
-    <message>
-        <source>Saving …</source>
-        <translation>Wird gespeichert …</translation>
-    </message>
-    <message>
-        <source>Saved</source>
-        <translation>Gespeichert</translation>
-    </message>
-    <message>
-        <source>Writing …</source>
-        <translation>Wird geschrieben …</translation>
-    </message>
-    <message>
-        <source>Written: %1</source>
-        <translation>Geschrieben: %1</translation>
-    </message>
-    <message>
-        <source>Could not export</source>
-        <translation>Export nicht möglich</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Making the sample case …</source>
-        <translation>Beispielfall wird erzeugt …</translation>
-    </message>
-    <message>
-        <source>Could not make the sample case</source>
-        <translation>Der Beispielfall ließ sich nicht erzeugen</translation>
-    </message>
-    <message>
-        <source>Save the open case first?</source>
-        <translation>Den offenen Fall zuerst speichern?</translation>
-    </message>
-    <message>
-        <source>“%1” has changes that are not saved.</source>
-        <translation>„%1“ hat ungespeicherte Änderungen.</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
-        <source>Discard changes</source>
-        <translation>Änderungen verwerfen</translation>
-    </message>
-    <message>
-        <source>Keep the open case</source>
-        <translation>Beim offenen Fall bleiben</translation>
-    </message>
-    <message>
-        <source>A registration is running</source>
-        <translation>Eine Registrierung läuft</translation>
-    </message>
-    <message>
-        <source>Stop it and close? Changes of this case are lost unless they are saved.</source>
-        <translation>Anhalten und schließen? Änderungen an diesem Fall gehen ohne Speichern verloren.</translation>
-    </message>
-    <message>
-        <source>Save before closing?</source>
-        <translation>Vor dem Schließen speichern?</translation>
-    </message>
-    <message>
-        <source>Stop, save and close</source>
-        <translation>Anhalten, speichern, schließen</translation>
-    </message>
-    <message>
-        <source>Stop and close</source>
-        <translation>Anhalten und schließen</translation>
-    </message>
-    <message>
-        <source>Keep running</source>
-        <translation>Weiterlaufen lassen</translation>
-    </message>
-    <message>
-        <source>Save and close</source>
-        <translation>Speichern und schließen</translation>
-    </message>
-    <message>
-        <source>Close without saving</source>
-        <translation>Ohne Speichern schließen</translation>
-    </message>
-    <message>
-        <source>Stay</source>
-        <translation>Bleiben</translation>
-    </message>
-    <message>
         <source>AngioPose %1</source>
         <translation>AngioPose %1</translation>
     </message>
@@ -262,10 +135,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>1 Bild</translation>
     </message>
     <message>
-        <source>nothing to judge yet</source>
-        <translation>noch nichts zu beurteilen</translation>
-    </message>
-    <message>
         <source>Untitled case</source>
         <translation>Unbenannter Fall</translation>
     </message>
@@ -276,10 +145,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>%1 · AngioPose · not for clinical use</source>
         <translation>%1 · AngioPose · nicht für den klinischen Einsatz</translation>
-    </message>
-    <message>
-        <source>%1 (missing)</source>
-        <translation>%1 (fehlt)</translation>
     </message>
 </context>
 <context>
@@ -330,6 +195,69 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
+    <name>app::HelpController</name>
+    <message>
+        <source>Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop a case, or vessels and an angiogram, anywhere. “Open the sample case” works without own data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The way to a result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each step has a tick, or says in its tool tip what is missing. Click any of them, in any order.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vessel tree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its branches with length and distance to the image. A takes a branch into the auxiliary set, X leaves it out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The angiogram</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The projected tree lies over it, coloured by distance. Wheel: frames. N: move the tree with arrows or mouse. H: hide it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation type="unfinished">Registrieren</translation>
+    </message>
+    <message>
+        <source>R finds the pose. Stop keeps the best one so far, Ctrl+Z brings the old one back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Can it be trusted?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbers in mm, and sentences on what the image cannot tell. Shift+F1 shows good and bad fits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Help is never far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F1 explains what the mouse points at, ? lists and changes all keys. This tour is under Help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>app::InputKind</name>
     <message>
         <source>Cases, vessels and angiograms (%1)</source>
@@ -354,6 +282,13 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>app::JudgementController</name>
+    <message>
+        <source>nothing to judge yet</source>
+        <translation type="unfinished">noch nichts zu beurteilen</translation>
     </message>
 </context>
 <context>
@@ -419,6 +354,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
+    <name>app::Notices</name>
+    <message>
+        <source>Ready</source>
+        <translation type="unfinished">Bereit</translation>
+    </message>
+    <message>
+        <source>AngioPose %1</source>
+        <translation type="unfinished">AngioPose %1</translation>
+    </message>
+</context>
+<context>
     <name>app::OpenController</name>
     <message>
         <source>A registration is running. Stop it before opening another file.</source>
@@ -435,6 +381,33 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Open %1</source>
         <translation>%1 öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>app::PictureController</name>
+    <message>
+        <source>The window is in the clipboard as a picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save picture of the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation type="unfinished">PNG-Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation type="unfinished">Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Could not save the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Choose another folder.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -610,6 +583,144 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Unsaved changes</source>
         <translation>Ungespeicherte Änderungen</translation>
+    </message>
+</context>
+<context>
+    <name>app::SeriesRows</name>
+    <message>
+        <source>Series %1</source>
+        <translation type="unfinished">Serie %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::SessionController</name>
+    <message>
+        <source>Not for clinical use</source>
+        <translation type="unfinished">Nicht für den klinischen Einsatz</translation>
+    </message>
+    <message>
+        <source>AngioPose is a research program. It is not a medical device: do not use it for diagnosis, treatment or navigation. Results can be wrong; one projection cannot tell everything about depth.</source>
+        <translation type="unfinished">AngioPose ist ein Forschungsprogramm und kein Medizinprodukt: nicht für Diagnose, Behandlung oder Navigation verwenden. Ergebnisse können falsch sein; eine einzelne Projektion verrät nicht alles über die Tiefe.</translation>
+    </message>
+    <message>
+        <source>I understand</source>
+        <translation type="unfinished">Verstanden</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation type="unfinished">Bereit</translation>
+    </message>
+    <message>
+        <source>Opened</source>
+        <translation type="unfinished">Geöffnet</translation>
+    </message>
+    <message>
+        <source>Could not open the file</source>
+        <translation type="unfinished">Die Datei ließ sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>Could not open the files</source>
+        <translation type="unfinished">Die Dateien ließen sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>Could not save</source>
+        <translation type="unfinished">Speichern nicht möglich</translation>
+    </message>
+    <message>
+        <source>Saving …</source>
+        <translation type="unfinished">Wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation type="unfinished">Gespeichert</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation type="unfinished">Wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation type="unfinished">Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Could not export</source>
+        <translation type="unfinished">Export nicht möglich</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished">Öffnen</translation>
+    </message>
+    <message>
+        <source>Open DICOM folder</source>
+        <translation type="unfinished">DICOM-Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Making the sample case …</source>
+        <translation type="unfinished">Beispielfall wird erzeugt …</translation>
+    </message>
+    <message>
+        <source>Could not make the sample case</source>
+        <translation type="unfinished">Der Beispielfall ließ sich nicht erzeugen</translation>
+    </message>
+    <message>
+        <source>Save the open case first?</source>
+        <translation type="unfinished">Den offenen Fall zuerst speichern?</translation>
+    </message>
+    <message>
+        <source>“%1” has changes that are not saved.</source>
+        <translation type="unfinished">„%1“ hat ungespeicherte Änderungen.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished">Speichern</translation>
+    </message>
+    <message>
+        <source>Discard changes</source>
+        <translation type="unfinished">Änderungen verwerfen</translation>
+    </message>
+    <message>
+        <source>Keep the open case</source>
+        <translation type="unfinished">Beim offenen Fall bleiben</translation>
+    </message>
+    <message>
+        <source>A registration is running</source>
+        <translation type="unfinished">Eine Registrierung läuft</translation>
+    </message>
+    <message>
+        <source>Stop it and close? Changes of this case are lost unless they are saved.</source>
+        <translation type="unfinished">Anhalten und schließen? Änderungen an diesem Fall gehen ohne Speichern verloren.</translation>
+    </message>
+    <message>
+        <source>Save before closing?</source>
+        <translation type="unfinished">Vor dem Schließen speichern?</translation>
+    </message>
+    <message>
+        <source>Stop, save and close</source>
+        <translation type="unfinished">Anhalten, speichern, schließen</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation type="unfinished">Anhalten und schließen</translation>
+    </message>
+    <message>
+        <source>Keep running</source>
+        <translation type="unfinished">Weiterlaufen lassen</translation>
+    </message>
+    <message>
+        <source>Save and close</source>
+        <translation type="unfinished">Speichern und schließen</translation>
+    </message>
+    <message>
+        <source>Close without saving</source>
+        <translation type="unfinished">Ohne Speichern schließen</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation type="unfinished">Bleiben</translation>
+    </message>
+    <message>
+        <source>%1 (missing)</source>
+        <translation type="unfinished">%1 (fehlt)</translation>
     </message>
 </context>
 <context>
@@ -797,7 +908,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gewählte Äste (Knoten, wo keiner gewählt ist), Knoten, die weitesten Äste bis zu einem Drittel der Länge, oder zufällige Punkte.</translation>
     </message>
     <message>
-        <source>Coarse search, then robust point-to-line refinement about the tree's centroid, with uncertainty.</source>
+        <source>Coarse search, then robust point-to-line refinement about the tree&apos;s centroid, with uncertainty.</source>
         <translation>Grobe Suche, dann robuste Punkt-Linien-Verfeinerung um den Schwerpunkt, mit Unsicherheit.</translation>
     </message>
     <message>
@@ -837,7 +948,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Abstand, ab dem ein Punkt am Ende kaum zählt; Bildrauschen kann ihn weiten.</translation>
     </message>
     <message>
-        <source>Distance from which a point's pull stops growing.</source>
+        <source>Distance from which a point&apos;s pull stops growing.</source>
         <translation>Abstand, ab dem der Zug eines Punkts nicht mehr wächst.</translation>
     </message>
     <message>
@@ -845,7 +956,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Kantenskala</translation>
     </message>
     <message>
-        <source>Edges found along the vessel walls' normals, a pose chosen by RANSAC with gradient matching (Markelj 2008; re-implementation, parameters ours).</source>
+        <source>Edges found along the vessel walls&apos; normals, a pose chosen by RANSAC with gradient matching (Markelj 2008; re-implementation, parameters ours).</source>
         <translation>Kanten längs der Normalen der Gefäßwände, Lage durch RANSAC mit Gradientenvergleich (Markelj 2008; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
@@ -889,7 +1000,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>GDCM konnte die DICOM-Datei nicht schreiben. Anderes Format wählen.</translation>
     </message>
     <message>
-        <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image's brightness (Aylward 2003; re-implementation, parameters ours).</source>
+        <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image&apos;s brightness (Aylward 2003; re-implementation, parameters ours).</source>
         <translation>Gradientenaufstieg des mittleren Kerns zwischen Gefäßbaum und erkannten Gefäßen, oder der Bildhelligkeit (Aylward 2003; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
@@ -905,7 +1016,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Wie weit die Suche quer zum Strahl reicht.</translation>
     </message>
     <message>
-        <source>How far along the vessel walls' normals edges are sought at first.</source>
+        <source>How far along the vessel walls&apos; normals edges are sought at first.</source>
         <translation>Wie weit anfangs längs der Normalen der Gefäßwände gesucht wird.</translation>
     </message>
     <message>
@@ -989,7 +1100,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Kleinster Huber-Verlust der Abstände zum nächsten erkannten Gefäß (Rivest-Hénault 2012; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Least squares on nearest pairs by OpenCV's SQPNP, repeated: what library parts make in an afternoon.</source>
+        <source>Least squares on nearest pairs by OpenCV&apos;s SQPNP, repeated: what library parts make in an afternoon.</source>
         <translation>Kleinste Quadrate auf nächsten Paaren mit OpenCVs SQPNP, wiederholt: was Bibliotheksteile an einem Nachmittag ergeben.</translation>
     </message>
     <message>
@@ -1233,7 +1344,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Standardabweichung der Startlage längs des Strahls.</translation>
     </message>
     <message>
-        <source>Standard deviation of the start pose's angles; holds what the image cannot tell.</source>
+        <source>Standard deviation of the start pose&apos;s angles; holds what the image cannot tell.</source>
         <translation>Standardabweichung der Winkel der Startlage; hält, was das Bild nicht verrät.</translation>
     </message>
     <message>
@@ -1473,7 +1584,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Oberfläche ist nicht geschlossen (%1 offene und %2 mehrfache Kanten): ihr Inneres entscheidet die Mehrheit. Ergebnis prüfen oder Löcher schließen.</translation>
     </message>
     <message>
-        <source>The traced vessels, or the brightness of the image at each vessel's own width.</source>
+        <source>The traced vessels, or the brightness of the image at each vessel&apos;s own width.</source>
         <translation>Die erkannten Gefäße, oder die Bildhelligkeit in der Breite jedes Gefäßes.</translation>
     </message>
     <message>
@@ -1537,7 +1648,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Noch kein Angiogramm. Zuerst ein Bild öffnen.</translation>
     </message>
     <message>
-        <source>There is no method '%1'. Choose one of: %2.</source>
+        <source>There is no method &apos;%1&apos;. Choose one of: %2.</source>
         <translation>Es gibt keine Methode „%1“. Wählbar: %2.</translation>
     </message>
     <message>
@@ -1581,7 +1692,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Drehung und Verschiebung ausgewogen, oder Bogenmaß neben Millimetern, was kaum verschiebt.</translation>
     </message>
     <message>
-        <source>Vessel walls against image gradients, Powell's method (Mitrović 2013; re-implementation, parameters ours).</source>
+        <source>Vessel walls against image gradients, Powell&apos;s method (Mitrović 2013; re-implementation, parameters ours).</source>
         <translation>Gefäßwände gegen Bildgradienten, Powell-Verfahren (Mitrović 2013; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
@@ -1593,11 +1704,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Projektion %1 verwendet einen anderen Gefäßbaum oder andere Äste als Projektion 1. Allen dasselbe geben.</translation>
     </message>
     <message>
-        <source>Width of the mixtures' Gaussians at first.</source>
+        <source>Width of the mixtures&apos; Gaussians at first.</source>
         <translation>Anfängliche Breite der Gauß-Mischungen.</translation>
     </message>
     <message>
-        <source>Width of the mixtures' Gaussians in the end.</source>
+        <source>Width of the mixtures&apos; Gaussians in the end.</source>
         <translation>Breite der Gauß-Mischungen am Ende.</translation>
     </message>
     <message>
@@ -1885,8 +1996,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der PLY-Header ist beschädigt oder unvollständig. Neu exportieren.</translation>
     </message>
     <message>
-        <source>its PLY header is damaged: the element "%1" has no properties. Export it again.</source>
-        <translation>der PLY-Header ist beschädigt: das Element "%1" hat keine Eigenschaften. Neu exportieren.</translation>
+        <source>its PLY header is damaged: the element &quot;%1&quot; has no properties. Export it again.</source>
+        <translation>der PLY-Header ist beschädigt: das Element &quot;%1&quot; hat keine Eigenschaften. Neu exportieren.</translation>
     </message>
     <message>
         <source>its axes are %1° apart instead of 90°. Resample the volume to perpendicular axes.</source>
@@ -1985,16 +2096,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Schichten liegen zu ungleich für ein Volumen (%1 auf %2 mm). Alle Schichten der Serie kopieren oder eine andere wählen.</translation>
     </message>
     <message>
-        <source>its transform "%1" is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
-        <translation>die Transformation "%1" ist nicht starr oder hat zu wenig Parameter. Eine starre exportieren (affine, Euler3D oder VersorRigid3D).</translation>
+        <source>its transform &quot;%1&quot; is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
+        <translation>die Transformation &quot;%1&quot; ist nicht starr oder hat zu wenig Parameter. Eine starre exportieren (affine, Euler3D oder VersorRigid3D).</translation>
     </message>
     <message>
         <source>its triangles are damaged or cut short. Copy or export it again.</source>
         <translation>die Dreiecke sind beschädigt oder unvollständig. Neu kopieren oder exportieren.</translation>
     </message>
     <message>
-        <source>its voxel type ("%1") is not read. Save it as 16-bit or float.</source>
-        <translation>der Voxeltyp ("%1") wird nicht gelesen. Als 16 Bit oder float speichern.</translation>
+        <source>its voxel type (&quot;%1&quot;) is not read. Save it as 16-bit or float.</source>
+        <translation>der Voxeltyp (&quot;%1&quot;) wird nicht gelesen. Als 16 Bit oder float speichern.</translation>
     </message>
     <message>
         <source>its voxel type (NIfTI datatype %1) is not read. Save it as 16-bit or float.</source>
@@ -2057,16 +2168,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zeile %1 wiederholt eine id. Jede id muss einmalig sein.</translation>
     </message>
     <message>
-        <source>line %1, column %2: "%3" is not a finite number. Correct or remove the line.</source>
-        <translation>Zeile %1, Spalte %2: "%3" ist keine endliche Zahl. Berichtigen oder entfernen.</translation>
+        <source>line %1, column %2: &quot;%3&quot; is not a finite number. Correct or remove the line.</source>
+        <translation>Zeile %1, Spalte %2: &quot;%3&quot; ist keine endliche Zahl. Berichtigen oder entfernen.</translation>
     </message>
     <message>
         <source>line %1: the branch must be a whole number. Correct the line.</source>
         <translation>Zeile %1: branch muss eine ganze Zahl sein. Berichtigen.</translation>
     </message>
     <message>
-        <source>method: "%1" is unknown. Use one of %2.</source>
-        <translation>method: "%1" ist unbekannt. Möglich: %2.</translation>
+        <source>method: &quot;%1&quot; is unknown. Use one of %2.</source>
+        <translation>method: &quot;%1&quot; ist unbekannt. Möglich: %2.</translation>
     </message>
     <message>
         <source>missing</source>
@@ -2249,8 +2360,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Serie ist zu groß für eine unkomprimierte DICOM-Datei. Weniger Bilder schreiben.</translation>
     </message>
     <message>
-        <source>the section "%1" is damaged or cut short. Export it again.</source>
-        <translation>der Abschnitt "%1" ist beschädigt oder unvollständig. Neu exportieren.</translation>
+        <source>the section &quot;%1&quot; is damaged or cut short. Export it again.</source>
+        <translation>der Abschnitt &quot;%1&quot; ist beschädigt oder unvollständig. Neu exportieren.</translation>
     </message>
     <message>
         <source>the sequence %1 has no end</source>
@@ -2277,7 +2388,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die linken oberen 3 x 3 von cameraFromPatient sind keine Drehung (Skalierung oder Scherung). Eine starre Lage in mm angeben.</translation>
     </message>
     <message>
-        <source>the volume is larger than this computer's memory. Crop the scan to the vessels.</source>
+        <source>the volume is larger than this computer&apos;s memory. Crop the scan to the vessels.</source>
         <translation>das Volumen ist größer als der Speicher dieses Rechners. Den Scan auf die Gefäße zuschneiden.</translation>
     </message>
     <message>
@@ -2317,8 +2428,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>diese DICOM-Datei enthält kein Bild. Einen Scan wählen.</translation>
     </message>
     <message>
-        <source>this JSON is not an AngioPose case (its format is not "angiopose-case"). Choose an .angiopose file.</source>
-        <translation>dieses JSON ist kein AngioPose-Fall (sein format ist nicht "angiopose-case"). Eine .angiopose-Datei wählen.</translation>
+        <source>this JSON is not an AngioPose case (its format is not &quot;angiopose-case&quot;). Choose an .angiopose file.</source>
+        <translation>dieses JSON ist kein AngioPose-Fall (sein format ist nicht &quot;angiopose-case&quot;). Eine .angiopose-Datei wählen.</translation>
     </message>
     <message>
         <source>this is %1, not a 2-D centreline. Choose a CSV table or a PNG mask.</source>
@@ -2829,7 +2940,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ein Stück ohne Verbindung zu den erkannten Gefäßen wurde ausgelassen. Einen Startpunkt hineinsetzen, wenn es zum Baum gehört.</translation>
     </message>
     <message>
-        <source>Its two placements (qform and sform) differ; the qform, in the scanner's coordinates, is used.</source>
+        <source>Its two placements (qform and sform) differ; the qform, in the scanner&apos;s coordinates, is used.</source>
         <translation>Ihre zwei Lageangaben (qform und sform) weichen ab; die qform in Gerätekoordinaten gilt.</translation>
     </message>
     <message>
@@ -2841,8 +2952,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>nach Schicht %1</translation>
     </message>
     <message>
-        <source>it declares %1", which cannot be. The file is damaged; export it again.</source>
-        <translation>nennt %1", was nicht sein kann. Die Datei ist beschädigt; neu exportieren.</translation>
+        <source>it declares %1&quot;, which cannot be. The file is damaged; export it again.</source>
+        <translation>nennt %1&quot;, was nicht sein kann. Die Datei ist beschädigt; neu exportieren.</translation>
     </message>
     <message>
         <source>it holds %1 volumes (%2). Choose one by its series id; `info` lists them.</source>
@@ -3151,6 +3262,73 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
+    <name>ui::GoodFit</name>
+    <message>
+        <source>Good: everything lies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Good: one branch unfilled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Good: vessels have moved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bad: shifted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bad: turned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bad: wrong view angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lines run in the middle of their vessels, blue all along, into the side branches too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amber only where this frame shows no contrast; every filled vessel is blue.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Small differences to both sides: beating and breathing. No rigid pose does better.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All lines miss to the same side. Register again, or nudge with the arrows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fits in the middle and misses more and more outwards: turned in the image plane.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trunk fits, side branches point elsewhere: LAO/RAO or CRA/CAU are off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a good fit looks like</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated vessels. Blue lies on a vessel, amber 2 mm off or more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Schließen</translation>
+    </message>
+    <message>
+        <source>drawing …</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::HeaderBar</name>
     <message>
         <source>Not for clinical use</source>
@@ -3159,6 +3337,13 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>AngioPose is a research program, not a medical device.</source>
         <translation>AngioPose ist ein Forschungsprogramm, kein Medizinprodukt.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::HelpPage</name>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Schließen</translation>
     </message>
 </context>
 <context>
@@ -3198,6 +3383,46 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>No key for “%1”.</source>
         <translation>Keine Taste für „%1“.</translation>
     </message>
+    <message>
+        <source>Keys and what they do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset all keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter or double-click on a line takes a new key for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This key is fixed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press the new key for “%1”. Esc keeps the old one, Delete leaves none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The old key stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is needed elsewhere. Press another key.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” belongs to “%2”. Press it again to take it from there, or press another key.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No key any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The key is “%1” now.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::MessageDialog</name>
@@ -3208,17 +3433,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Copy details</source>
         <translation>Einzelheiten kopieren</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-</context>
-<context>
-    <name>ui::MethodHelp</name>
-    <message>
-        <source>About this method</source>
-        <translation>Über diese Methode</translation>
     </message>
     <message>
         <source>Close</source>
@@ -3643,6 +3857,29 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
+    <name>ui::Tour</name>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::TreeView</name>
     <message>
         <source>3-D view of vessel tree, X-ray source and detector</source>
@@ -3830,7 +4067,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Schwingen, wo das Bild nichts verrät</translation>
     </message>
     <message>
-        <source>Show the run's other solutions</source>
+        <source>Show the run&apos;s other solutions</source>
         <translation>Andere Lösungen des Laufs zeigen</translation>
     </message>
     <message>
@@ -3876,10 +4113,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>As the desktop</source>
         <translation>Wie der Desktop</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
     </message>
     <message>
         <source>About AngioPose</source>
@@ -3936,10 +4169,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>pan</source>
         <translation>verschieben</translation>
-    </message>
-    <message>
-        <source>right drag, Ctrl+wheel</source>
-        <translation>rechts ziehen, Strg+Rad</translation>
     </message>
     <message>
         <source>zoom</source>
@@ -4019,7 +4248,99 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>move; on the ring roll; Esc takes it back, then ends the mode</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save picture of the window …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy picture of the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radiology: left drag windows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D Slicer: left only picks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scroll: left drag runs the frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Help on what the mouse points at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Short tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a good fit looks like</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>menu of what can be done here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left drag, arrows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation type="unfinished">Drehung</translation>
+    </message>
+    <message>
+        <source>right drag, wheel, + −</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>double click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>everything in view again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+left drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+left drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the 3-D view</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

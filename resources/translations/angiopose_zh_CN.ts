@@ -2,13 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
-    <name>SeriesWords</name>
-    <message>
-        <source>Series %1</source>
-        <translation>序列 %1</translation>
-    </message>
-</context>
-<context>
     <name>app::BranchController</name>
     <message>
         <source>Select a branch first: click it in the list or in a view.</source>
@@ -118,126 +111,6 @@
         <translation>配准完成：中位数 %1 mm</translation>
     </message>
     <message>
-        <source>Open DICOM folder</source>
-        <translation>打开 DICOM 文件夹</translation>
-    </message>
-    <message>
-        <source>Not for clinical use</source>
-        <translation>不得用于临床</translation>
-    </message>
-    <message>
-        <source>AngioPose is a research program. It is not a medical device: do not use it for diagnosis, treatment or navigation. Results can be wrong; one projection cannot tell everything about depth.</source>
-        <translation>AngioPose 是研究软件，不是医疗器械：不得用于诊断、治疗或导航。结果可能有误；单一投影无法完全确定深度。</translation>
-    </message>
-    <message>
-        <source>I understand</source>
-        <translation>我已了解</translation>
-    </message>
-    <message>
-        <source>Opened</source>
-        <translation>已打开</translation>
-    </message>
-    <message>
-        <source>Could not open the file</source>
-        <translation>无法打开文件</translation>
-    </message>
-    <message>
-        <source>Could not open the files</source>
-        <translation>无法打开这些文件</translation>
-    </message>
-    <message>
-        <source>Could not save</source>
-        <translation>无法保存</translation>
-    </message>
-    <message>
-        <source>Saving …</source>
-        <translation>正在保存……</translation>
-    </message>
-    <message>
-        <source>Saved</source>
-        <translation>已保存</translation>
-    </message>
-    <message>
-        <source>Writing …</source>
-        <translation>正在写入……</translation>
-    </message>
-    <message>
-        <source>Written: %1</source>
-        <translation>已写入：%1</translation>
-    </message>
-    <message>
-        <source>Could not export</source>
-        <translation>无法导出</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>打开</translation>
-    </message>
-    <message>
-        <source>Making the sample case …</source>
-        <translation>正在生成示例病例……</translation>
-    </message>
-    <message>
-        <source>Could not make the sample case</source>
-        <translation>无法生成示例病例</translation>
-    </message>
-    <message>
-        <source>Save the open case first?</source>
-        <translation>先保存当前病例吗？</translation>
-    </message>
-    <message>
-        <source>“%1” has changes that are not saved.</source>
-        <translation>“%1”有未保存的更改。</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>保存</translation>
-    </message>
-    <message>
-        <source>Discard changes</source>
-        <translation>放弃更改</translation>
-    </message>
-    <message>
-        <source>Keep the open case</source>
-        <translation>保留当前病例</translation>
-    </message>
-    <message>
-        <source>A registration is running</source>
-        <translation>配准正在进行</translation>
-    </message>
-    <message>
-        <source>Stop it and close? Changes of this case are lost unless they are saved.</source>
-        <translation>停止并关闭？未保存的更改将丢失。</translation>
-    </message>
-    <message>
-        <source>Save before closing?</source>
-        <translation>关闭前保存吗？</translation>
-    </message>
-    <message>
-        <source>Stop, save and close</source>
-        <translation>停止、保存并关闭</translation>
-    </message>
-    <message>
-        <source>Stop and close</source>
-        <translation>停止并关闭</translation>
-    </message>
-    <message>
-        <source>Keep running</source>
-        <translation>继续运行</translation>
-    </message>
-    <message>
-        <source>Save and close</source>
-        <translation>保存并关闭</translation>
-    </message>
-    <message>
-        <source>Close without saving</source>
-        <translation>不保存直接关闭</translation>
-    </message>
-    <message>
-        <source>Stay</source>
-        <translation>返回</translation>
-    </message>
-    <message>
         <source>AngioPose %1</source>
         <translation>AngioPose %1</translation>
     </message>
@@ -262,10 +135,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>1 帧</translation>
     </message>
     <message>
-        <source>nothing to judge yet</source>
-        <translation>尚无可评估内容</translation>
-    </message>
-    <message>
         <source>Untitled case</source>
         <translation>未命名病例</translation>
     </message>
@@ -276,10 +145,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>%1 · AngioPose · not for clinical use</source>
         <translation>%1 · AngioPose · 不得用于临床</translation>
-    </message>
-    <message>
-        <source>%1 (missing)</source>
-        <translation>%1（缺失）</translation>
     </message>
 </context>
 <context>
@@ -330,6 +195,69 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
+    <name>app::HelpController</name>
+    <message>
+        <source>Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop a case, or vessels and an angiogram, anywhere. “Open the sample case” works without own data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The way to a result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each step has a tick, or says in its tool tip what is missing. Click any of them, in any order.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vessel tree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its branches with length and distance to the image. A takes a branch into the auxiliary set, X leaves it out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The angiogram</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The projected tree lies over it, coloured by distance. Wheel: frames. N: move the tree with arrows or mouse. H: hide it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation type="unfinished">配准</translation>
+    </message>
+    <message>
+        <source>R finds the pose. Stop keeps the best one so far, Ctrl+Z brings the old one back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Can it be trusted?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbers in mm, and sentences on what the image cannot tell. Shift+F1 shows good and bad fits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Help is never far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F1 explains what the mouse points at, ? lists and changes all keys. This tour is under Help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>app::InputKind</name>
     <message>
         <source>Cases, vessels and angiograms (%1)</source>
@@ -354,6 +282,13 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>All files (*)</source>
         <translation>所有文件 (*)</translation>
+    </message>
+</context>
+<context>
+    <name>app::JudgementController</name>
+    <message>
+        <source>nothing to judge yet</source>
+        <translation type="unfinished">尚无可评估内容</translation>
     </message>
 </context>
 <context>
@@ -419,6 +354,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
+    <name>app::Notices</name>
+    <message>
+        <source>Ready</source>
+        <translation type="unfinished">就绪</translation>
+    </message>
+    <message>
+        <source>AngioPose %1</source>
+        <translation type="unfinished">AngioPose %1</translation>
+    </message>
+</context>
+<context>
     <name>app::OpenController</name>
     <message>
         <source>A registration is running. Stop it before opening another file.</source>
@@ -435,6 +381,33 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Open %1</source>
         <translation>打开 %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::PictureController</name>
+    <message>
+        <source>The window is in the clipboard as a picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save picture of the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation type="unfinished">PNG 图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation type="unfinished">已写入：%1</translation>
+    </message>
+    <message>
+        <source>Could not save the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Choose another folder.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -610,6 +583,144 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Unsaved changes</source>
         <translation>有未保存的更改</translation>
+    </message>
+</context>
+<context>
+    <name>app::SeriesRows</name>
+    <message>
+        <source>Series %1</source>
+        <translation type="unfinished">序列 %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::SessionController</name>
+    <message>
+        <source>Not for clinical use</source>
+        <translation type="unfinished">不得用于临床</translation>
+    </message>
+    <message>
+        <source>AngioPose is a research program. It is not a medical device: do not use it for diagnosis, treatment or navigation. Results can be wrong; one projection cannot tell everything about depth.</source>
+        <translation type="unfinished">AngioPose 是研究软件，不是医疗器械：不得用于诊断、治疗或导航。结果可能有误；单一投影无法完全确定深度。</translation>
+    </message>
+    <message>
+        <source>I understand</source>
+        <translation type="unfinished">我已了解</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation type="unfinished">就绪</translation>
+    </message>
+    <message>
+        <source>Opened</source>
+        <translation type="unfinished">已打开</translation>
+    </message>
+    <message>
+        <source>Could not open the file</source>
+        <translation type="unfinished">无法打开文件</translation>
+    </message>
+    <message>
+        <source>Could not open the files</source>
+        <translation type="unfinished">无法打开这些文件</translation>
+    </message>
+    <message>
+        <source>Could not save</source>
+        <translation type="unfinished">无法保存</translation>
+    </message>
+    <message>
+        <source>Saving …</source>
+        <translation type="unfinished">正在保存……</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation type="unfinished">已保存</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation type="unfinished">正在写入……</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation type="unfinished">已写入：%1</translation>
+    </message>
+    <message>
+        <source>Could not export</source>
+        <translation type="unfinished">无法导出</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished">打开</translation>
+    </message>
+    <message>
+        <source>Open DICOM folder</source>
+        <translation type="unfinished">打开 DICOM 文件夹</translation>
+    </message>
+    <message>
+        <source>Making the sample case …</source>
+        <translation type="unfinished">正在生成示例病例……</translation>
+    </message>
+    <message>
+        <source>Could not make the sample case</source>
+        <translation type="unfinished">无法生成示例病例</translation>
+    </message>
+    <message>
+        <source>Save the open case first?</source>
+        <translation type="unfinished">先保存当前病例吗？</translation>
+    </message>
+    <message>
+        <source>“%1” has changes that are not saved.</source>
+        <translation type="unfinished">“%1”有未保存的更改。</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished">保存</translation>
+    </message>
+    <message>
+        <source>Discard changes</source>
+        <translation type="unfinished">放弃更改</translation>
+    </message>
+    <message>
+        <source>Keep the open case</source>
+        <translation type="unfinished">保留当前病例</translation>
+    </message>
+    <message>
+        <source>A registration is running</source>
+        <translation type="unfinished">配准正在进行</translation>
+    </message>
+    <message>
+        <source>Stop it and close? Changes of this case are lost unless they are saved.</source>
+        <translation type="unfinished">停止并关闭？未保存的更改将丢失。</translation>
+    </message>
+    <message>
+        <source>Save before closing?</source>
+        <translation type="unfinished">关闭前保存吗？</translation>
+    </message>
+    <message>
+        <source>Stop, save and close</source>
+        <translation type="unfinished">停止、保存并关闭</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation type="unfinished">停止并关闭</translation>
+    </message>
+    <message>
+        <source>Keep running</source>
+        <translation type="unfinished">继续运行</translation>
+    </message>
+    <message>
+        <source>Save and close</source>
+        <translation type="unfinished">保存并关闭</translation>
+    </message>
+    <message>
+        <source>Close without saving</source>
+        <translation type="unfinished">不保存直接关闭</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation type="unfinished">返回</translation>
+    </message>
+    <message>
+        <source>%1 (missing)</source>
+        <translation type="unfinished">%1（缺失）</translation>
     </message>
 </context>
 <context>
@@ -797,7 +908,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>所选分支（未选时为节点）、节点、最粗且不超过总长三分之一的分支，或随机点。</translation>
     </message>
     <message>
-        <source>Coarse search, then robust point-to-line refinement about the tree's centroid, with uncertainty.</source>
+        <source>Coarse search, then robust point-to-line refinement about the tree&apos;s centroid, with uncertainty.</source>
         <translation>先粗搜索，再绕血管树质心做稳健的点到线精配准，并给出不确定度。</translation>
     </message>
     <message>
@@ -837,7 +948,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>最终阶段超过此距离的点几乎不计；图像噪声会使其变宽。</translation>
     </message>
     <message>
-        <source>Distance from which a point's pull stops growing.</source>
+        <source>Distance from which a point&apos;s pull stops growing.</source>
         <translation>超过此距离后单点拉力不再增大。</translation>
     </message>
     <message>
@@ -845,7 +956,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>边缘尺度</translation>
     </message>
     <message>
-        <source>Edges found along the vessel walls' normals, a pose chosen by RANSAC with gradient matching (Markelj 2008; re-implementation, parameters ours).</source>
+        <source>Edges found along the vessel walls&apos; normals, a pose chosen by RANSAC with gradient matching (Markelj 2008; re-implementation, parameters ours).</source>
         <translation>沿血管壁法线寻找边缘，以 RANSAC 和梯度匹配选位姿（Markelj 2008；重新实现，参数自定）。</translation>
     </message>
     <message>
@@ -889,7 +1000,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>GDCM 无法写入 DICOM 文件。请选择其他格式。</translation>
     </message>
     <message>
-        <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image's brightness (Aylward 2003; re-implementation, parameters ours).</source>
+        <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image&apos;s brightness (Aylward 2003; re-implementation, parameters ours).</source>
         <translation>对血管树与提取血管之间的平均核，或图像亮度做梯度上升（Aylward 2003；重新实现，参数自定）。</translation>
     </message>
     <message>
@@ -905,7 +1016,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>搜索在垂直射线方向的范围。</translation>
     </message>
     <message>
-        <source>How far along the vessel walls' normals edges are sought at first.</source>
+        <source>How far along the vessel walls&apos; normals edges are sought at first.</source>
         <translation>最初沿血管壁法线寻找边缘的距离。</translation>
     </message>
     <message>
@@ -989,7 +1100,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>到最近提取血管距离的 Huber 损失最小（Rivest-Hénault 2012；重新实现，参数自定）。</translation>
     </message>
     <message>
-        <source>Least squares on nearest pairs by OpenCV's SQPNP, repeated: what library parts make in an afternoon.</source>
+        <source>Least squares on nearest pairs by OpenCV&apos;s SQPNP, repeated: what library parts make in an afternoon.</source>
         <translation>用 OpenCV 的 SQPNP 对最近点对反复做最小二乘：用现成库一下午可拼成的方法。</translation>
     </message>
     <message>
@@ -1233,7 +1344,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>初始位姿沿射线方向的标准差。</translation>
     </message>
     <message>
-        <source>Standard deviation of the start pose's angles; holds what the image cannot tell.</source>
+        <source>Standard deviation of the start pose&apos;s angles; holds what the image cannot tell.</source>
         <translation>初始位姿角度的标准差；约束图像无法确定的量。</translation>
     </message>
     <message>
@@ -1473,7 +1584,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>表面未闭合（%1 条开放边、%2 条重叠边）：内部按多数判定。请检查结果或封闭孔洞。</translation>
     </message>
     <message>
-        <source>The traced vessels, or the brightness of the image at each vessel's own width.</source>
+        <source>The traced vessels, or the brightness of the image at each vessel&apos;s own width.</source>
         <translation>提取的血管，或按各血管宽度的图像亮度。</translation>
     </message>
     <message>
@@ -1537,7 +1648,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>尚无造影图像。请先打开图像。</translation>
     </message>
     <message>
-        <source>There is no method '%1'. Choose one of: %2.</source>
+        <source>There is no method &apos;%1&apos;. Choose one of: %2.</source>
         <translation>没有方法“%1”。可选：%2。</translation>
     </message>
     <message>
@@ -1581,7 +1692,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>旋转与平移平衡，或弧度与毫米直接并用（几乎不平移）。</translation>
     </message>
     <message>
-        <source>Vessel walls against image gradients, Powell's method (Mitrović 2013; re-implementation, parameters ours).</source>
+        <source>Vessel walls against image gradients, Powell&apos;s method (Mitrović 2013; re-implementation, parameters ours).</source>
         <translation>血管壁与图像梯度匹配，Powell 法（Mitrović 2013；重新实现，参数自定）。</translation>
     </message>
     <message>
@@ -1593,11 +1704,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>投影 %1 使用的血管树或分支与投影 1 不同。请统一。</translation>
     </message>
     <message>
-        <source>Width of the mixtures' Gaussians at first.</source>
+        <source>Width of the mixtures&apos; Gaussians at first.</source>
         <translation>高斯混合的初始宽度。</translation>
     </message>
     <message>
-        <source>Width of the mixtures' Gaussians in the end.</source>
+        <source>Width of the mixtures&apos; Gaussians in the end.</source>
         <translation>高斯混合的最终宽度。</translation>
     </message>
     <message>
@@ -1885,8 +1996,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>PLY 文件头损坏或截断。请重新导出。</translation>
     </message>
     <message>
-        <source>its PLY header is damaged: the element "%1" has no properties. Export it again.</source>
-        <translation>PLY 文件头损坏：元素 "%1" 没有属性。请重新导出。</translation>
+        <source>its PLY header is damaged: the element &quot;%1&quot; has no properties. Export it again.</source>
+        <translation>PLY 文件头损坏：元素 &quot;%1&quot; 没有属性。请重新导出。</translation>
     </message>
     <message>
         <source>its axes are %1° apart instead of 90°. Resample the volume to perpendicular axes.</source>
@@ -1985,16 +2096,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>层间距过于不均，无法组成体数据（%2 mm 内 %1 层）。请复制全部层面，或另选。</translation>
     </message>
     <message>
-        <source>its transform "%1" is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
-        <translation>变换 "%1" 非刚性或缺少参数。请导出刚性变换（affine、Euler3D 或 VersorRigid3D）。</translation>
+        <source>its transform &quot;%1&quot; is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
+        <translation>变换 &quot;%1&quot; 非刚性或缺少参数。请导出刚性变换（affine、Euler3D 或 VersorRigid3D）。</translation>
     </message>
     <message>
         <source>its triangles are damaged or cut short. Copy or export it again.</source>
         <translation>三角面损坏或截断。请重新复制或导出。</translation>
     </message>
     <message>
-        <source>its voxel type ("%1") is not read. Save it as 16-bit or float.</source>
-        <translation>不支持体素类型（"%1"）。请存为 16 位或浮点。</translation>
+        <source>its voxel type (&quot;%1&quot;) is not read. Save it as 16-bit or float.</source>
+        <translation>不支持体素类型（&quot;%1&quot;）。请存为 16 位或浮点。</translation>
     </message>
     <message>
         <source>its voxel type (NIfTI datatype %1) is not read. Save it as 16-bit or float.</source>
@@ -2057,16 +2168,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 行 id 重复。id 必须唯一。</translation>
     </message>
     <message>
-        <source>line %1, column %2: "%3" is not a finite number. Correct or remove the line.</source>
-        <translation>第 %1 行 %2 列："%3" 不是有限数。请更正或删除该行。</translation>
+        <source>line %1, column %2: &quot;%3&quot; is not a finite number. Correct or remove the line.</source>
+        <translation>第 %1 行 %2 列：&quot;%3&quot; 不是有限数。请更正或删除该行。</translation>
     </message>
     <message>
         <source>line %1: the branch must be a whole number. Correct the line.</source>
         <translation>第 %1 行：branch 必须为整数。请更正。</translation>
     </message>
     <message>
-        <source>method: "%1" is unknown. Use one of %2.</source>
-        <translation>method："%1" 未知。可用：%2。</translation>
+        <source>method: &quot;%1&quot; is unknown. Use one of %2.</source>
+        <translation>method：&quot;%1&quot; 未知。可用：%2。</translation>
     </message>
     <message>
         <source>missing</source>
@@ -2249,8 +2360,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>该序列超出未压缩 DICOM 文件容量。请写入较少帧。</translation>
     </message>
     <message>
-        <source>the section "%1" is damaged or cut short. Export it again.</source>
-        <translation>"%1" 部分损坏或截断。请重新导出。</translation>
+        <source>the section &quot;%1&quot; is damaged or cut short. Export it again.</source>
+        <translation>&quot;%1&quot; 部分损坏或截断。请重新导出。</translation>
     </message>
     <message>
         <source>the sequence %1 has no end</source>
@@ -2277,7 +2388,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>cameraFromPatient 左上 3 x 3 不是旋转（含缩放或剪切）。请给出以 mm 为单位的刚性位姿。</translation>
     </message>
     <message>
-        <source>the volume is larger than this computer's memory. Crop the scan to the vessels.</source>
+        <source>the volume is larger than this computer&apos;s memory. Crop the scan to the vessels.</source>
         <translation>体数据超过本机内存。请裁剪到血管范围。</translation>
     </message>
     <message>
@@ -2317,8 +2428,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此 DICOM 文件不含图像。请选择扫描。</translation>
     </message>
     <message>
-        <source>this JSON is not an AngioPose case (its format is not "angiopose-case"). Choose an .angiopose file.</source>
-        <translation>此 JSON 不是 AngioPose 病例（format 不是 "angiopose-case"）。请选择 .angiopose 文件。</translation>
+        <source>this JSON is not an AngioPose case (its format is not &quot;angiopose-case&quot;). Choose an .angiopose file.</source>
+        <translation>此 JSON 不是 AngioPose 病例（format 不是 &quot;angiopose-case&quot;）。请选择 .angiopose 文件。</translation>
     </message>
     <message>
         <source>this is %1, not a 2-D centreline. Choose a CSV table or a PNG mask.</source>
@@ -2829,7 +2940,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>有一段未与提取血管相连，已略去。若属于血管树，请在其中放种子点。</translation>
     </message>
     <message>
-        <source>Its two placements (qform and sform) differ; the qform, in the scanner's coordinates, is used.</source>
+        <source>Its two placements (qform and sform) differ; the qform, in the scanner&apos;s coordinates, is used.</source>
         <translation>两种定位（qform 与 sform）不一致；采用扫描仪坐标的 qform。</translation>
     </message>
     <message>
@@ -2841,8 +2952,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 层之后</translation>
     </message>
     <message>
-        <source>it declares %1", which cannot be. The file is damaged; export it again.</source>
-        <translation>声明 %1"，不可能。文件损坏；请重新导出。</translation>
+        <source>it declares %1&quot;, which cannot be. The file is damaged; export it again.</source>
+        <translation>声明 %1&quot;，不可能。文件损坏；请重新导出。</translation>
     </message>
     <message>
         <source>it holds %1 volumes (%2). Choose one by its series id; `info` lists them.</source>
@@ -3151,6 +3262,73 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
+    <name>ui::GoodFit</name>
+    <message>
+        <source>Good: everything lies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Good: one branch unfilled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Good: vessels have moved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bad: shifted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bad: turned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bad: wrong view angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lines run in the middle of their vessels, blue all along, into the side branches too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amber only where this frame shows no contrast; every filled vessel is blue.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Small differences to both sides: beating and breathing. No rigid pose does better.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All lines miss to the same side. Register again, or nudge with the arrows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fits in the middle and misses more and more outwards: turned in the image plane.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trunk fits, side branches point elsewhere: LAO/RAO or CRA/CAU are off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a good fit looks like</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated vessels. Blue lies on a vessel, amber 2 mm off or more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">关闭</translation>
+    </message>
+    <message>
+        <source>drawing …</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::HeaderBar</name>
     <message>
         <source>Not for clinical use</source>
@@ -3159,6 +3337,13 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>AngioPose is a research program, not a medical device.</source>
         <translation>AngioPose 是研究软件，不是医疗器械。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::HelpPage</name>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">关闭</translation>
     </message>
 </context>
 <context>
@@ -3198,6 +3383,46 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>No key for “%1”.</source>
         <translation>没有“%1”的快捷键。</translation>
     </message>
+    <message>
+        <source>Keys and what they do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset all keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter or double-click on a line takes a new key for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This key is fixed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press the new key for “%1”. Esc keeps the old one, Delete leaves none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The old key stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is needed elsewhere. Press another key.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” belongs to “%2”. Press it again to take it from there, or press another key.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No key any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The key is “%1” now.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::MessageDialog</name>
@@ -3208,17 +3433,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Copy details</source>
         <translation>复制详细信息</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
-    </message>
-</context>
-<context>
-    <name>ui::MethodHelp</name>
-    <message>
-        <source>About this method</source>
-        <translation>关于此方法</translation>
     </message>
     <message>
         <source>Close</source>
@@ -3642,6 +3856,29 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
+    <name>ui::Tour</name>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::TreeView</name>
     <message>
         <source>3-D view of vessel tree, X-ray source and detector</source>
@@ -3829,7 +4066,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>沿图像无法确定的方向摆动</translation>
     </message>
     <message>
-        <source>Show the run's other solutions</source>
+        <source>Show the run&apos;s other solutions</source>
         <translation>显示其他解</translation>
     </message>
     <message>
@@ -3875,10 +4112,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>As the desktop</source>
         <translation>跟随桌面</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>快捷键</translation>
     </message>
     <message>
         <source>About AngioPose</source>
@@ -3935,10 +4168,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>pan</source>
         <translation>平移图像</translation>
-    </message>
-    <message>
-        <source>right drag, Ctrl+wheel</source>
-        <translation>右键拖动、Ctrl+滚轮</translation>
     </message>
     <message>
         <source>zoom</source>
@@ -4018,7 +4247,99 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>move; on the ring roll; Esc takes it back, then ends the mode</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save picture of the window …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy picture of the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radiology: left drag windows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D Slicer: left only picks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scroll: left drag runs the frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Help on what the mouse points at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Short tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a good fit looks like</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>menu of what can be done here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left drag, arrows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation type="unfinished">转动</translation>
+    </message>
+    <message>
+        <source>right drag, wheel, + −</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>double click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>everything in view again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+left drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+left drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the 3-D view</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

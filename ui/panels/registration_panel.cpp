@@ -1,6 +1,6 @@
 #include "ui/panels/registration_panel.h"
 
-#include "ui/dialogs/method_help.h"
+#include "ui/help/help_page.h"
 #include "ui/panels/option_form.h"
 #include "ui/words/core_texts.h"
 
@@ -72,7 +72,8 @@ QHBoxLayout* RegistrationPanel::methodRow()
     about->setAccessibleName(tr("About this method"));
     about->setToolTip(tr("What this method minimises, when it fails, and its source."));
     connect(about, &QToolButton::clicked, this, [this] {
-        auto* help = new MethodHelp(method_->currentData().toString(), window());
+        auto* help = new HelpPage(QStringLiteral("methods/") + method_->currentData().toString(),
+                                  tr("About this method"), window());
         help->open();
     });
     auto* row = new QHBoxLayout;

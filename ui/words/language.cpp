@@ -26,6 +26,12 @@ bool speaks(const QString& wanted, const QString& code)
     return locale.language() == QLocale(code).language();
 }
 
+QString& current()
+{
+    static QString code = languages().front();
+    return code;
+}
+
 void install(QTranslator* translator, bool isLoaded)
 {
     if (isLoaded) {
@@ -55,6 +61,7 @@ QString desktopLanguage()
 void applyLanguage(const QString& code)
 {
     loadTranslations();
+    current() = code;
     static QTranslator ours, qts;
     for (QTranslator* translator : {&ours, &qts}) {
         QCoreApplication::removeTranslator(translator);
@@ -64,6 +71,11 @@ void applyLanguage(const QString& code)
                 qts.load(QStringLiteral("qtbase_%1").arg(code), QLibraryInfo::path(QLibraryInfo::TranslationsPath)));
         install(&ours, ours.load(QStringLiteral(":/translations/angiopose_%1.qm").arg(code)));
     }
+}
+
+QString currentLanguage()
+{
+    return current();
 }
 
 }   // namespace ui

@@ -14,4 +14,7 @@ QString desktopLanguage();
 /// Makes windows made from now on speak the language, Qt's own dialogs too. Numbers keep their point in all of them.
 void applyLanguage(const QString& code);
 
+/// The code that was applied last.
+QString currentLanguage();
+
 }   // namespace ui

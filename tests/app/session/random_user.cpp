@@ -81,6 +81,8 @@ const std::vector<Press>& presses()
                                          {Key_Y, Qt::ControlModifier},
                                          {Key_C, Qt::ControlModifier},
                                          {Key_Escape},
+                                         {Key_C, Qt::ControlModifier | Qt::ShiftModifier},
+                                         {Key_F1, Qt::ControlModifier},
                                          {Key_F1}};
     return keys;
 }
