@@ -6,12 +6,12 @@
 #include "app/step_states.h"
 #include "app/texts/geometry_state.h"
 #include "app/window_layout.h"
-#include "ui/dialogs/key_sheet.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/bind_tool.h"
 #include "ui/views/tools/nudge_tool.h"
 #include "ui/views/tree_view.h"
+#include "ui/words/core_texts.h"
 
 #include <QClipboard>
 #include <QCoreApplication>
@@ -75,7 +75,9 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       slices_(document_, branches_, window),
       tracing_(document_, window),
       treeActions_(document_, branches_, tracing_, window),
-      poses_({document_, target_, branches_, session_, review_, replay_, judgement_, sync_, notices_, window})
+      poses_({document_, target_, branches_, session_, review_, replay_, judgement_, sync_, notices_, window}),
+      habits_(branches_, window),
+      help_(window)
 {
     connectEditing();
     connectBranches();
@@ -309,9 +311,8 @@ void CaseController::showProgress(const core::IterationReport& report)
     }
     sync_.showPreview(report.cameraFromPatient, ResidualColors::Kept);
     window_.result().showProgress(report);
-    const QString stage = QString::fromUtf8(report.stage.data(), static_cast<qsizetype>(report.stage.size()));
     window_.strip().showProgress(tr("Registering: %1 · %2 % · %3 px")
-                                     .arg(stage)
+                                     .arg(ui::coreText(report.stage))
                                      .arg(100.0 * report.progress, 0, 'f', 0)
                                      .arg(report.medianDistancePx, 0, 'f', 1),
                                  report.progress);
@@ -328,10 +329,6 @@ void CaseController::showFinished(const core::RegistrationResult& result)
 void CaseController::connectHelp()
 {
     ui::WindowActions& actions = window_.actions();
-    connect(actions[ui::Command::Keys], &QAction::triggered, this, [this] {
-        auto* sheet = new ui::KeySheet(window_.actions().keySheet(), &window_);
-        sheet->open();
-    });
     connect(actions[ui::Command::About], &QAction::triggered, this, [this] {
         ui::MessageDialog::show(
             {tr("AngioPose %1").arg(QCoreApplication::applicationVersion()),
@@ -341,7 +338,21 @@ void CaseController::connectHelp()
              {}},
             &window_);
     });
-    connect(&window_.steps(), &ui::StepBar::stepClicked, &window_, &ui::MainWindow::focusStep);
+    connect(&session_, &SessionController::noticeAccepted, &help_, &HelpController::offerTour);
+    connect(&window_.steps(), &ui::StepBar::stepClicked, this, &CaseController::goToStep);
+}
+
+/// A step whose input is missing asks for it.
+void CaseController::goToStep(ui::Step step)
+{
+    const core::RegistrationCase& current = document_.current();
+    const bool asks =
+        (step == ui::Step::Vessels && !current.tree) || (step == ui::Step::Angiogram && !current.angiogram);
+    if (asks && !session_.isLoading()) {
+        window_.actions()[ui::Command::Open]->trigger();
+    } else {
+        window_.focusStep(step);
+    }
 }
 
 void CaseController::showTitle()
@@ -360,7 +371,7 @@ void CaseController::showSteps()
 {
     const core::RegistrationCase& current = document_.current();
     StepFacts facts;
-    facts.targetProblem = target_.problem();
+    facts.targetProblem = ui::coreText(target_.problem());
     facts.isTracing = target_.isTracing();
     facts.isRunning = registration_.isRunning();
     facts.poseEdited = pose_.isMovedFromStart();

@@ -8,6 +8,8 @@
 #include "app/editing/tracing_controller.h"
 #include "app/editing/tree_actions.h"
 #include "app/files/session_controller.h"
+#include "app/habits/habits.h"
+#include "app/help/help_controller.h"
 #include "app/notices.h"
 #include "app/registration/registration_controller.h"
 #include "app/registration/target_provider.h"
@@ -55,6 +57,7 @@ private:
     void connectGeometry();
     void connectRegistration();
     void connectHelp();
+    void goToStep(ui::Step step);
     void followDocument();
     void followTarget();
     void showProgress(const core::IterationReport& report);
@@ -82,6 +85,8 @@ private:
     TracingController tracing_;
     TreeActions treeActions_;
     PoseTools poses_;
+    Habits habits_;
+    HelpController help_;
     QTimer clock_;   ///< keeps "Autosaved 12 s ago" true
     bool exported_ = false;
 };

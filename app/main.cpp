@@ -1,4 +1,5 @@
 #include "app/case_controller.h"
+#include "app/language_choice.h"
 #include "app/theme_choice.h"
 #include "ui/main_window.h"
 
@@ -14,6 +15,8 @@ int main(int argc, char** argv)
     QApplication::setApplicationVersion(QStringLiteral(ANGIOPOSE_VERSION));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/angiopose.svg")));
     QGuiApplication::setDesktopFileName(QStringLiteral("org.angiopose.AngioPose"));
+
+    app::applyChosenLanguage();
 
     QCommandLineParser parser;
     parser.setApplicationDescription(QApplication::translate(

@@ -2,6 +2,7 @@
 
 #include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
+#include "ui/words/core_texts.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -36,7 +37,7 @@ void Notices::showProblem(const QString& heading, const QString& reason, const Q
     QStringList details{tr("AngioPose %1").arg(QCoreApplication::applicationVersion()),
                         QDateTime::currentDateTime().toString(Qt::ISODate)};
     details += paths;
-    ui::MessageDialog::show({heading, reason, details.join(QLatin1Char('\n'))}, &window_);
+    ui::MessageDialog::show({heading, ui::coreText(reason), details.join(QLatin1Char('\n'))}, &window_);
 }
 
 }   // namespace app

@@ -26,6 +26,9 @@ inline const Setting<QString> lastFolder{"files/lastFolder", {}};
 inline const Setting<QStringList> recentCases{"files/recentCases", {}};
 inline const Setting<QByteArray> windowLayout{"window/layout", {}};
 inline const Setting<QString> theme{"window/theme", QStringLiteral("dark")};   ///< dark, light or system
+inline const Setting<QString> language{"window/language", QStringLiteral("system")};   ///< system, en, de or zh_CN
+inline const Setting<QString> mouse{"window/mouse", QStringLiteral("radiology")};   ///< radiology, slicer or scroll
+inline const Setting<bool> tourSeen{"window/tourSeen", false};
 inline const Setting<bool> reduceMotion{"window/reduceMotion", false};
 inline const Setting<bool> noticeAccepted{"window/noticeAccepted", false};
 inline const Setting<double> overlayOpacity{"view/overlayOpacity", 0.9};

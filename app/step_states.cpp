@@ -1,6 +1,7 @@
 #include "app/step_states.h"
 
 #include "core/imaging/patient_match.h"
+#include "ui/words/core_texts.h"
 
 #include <QCoreApplication>
 
@@ -10,45 +11,45 @@ namespace {
 using ui::StepMark;
 using ui::StepState;
 
-QString text(const char* words, int n = -1)
-{
-    return QCoreApplication::translate("app::StepStates", words, nullptr, n);
-}
+/// The words of this file.
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(app::StepStates)
+};
 
 StepState vessels(const core::RegistrationCase& current, const StepFacts& facts)
 {
     if (!current.tree) {
-        return {StepMark::Open, {}, text("Open a CT angiogram, a segmentation, a surface or a centreline.")};
+        return {StepMark::Open, {}, Words::tr("Open a CT angiogram, a segmentation, a surface or a centreline.")};
     }
     if (facts.treePieces > 1) {
-        return {StepMark::Look, text("%1 pieces").arg(facts.treePieces),
-                text("The vessels are in pieces. Below the branch list is how to join them.")};
+        return {StepMark::Look, Words::tr("%1 pieces").arg(facts.treePieces),
+                Words::tr("The vessels are in pieces. Below the branch list is how to join them.")};
     }
     const auto count = static_cast<int>(current.tree->branches.size());
-    return {StepMark::Done, count == 1 ? text("1 branch") : text("%1 branches").arg(count), {}};
+    return {StepMark::Done, count == 1 ? Words::tr("1 branch") : Words::tr("%1 branches").arg(count), {}};
 }
 
 StepState angiogram(const core::RegistrationCase& current, const StepFacts& facts)
 {
     if (!current.angiogram) {
-        return {StepMark::Open, {}, text("Open an angiogram: DICOM XA, PNG or TIFF.")};
+        return {StepMark::Open, {}, Words::tr("Open an angiogram: DICOM XA, PNG or TIFF.")};
     }
     if (!facts.targetProblem.isEmpty()) {
-        return {StepMark::Look, text("no vessels traced"), facts.targetProblem};
+        return {StepMark::Look, Words::tr("no vessels traced"), facts.targetProblem};
     }
     if (facts.isTracing) {
-        return {StepMark::Open, text("tracing …"), {}};
+        return {StepMark::Open, Words::tr("tracing …"), {}};
     }
     if (const std::string mismatch = core::findMismatch(current.scanIdentity, current.angiogram->identity);
         !mismatch.empty()) {
-        return {StepMark::Look, text("another patient?"), QString::fromStdString(mismatch)};
+        return {StepMark::Look, Words::tr("another patient?"), ui::coreText(mismatch)};
     }
     if (core::givenTargetOf(current)) {
         return {StepMark::Done,
-                current.editedFrame ? text("frame %1, edited").arg(current.frame) : text("given centreline"),
+                current.editedFrame ? Words::tr("frame %1, edited").arg(current.frame) : Words::tr("given centreline"),
                 {}};
     }
-    return {StepMark::Done, text("frame %1").arg(current.frame), {}};
+    return {StepMark::Done, Words::tr("frame %1").arg(current.frame), {}};
 }
 
 bool isAssumed(const core::CArm& cArm)
@@ -68,26 +69,28 @@ StepState geometry(const core::RegistrationCase& current)
         return {};
     }
     if (const auto camera = core::cameraOf(current); !camera) {
-        return {StepMark::Look, text("incomplete"), QString::fromStdString(camera.error().message)};
+        return {StepMark::Look, Words::tr("incomplete"), ui::coreText(camera.error().message)};
     }
     if (current.cameraOverride) {
-        return {StepMark::Done, text("from the case"), {}};
+        return {StepMark::Done, Words::tr("from the case"), {}};
     }
     if (const auto contradictions = core::contradictionsOf(current); !contradictions.empty()) {
-        return {StepMark::Look, text("contradictory"), QString::fromStdString(contradictions.front())};
+        return {StepMark::Look, Words::tr("contradictory"), ui::coreText(contradictions.front())};
     }
     if (isAssumed(current.cArm)) {
-        return {StepMark::Look, text("partly assumed"), text("Some values are assumed. Type them if you know them.")};
+        return {StepMark::Look, Words::tr("partly assumed"),
+                Words::tr("Some values are assumed. Type them if you know them.")};
     }
     switch (current.cArm.columnSpacingMm.origin) {
         case core::Origin::User:
-            return {StepMark::Done, text("pixel spacing typed"), {}};
+            return {StepMark::Done, Words::tr("pixel spacing typed"), {}};
         case core::Origin::Derived:
-            return {StepMark::Look, text("pixel spacing derived"),
-                    text("The header gives no pixel spacing: %1. Type it, or press Enter in the field to confirm it.")
-                        .arg(QString::fromStdString(current.cArm.columnSpacingMm.basis))};
+            return {
+                StepMark::Look, Words::tr("pixel spacing derived"),
+                Words::tr("The header gives no pixel spacing: %1. Type it, or press Enter in the field to confirm it.")
+                    .arg(ui::coreText(current.cArm.columnSpacingMm.basis))};
         default:
-            return {StepMark::Done, text("from the header"), {}};
+            return {StepMark::Done, Words::tr("from the header"), {}};
     }
 }
 
@@ -97,25 +100,26 @@ StepState startPose(const core::RegistrationCase& current)
         return {};
     }
     if (const auto start = core::startPoseOf(current); !start) {
-        return {StepMark::Look, text("missing"), QString::fromStdString(start.error().message)};
+        return {StepMark::Look, Words::tr("missing"), ui::coreText(start.error().message)};
     }
     return {StepMark::Done,
-            current.hasInitialPose ? current.landmarks.empty() ? text("from the case") : text("from landmarks")
-                                   : text("from angles"),
+            current.hasInitialPose
+                ? current.landmarks.empty() ? Words::tr("from the case") : Words::tr("from landmarks")
+                : Words::tr("from angles"),
             {}};
 }
 
 StepState registration(const core::RegistrationCase& current, const StepFacts& facts)
 {
     if (facts.isRunning) {
-        return {StepMark::Open, text("running …"), {}};
+        return {StepMark::Open, Words::tr("running …"), {}};
     }
     if (!current.result) {
-        return {StepMark::Open, facts.poseEdited ? text("moved by hand") : QString(), {}};
+        return {StepMark::Open, facts.poseEdited ? Words::tr("moved by hand") : QString(), {}};
     }
     const double ms = current.result->time.totalMs;
-    const QString time =
-        ms < 1000.0 ? text("%1 ms").arg(ms, 0, 'f', ms < 10.0 ? 1 : 0) : text("%1 s").arg(ms / 1000.0, 0, 'f', 1);
+    const QString time = ms < 1000.0 ? Words::tr("%1 ms").arg(ms, 0, 'f', ms < 10.0 ? 1 : 0)
+                                     : Words::tr("%1 s").arg(ms / 1000.0, 0, 'f', 1);
     return {StepMark::Done, time, {}};
 }
 
@@ -126,17 +130,17 @@ StepState review(const core::RegistrationCase& current)
     }
     if (!current.result->trustworthy) {
         const auto& warnings = current.result->warnings;
-        return {StepMark::Look, text("look closely"),
-                warnings.empty() ? QString() : QString::fromStdString(warnings.front())};
+        return {StepMark::Look, Words::tr("look closely"),
+                warnings.empty() ? QString() : ui::coreText(warnings.front())};
     }
-    return {StepMark::Done, text("%1 mm median").arg(current.result->metrics.medianMm, 0, 'f', 2), {}};
+    return {StepMark::Done, Words::tr("%1 mm median").arg(current.result->metrics.medianMm, 0, 'f', 2), {}};
 }
 
 }   // namespace
 
 std::array<ui::StepState, ui::stepCount> stepStates(const core::RegistrationCase& current, const StepFacts& facts)
 {
-    const StepState exported = facts.exported ? StepState{StepMark::Done, text("written"), {}} : StepState{};
+    const StepState exported = facts.exported ? StepState{StepMark::Done, Words::tr("written"), {}} : StepState{};
     return {vessels(current, facts),      angiogram(current, facts), geometry(current), startPose(current),
             registration(current, facts), review(current),           exported};
 }

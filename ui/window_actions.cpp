@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 
 #include <array>
 #include <vector>
@@ -11,7 +12,7 @@
 namespace ui {
 namespace {
 
-enum class Menu { File, Edit, Vessels, Registration, View, Theme, Help };
+enum class Menu { File, Edit, Vessels, Registration, View, Theme, Language, Mouse, Help };
 enum class Kind { Plain, Switch };
 
 struct ActionRow {
@@ -35,6 +36,8 @@ const std::vector<ActionRow>& rows()
         {Command::ExportResult, Menu::File, QT_TRANSLATE_NOOP("ui::WindowActions", "Export result …"), ""},
         {Command::ExportPose, Menu::File, QT_TRANSLATE_NOOP("ui::WindowActions", "Export pose …"), ""},
         {Command::ExportTrace, Menu::File, QT_TRANSLATE_NOOP("ui::WindowActions", "Export traced vessels …"), ""},
+        {Command::SaveWindow, Menu::File, QT_TRANSLATE_NOOP("ui::WindowActions", "Save picture of the window …"),
+         "F12"},
         {Command::Close, Menu::File, QT_TRANSLATE_NOOP("ui::WindowActions", "Quit"), "Ctrl+Q"},
         {Command::Undo, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Undo"), "Ctrl+Z"},
         {Command::Redo, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Redo"), "Ctrl+Shift+Z; Ctrl+Y"},
@@ -55,6 +58,8 @@ const std::vector<ActionRow>& rows()
          Kind::Switch},
         {Command::PlaceByLandmarks, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Place vessels by landmarks"),
          "Shift+L"},
+        {Command::CopyWindow, Menu::Edit, QT_TRANSLATE_NOOP("ui::WindowActions", "Copy picture of the window"),
+         "Ctrl+Shift+C"},
         {Command::ToggleAuxiliary, Menu::Edit,
          QT_TRANSLATE_NOOP("ui::WindowActions", "Selected branches auxiliary on or off"), "A"},
         {Command::AuxiliaryInView, Menu::Edit,
@@ -142,7 +147,23 @@ const std::vector<ActionRow>& rows()
         {Command::ThemeDark, Menu::Theme, QT_TRANSLATE_NOOP("ui::WindowActions", "Dark"), "", Kind::Switch},
         {Command::ThemeLight, Menu::Theme, QT_TRANSLATE_NOOP("ui::WindowActions", "Light"), "", Kind::Switch},
         {Command::ThemeSystem, Menu::Theme, QT_TRANSLATE_NOOP("ui::WindowActions", "As the desktop"), "", Kind::Switch},
-        {Command::Keys, Menu::Help, QT_TRANSLATE_NOOP("ui::WindowActions", "Keys"), "F1; ?"},
+        {Command::LanguageSystem, Menu::Language, QT_TRANSLATE_NOOP("ui::WindowActions", "Language of the desktop"), "",
+         Kind::Switch},
+        {Command::LanguageEnglish, Menu::Language, "English", "", Kind::Switch},
+        {Command::LanguageGerman, Menu::Language, "Deutsch", "", Kind::Switch},
+        {Command::LanguageChinese, Menu::Language, "简体中文", "", Kind::Switch},
+        {Command::MouseRadiology, Menu::Mouse, QT_TRANSLATE_NOOP("ui::WindowActions", "Radiology: left drag windows"),
+         "", Kind::Switch},
+        {Command::MouseSlicer, Menu::Mouse, QT_TRANSLATE_NOOP("ui::WindowActions", "3D Slicer: left only picks"), "",
+         Kind::Switch},
+        {Command::MouseScroll, Menu::Mouse, QT_TRANSLATE_NOOP("ui::WindowActions", "Scroll: left drag runs the frames"),
+         "", Kind::Switch},
+        {Command::PanelHelp, Menu::Help, QT_TRANSLATE_NOOP("ui::WindowActions", "Help on what the mouse points at"),
+         "F1"},
+        {Command::Tour, Menu::Help, QT_TRANSLATE_NOOP("ui::WindowActions", "Short tour"), ""},
+        {Command::GoodFit, Menu::Help, QT_TRANSLATE_NOOP("ui::WindowActions", "What a good fit looks like"),
+         "Shift+F1"},
+        {Command::Keys, Menu::Help, QT_TRANSLATE_NOOP("ui::WindowActions", "Keys and mouse"), "?; Ctrl+F1"},
         {Command::About, Menu::Help, QT_TRANSLATE_NOOP("ui::WindowActions", "About AngioPose"), ""},
     };
     return table;
@@ -191,17 +212,15 @@ constexpr std::array curveNotes{
 };
 
 constexpr std::array viewNotes{
-    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "left drag"),
-            QT_TRANSLATE_NOOP("ui::WindowActions", "window and level")},
-    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "middle drag"), QT_TRANSLATE_NOOP("ui::WindowActions", "pan")},
-    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "right drag, Ctrl+wheel"),
-            QT_TRANSLATE_NOOP("ui::WindowActions", "zoom")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "Ctrl+wheel"), QT_TRANSLATE_NOOP("ui::WindowActions", "zoom")},
     KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "wheel, ↑ ↓, Home, End"),
             QT_TRANSLATE_NOOP("ui::WindowActions", "frames")},
     KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "H (hold)"),
             QT_TRANSLATE_NOOP("ui::WindowActions", "hide the overlay")},
     KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "click"),
             QT_TRANSLATE_NOOP("ui::WindowActions", "pick a branch (Ctrl adds)")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "right click"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "menu of what can be done here")},
 };
 
 constexpr std::array sliceNotes{
@@ -219,6 +238,42 @@ constexpr std::array sliceNotes{
             QT_TRANSLATE_NOOP("ui::WindowActions", "all slices large, and back")},
 };
 
+constexpr std::array treeNotes{
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "left drag, arrows"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "turn")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "middle drag"), QT_TRANSLATE_NOOP("ui::WindowActions", "pan")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "right drag, wheel, + −"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "zoom")},
+    KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "double click"),
+            QT_TRANSLATE_NOOP("ui::WindowActions", "everything in view again")},
+};
+
+const char* effectOf(DragAction action)
+{
+    switch (action) {
+        case DragAction::WindowLevel:
+            return QT_TRANSLATE_NOOP("ui::WindowActions", "window and level");
+        case DragAction::Pan:
+            return QT_TRANSLATE_NOOP("ui::WindowActions", "pan");
+        case DragAction::Zoom:
+            return QT_TRANSLATE_NOOP("ui::WindowActions", "zoom");
+        case DragAction::Frames:
+            return QT_TRANSLATE_NOOP("ui::WindowActions", "frames");
+        case DragAction::None:
+            break;
+    }
+    return QT_TRANSLATE_NOOP("ui::WindowActions", "nothing");
+}
+
+std::array<KeyNote, 5> mouseNotes(const MousePreset& mouse)
+{
+    return {KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "left drag"), effectOf(mouse.left)},
+            KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "Shift+left drag"), effectOf(mouse.shiftLeft)},
+            KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "Ctrl+left drag"), effectOf(DragAction::WindowLevel)},
+            KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "middle drag"), effectOf(mouse.middle)},
+            KeyNote{QT_TRANSLATE_NOOP("ui::WindowActions", "right drag"), effectOf(mouse.right)}};
+}
+
 QString translated(const char* text)
 {
     return QCoreApplication::translate("ui::WindowActions", text);
@@ -227,6 +282,13 @@ QString translated(const char* text)
 QList<QKeySequence> shortcutsOf(const ActionRow& row)
 {
     return QKeySequence::listFromString(QString::fromLatin1(row.keys));
+}
+
+/// "Copy pose as matrix" → "copy-pose-as-matrix": the command's name in the settings, the same in every language.
+QString slugOf(const char* text)
+{
+    static const QRegularExpression rest(QStringLiteral("[^a-z0-9]+"));
+    return QString::fromUtf8(text).toLower().replace(rest, QStringLiteral("-"));
 }
 
 template <class Notes>
@@ -242,24 +304,27 @@ bool startsGroup(Command command)
     return command == Command::Save || command == Command::ExportOverlay || command == Command::Close ||
            command == Command::Nudge || command == Command::ToggleAuxiliary || command == Command::Outline ||
            command == Command::Cine || command == Command::RenameBranch || command == Command::DeleteBranches ||
-           command == Command::KeepPose ||
-           command == Command::BlindTrial || command == Command::ImageOnly;
+           command == Command::KeepPose || command == Command::BlindTrial || command == Command::ImageOnly ||
+           command == Command::FullScreen || command == Command::Keys;
 }
 
 }   // namespace
 
 WindowActions::WindowActions(QWidget* window) : QObject(window), recent_(new QMenu(tr("Open recent"), window))
 {
-    auto* themes = new QActionGroup(this);
+    std::map<Menu, QActionGroup*> choices{{Menu::Theme, new QActionGroup(this)},
+                                          {Menu::Language, new QActionGroup(this)},
+                                          {Menu::Mouse, new QActionGroup(this)}};
     for (const ActionRow& row : rows()) {
         auto* action = new QAction(translated(row.text), this);
+        action->setObjectName(slugOf(row.text));
         action->setCheckable(row.kind == Kind::Switch);
         action->setShortcuts(shortcutsOf(row));
         action->setAutoRepeat(row.command == Command::MoreOpacity || row.command == Command::LessOpacity ||
                               row.command == Command::MoreContrast || row.command == Command::LessContrast ||
                               row.command == Command::Undo || row.command == Command::Redo);
-        if (row.menu == Menu::Theme) {
-            themes->addAction(action);
+        if (const auto group = choices.find(row.menu); group != choices.end()) {
+            group->second->addAction(action);
         }
         window->addAction(action);
         actions_[row.command] = action;
@@ -276,6 +341,8 @@ void WindowActions::fillMenus(QMenuBar* menuBar)
     menus[Menu::View] = menuBar->addMenu(tr("&View"));
     menus[Menu::Help] = menuBar->addMenu(tr("&Help"));
     menus[Menu::Theme] = new QMenu(tr("Theme"), menuBar);
+    menus[Menu::Language] = new QMenu(tr("Language"), menuBar);
+    menus[Menu::Mouse] = new QMenu(tr("Mouse"), menuBar);
     for (const ActionRow& row : rows()) {
         if (startsGroup(row.command)) {
             menus[row.menu]->addSeparator();
@@ -286,23 +353,25 @@ void WindowActions::fillMenus(QMenuBar* menuBar)
         }
     }
     menus[Menu::View]->addMenu(menus[Menu::Theme]);
+    menus[Menu::View]->addMenu(menus[Menu::Language]);
+    menus[Menu::View]->addMenu(menus[Menu::Mouse]);
 }
 
-std::vector<KeyLine> WindowActions::keySheet() const
+std::vector<KeyLine> WindowActions::keySheet(const MousePreset& mouse) const
 {
     std::vector<KeyLine> lines;
     for (const ActionRow& row : rows()) {
-        const QAction* action = actions_.at(row.command);
-        if (!action->shortcuts().isEmpty()) {
-            lines.push_back({tr("In the whole window"),
-                             QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText),
-                             translated(row.text)});
-        }
+        QAction* action = actions_.at(row.command);
+        lines.push_back({tr("In the whole window"),
+                         QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText),
+                         translated(row.text), action});
     }
     addNotes(lines, tr("In nudge mode"), nudgeNotes);
     addNotes(lines, tr("While clicking landmarks"), landmarkNotes);
     addNotes(lines, tr("While editing vessels"), curveNotes);
+    addNotes(lines, tr("On the angiogram"), mouseNotes(mouse));
     addNotes(lines, tr("On the angiogram"), viewNotes);
+    addNotes(lines, tr("On the 3-D view"), treeNotes);
     addNotes(lines, tr("On a slice"), sliceNotes);
     return lines;
 }

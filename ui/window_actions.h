@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/dialogs/key_sheet.h"
+#include "ui/views/mouse_preset.h"
 
 #include <QAction>
 #include <QObject>
@@ -79,6 +80,8 @@ enum class Command {
     ComparePoses,
     BlindTrial,
     TrialDone,
+    CopyWindow,
+    SaveWindow,
     AuxiliaryInView,
     AuxiliaryWide,
     ShowTrace,
@@ -97,6 +100,16 @@ enum class Command {
     ThemeDark,
     ThemeLight,
     ThemeSystem,
+    LanguageSystem,
+    LanguageEnglish,
+    LanguageGerman,
+    LanguageChinese,
+    MouseRadiology,
+    MouseSlicer,
+    MouseScroll,
+    PanelHelp,
+    Tour,
+    GoodFit,
     Keys,
     About
 };
@@ -110,7 +123,8 @@ public:
     QAction* operator[](Command command) const { return actions_.at(command); }
     QMenu* recentMenu() const { return recent_; }
     void fillMenus(QMenuBar* menuBar);
-    std::vector<KeyLine> keySheet() const;   ///< every key, and what the mouse does
+    /// Every command with its key, the keys that are fixed, and what the mouse does.
+    std::vector<KeyLine> keySheet(const MousePreset& mouse) const;
 
 private:
     std::map<Command, QAction*> actions_;

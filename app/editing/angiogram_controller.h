@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/editing/curve_controller.h"
-#include "app/editing/subtraction_controller.h"
 #include "app/editing/curve_tracing_controller.h"
+#include "app/editing/subtraction_controller.h"
 #include "app/review/opacification_controller.h"
 
 namespace app {

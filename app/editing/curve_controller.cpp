@@ -171,7 +171,8 @@ void CurveController::push(std::shared_ptr<const core::Centerline2d> curves, std
         document_, ChangeTarget::Values{core::InputFile{}, std::move(curves), frame, std::move(accepted), std::nullopt},
         what));
     if (isPushed && formerFrame && formerFrame != frame) {
-        notices_.showNote(tr("The edited curves of frame %1 gave way to these. Undo brings them back.").arg(*formerFrame));
+        notices_.showNote(
+            tr("The edited curves of frame %1 gave way to these. Undo brings them back.").arg(*formerFrame));
     }
 }
 

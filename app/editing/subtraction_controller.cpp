@@ -153,8 +153,9 @@ void SubtractionController::compute()
     }
     computing_ = wish_;
     stop_ = std::make_shared<std::atomic<bool>>(false);
-    run_.setFuture(QtConcurrent::run(
-        [stored = wish_->stored, treatment = wish_->treatment, stop = stop_] { return make(*stored, treatment, *stop); }));
+    run_.setFuture(QtConcurrent::run([stored = wish_->stored, treatment = wish_->treatment, stop = stop_] {
+        return make(*stored, treatment, *stop);
+    }));
 }
 
 void SubtractionController::publish()
@@ -233,7 +234,8 @@ void SubtractionController::follow()
 {
     const core::RegistrationCase& current = document_.current();
     if (current.angiogram != shownRun_) {
-        const bool isSameRun = shownRun_ && current.angiogram && shownRun_->frameCount() == current.angiogram->frameCount();
+        const bool isSameRun =
+            shownRun_ && current.angiogram && shownRun_->frameCount() == current.angiogram->frameCount();
         shownRun_ = current.angiogram;
         if (isSameRun && shownRun_) {
             window_.angiogramView().autoWindowLevel();   // other grey values in the same frame
@@ -252,8 +254,8 @@ void SubtractionController::showState()
     ui::RunState state;
     state.treatment = current.treatment;
     state.polarity = current.angiogram ? current.angiogram->polarity : core::Polarity::VesselsDark;
-    state.maskFrames = current.treatment.plan.maskFrames.empty() ? sync_.suggestedMasks()
-                                                                 : current.treatment.plan.maskFrames;
+    state.maskFrames =
+        current.treatment.plan.maskFrames.empty() ? sync_.suggestedMasks() : current.treatment.plan.maskFrames;
     state.hasRun = current.angiogram && current.angiogram->frameCount() > 1;
     state.isComputing = isComputing();
     window_.angiogramPanel().showRun(state);

@@ -103,7 +103,7 @@ void TreeActions::connectViews()
     connect(&window_, &ui::MainWindow::pointPicked, &tree_, &TreeController::setPlace);
     connect(&window_.slices(), &ui::SliceModel::crosshairChanged, this,
             [this] { tree_.setPlace(window_.slices().crosshair()); });
-    connect(&window_.treeView(), &ui::TreeView::menuRequested, this, &TreeActions::openBranchMenu);
+    connect(&window_.treeView(), &ui::TreeView::branchMenuRequested, this, &TreeActions::openBranchMenu);
     std::vector<ui::SliceView*> views{&window_.corner().slice()};
     for (const core::BodyPlane plane : core::bodyPlanes) {
         views.push_back(&window_.slicesPage().view(plane));

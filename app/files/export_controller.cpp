@@ -8,6 +8,7 @@
 #include "io/result_file.h"
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
+#include "ui/words/core_texts.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -49,7 +50,7 @@ void ExportController::writeFile(const QString& path, const Write& write)
             if (written) {
                 emit exported(written.value());
             } else {
-                emit failed(QString::fromStdString(written.error().message));
+                emit failed(ui::coreText(written.error().message));
             }
         });
 }

@@ -5,6 +5,7 @@
 #include "app/files/recent_cases.h"
 #include "app/settings.h"
 #include "core/imaging/patient_match.h"
+#include "ui/words/core_texts.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -26,11 +27,11 @@ QStringList notesOf(const LoadedInputs& inputs, const core::RegistrationCase& op
 {
     QStringList notes;
     for (const std::string& warning : inputs.warnings) {
-        notes << QString::fromStdString(warning);
+        notes << ui::coreText(warning);
     }
     if (!inputs.wholeCase && opened.angiogram) {   // a case file has compared them itself
         const std::string mismatch = core::findMismatch(opened.scanIdentity, opened.angiogram->identity);
-        notes << (mismatch.empty() ? QStringList() : QStringList(QString::fromStdString(mismatch)));
+        notes << (mismatch.empty() ? QStringList() : QStringList(ui::coreText(mismatch)));
     }
     return notes;
 }

@@ -4,6 +4,7 @@
 #include "app/settings.h"
 #include "io/case_file.h"
 #include "ui/dialogs/recovery_dialog.h"
+#include "ui/words/core_texts.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -70,7 +71,7 @@ void SaveController::saveTo(const QString& path, std::function<void()> whenSaved
         },
         [this, path, state = document_.state(), whenSaved](const core::Result<QString>& written) {
             if (!written) {
-                emit failed(QString::fromStdString(written.error().message));
+                emit failed(ui::coreText(written.error().message));
                 return;
             }
             take(path, state);

@@ -1,15 +1,21 @@
 #include "app/files/series_rows.h"
 
 #include "app/texts/number_text.h"
+#include "ui/words/core_texts.h"
 
 #include <QCoreApplication>
 
 namespace app {
 namespace {
 
-QString text(const char* words)
+/// The words of this file.
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(app::SeriesRows)
+};
+
+QString numberedName(int number)
 {
-    return QCoreApplication::translate("app::SeriesRows", words);
+    return Words::tr("Series %1").arg(number);
 }
 
 QString sizeText(const io::DicomSeries& series)
@@ -41,10 +47,10 @@ ui::SeriesRow rowOf(const io::DicomSeries& series)
     row.description =
         QString::fromStdString(series.description.empty() ? series.identity.description : series.description);
     if (row.description.isEmpty()) {
-        row.description = text("Series %1").arg(series.number);
+        row.description = numberedName(series.number);
     }
     if (!series.part.empty()) {
-        row.description += QStringLiteral(" (%1)").arg(QString::fromStdString(series.part));
+        row.description += QStringLiteral(" (%1)").arg(ui::coreText(series.part));
     }
     row.modality = QString::fromStdString(series.identity.modality);
     row.imageCount = static_cast<int>(series.slices.size());
@@ -53,10 +59,10 @@ ui::SeriesRow rowOf(const io::DicomSeries& series)
     row.date = QString::fromStdString(series.identity.studyDate);
     row.isOpenable = series.problem.empty();
     if (!row.isOpenable) {
-        row.notes << QString::fromStdString(series.problem);
+        row.notes << ui::coreText(series.problem);
     }
     for (const std::string& warning : series.warnings) {
-        row.notes << QString::fromStdString(warning);
+        row.notes << ui::coreText(warning);
     }
     return row;
 }

@@ -5,11 +5,12 @@
 #include "app/files/series_rows.h"
 #include "app/jobs/input_kind.h"
 #include "app/settings.h"
-#include "core/imaging/patient_match.h"
 #include "app/window_layout.h"
+#include "core/imaging/patient_match.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/dialogs/missing_inputs.h"
 #include "ui/main_window.h"
+#include "ui/words/core_texts.h"
 
 #include <QFileDialog>
 
@@ -74,7 +75,10 @@ void SessionController::showNotice()
          {}},
         {tr("I understand")}, &window_);
     notice->setObjectName(QStringLiteral("noticeDialog"));
-    connect(notice, &ui::QuestionDialog::answered, this, [] { settings::noticeAccepted.write(true); });
+    connect(notice, &ui::QuestionDialog::answered, this, [this] {
+        settings::noticeAccepted.write(true);
+        emit noticeAccepted();
+    });
     notice->open();
 }
 
@@ -208,7 +212,7 @@ void SessionController::openSample()
         if (path) {
             open({path.value()});
         } else {
-            notices_.showProblem(tr("Could not make the sample case"), QString::fromStdString(path.error().message));
+            notices_.showProblem(tr("Could not make the sample case"), ui::coreText(path.error().message));
         }
     });
 }

@@ -35,6 +35,7 @@ public:
     ExportController& exporting() { return export_; }
 
 signals:
+    void noticeAccepted();   ///< on the first start
     void exported();
     void aboutToClose();   ///< the user asked for it; what must not stay open ends now
 

@@ -11,6 +11,11 @@
 namespace app {
 namespace {
 
+/// The words of this file.
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(app::InputKind)
+};
+
 constexpr qint64 headSize = 4096;
 constexpr int dicomMagicAt = 128;
 
@@ -130,14 +135,15 @@ core::Result<InputKind> inputKindOf(const QString& path)
 
 QStringList openFilters()
 {
-    const auto text = [](const char* words) { return QCoreApplication::translate("app::InputKind", words); };
     const QString scans = QStringLiteral("*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.stl *.ply *.obj");
     const QString all =
         QStringLiteral("*.angiopose *.vtp *.vtk *.csv *.swc *.json *.dcm *.png *.tif *.tiff *.jpg *.jpeg ");
-    return {
-        text("Cases, vessels and angiograms (%1)").arg(all + scans), text("Cases (*.angiopose)"),
-        text("Centrelines (*.vtp *.vtk *.csv *.swc *.json)"),        text("Scans and surfaces (%1 *.dcm)").arg(scans),
-        text("Angiograms (*.dcm *.png *.tif *.tiff *.jpg *.jpeg)"),  text("All files (*)")};
+    return {Words::tr("Cases, vessels and angiograms (%1)").arg(all + scans),
+            Words::tr("Cases (*.angiopose)"),
+            Words::tr("Centrelines (*.vtp *.vtk *.csv *.swc *.json)"),
+            Words::tr("Scans and surfaces (%1 *.dcm)").arg(scans),
+            Words::tr("Angiograms (*.dcm *.png *.tif *.tiff *.jpg *.jpeg)"),
+            Words::tr("All files (*)")};
 }
 
 }   // namespace app

@@ -3,6 +3,7 @@
 #include "app/document/edit_case.h"
 #include "app/review/snapshot_texts.h"
 #include "ui/panels/snapshot_panel.h"
+#include "ui/words/core_texts.h"
 
 namespace app {
 
@@ -31,12 +32,12 @@ QString RegistrationController::whyNotReady() const
         return tr("Open an angiogram first.");
     }
     if (const auto camera = core::cameraOf(current); !camera) {
-        return QString::fromStdString(camera.error().message);
+        return ui::coreText(camera.error().message);
     }
     if (const auto start = core::startPoseOf(current); !start) {
-        return QString::fromStdString(start.error().message);
+        return ui::coreText(start.error().message);
     }
-    return QString::fromStdString(core::findProblem(current.options));
+    return ui::coreText(core::findProblem(current.options));
 }
 
 void RegistrationController::start()
@@ -82,7 +83,7 @@ void RegistrationController::continueAfterTracing()
     auto input = core::registrationInputOf(document_.current(), *target_.current());
     if (!input) {
         end();
-        emit failed(QString::fromStdString(input.error().message));
+        emit failed(ui::coreText(input.error().message));
         return;
     }
     phase_ = Phase::Solving;

@@ -2,6 +2,7 @@
 
 #include "app/texts/overlay_picture.h"
 #include "ui/main_window.h"
+#include "ui/words/core_texts.h"
 
 #include <algorithm>
 
@@ -45,7 +46,7 @@ JudgementController::JudgementController(const Parts& parts, QObject* parent) : 
     connect(&job_, &JudgeJob::failed, this, [this](const QString& reason) {
         judgement_.reset();
         show();
-        on_.window.result().showNothing(reason);
+        on_.window.result().showNothing(ui::coreText(reason));
     });
 }
 
@@ -86,7 +87,7 @@ void JudgementController::showNothing()
     on_.sync.showJudgement(nullptr);
     if (!on_.registration.isRunning()) {
         const QString problem = on_.target.problem();
-        on_.window.result().showNothing(problem.isEmpty() ? tr("nothing to judge yet") : problem);
+        on_.window.result().showNothing(problem.isEmpty() ? tr("nothing to judge yet") : ui::coreText(problem));
     }
 }
 

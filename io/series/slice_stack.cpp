@@ -85,10 +85,17 @@ std::string gapList(const std::vector<double>& places, double step)
     int named = 0;
     for (std::size_t i = 1; i < places.size(); ++i) {
         if (places[i] - places[i - 1] > 1.5 * step && named++ < 3) {
-            text += (text.empty() ? "after slice " : ", ") + std::to_string(i);
+            text += text.empty() ? "after slice " + std::to_string(i) : ", " + std::to_string(i);
         }
     }
     return named > 3 ? text + " and elsewhere" : text;
+}
+
+std::string missingSlices(std::size_t missing, std::size_t count)
+{
+    const std::string of = std::to_string(count);
+    return missing == 1 ? "1 of " + of + " slices is missing"
+                        : std::to_string(missing) + " of " + of + " slices are missing";
 }
 
 void placeLayers(const std::vector<double>& places, SliceStack& stack, double& step)
@@ -106,8 +113,7 @@ void placeLayers(const std::vector<double>& places, SliceStack& stack, double& s
     stack.layers = layersOf(places, step);
     if (regular > 0.0 && stack.layers.size() > places.size()) {
         const std::size_t missing = stack.layers.size() - places.size();
-        stack.warnings.push_back(std::to_string(missing) + " of " + std::to_string(stack.layers.size()) +
-                                 (missing == 1 ? " slices is" : " slices are") + " missing (" + gapList(places, step) +
+        stack.warnings.push_back(missingSlices(missing, stack.layers.size()) + " (" + gapList(places, step) +
                                  "): filled in between their neighbours. Copy the series again if you can.");
     } else if (regular == 0.0) {
         const auto [least, most] = std::minmax_element(gaps.begin(), gaps.end());

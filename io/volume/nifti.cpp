@@ -127,8 +127,10 @@ NiftiMap mapOf(const NiftiHeader& header, std::vector<std::string>& warnings)
     if (hasQform && hasSform) {
         const bool isAtlas = header.sformCode > 2 && header.qformCode <= 2;
         if (largestDifference(qform, header.sform, header) > 0.5) {
-            warnings.push_back(std::string("Its two placements (qform and sform) differ; the ") +
-                               (isAtlas ? "qform, in the scanner's coordinates, is used." : "sform is used."));
+            warnings.emplace_back(
+                isAtlas
+                    ? "Its two placements (qform and sform) differ; the qform, in the scanner's coordinates, is used."
+                    : "Its two placements (qform and sform) differ; the sform is used.");
         }
         return isAtlas ? qform : header.sform;
     }

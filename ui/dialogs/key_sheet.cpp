@@ -2,17 +2,23 @@
 
 #include "ui/panels/section.h"
 
-#include <QLabel>
+#include <QAction>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QScrollArea>
+#include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace ui {
 namespace {
+
+constexpr int lineRole = Qt::UserRole;
 
 bool matches(const KeyLine& line, const QString& words)
 {
@@ -22,26 +28,36 @@ bool matches(const KeyLine& line, const QString& words)
                                [&whole](const QString& part) { return whole.contains(part, Qt::CaseInsensitive); });
 }
 
-QString tableOf(const std::vector<KeyLine>& lines)
+bool isModifier(int key)
 {
-    QString rows;
-    QString heading;
-    for (const KeyLine& line : lines) {
-        if (line.heading != heading) {
-            rows += QStringLiteral("<tr><td colspan='2'>%1<b>%2</b></td></tr>")
-                        .arg(heading.isEmpty() ? QString() : QStringLiteral("<br/>"), line.heading.toHtmlEscaped());
-            heading = line.heading;
-        }
-        rows += QStringLiteral("<tr><td style='padding-right:18px'><b>%1</b></td><td>%2</td></tr>")
-                    .arg(line.keys.toHtmlEscaped(), line.effect.toHtmlEscaped());
-    }
-    return QStringLiteral("<table>%1</table>").arg(rows);
+    static constexpr std::array modifiers{Qt::Key_Shift, Qt::Key_Control, Qt::Key_Alt,     Qt::Key_AltGr,
+                                          Qt::Key_Meta,  Qt::Key_unknown, Qt::Key_CapsLock};
+    return std::ranges::find(modifiers, key) != modifiers.end();
+}
+
+/// Keys that move about in dialogs, hide the overlay or take back: no command may have them alone.
+bool isReserved(const QKeySequence& key)
+{
+    static const std::array reserved{QKeySequence(Qt::Key_H),      QKeySequence(Qt::Key_Tab),
+                                     QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter),
+                                     QKeySequence(Qt::Key_Up),     QKeySequence(Qt::Key_Down)};
+    return std::ranges::find(reserved, key) != reserved.end();
+}
+
+QTreeWidgetItem* headingItem(const QString& text)
+{
+    auto* item = new QTreeWidgetItem({text});
+    item->setFlags(Qt::ItemIsEnabled);
+    QFont bold = item->font(0);
+    bold.setWeight(QFont::DemiBold);
+    item->setFont(0, bold);
+    return item;
 }
 
 }   // namespace
 
 KeySheet::KeySheet(std::vector<KeyLine> lines, QWidget* parent)
-    : QDialog(parent), lines_(std::move(lines)), search_(new QLineEdit), text_(roleLabel("body"))
+    : QDialog(parent), search_(new QLineEdit), list_(new QTreeWidget), word_(roleLabel("hint"))
 {
     setObjectName(QStringLiteral("keySheet"));
     setWindowTitle(tr("Keys"));
@@ -49,37 +65,143 @@ KeySheet::KeySheet(std::vector<KeyLine> lines, QWidget* parent)
     search_->setPlaceholderText(tr("Search keys and what they do"));
     search_->setAccessibleName(tr("Search keys"));
     search_->setClearButtonEnabled(true);
-    connect(search_, &QLineEdit::textChanged, this, &KeySheet::showMatching);
-    text_->setTextFormat(Qt::RichText);
-    text_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    text_->setWordWrap(true);
-    text_->setContentsMargins(4, 0, 18, 0);
-    auto* scroll = new QScrollArea;
-    scroll->setProperty("role", "column");
-    scroll->setWidget(text_);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
+    list_->setColumnCount(2);
+    list_->setHeaderHidden(true);
+    list_->setRootIsDecorated(false);
+    list_->setUniformRowHeights(true);
+    list_->setAccessibleName(tr("Keys and what they do"));
+    list_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    list_->installEventFilter(this);
+    word_->setWordWrap(true);
+    auto* reset = new QPushButton(tr("Reset all keys"));
     auto* close = new QPushButton(tr("Close"));
     close->setProperty("role", "primary");
-    close->setDefault(true);
-    connect(close, &QPushButton::clicked, this, &QDialog::accept);
+    for (QPushButton* button : {reset, close}) {
+        button->setAutoDefault(false);
+    }
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(reset);
+    buttons->addStretch(1);
+    buttons->addWidget(close);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(20, 18, 20, 16);
-    layout->setSpacing(14);
+    layout->setSpacing(12);
     layout->addWidget(search_);
-    layout->addWidget(scroll, 1);
-    layout->addWidget(close, 0, Qt::AlignRight);
-    resize(600, 680);
-    showMatching({});
+    layout->addWidget(list_, 1);
+    layout->addWidget(word_);
+    layout->addLayout(buttons);
+    connect(search_, &QLineEdit::textChanged, this, &KeySheet::showMatching);
+    connect(list_, &QTreeWidget::itemActivated, this, &KeySheet::listenFor);
+    connect(reset, &QPushButton::clicked, this, &KeySheet::resetRequested);
+    connect(close, &QPushButton::clicked, this, &QDialog::accept);
+    resize(620, 700);
+    showLines(std::move(lines));
     search_->setFocus();
 }
 
-void KeySheet::showMatching(const QString& words)
+void KeySheet::showLines(std::vector<KeyLine> lines)
 {
-    std::vector<KeyLine> shown;
-    std::ranges::copy_if(lines_, std::back_inserter(shown),
-                         [&words](const KeyLine& line) { return matches(line, words); });
-    text_->setText(shown.empty() ? tr("No key for “%1”.").arg(words.toHtmlEscaped()) : tableOf(shown));
+    lines_ = std::move(lines);
+    showMatching();
+}
+
+void KeySheet::showMatching()
+{
+    const int place = list_->indexOfTopLevelItem(list_->currentItem());
+    list_->clear();
+    QString heading;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+        const KeyLine& line = lines_[i];
+        if (!matches(line, search_->text())) {
+            continue;
+        }
+        if (line.heading != heading) {
+            heading = line.heading;
+            auto* item = headingItem(heading);
+            list_->addTopLevelItem(item);
+            item->setFirstColumnSpanned(true);
+        }
+        auto* item = new QTreeWidgetItem({line.keys, line.effect});
+        item->setData(0, lineRole, static_cast<int>(i));
+        list_->addTopLevelItem(item);
+    }
+    list_->setCurrentItem(list_->topLevelItem(std::max(0, place)));
+    stopListening(list_->topLevelItemCount() == 0 ? tr("No key for “%1”.").arg(search_->text())
+                                                  : tr("Enter or double-click on a line takes a new key for it."));
+}
+
+const KeyLine* KeySheet::lineOf(const QTreeWidgetItem* item) const
+{
+    const QVariant index = item ? item->data(0, lineRole) : QVariant();
+    return index.isValid() ? &lines_[static_cast<std::size_t>(index.toInt())] : nullptr;
+}
+
+const KeyLine* KeySheet::takenBy(const QKeySequence& key) const
+{
+    const auto found = std::ranges::find_if(lines_, [&](const KeyLine& line) {
+        return line.action && line.action != listening_ && line.action->shortcuts().contains(key);
+    });
+    return found == lines_.end() ? nullptr : &*found;
+}
+
+void KeySheet::listenFor(QTreeWidgetItem* item)
+{
+    const KeyLine* line = lineOf(item);
+    if (!line || !line->action) {
+        stopListening(line ? tr("This key is fixed.") : QString());
+        return;
+    }
+    listening_ = line->action;
+    warnedOf_ = {};
+    setRole(word_, "attention");
+    word_->setText(tr("Press the new key for “%1”. Esc keeps the old one, Delete leaves none.").arg(line->effect));
+}
+
+void KeySheet::stopListening(const QString& word)
+{
+    listening_ = nullptr;
+    setRole(word_, "hint");
+    word_->setText(word);
+}
+
+bool KeySheet::eventFilter(QObject* watched, QEvent* event)
+{
+    const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    if (!listening_ || !isKey) {
+        return QDialog::eventFilter(watched, event);
+    }
+    event->accept();
+    const auto* pressed = static_cast<QKeyEvent*>(event);
+    if (event->type() == QEvent::ShortcutOverride || isModifier(pressed->key())) {
+        return true;
+    }
+    if (pressed->key() == Qt::Key_Escape) {
+        stopListening(tr("The old key stays."));
+    } else if (pressed->key() == Qt::Key_Delete) {
+        take({});
+    } else {
+        take(QKeySequence(pressed->keyCombination()));
+    }
+    return true;
+}
+
+void KeySheet::take(const QKeySequence& key)
+{
+    const QString name = key.toString(QKeySequence::NativeText);
+    if (isReserved(key)) {
+        word_->setText(tr("“%1” is needed elsewhere. Press another key.").arg(name));
+        return;
+    }
+    const KeyLine* owner = key.isEmpty() ? nullptr : takenBy(key);
+    if (owner && warnedOf_ != key) {
+        warnedOf_ = key;
+        word_->setText(tr("“%1” belongs to “%2”. Press it again to take it from there, or press another key.")
+                           .arg(name, owner->effect));
+        return;
+    }
+    QAction* action = std::exchange(listening_, nullptr);
+    emit keyChosen(action, key);
+    stopListening(key.isEmpty() ? tr("No key any more.") : tr("The key is “%1” now.").arg(name));
 }
 
 }   // namespace ui

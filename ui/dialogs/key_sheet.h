@@ -1,11 +1,15 @@
 #pragma once
 
 #include <QDialog>
+#include <QKeySequence>
 
 #include <vector>
 
+class QAction;
 class QLabel;
 class QLineEdit;
+class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace ui {
 
@@ -14,20 +18,40 @@ struct KeyLine {
     QString heading;   ///< where the key works
     QString keys;
     QString effect;
+    QAction* action = nullptr;   ///< whose key can be changed; null where it is fixed
 };
 
-/// All keys on one page; typing narrows them down. Deletes itself when closed.
+/// All keys on one page; typing narrows them down, Enter on a line takes a new key for it. Knows which keys are taken,
+/// changes nothing itself. Deletes itself when closed.
 class KeySheet : public QDialog {
     Q_OBJECT
 public:
     KeySheet(std::vector<KeyLine> lines, QWidget* parent);
 
+    void showLines(std::vector<KeyLine> lines);   ///< keeps search and place
+    bool isListening() const { return listening_ != nullptr; }
+
+signals:
+    void keyChosen(QAction* action, const QKeySequence& key);   ///< an empty key: none
+    void resetRequested();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
-    void showMatching(const QString& words);
+    void showMatching();
+    void listenFor(QTreeWidgetItem* item);
+    void stopListening(const QString& word);
+    void take(const QKeySequence& key);
+    const KeyLine* lineOf(const QTreeWidgetItem* item) const;
+    const KeyLine* takenBy(const QKeySequence& key) const;
 
     std::vector<KeyLine> lines_;
     QLineEdit* search_;
-    QLabel* text_;
+    QTreeWidget* list_;
+    QLabel* word_;   ///< what to do, and what came of it
+    QAction* listening_ = nullptr;
+    QKeySequence warnedOf_;   ///< pressed once although another line has it
 };
 
 }   // namespace ui

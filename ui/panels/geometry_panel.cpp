@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QGridLayout>
+#include "ui/words/core_texts.h"
 
 namespace ui {
 namespace {
@@ -173,7 +174,7 @@ void GeometryPanel::showRow(GeometryValue value)
     row(value).field->showValue(sourced.value);
     row(value).field->setAsking(isLooked && state_.imageSizePx.x() > 0 && !state_.cameraOverride);
     row(value).origin->setText(sourced.value || kindOf(value).isNeeded ? originWord(origin) : QString());
-    row(value).origin->setToolTip(QString::fromStdString(sourced.basis));
+    row(value).origin->setToolTip(coreText(sourced.basis));
     setRole(row(value).origin, isLooked ? "attention" : "hint");
 }
 
@@ -205,7 +206,7 @@ void GeometryPanel::showNotes()
         notes << state_.missing;
     }
     for (const std::string& contradiction : state_.contradictions) {
-        notes << QString::fromStdString(contradiction);
+        notes << coreText(contradiction);
     }
     if (state_.cArm.mirrored.value.value_or(false) && !state_.cameraOverride) {
         notes << tr("The image is taken as mirrored (%1): check that left and right are where they belong.")

@@ -2,6 +2,7 @@
 
 #include "ui/panels/number_field.h"
 #include "ui/panels/section.h"
+#include "ui/words/core_texts.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -17,6 +18,12 @@ namespace {
 QString fromView(std::string_view text)
 {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+/// "largest_squared" is a key of the case file; people read "largest squared".
+QString choiceText(std::string_view key)
+{
+    return coreText(fromView(key).replace(QLatin1Char('_'), QLatin1Char(' ')));
 }
 
 bool appliesTo(const core::OptionField& field, const std::string& method)
@@ -71,10 +78,10 @@ void OptionForm::rebuild()
         }
         QWidget* editor = makeEditor(field);
         editor->setObjectName(fromView(field.key));
-        editor->setAccessibleName(fromView(field.label));
-        editor->setToolTip(fromView(field.help));
-        auto* label = roleLabel("label", fromView(field.label));
-        label->setToolTip(fromView(field.help));
+        editor->setAccessibleName(coreText(field.label));
+        editor->setToolTip(coreText(field.help));
+        auto* label = roleLabel("label", coreText(field.label));
+        label->setToolTip(coreText(field.help));
         form_->addRow(label, editor);
         refreshers_.back()();
     }
@@ -86,7 +93,7 @@ QWidget* OptionForm::makeEditor(const core::OptionField& field)
         auto* box = new QComboBox;
         box->setFocusPolicy(Qt::StrongFocus);
         for (const std::string_view choice : field.choices) {
-            box->addItem(fromView(choice));
+            box->addItem(choiceText(choice));
         }
         connect(box, &QComboBox::activated, this, [this, &field](int index) { write(field, index); });
         refreshers_.emplace_back([this, &field, box] { box->setCurrentIndex(static_cast<int>(field.read(options_))); });
@@ -107,7 +114,7 @@ QWidget* OptionForm::makeEditor(const core::OptionField& field)
 void OptionForm::write(const core::OptionField& field, double value)
 {
     field.write(options_, value);
-    emit edited(options_, fromView(field.label));
+    emit edited(options_, coreText(field.label));
 }
 
 }   // namespace ui

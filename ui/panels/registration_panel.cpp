@@ -1,7 +1,8 @@
 #include "ui/panels/registration_panel.h"
 
-#include "ui/dialogs/method_help.h"
+#include "ui/help/help_page.h"
 #include "ui/panels/option_form.h"
+#include "ui/words/core_texts.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -42,7 +43,7 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
     method_->setFocusPolicy(Qt::StrongFocus);
     for (const core::MethodInfo& info : core::methodInfos()) {
         method_->addItem(fromView(info.label), QByteArray(info.id.data(), static_cast<qsizetype>(info.id.size())));
-        method_->setItemData(method_->count() - 1, fromView(info.summary), Qt::ToolTipRole);
+        method_->setItemData(method_->count() - 1, coreText(info.summary), Qt::ToolTipRole);
     }
     summary_->setWordWrap(true);
     optionSection_->contentLayout()->addLayout(methodRow());
@@ -72,7 +73,8 @@ QHBoxLayout* RegistrationPanel::methodRow()
     about->setAccessibleName(tr("About this method"));
     about->setToolTip(tr("What this method minimises, when it fails, and its source."));
     connect(about, &QToolButton::clicked, this, [this] {
-        auto* help = new MethodHelp(method_->currentData().toString(), window());
+        auto* help = new HelpPage(QStringLiteral("methods/") + method_->currentData().toString(),
+                                  tr("About this method"), window());
         help->open();
     });
     auto* row = new QHBoxLayout;

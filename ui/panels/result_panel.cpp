@@ -3,6 +3,7 @@
 #include "ui/panels/result_sentences.h"
 #include "ui/plots/convergence_plot.h"
 #include "ui/plots/histogram_plot.h"
+#include "ui/words/core_texts.h"
 
 #include <QHBoxLayout>
 
@@ -26,8 +27,7 @@ void showIn(QLabel* box, const QStringList& sentences)
 
 QString runSummary(const core::RegistrationResult& result)
 {
-    const std::string_view reason = core::toText(result.stopReason);
-    const QString words = QString::fromUtf8(reason.data(), static_cast<qsizetype>(reason.size()));
+    const QString words = coreText(core::toText(result.stopReason));
     const double ms = result.time.totalMs;
     const QString time = ms >= 1000.0 ? ResultPanel::tr("%1 s").arg(ms / 1000.0, 0, 'f', 1)
                                       : ResultPanel::tr("%1 ms").arg(ms, 0, 'f', ms < 10.0 ? 1 : 0);

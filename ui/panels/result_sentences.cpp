@@ -1,5 +1,7 @@
 #include "ui/panels/result_sentences.h"
 
+#include "ui/words/core_texts.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -11,10 +13,10 @@ namespace {
 constexpr double agreeingMm = 0.5;   ///< branches with a median below this agree
 constexpr double disagreeingMm = 1.0;   ///< branches with a median above this are named
 
-QString translated(const char* text)
-{
-    return QCoreApplication::translate("ui::ResultSentences", text);
-}
+/// The words of this file.
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(ui::ResultSentences)
+};
 
 QString number(double value)
 {
@@ -27,11 +29,11 @@ QString certainPose(const core::PoseUncertainty& uncertainty)
     const bool turns = uncertainty.observed[0] && uncertainty.observed[1] && uncertainty.observed[2];
     QStringList parts;
     if (inPlane) {
-        parts << translated("In plane ±%1 mm").arg(number(std::max(0.05, uncertainty.inPlaneMm)));
+        parts << Words::tr("In plane ±%1 mm").arg(number(std::max(0.05, uncertainty.inPlaneMm)));
     }
     if (turns) {
         const double largest = uncertainty.rotationDeg.maxCoeff();
-        parts << (parts.isEmpty() ? translated("Rotation ±%1°") : translated("rotation ±%1°"))
+        parts << (parts.isEmpty() ? Words::tr("Rotation ±%1°") : Words::tr("rotation ±%1°"))
                      .arg(number(std::max(0.05, largest)));
     }
     return parts.isEmpty() ? QString() : parts.join(QStringLiteral(", ")) + QLatin1Char('.');
@@ -43,7 +45,7 @@ QString agreement(const std::vector<core::BranchResidual>& branches, double mmPe
         return branch.pointCount > 0 && branch.medianPx * mmPerPx <= agreeingMm;
     };
     const auto count = std::ranges::count_if(branches, agrees);
-    return translated("%1 of %2 branches agree within %3 mm.")
+    return Words::tr("%1 of %2 branches agree within %3 mm.")
         .arg(count)
         .arg(branches.size())
         .arg(agreeingMm, 0, 'f', 1);
@@ -58,10 +60,10 @@ QString depthWords(const core::RegistrationResult& result)
         return {};
     }
     if (!uncertainty.observed[5]) {
-        return translated("Depth ±%1 mm: one view cannot tell it.").arg(number(uncertainty.depthMm));
+        return Words::tr("Depth ±%1 mm: one view cannot tell it.").arg(number(uncertainty.depthMm));
     }
     if (uncertainty.depthMm > 2.0 * std::max(0.5, uncertainty.inPlaneMm)) {
-        return translated("Depth is the least certain: ±%1 mm.").arg(number(uncertainty.depthMm));
+        return Words::tr("Depth is the least certain: ±%1 mm.").arg(number(uncertainty.depthMm));
     }
     return {};
 }
@@ -82,16 +84,16 @@ QString disagreement(const std::vector<core::BranchResidual>& branches, const co
         return {};
     }
     if (names.size() == 1) {
-        return translated("%1 is %2 mm off: perhaps unfilled in this frame, or moved.")
+        return Words::tr("%1 is %2 mm off: perhaps unfilled in this frame, or moved.")
             .arg(names.front(), number(worstMm));
     }
     if (names.size() > 3) {
-        return translated("%1 branches are up to %2 mm off: unfilled in this frame, or the pose is wrong.")
+        return Words::tr("%1 branches are up to %2 mm off: unfilled in this frame, or the pose is wrong.")
             .arg(names.size())
             .arg(number(worstMm));
     }
     const QString last = names.takeLast();
-    return translated("%1 and %2 are up to %3 mm off: perhaps unfilled in this frame, or moved.")
+    return Words::tr("%1 and %2 are up to %3 mm off: perhaps unfilled in this frame, or moved.")
         .arg(names.join(QStringLiteral(", ")), last, number(worstMm));
 }
 
@@ -106,10 +108,10 @@ ResultSentences sentencesOf(const core::RegistrationResult& result, const core::
     if (result.trustworthy) {
         sentences.certain << (pose.isEmpty() ? branches : pose + QLatin1Char(' ') + branches);
     } else {
-        sentences.doubtful << translated("Look closely: this fit is not trustworthy.");
+        sentences.doubtful << Words::tr("Look closely: this fit is not trustworthy.");
     }
     for (const std::string& warning : result.warnings) {
-        sentences.doubtful << QString::fromStdString(warning);
+        sentences.doubtful << coreText(warning);
     }
     for (const QString& sentence : {depthWords(result), disagreement(result.branches, tree, millimetresPerPixel)}) {
         if (!sentence.isEmpty()) {
@@ -121,7 +123,7 @@ ResultSentences sentencesOf(const core::RegistrationResult& result, const core::
 
 QString displayName(const core::VesselBranch& branch)
 {
-    return branch.name.empty() ? translated("Branch %1").arg(branch.id) : QString::fromStdString(branch.name);
+    return branch.name.empty() ? Words::tr("Branch %1").arg(branch.id) : QString::fromStdString(branch.name);
 }
 
 }   // namespace ui

@@ -34,9 +34,14 @@ QPalette qtPalette(const Palette& tones)
 
 QFont interfaceFont(QFont font)
 {
-    if (QFontDatabase::families().contains(QStringLiteral("Inter"))) {
-        font.setFamilies({QStringLiteral("Inter"), font.family()});
+    QStringList families;
+    // Inter has no Chinese; which of the fonts that have some is taken must not be left to chance (Japanese shapes).
+    for (const QString& wanted : {QStringLiteral("Inter"), QStringLiteral("Noto Sans CJK SC")}) {
+        if (QFontDatabase::families().contains(wanted)) {
+            families << wanted;
+        }
     }
+    font.setFamilies(families << font.family());
     font.setPixelSize(13);
     return font;
 }

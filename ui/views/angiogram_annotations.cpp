@@ -1,5 +1,7 @@
 #include "ui/views/angiogram_annotations.h"
 
+#include "ui/words/core_texts.h"
+
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QLinearGradient>
@@ -19,10 +21,10 @@ constexpr double lineSpacing = 1.32;
 constexpr int fullSizePx = 12;
 constexpr int smallSizePx = 10;
 
-QString translated(const char* text)
-{
-    return QCoreApplication::translate("ui::AngiogramView", text);
-}
+/// The words of this file.
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(ui::AngiogramAnnotations)
+};
 
 QColor colorOf(const Color& color, double opacity = 1.0)
 {
@@ -111,7 +113,7 @@ QStringList toLines(const std::vector<std::string>& texts)
 {
     QStringList lines;
     for (const std::string& text : texts) {
-        lines << QString::fromStdString(text);
+        lines << coreText(text);
     }
     return lines;
 }
@@ -201,7 +203,7 @@ void paintRuler(QPainter& painter, const QSizeF& size, const QRectF& blockBelow,
     painter.setFont(sized(painter.font(), 11));
     drawShadowedText(painter, QRectF(bar.left(), bar.top() - 22.0, 220.0, 16.0),
                      Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
-                     translated("%1 mm at vessel").arg(QString::number(lengthMm)), tone);
+                     Words::tr("%1 mm at vessel").arg(QString::number(lengthMm)), tone);
 }
 
 /// Where the residual scale goes: at the right edge, in the middle.

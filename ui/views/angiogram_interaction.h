@@ -24,14 +24,16 @@ struct AngiogramView::Interaction {
     double lineWidth = 2.4;
 
     QPointer<ImageTool> tool;
+    MousePreset mouse;
     Qt::MouseButton pressed = Qt::NoButton;
+    DragAction dragAction = DragAction::None;   // of the drag under way, unless it is the tool's
     bool isDragging = false;
     bool isToolDragging = false;   // the drag under way is the tool's
     bool isCancelled = false;   // the rest of a cancelled drag does nothing
     QPointF pressedAt;
     QPointF lastAt;
     std::optional<int> hovered;
-    double wheelSteps = 0.0;   // fine steps of touch pads add up to whole frames
+    double wheelSteps = 0.0;   // fine steps of touch pads and drags add up to whole frames
 
     ToolPoint toolPoint(const QPointF& position, Qt::KeyboardModifiers modifiers) const;
     double mmPerImagePx() const;   ///< at the pivot; 0 when unknown

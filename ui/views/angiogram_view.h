@@ -3,6 +3,7 @@
 #include "core/imaging/display_range.h"
 #include "ui/scenes/overlay_scene.h"
 #include "ui/scenes/render_offscreen.h"
+#include "ui/views/mouse_preset.h"
 
 #include <QImage>
 #include <QWidget>
@@ -14,9 +15,10 @@ namespace ui {
 
 class ImageTool;
 
-/// The angiogram with the projected tree: window/level (left drag), pan (middle), zoom (right, Ctrl+wheel), frames
-/// (wheel, ↑ ↓, Home, End). A tool may take the left button and keys; Esc takes its drag back, then puts it away.
-/// Shows what it is told, reports what the user wants; decides nothing.
+/// The angiogram with the projected tree: window/level, pan and zoom by dragging as the mouse preset says, zoom also by
+/// Ctrl+wheel, frames by wheel, ↑ ↓, Home, End; a right click or the menu key asks for a menu. A tool may take the left
+/// button and keys; Esc takes its drag back, then puts it away. Shows what it is told, reports what the user wants;
+/// decides nothing.
 class AngiogramView : public QWidget {
     Q_OBJECT
 public:
@@ -35,6 +37,7 @@ public:
     void addBar(QWidget* bar);   ///< of a tool: at the bottom of the image, in the middle
     bool filterToolKey(QKeyEvent& event);   ///< true when the key is the tool's, or an Esc that it ends by
     void setKeptOut(const core::Mask2d& fieldMask);   ///< hatches where it is 0; empty: nothing
+    void setMousePreset(const MousePreset& preset);
     void setResidualScale(double maximumPx, double maximumMm);   ///< 0 hides the scale
     void setLineWidth(double px);   ///< device-independent px
     void setCutout(Cutout::Shape shape);   ///< follows the mouse
@@ -63,6 +66,7 @@ signals:
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
     void backgroundClicked();
+    void menuRequested(const QPoint& globalPosition, std::optional<int> branchId);
     void toolChanged();   ///< `tool`
     void windowLevelChanged(double window, double level);
     void zoomChanged(double zoom);
@@ -77,6 +81,7 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
@@ -89,10 +94,12 @@ private:
     void dragBy(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void startDrag(Qt::KeyboardModifiers modifiers);
     void adjustWindowLevel(const QPointF& step);
+    void scrollFrames(double frames);
     void zoomAt(const QPointF& position, double factor);
     bool cancelDrag();   ///< true when there was one
     bool escape();
     void click(const QPointF& position, Qt::KeyboardModifiers modifiers);
+    std::optional<int> branchAt(const QPointF& position) const;
     void hoverAt(const QPointF& position);
     void hover(std::optional<int> branchId);
     void showCursor();

@@ -1,6 +1,7 @@
 // The mouse and keyboard half of AngiogramView.
 #include "ui/views/angiogram_interaction.h"
 
+#include <QContextMenuEvent>
 #include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -19,6 +20,7 @@ constexpr double clickReachPx = 4.0;   // a press that moves less is a click
 constexpr double zoomPerWheelStep = 1.2;
 constexpr double zoomPerDragPx = 1.008;
 constexpr double windowPerDragPx = 1.0 / 300.0;   // of the window at hand
+constexpr double framesPerDragPx = 1.0 / 12.0;
 
 Eigen::Vector2d toVector(const QPointF& point)
 {
@@ -70,6 +72,7 @@ void AngiogramView::startDrag(Qt::KeyboardModifiers modifiers)
     Interaction& i = *interaction_;
     i.isDragging = true;
     i.isToolDragging = i.tool && i.pressed == Qt::LeftButton && i.tool->startDrag(i.toolPoint(i.pressedAt, modifiers));
+    i.dragAction = i.mouse.actionOf(i.pressed, modifiers);
     showCursor();
 }
 
@@ -77,16 +80,44 @@ void AngiogramView::dragBy(const QPointF& position, Qt::KeyboardModifiers modifi
 {
     Interaction& i = *interaction_;
     const QPointF step = position - i.lastAt;
-    if (i.pressed == Qt::MiddleButton) {
-        i.viewport.panBy(toVector(step));
-        update();
-    } else if (i.pressed == Qt::RightButton) {
-        zoomAt(i.pressedAt, std::pow(zoomPerDragPx, -step.y()));
-    } else if (i.isToolDragging && i.tool) {
+    if (i.isToolDragging && i.tool) {
         i.tool->drag(i.toolPoint(position, modifiers));
-    } else if (i.pressed == Qt::LeftButton) {
-        adjustWindowLevel(step);
+        return;
     }
+    switch (i.dragAction) {
+        case DragAction::Pan:
+            i.viewport.panBy(toVector(step));
+            update();
+            break;
+        case DragAction::Zoom:
+            zoomAt(i.pressedAt, std::pow(zoomPerDragPx, -step.y()));
+            break;
+        case DragAction::WindowLevel:
+            adjustWindowLevel(step);
+            break;
+        case DragAction::Frames:
+            scrollFrames(framesPerDragPx * step.y());
+            break;
+        case DragAction::None:
+            break;
+    }
+}
+
+/// Whole frames are asked for, parts are kept for later.
+void AngiogramView::scrollFrames(double frames)
+{
+    double& collected = interaction_->wheelSteps;
+    collected += frames;
+    const int whole = static_cast<int>(collected);
+    collected -= whole;
+    if (whole != 0) {
+        emit frameStepRequested(whole);
+    }
+}
+
+void AngiogramView::setMousePreset(const MousePreset& preset)
+{
+    interaction_->mouse = preset;
 }
 
 void AngiogramView::adjustWindowLevel(const QPointF& step)
@@ -103,15 +134,17 @@ void AngiogramView::mouseReleaseEvent(QMouseEvent* event)
     if (event->button() != i.pressed) {
         return;
     }
-    const bool wasClick = !i.isDragging && !i.isCancelled && i.pressed == Qt::LeftButton;
+    const bool wasStill = !i.isDragging && !i.isCancelled;
     i.pressed = Qt::NoButton;
     i.isDragging = false;
     if (std::exchange(i.isToolDragging, false) && i.tool) {
         i.tool->finishDrag(i.toolPoint(event->position(), event->modifiers()));
         update();
     }
-    if (wasClick) {
+    if (wasStill && event->button() == Qt::LeftButton) {
         click(event->position(), event->modifiers());
+    } else if (wasStill && event->button() == Qt::RightButton) {
+        emit menuRequested(event->globalPosition().toPoint(), branchAt(event->position()));
     }
     hoverAt(event->position());
     showCursor();
@@ -178,7 +211,7 @@ void AngiogramView::click(const QPointF& position, Qt::KeyboardModifiers modifie
     if (i.tool && !i.tool->picksBranches()) {
         return;
     }
-    if (const auto branch = scene_.branchAt(imageFromWidget(position), pickTolerancePx / zoom())) {
+    if (const auto branch = branchAt(position)) {
         emit branchClicked(*branch, modifiers);
     } else {
         emit backgroundClicked();
@@ -191,9 +224,22 @@ void AngiogramView::hoverAt(const QPointF& position)
     if (i.tool) {
         i.tool->hover(i.toolPoint(position, QGuiApplication::keyboardModifiers()));
     }
-    hover(i.tool && !i.tool->picksBranches() ? std::nullopt
-                                             : scene_.branchAt(imageFromWidget(position), pickTolerancePx / zoom()));
+    hover(i.tool && !i.tool->picksBranches() ? std::nullopt : branchAt(position));
     showCursor();
+}
+
+std::optional<int> AngiogramView::branchAt(const QPointF& position) const
+{
+    return scene_.branchAt(imageFromWidget(position), pickTolerancePx / zoom());
+}
+
+/// By key: the mouse asks when it is released without having dragged.
+void AngiogramView::contextMenuEvent(QContextMenuEvent* event)
+{
+    event->accept();
+    if (event->reason() == QContextMenuEvent::Keyboard) {
+        emit menuRequested(mapToGlobal(rect().center()), interaction_->hovered);
+    }
 }
 
 void AngiogramView::hover(std::optional<int> branchId)
@@ -215,9 +261,10 @@ void AngiogramView::showCursor()
         }
     }
     if (isDragging) {
-        setCursor(i.pressed == Qt::MiddleButton  ? Qt::ClosedHandCursor
-                  : i.pressed == Qt::RightButton ? Qt::SizeVerCursor
-                                                 : Qt::CrossCursor);
+        setCursor(i.dragAction == DragAction::Pan           ? Qt::ClosedHandCursor
+                  : i.dragAction == DragAction::WindowLevel ? Qt::CrossCursor
+                  : i.dragAction == DragAction::None        ? Qt::ArrowCursor
+                                                            : Qt::SizeVerCursor);
     } else {
         setCursor(i.hovered ? Qt::PointingHandCursor : Qt::ArrowCursor);
     }
@@ -251,13 +298,7 @@ void AngiogramView::wheelEvent(QWheelEvent* event)
         zoomAt(event->position(), std::pow(zoomPerWheelStep, steps));
         return;
     }
-    double& collected = interaction_->wheelSteps;
-    collected += steps;
-    const int whole = static_cast<int>(collected);
-    collected -= whole;
-    if (whole != 0) {
-        emit frameStepRequested(-whole);
-    }
+    scrollFrames(-steps);
 }
 
 void AngiogramView::keyPressEvent(QKeyEvent* event)

@@ -2,6 +2,8 @@
 
 #include <vtkRenderWindow.h>
 #include <QApplication>
+#include <QContextMenuEvent>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
@@ -12,6 +14,7 @@ namespace ui {
 namespace {
 
 constexpr double turnDegPerPx = 0.5;
+constexpr double zoomPerStep = 1.15;
 
 QColor colorOf(const Color& color)
 {
@@ -143,7 +146,9 @@ void TreeView::mouseReleaseEvent(QMouseEvent* event)
     pressed_ = Qt::NoButton;
     const auto pick = isDragging_ ? std::nullopt : pickAt(event->position());
     if (pick && event->button() == Qt::RightButton) {
-        emit menuRequested(pick->branchId, pick->pointInPatient, event->globalPosition().toPoint());
+        emit branchMenuRequested(pick->branchId, pick->pointInPatient, event->globalPosition().toPoint());
+    } else if (!isDragging_ && event->button() == Qt::RightButton) {
+        emit menuRequested(event->globalPosition().toPoint(), std::nullopt);
     }
     if (isDragging_ || event->button() != Qt::LeftButton) {
         return;
@@ -163,9 +168,41 @@ void TreeView::mouseDoubleClickEvent(QMouseEvent* event)
     }
 }
 
+void TreeView::keyPressEvent(QKeyEvent* event)
+{
+    constexpr double turnDeg = 10.0;
+    switch (event->key()) {
+        case Qt::Key_Left:
+        case Qt::Key_Right:
+            scene_.turnBy(event->key() == Qt::Key_Left ? -turnDeg : turnDeg, 0.0);
+            break;
+        case Qt::Key_Up:
+        case Qt::Key_Down:
+            scene_.turnBy(0.0, event->key() == Qt::Key_Up ? -turnDeg : turnDeg);
+            break;
+        case Qt::Key_Plus:
+        case Qt::Key_Minus:
+            scene_.zoomBy(event->key() == Qt::Key_Plus ? zoomPerStep : 1.0 / zoomPerStep);
+            break;
+        default:
+            VtkView::keyPressEvent(event);
+            return;
+    }
+    requestRender();
+}
+
+/// By key: the mouse asks when it is released without having dragged.
+void TreeView::contextMenuEvent(QContextMenuEvent* event)
+{
+    event->accept();
+    if (event->reason() == QContextMenuEvent::Keyboard) {
+        emit menuRequested(mapToGlobal(rect().center()), hovered_);
+    }
+}
+
 void TreeView::wheelEvent(QWheelEvent* event)
 {
-    scene_.zoomBy(std::pow(1.15, event->angleDelta().y() / 120.0));
+    scene_.zoomBy(std::pow(zoomPerStep, event->angleDelta().y() / 120.0));
     event->accept();
     requestRender();
 }

@@ -9,7 +9,7 @@
 namespace ui {
 
 /// The 3-D situation: tree, X-ray source, detector with the image, beam edges, orientation letters. Left drag turns,
-/// middle drag moves, right drag and wheel zoom, double click shows everything again.
+/// middle drag moves, right drag and wheel zoom, double click shows everything again. Arrows turn, + and − zoom.
 class TreeView : public VtkView {
     Q_OBJECT
 public:
@@ -28,7 +28,8 @@ signals:
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
     void backgroundClicked();
     void pointPicked(const Eigen::Vector3d& pointInPatient);   ///< of the branch that was clicked
-    void menuRequested(int branchId, const Eigen::Vector3d& pointInPatient, const QPoint& globalPosition);
+    void branchMenuRequested(int branchId, const Eigen::Vector3d& pointInPatient, const QPoint& globalPosition);
+    void menuRequested(const QPoint& globalPosition, std::optional<int> branchId);
 
 protected:
     void prepareFrame() override;
@@ -38,6 +39,8 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void leaveEvent(QEvent* event) override;
 
 private:

@@ -117,8 +117,11 @@ Result<std::string> keepChosenPieces(VoxelMask& mask, const std::vector<Eigen::V
     if (leftOut == 0) {
         return std::string();
     }
-    return std::to_string(leftOut) + (leftOut == 1 ? " piece that does" : " pieces that do") +
-           " not connect to the traced vessels was left out. Place a seed in each that belongs to the tree.";
+    return leftOut == 1 ? "A piece that does not connect to the traced vessels was left out. Place a seed in it if it "
+                          "belongs to the tree."
+                        : std::to_string(leftOut) +
+                              " pieces that do not connect to the traced vessels were left out. Place a seed in each "
+                              "that belongs to the tree.";
 }
 
 }   // namespace core

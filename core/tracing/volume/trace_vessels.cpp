@@ -89,8 +89,9 @@ std::string problemWith(const VolumeGeometry& geometry, std::size_t voxels)
 
 std::string loopWarning(int loops)
 {
-    return std::to_string(loops) + (loops == 1 ? " loop was" : " loops were") +
-           " opened at the thinnest place: look there for vessels that only touch.";
+    return loops == 1 ? "1 loop was opened at the thinnest place: look there for vessels that only touch."
+                      : std::to_string(loops) +
+                            " loops were opened at their thinnest places: look there for vessels that only touch.";
 }
 
 /// The lumen that is to be traced, cropped.

@@ -106,6 +106,8 @@ const std::vector<Press>& presses()
                                          {Key_Y},
                                          {Key_4},
                                          {Key_L, Qt::ControlModifier},
+                                         {Key_C, Qt::ControlModifier | Qt::ShiftModifier},
+                                         {Key_F1, Qt::ControlModifier},
                                          {Key_F1}};
     return keys;
 }

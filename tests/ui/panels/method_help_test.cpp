@@ -1,4 +1,4 @@
-#include "ui/dialogs/method_help.h"
+#include "ui/help/help_page.h"
 
 #include "core/registration/registration_options.h"
 #include "ui/panels/registration_panel.h"
@@ -17,23 +17,28 @@ QString text(std::string_view view)
     return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
 }
 
+QString methodPage(const QString& id)
+{
+    return HelpPage::markdown(QStringLiteral("methods/") + id);
+}
+
 TEST(MethodHelp, EveryMethodHasAPageThatSaysWhatItShould)
 {
     for (const core::MethodInfo& info : core::methodInfos()) {
-        const QString page = MethodHelp::page(text(info.id));
+        const QString page = methodPage(text(info.id));
         EXPECT_TRUE(page.startsWith(QStringLiteral("# ") + text(info.label) + QLatin1Char('\n'))) << info.id;
         for (const char* heading : {"## What it minimises", "## When it fails", "## Source"}) {
             EXPECT_TRUE(page.contains(QLatin1String(heading))) << info.id << ": " << heading;
         }
     }
-    EXPECT_TRUE(MethodHelp::page(QStringLiteral("no-such-method")).isEmpty());
+    EXPECT_TRUE(methodPage(QStringLiteral("no-such-method")).isEmpty());
 }
 
 // A page may only speak of settings that its method has, by the names that the window shows.
 TEST(MethodHelp, PagesNameSettingsAsTheWindowDoes)
 {
     for (const core::MethodInfo& info : core::methodInfos()) {
-        const QString settings = MethodHelp::page(text(info.id))
+        const QString settings = methodPage(text(info.id))
                                      .section(QStringLiteral("## Settings"), 1)
                                      .section(QStringLiteral("## Source"), 0, 0);
         const QStringList parts = settings.split(QLatin1Char('*'));
@@ -61,7 +66,7 @@ TEST(MethodHelp, OpensForTheChosenMethod)
             button->click();
         }
     }
-    auto* help = panel.findChild<MethodHelp*>();
+    auto* help = panel.findChild<HelpPage*>();
     ASSERT_NE(help, nullptr);
     EXPECT_TRUE(help->findChild<QTextBrowser*>()->toPlainText().startsWith(QStringLiteral("DT-ICP")));
     help->close();

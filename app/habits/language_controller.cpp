@@ -1,0 +1,35 @@
+#include "app/habits/language_controller.h"
+
+#include "app/settings.h"
+#include "ui/dialogs/message_dialog.h"
+#include "ui/main_window.h"
+
+#include <array>
+#include <utility>
+
+namespace app {
+
+LanguageController::LanguageController(ui::MainWindow& window, QObject* parent) : QObject(parent), window_(window)
+{
+    const std::array choices{
+        std::pair{ui::Command::LanguageSystem, "system"}, std::pair{ui::Command::LanguageEnglish, "en"},
+        std::pair{ui::Command::LanguageGerman, "de"}, std::pair{ui::Command::LanguageChinese, "zh_CN"}};
+    for (const auto& [command, name] : choices) {
+        const QString code = QString::fromLatin1(name);
+        QAction* action = window_.actions()[command];
+        action->setChecked(settings::language.read() == code);
+        connect(action, &QAction::triggered, this, [this, code] { choose(code); });
+    }
+}
+
+void LanguageController::choose(const QString& code)
+{
+    if (code == settings::language.read()) {
+        return;
+    }
+    settings::language.write(code);
+    ui::MessageDialog::show({tr("Language"), tr("The new language holds from the next start of AngioPose."), {}},
+                            &window_);
+}
+
+}   // namespace app

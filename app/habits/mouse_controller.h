@@ -1,0 +1,23 @@
+#pragma once
+
+#include "ui/views/mouse_preset.h"
+
+#include <QObject>
+
+namespace ui {
+class MainWindow;
+}
+
+namespace app {
+
+/// The preset that the user chose.
+ui::MousePreset chosenMouse();
+
+/// The mouse menu: which button does what on the angiogram.
+class MouseController : public QObject {
+    Q_OBJECT
+public:
+    explicit MouseController(ui::MainWindow& window, QObject* parent = nullptr);
+};
+
+}   // namespace app

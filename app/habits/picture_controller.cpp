@@ -1,0 +1,47 @@
+#include "app/habits/picture_controller.h"
+
+#include "app/settings.h"
+#include "ui/dialogs/message_dialog.h"
+#include "ui/main_window.h"
+
+#include <QClipboard>
+#include <QDir>
+#include <QFileDialog>
+#include <QGuiApplication>
+#include <QPixmap>
+
+namespace app {
+
+PictureController::PictureController(ui::MainWindow& window, QObject* parent) : QObject(parent), window_(window)
+{
+    connect(window.actions()[ui::Command::CopyWindow], &QAction::triggered, this, &PictureController::copy);
+    connect(window.actions()[ui::Command::SaveWindow], &QAction::triggered, this, &PictureController::askFile);
+}
+
+void PictureController::copy()
+{
+    QGuiApplication::clipboard()->setPixmap(window_.grab());
+    window_.strip().showStatus(tr("The window is in the clipboard as a picture"));
+}
+
+void PictureController::askFile()
+{
+    const QPixmap picture = window_.grab();   // before the dialog covers it
+    const QString suggested = QDir(settings::lastFolder.read()).filePath(QStringLiteral("angiopose.png"));
+    auto* dialog = new QFileDialog(&window_, tr("Save picture of the window"), suggested, tr("PNG pictures (*.png)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("png"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this, picture](const QString& path) {
+        if (picture.save(path, "PNG")) {
+            window_.strip().showStatus(tr("Written: %1").arg(QFileInfo(path).fileName()));
+        } else {
+            ui::MessageDialog::show(
+                {tr("Could not save the picture"), tr("%1 could not be written. Choose another folder.").arg(path), {}},
+                &window_);
+        }
+    });
+    dialog->open();
+}
+
+}   // namespace app

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "ui/dialogs/key_sheet.h"
+
+#include <QKeySequence>
+#include <QList>
+#include <QObject>
+
+#include <map>
+#include <vector>
+
+class QAction;
+
+namespace ui {
+class MainWindow;
+}   // namespace ui
+
+namespace app {
+
+/// The key sheet, and the keys that the user chose in it: kept between sessions, each command at most one user's key.
+class ShortcutController : public QObject {
+    Q_OBJECT
+public:
+    explicit ShortcutController(ui::MainWindow& window, QObject* parent = nullptr);
+
+    void openSheet();
+
+private:
+    std::vector<ui::KeyLine> keyLines() const;
+    void readStored();
+    void choose(QAction* action, const QKeySequence& key);
+    void resetAll();
+    void refresh();
+
+    ui::MainWindow& window_;
+    std::map<QAction*, QList<QKeySequence>> usual_;   ///< as the program brings them
+    ui::KeySheet* sheet_ = nullptr;
+};
+
+}   // namespace app

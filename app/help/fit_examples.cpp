@@ -1,0 +1,91 @@
+#include "app/help/fit_examples.h"
+
+#include "app/texts/overlay_picture.h"
+#include "core/geometry/pose_offset.h"
+#include "core/simulation/simulated_case.h"
+#include "io/image_file.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace app {
+namespace {
+
+constexpr std::uint64_t exampleSeed = 11;
+constexpr int widthPx = 512;
+
+core::DsaOptions imageOf(ui::FitExample example)
+{
+    core::DsaOptions options;
+    options.frameCount = 4;
+    options.missingBranchShare = example == ui::FitExample::Unfilled ? 0.3 : 0.0;
+    options.nonRigidStdMm = example == ui::FitExample::Deformed ? 1.2 : 0.0;
+    options.extraBranchShare = 0.0;
+    options.catheterProbability = 0.0;
+    options.shutterProbability = 0.0;
+    return options;
+}
+
+/// How far from the truth the example lies.
+core::PoseOffset errorOf(ui::FitExample example)
+{
+    core::PoseOffset error;
+    switch (example) {
+        case ui::FitExample::Shifted:
+            error.rightMm = 6.0;
+            error.upMm = 3.0;
+            break;
+        case ui::FitExample::Turned:
+            error.rollDeg = 9.0;
+            break;
+        case ui::FitExample::Tilted:
+            error.laoRaoDeg = 16.0;
+            break;
+        case ui::FitExample::Right:
+        case ui::FitExample::Unfilled:
+        case ui::FitExample::Deformed:
+            break;
+    }
+    return error;
+}
+
+core::RegistrationCase caseOf(const core::SimulatedCase& simulated, ui::FitExample example)
+{
+    core::RegistrationCase shown;
+    shown.tree = std::make_shared<const core::VesselTree>(simulated.tree);
+    core::Angiogram single = simulated.angiogram;
+    single.frames = {simulated.angiogram.frames[static_cast<std::size_t>(simulated.angiogram.suggestedFrame)]};
+    shown.angiogram = std::make_shared<const core::Angiogram>(std::move(single));
+    shown.cArm = simulated.angiogram.cArm;
+    shown.cameraOverride = simulated.camera;
+    shown.cameraFromPatient = core::applyOffset(simulated.trueCameraFromPatient, errorOf(example),
+                                                core::centroidInPatient(simulated.tree), simulated.camera);
+    return shown;
+}
+
+}   // namespace
+
+core::Result<QString> fitExamplePicture(ui::FitExample example)
+{
+    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) +
+                      QStringLiteral("/fit-examples-" ANGIOPOSE_VERSION));
+    const QString path = folder.filePath(QStringLiteral("%1.png").arg(static_cast<int>(example)));
+    if (QFileInfo::exists(path)) {
+        return path;
+    }
+    folder.mkpath(QStringLiteral("."));
+    const core::SimulatedCase simulated = core::simulateCase(exampleSeed, {}, imageOf(example));
+    OverlayPictureOptions look;
+    look.widthPx = widthPx;
+    const auto picture = drawOverlay(caseOf(simulated, example), simulated.trueTarget, look);
+    if (!picture) {
+        return picture.error();
+    }
+    if (const auto written = io::writePng(picture.value(), path.toStdString()); !written) {
+        return written.error();
+    }
+    return path;
+}
+
+}   // namespace app

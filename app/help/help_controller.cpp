@@ -1,0 +1,98 @@
+#include "app/help/help_controller.h"
+
+#include "app/help/fit_examples.h"
+#include "app/settings.h"
+#include "ui/help/help_page.h"
+#include "ui/help/tour.h"
+#include "ui/main_window.h"
+#include "ui/views/angiogram_view.h"
+#include "ui/words/core_texts.h"
+
+#include <QApplication>
+#include <QCursor>
+#include <QImage>
+
+namespace app {
+
+HelpController::HelpController(ui::MainWindow& window, QObject* parent) : QObject(parent), window_(window)
+{
+    const ui::WindowActions& actions = window.actions();
+    connect(actions[ui::Command::PanelHelp], &QAction::triggered, this, &HelpController::showPage);
+    connect(actions[ui::Command::Tour], &QAction::triggered, this, &HelpController::startTour);
+    connect(actions[ui::Command::GoodFit], &QAction::triggered, this, &HelpController::showGoodFit);
+}
+
+/// The widget under the mouse; with the mouse elsewhere, the one that has the keys.
+void HelpController::showPage()
+{
+    QWidget* pointed = QApplication::widgetAt(QCursor::pos());
+    if (!pointed || pointed->window() != &window_) {
+        pointed = QApplication::focusWidget();
+    }
+    (new ui::HelpPage(ui::HelpPage::pageAbout(pointed), tr("Help"), &window_))->open();
+}
+
+void HelpController::offerTour()
+{
+    if (!settings::tourSeen.read()) {
+        startTour();
+    }
+}
+
+void HelpController::startTour()
+{
+    if (tour_) {
+        return;
+    }
+    settings::tourSeen.write(true);
+    QWidget* centre = window_.angiogramView().isVisible() ? static_cast<QWidget*>(&window_.angiogramView())
+                                                          : static_cast<QWidget*>(&window_.welcome());
+    tour_ = new ui::Tour(
+        {{centre, tr("Start here"),
+          tr("Drop a case, or vessels and an angiogram, anywhere. “Open the sample case” works without own data.")},
+         {&window_.steps(), tr("The way to a result"),
+          tr("Each step has a tick, or says in its tool tip what is missing. Click any of them, in any order.")},
+         {&window_.branches(), tr("The vessel tree"),
+          tr("Its branches with length and distance to the image. A takes a branch into the auxiliary set, X leaves "
+             "it out.")},
+         {centre, tr("The angiogram"),
+          tr("The projected tree lies over it, coloured by distance. Wheel: frames. N: move the tree with arrows or "
+             "mouse. H: hide it.")},
+         {&window_.registration(), tr("Register"),
+          tr("R finds the pose. Stop keeps the best one so far, Ctrl+Z brings the old one back.")},
+         {&window_.result(), tr("Can it be trusted?"),
+          tr("Numbers in mm, and sentences on what the image cannot tell. Shift+F1 shows good and bad fits.")},
+         {&window_.header(), tr("Help is never far"),
+          tr("F1 explains what the mouse points at, ? lists and changes all keys. This tour is under Help.")}},
+        &window_);
+}
+
+void HelpController::showGoodFit()
+{
+    if (goodFit_) {
+        return;
+    }
+    goodFit_ = new ui::GoodFit(&window_);
+    goodFit_->open();
+    for (int i = 0; i < ui::fitExampleCount; ++i) {
+        fillGoodFit(i);
+    }
+}
+
+void HelpController::fillGoodFit(int index)
+{
+    const auto example = static_cast<ui::FitExample>(index);
+    pictures_.run([example] { return fitExamplePicture(example); },
+                  [this, example](const core::Result<QString>& path) {
+                      if (!goodFit_) {
+                          return;
+                      }
+                      if (path) {
+                          goodFit_->showPicture(example, QImage(path.value()));
+                      } else {
+                          goodFit_->showProblem(ui::coreText(path.error().message));
+                      }
+                  });
+}
+
+}   // namespace app

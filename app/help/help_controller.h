@@ -1,0 +1,36 @@
+#pragma once
+
+#include "app/jobs/file_queue.h"
+
+#include <QObject>
+#include <QPointer>
+
+namespace ui {
+class GoodFit;
+class MainWindow;
+class Tour;
+}   // namespace ui
+
+namespace app {
+
+/// Help on what the mouse points at, the tour, and the page of good and bad fits.
+class HelpController : public QObject {
+    Q_OBJECT
+public:
+    explicit HelpController(ui::MainWindow& window, QObject* parent = nullptr);
+
+    void offerTour();   ///< on the first start only
+
+private:
+    void showPage();
+    void startTour();
+    void showGoodFit();
+    void fillGoodFit(int index);
+
+    ui::MainWindow& window_;
+    QPointer<ui::Tour> tour_;
+    QPointer<ui::GoodFit> goodFit_;
+    FileQueue pictures_;
+};
+
+}   // namespace app

@@ -1,0 +1,4345 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>app::BranchController</name>
+    <message>
+        <source>Select a branch first: click it in the list or in a view.</source>
+        <translation>请先选择一个分支：在列表或视图中单击。</translation>
+    </message>
+    <message>
+        <source>Excluded branches cannot be auxiliary. Include them first (X).</source>
+        <translation>已排除的分支不能作为辅助分支。请先恢复（X）。</translation>
+    </message>
+    <message>
+        <source>Choose auxiliary branches</source>
+        <translation>选择辅助分支</translation>
+    </message>
+    <message>
+        <source>At least one branch has to stay.</source>
+        <translation>至少须保留一个分支。</translation>
+    </message>
+    <message>
+        <source>Exclude %1</source>
+        <translation>排除 %1</translation>
+    </message>
+    <message>
+        <source>Include %1</source>
+        <translation>恢复 %1</translation>
+    </message>
+    <message>
+        <source>No branch lies wholly in view. Zoom out or move the image.</source>
+        <translation>没有分支完全位于视野内。请缩小或移动图像。</translation>
+    </message>
+    <message>
+        <source>This tree knows no radii.</source>
+        <translation>此血管树没有半径信息。</translation>
+    </message>
+    <message>
+        <source>%1 branches</source>
+        <translation>%1 个分支</translation>
+    </message>
+</context>
+<context>
+    <name>app::CaseController</name>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>撤销：%1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>重做：%1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>A registration is running. Stop it to edit.</source>
+        <translation>配准正在进行。请先停止再编辑。</translation>
+    </message>
+    <message>
+        <source>Nudge mode: arrows move, drag moves or rolls, N ends</source>
+        <translation>微调模式：方向键平移，拖动平移或旋转，N 结束</translation>
+    </message>
+    <message>
+        <source>Nudge mode off</source>
+        <translation>微调模式已关闭</translation>
+    </message>
+    <message>
+        <source>Copied: camera from patient, 4 × 4, mm</source>
+        <translation>已复制：患者到相机的 4 × 4 矩阵（mm）</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>更改 %1</translation>
+    </message>
+    <message>
+        <source>Use distances and spacing</source>
+        <translation>使用距离和像素间距</translation>
+    </message>
+    <message>
+        <source>Change option “%1”</source>
+        <translation>更改选项“%1”</translation>
+    </message>
+    <message>
+        <source>Tracing the vessels of this frame …</source>
+        <translation>正在提取此帧的血管……</translation>
+    </message>
+    <message>
+        <source>Registration cannot run</source>
+        <translation>无法进行配准</translation>
+    </message>
+    <message>
+        <source>Registering: %1 · %2 % · %3 px</source>
+        <translation>配准中：%1 · %2 % · %3 px</translation>
+    </message>
+    <message>
+        <source>Stopped: the best pose so far is kept, undo takes it back</source>
+        <translation>已停止：保留目前最佳位姿，可撤销</translation>
+    </message>
+    <message>
+        <source>Registered: median %1 mm</source>
+        <translation>配准完成：中位数 %1 mm</translation>
+    </message>
+    <message>
+        <source>AngioPose %1</source>
+        <translation>AngioPose %1</translation>
+    </message>
+    <message>
+        <source>Finds where a 3-D vessel tree lies in a 2-D angiogram, without correspondences.
+
+Not for clinical use: AngioPose is a research program, not a medical device.
+
+Apache License 2.0. Built on Qt, VTK, ITK, OpenCV, NLopt, Eigen and nanoflann.</source>
+        <translation>无需对应点即可求出三维血管树在二维造影图像中的位姿。
+
+不得用于临床：AngioPose 是研究软件，不是医疗器械。
+
+Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanoflann。</translation>
+    </message>
+    <message>
+        <source>%1 frames</source>
+        <translation>%1 帧</translation>
+    </message>
+    <message>
+        <source>1 frame</source>
+        <translation>1 帧</translation>
+    </message>
+    <message>
+        <source>Untitled case</source>
+        <translation>未命名病例</translation>
+    </message>
+    <message>
+        <source>AngioPose · not for clinical use</source>
+        <translation>AngioPose · 不得用于临床</translation>
+    </message>
+    <message>
+        <source>%1 · AngioPose · not for clinical use</source>
+        <translation>%1 · AngioPose · 不得用于临床</translation>
+    </message>
+</context>
+<context>
+    <name>app::ExportController</name>
+    <message>
+        <source>There is nothing to export yet. Open a vessel tree and an angiogram first.</source>
+        <translation>尚无可导出内容。请先打开血管树和造影图像。</translation>
+    </message>
+    <message>
+        <source>Export overlay</source>
+        <translation>导出叠加图</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG 图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>There is no result for this pose. Register first (R).</source>
+        <translation>此位姿没有结果。请先配准（R）。</translation>
+    </message>
+    <message>
+        <source>Export result</source>
+        <translation>导出结果</translation>
+    </message>
+    <message>
+        <source>Results (*.json)</source>
+        <translation>结果 (*.json)</translation>
+    </message>
+    <message>
+        <source>Export pose</source>
+        <translation>导出位姿</translation>
+    </message>
+    <message>
+        <source>Poses (*.json *.tfm)</source>
+        <translation>位姿 (*.json *.tfm)</translation>
+    </message>
+    <message>
+        <source>No vessels have been traced in this frame yet.</source>
+        <translation>此帧尚未提取血管。</translation>
+    </message>
+    <message>
+        <source>Export traced vessels</source>
+        <translation>导出提取的血管</translation>
+    </message>
+    <message>
+        <source>2-D centrelines (*.csv)</source>
+        <translation>二维中心线 (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>app::HelpController</name>
+    <message>
+        <source>Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop a case, or vessels and an angiogram, anywhere. “Open the sample case” works without own data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The way to a result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each step has a tick, or says in its tool tip what is missing. Click any of them, in any order.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vessel tree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its branches with length and distance to the image. A takes a branch into the auxiliary set, X leaves it out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The angiogram</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The projected tree lies over it, coloured by distance. Wheel: frames. N: move the tree with arrows or mouse. H: hide it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation type="unfinished">配准</translation>
+    </message>
+    <message>
+        <source>R finds the pose. Stop keeps the best one so far, Ctrl+Z brings the old one back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Can it be trusted?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbers in mm, and sentences on what the image cannot tell. Shift+F1 shows good and bad fits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Help is never far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F1 explains what the mouse points at, ? lists and changes all keys. This tour is under Help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::InputKind</name>
+    <message>
+        <source>Cases, vessels and angiograms (%1)</source>
+        <translation>病例、血管和造影图像 (%1)</translation>
+    </message>
+    <message>
+        <source>Cases (*.angiopose)</source>
+        <translation>病例 (*.angiopose)</translation>
+    </message>
+    <message>
+        <source>Centrelines (*.vtp *.vtk *.csv *.swc *.json)</source>
+        <translation>中心线 (*.vtp *.vtk *.csv *.swc *.json)</translation>
+    </message>
+    <message>
+        <source>Scans and surfaces (%1 *.dcm)</source>
+        <translation>CT 数据和表面 (%1 *.dcm)</translation>
+    </message>
+    <message>
+        <source>Angiograms (*.dcm *.png *.tif *.tiff *.jpg *.jpeg)</source>
+        <translation>造影图像 (*.dcm *.png *.tif *.tiff *.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+</context>
+<context>
+    <name>app::JudgementController</name>
+    <message>
+        <source>nothing to judge yet</source>
+        <translation type="unfinished">尚无可评估内容</translation>
+    </message>
+</context>
+<context>
+    <name>app::LanguageController</name>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>The new language holds from the next start of AngioPose.</source>
+        <translation>新语言将在下次启动 AngioPose 时生效。</translation>
+    </message>
+</context>
+<context>
+    <name>app::LookController</name>
+    <message>
+        <source>Near vessels bright, far ones dim</source>
+        <translation>近处血管亮、远处血管暗</translation>
+    </message>
+    <message>
+        <source>Depth cue off</source>
+        <translation>深度提示已关闭</translation>
+    </message>
+    <message>
+        <source>This tree knows no radii: only centrelines can be shown.</source>
+        <translation>此血管树没有半径：只能显示中心线。</translation>
+    </message>
+    <message>
+        <source>Vessels as centrelines</source>
+        <translation>以中心线显示血管</translation>
+    </message>
+    <message>
+        <source>Vessels as outlines</source>
+        <translation>以轮廓显示血管</translation>
+    </message>
+    <message>
+        <source>Vessels as tubes</source>
+        <translation>以管状显示血管</translation>
+    </message>
+    <message>
+        <source>Swipe: the overlay ends at the mouse</source>
+        <translation>卷帘：叠加图止于鼠标处</translation>
+    </message>
+    <message>
+        <source>Lens: the bare angiogram under the mouse</source>
+        <translation>透镜：鼠标处只显示造影图像</translation>
+    </message>
+    <message>
+        <source>Swipe and lens off</source>
+        <translation>卷帘和透镜已关闭</translation>
+    </message>
+    <message>
+        <source>Overlay opacity %1 %</source>
+        <translation>叠加图不透明度 %1 %</translation>
+    </message>
+    <message>
+        <source>No residuals yet</source>
+        <translation>尚无残差</translation>
+    </message>
+    <message>
+        <source>Worst %1 of %2: %3 mm median · W next · 1 fits</source>
+        <translation>最差第 %1 / %2：中位数 %3 mm · W 下一个 · 1 适合窗口</translation>
+    </message>
+</context>
+<context>
+    <name>app::Notices</name>
+    <message>
+        <source>Ready</source>
+        <translation type="unfinished">就绪</translation>
+    </message>
+    <message>
+        <source>AngioPose %1</source>
+        <translation type="unfinished">AngioPose %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::OpenController</name>
+    <message>
+        <source>A registration is running. Stop it before opening another file.</source>
+        <translation>配准正在进行。打开其他文件前请先停止。</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>正在读取 %1……</translation>
+    </message>
+    <message>
+        <source>A registration was started meanwhile. Open the file again when it has ended.</source>
+        <translation>期间已开始配准。请在结束后重新打开文件。</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>打开 %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::PictureController</name>
+    <message>
+        <source>The window is in the clipboard as a picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save picture of the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation type="unfinished">PNG 图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation type="unfinished">已写入：%1</translation>
+    </message>
+    <message>
+        <source>Could not save the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Choose another folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::PoseController</name>
+    <message>
+        <source>Move vessels</source>
+        <translation>移动血管</translation>
+    </message>
+    <message>
+        <source>There is no pose to nudge yet: vessels, angiogram and geometry come first.</source>
+        <translation>尚无可微调的位姿：请先提供血管、造影图像和几何参数。</translation>
+    </message>
+    <message>
+        <source>“%1” is locked.</source>
+        <translation>“%1”已锁定。</translation>
+    </message>
+    <message>
+        <source>Back to start pose</source>
+        <translation>回到初始位姿</translation>
+    </message>
+    <message>
+        <source>A registration is running. Stop it first.</source>
+        <translation>配准正在进行。请先停止。</translation>
+    </message>
+</context>
+<context>
+    <name>app::RegistrationController</name>
+    <message>
+        <source>Open a vessel centreline first.</source>
+        <translation>请先打开血管中心线。</translation>
+    </message>
+    <message>
+        <source>Open an angiogram first.</source>
+        <translation>请先打开造影图像。</translation>
+    </message>
+    <message>
+        <source>Register (%1)</source>
+        <translation>配准（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>app::ReplayController</name>
+    <message>
+        <source>tilt</source>
+        <translation>倾斜</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>转动</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>滚转</translation>
+    </message>
+    <message>
+        <source>sideways</source>
+        <translation>左右</translation>
+    </message>
+    <message>
+        <source>up–down</source>
+        <translation>上下</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>There is no run to replay. Register first (R).</source>
+        <translation>没有可回放的过程。请先配准（R）。</translation>
+    </message>
+    <message>
+        <source>Replay ended</source>
+        <translation>回放结束</translation>
+    </message>
+    <message>
+        <source>Replay: step %1 of %2, %3 px</source>
+        <translation>回放：第 %1 / %2 步，%3 px</translation>
+    </message>
+    <message>
+        <source>The uncertainty of this pose is not known yet.</source>
+        <translation>此位姿的不确定度尚未知。</translation>
+    </message>
+    <message>
+        <source>The image hardly tells these apart: ±%1 mm, mostly %2</source>
+        <translation>图像几乎无法区分：±%1 mm，主要为%2</translation>
+    </message>
+    <message>
+        <source>The run found no other solution.</source>
+        <translation>未找到其他解。</translation>
+    </message>
+    <message>
+        <source>There is no run yet. Register first (R).</source>
+        <translation>尚未配准。请先配准（R）。</translation>
+    </message>
+    <message>
+        <source>The solution itself</source>
+        <translation>最优解本身</translation>
+    </message>
+    <message>
+        <source>Other solution %1 of %2, score %3 · Shift+J takes it</source>
+        <translation>其他解 %1 / %2，评分 %3 · Shift+J 采用</translation>
+    </message>
+    <message>
+        <source>J shows the other solutions first.</source>
+        <translation>请先按 J 显示其他解。</translation>
+    </message>
+    <message>
+        <source>Take solution %1</source>
+        <translation>采用解 %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::ReviewController</name>
+    <message>
+        <source>Choose another frame</source>
+        <translation>选择另一帧</translation>
+    </message>
+    <message>
+        <source>Before: start pose</source>
+        <translation>之前：初始位姿</translation>
+    </message>
+    <message>
+        <source>After: pose as it is</source>
+        <translation>之后：当前位姿</translation>
+    </message>
+</context>
+<context>
+    <name>app::SaveController</name>
+    <message>
+        <source>Save case</source>
+        <translation>保存病例</translation>
+    </message>
+    <message>
+        <source>Cases (*.angiopose)</source>
+        <translation>病例 (*.angiopose)</translation>
+    </message>
+    <message>
+        <source>a case that was never saved</source>
+        <translation>从未保存的病例</translation>
+    </message>
+    <message>
+        <source>Recover unsaved work?</source>
+        <translation>恢复未保存的工作吗？</translation>
+    </message>
+    <message>
+        <source>AngioPose ended unexpectedly. There is a copy of %1 from %2.</source>
+        <translation>AngioPose 意外退出。有 %1 的副本，时间 %2。</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Delete the copy</source>
+        <translation>删除副本</translation>
+    </message>
+    <message>
+        <source>Decide later</source>
+        <translation>以后再定</translation>
+    </message>
+    <message>
+        <source>All changes saved</source>
+        <translation>所有更改已保存</translation>
+    </message>
+    <message>
+        <source>Autosaved %1 s ago</source>
+        <translation>%1 秒前自动保存</translation>
+    </message>
+    <message>
+        <source>Autosaved %1 min ago</source>
+        <translation>%1 分钟前自动保存</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>有未保存的更改</translation>
+    </message>
+</context>
+<context>
+    <name>app::SeriesRows</name>
+    <message>
+        <source>Series %1</source>
+        <translation type="unfinished">序列 %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::SessionController</name>
+    <message>
+        <source>Not for clinical use</source>
+        <translation type="unfinished">不得用于临床</translation>
+    </message>
+    <message>
+        <source>AngioPose is a research program. It is not a medical device: do not use it for diagnosis, treatment or navigation. Results can be wrong; one projection cannot tell everything about depth.</source>
+        <translation type="unfinished">AngioPose 是研究软件，不是医疗器械：不得用于诊断、治疗或导航。结果可能有误；单一投影无法完全确定深度。</translation>
+    </message>
+    <message>
+        <source>I understand</source>
+        <translation type="unfinished">我已了解</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation type="unfinished">就绪</translation>
+    </message>
+    <message>
+        <source>Opened</source>
+        <translation type="unfinished">已打开</translation>
+    </message>
+    <message>
+        <source>Could not open the file</source>
+        <translation type="unfinished">无法打开文件</translation>
+    </message>
+    <message>
+        <source>Could not open the files</source>
+        <translation type="unfinished">无法打开这些文件</translation>
+    </message>
+    <message>
+        <source>Could not save</source>
+        <translation type="unfinished">无法保存</translation>
+    </message>
+    <message>
+        <source>Saving …</source>
+        <translation type="unfinished">正在保存……</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation type="unfinished">已保存</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation type="unfinished">正在写入……</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation type="unfinished">已写入：%1</translation>
+    </message>
+    <message>
+        <source>Could not export</source>
+        <translation type="unfinished">无法导出</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished">打开</translation>
+    </message>
+    <message>
+        <source>Open DICOM folder</source>
+        <translation type="unfinished">打开 DICOM 文件夹</translation>
+    </message>
+    <message>
+        <source>Making the sample case …</source>
+        <translation type="unfinished">正在生成示例病例……</translation>
+    </message>
+    <message>
+        <source>Could not make the sample case</source>
+        <translation type="unfinished">无法生成示例病例</translation>
+    </message>
+    <message>
+        <source>Save the open case first?</source>
+        <translation type="unfinished">先保存当前病例吗？</translation>
+    </message>
+    <message>
+        <source>“%1” has changes that are not saved.</source>
+        <translation type="unfinished">“%1”有未保存的更改。</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished">保存</translation>
+    </message>
+    <message>
+        <source>Discard changes</source>
+        <translation type="unfinished">放弃更改</translation>
+    </message>
+    <message>
+        <source>Keep the open case</source>
+        <translation type="unfinished">保留当前病例</translation>
+    </message>
+    <message>
+        <source>A registration is running</source>
+        <translation type="unfinished">配准正在进行</translation>
+    </message>
+    <message>
+        <source>Stop it and close? Changes of this case are lost unless they are saved.</source>
+        <translation type="unfinished">停止并关闭？未保存的更改将丢失。</translation>
+    </message>
+    <message>
+        <source>Save before closing?</source>
+        <translation type="unfinished">关闭前保存吗？</translation>
+    </message>
+    <message>
+        <source>Stop, save and close</source>
+        <translation type="unfinished">停止、保存并关闭</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation type="unfinished">停止并关闭</translation>
+    </message>
+    <message>
+        <source>Keep running</source>
+        <translation type="unfinished">继续运行</translation>
+    </message>
+    <message>
+        <source>Save and close</source>
+        <translation type="unfinished">保存并关闭</translation>
+    </message>
+    <message>
+        <source>Close without saving</source>
+        <translation type="unfinished">不保存直接关闭</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation type="unfinished">返回</translation>
+    </message>
+    <message>
+        <source>%1 (missing)</source>
+        <translation type="unfinished">%1（缺失）</translation>
+    </message>
+</context>
+<context>
+    <name>app::StepStates</name>
+    <message>
+        <source>Open a centreline: VTP, VTK, CSV or SWC.</source>
+        <translation>打开中心线：VTP、VTK、CSV 或 SWC。</translation>
+    </message>
+    <message>
+        <source>1 branch</source>
+        <translation>1 个分支</translation>
+    </message>
+    <message>
+        <source>%1 branches</source>
+        <translation>%1 个分支</translation>
+    </message>
+    <message>
+        <source>Open an angiogram: DICOM XA, PNG or TIFF.</source>
+        <translation>打开造影图像：DICOM XA、PNG 或 TIFF。</translation>
+    </message>
+    <message>
+        <source>no vessels traced</source>
+        <translation>未提取血管</translation>
+    </message>
+    <message>
+        <source>tracing …</source>
+        <translation>提取中……</translation>
+    </message>
+    <message>
+        <source>given centreline</source>
+        <translation>给定中心线</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>第 %1 帧</translation>
+    </message>
+    <message>
+        <source>incomplete</source>
+        <translation>不完整</translation>
+    </message>
+    <message>
+        <source>from the case</source>
+        <translation>来自病例</translation>
+    </message>
+    <message>
+        <source>contradictory</source>
+        <translation>相互矛盾</translation>
+    </message>
+    <message>
+        <source>partly assumed</source>
+        <translation>部分为假定</translation>
+    </message>
+    <message>
+        <source>Some values are assumed. Type them if you know them.</source>
+        <translation>部分数值为假定。如已知请输入。</translation>
+    </message>
+    <message>
+        <source>pixel spacing typed</source>
+        <translation>像素间距为手工输入</translation>
+    </message>
+    <message>
+        <source>pixel spacing derived</source>
+        <translation>像素间距为推算</translation>
+    </message>
+    <message>
+        <source>from the header</source>
+        <translation>来自文件头</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>from angles</source>
+        <translation>由角度得出</translation>
+    </message>
+    <message>
+        <source>running …</source>
+        <translation>进行中……</translation>
+    </message>
+    <message>
+        <source>moved by hand</source>
+        <translation>手动移动</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>look closely</source>
+        <translation>请仔细核对</translation>
+    </message>
+    <message>
+        <source>%1 mm median</source>
+        <translation>中位数 %1 mm</translation>
+    </message>
+    <message>
+        <source>written</source>
+        <translation>已写入</translation>
+    </message>
+</context>
+<context>
+    <name>app::ViewSync</name>
+    <message>
+        <source>Opacification by frame · frame %1 of 0–%2 · fullest: %3 · play C</source>
+        <translation>各帧充盈度 · 第 %1 帧（0–%2）· 最充盈：%3 · 播放 C</translation>
+    </message>
+    <message>
+        <source>Single frame</source>
+        <translation>单帧</translation>
+    </message>
+</context>
+<context>
+    <name>core</name>
+    <message>
+        <source>Adds the prior chosen above to the attraction.</source>
+        <translation>在吸引项上加入上方所选先验。</translation>
+    </message>
+    <message>
+        <source>All branches of the vessel tree are excluded. Include at least one branch.</source>
+        <translation>血管树的所有分支均已排除。请至少恢复一个。</translation>
+    </message>
+    <message>
+        <source>Alternates between a few auxiliary points and all points by kernel-weighted PnP (Song, Ghaffari).</source>
+        <translation>以核加权 PnP 在少量辅助点与全部点之间交替求解（Song、Ghaffari）。</translation>
+    </message>
+    <message>
+        <source>Alternating search</source>
+        <translation>交替搜索</translation>
+    </message>
+    <message>
+        <source>Alternation</source>
+        <translation>交替</translation>
+    </message>
+    <message>
+        <source>An overlay needs a vessel tree and an angiogram. Open both first.</source>
+        <translation>叠加图需要血管树和造影图像。请先打开两者。</translation>
+    </message>
+    <message>
+        <source>Annealed particles around the start, or a walk over the out-of-plane angles.</source>
+        <translation>围绕初始位姿的退火粒子，或遍历平面外角度。</translation>
+    </message>
+    <message>
+        <source>Another number draws other lots; the same repeats them.</source>
+        <translation>不同数值产生不同随机序列；相同数值可重复。</translation>
+    </message>
+    <message>
+        <source>Another pose explains the image nearly as well: compare the alternatives.</source>
+        <translation>另一位姿几乎同样符合图像：请比较其他解。</translation>
+    </message>
+    <message>
+        <source>Attracted by</source>
+        <translation>吸引来源</translation>
+    </message>
+    <message>
+        <source>Auxiliary points</source>
+        <translation>辅助点</translation>
+    </message>
+    <message>
+        <source>Branch %1 cannot be cut so near to its end. Delete it instead, or cut farther in.</source>
+        <translation>分支 %1 不能在靠近末端处切断。请改为删除，或在更内侧切断。</translation>
+    </message>
+    <message>
+        <source>Branch %1 is chosen as %2 but the vessel tree has no such branch. Choose among its branches.</source>
+        <translation>分支 %1 被选为%2，但血管树中没有该分支。请在现有分支中选择。</translation>
+    </message>
+    <message>
+        <source>Brightness under the vessels at their own width, evolution strategy (Jomier 2006; re-implementation, parameters ours).</source>
+        <translation>按血管自身宽度取其下亮度，进化策略（Jomier 2006；重新实现，参数自定）。</translation>
+    </message>
+    <message>
+        <source>Cases, vessels and angiograms (%1)</source>
+        <translation>病例、血管和造影图像 (%1)</translation>
+    </message>
+    <message>
+        <source>Choose a centreline file: .vtp, .vtk, .vtu, .csv, .swc or .mrk.json.</source>
+        <translation>请选择中心线文件：.vtp、.vtk、.vtu、.csv、.swc 或 .mrk.json。</translation>
+    </message>
+    <message>
+        <source>Chosen branches (nodes where none is chosen), nodes, the widest branches up to a third of the length, or random points.</source>
+        <translation>所选分支（未选时为节点）、节点、最粗且不超过总长三分之一的分支，或随机点。</translation>
+    </message>
+    <message>
+        <source>Coarse search, then robust point-to-line refinement about the tree&apos;s centroid, with uncertainty.</source>
+        <translation>先粗搜索，再绕血管树质心做稳健的点到线精配准，并给出不确定度。</translation>
+    </message>
+    <message>
+        <source>Colour image converted to grey.</source>
+        <translation>彩色图像已转换为灰度。</translation>
+    </message>
+    <message>
+        <source>Covariance matrix adaptation, or one parent and one child at a time.</source>
+        <translation>协方差矩阵自适应，或每次一父一子。</translation>
+    </message>
+    <message>
+        <source>Curve %1 of the 2-D centreline has a coordinate that is not a number (NaN or infinite).</source>
+        <translation>二维中心线的曲线 %1 有非数值坐标（NaN 或无穷）。</translation>
+    </message>
+    <message>
+        <source>DICOM series</source>
+        <translation>DICOM 序列</translation>
+    </message>
+    <message>
+        <source>Damped steps on the Huber loss with fresh matches, or L-BFGS on the squared distances.</source>
+        <translation>对 Huber 损失做阻尼步并重新匹配，或对距离平方用 L-BFGS。</translation>
+    </message>
+    <message>
+        <source>Direction kernel</source>
+        <translation>方向核</translation>
+    </message>
+    <message>
+        <source>Distance between the points of the traced vessels.</source>
+        <translation>提取血管的点间距。</translation>
+    </message>
+    <message>
+        <source>Distance between the tree points that are matched; smaller is slower.</source>
+        <translation>参与匹配的血管树点间距；越小越慢。</translation>
+    </message>
+    <message>
+        <source>Distance beyond which a point hardly counts in the end; the noise of the image may widen it.</source>
+        <translation>最终阶段超过此距离的点几乎不计；图像噪声会使其变宽。</translation>
+    </message>
+    <message>
+        <source>Distance from which a point&apos;s pull stops growing.</source>
+        <translation>超过此距离后单点拉力不再增大。</translation>
+    </message>
+    <message>
+        <source>Edge scale</source>
+        <translation>边缘尺度</translation>
+    </message>
+    <message>
+        <source>Edges found along the vessel walls&apos; normals, a pose chosen by RANSAC with gradient matching (Markelj 2008; re-implementation, parameters ours).</source>
+        <translation>沿血管壁法线寻找边缘，以 RANSAC 和梯度匹配选位姿（Markelj 2008；重新实现，参数自定）。</translation>
+    </message>
+    <message>
+        <source>Evaluations at most</source>
+        <translation>最多评估次数</translation>
+    </message>
+    <message>
+        <source>Even spacing</source>
+        <translation>等间距</translation>
+    </message>
+    <message>
+        <source>Every branch hangs on branch %1: nothing would be left.</source>
+        <translation>所有分支都连在分支 %1 上：将一无所剩。</translation>
+    </message>
+    <message>
+        <source>Every branch is shorter or thinner than asked: nothing would be left. Lower the limits.</source>
+        <translation>所有分支都短于或细于要求：将一无所剩。请降低限值。</translation>
+    </message>
+    <message>
+        <source>Failed to validate</source>
+        <translation>校验失败</translation>
+    </message>
+    <message>
+        <source>Final scale</source>
+        <translation>最终尺度</translation>
+    </message>
+    <message>
+        <source>First kernel width</source>
+        <translation>初始核宽</translation>
+    </message>
+    <message>
+        <source>First reach</source>
+        <translation>初始范围</translation>
+    </message>
+    <message>
+        <source>Frame %1 does not exist: the image has frames 0 to %2.</source>
+        <translation>第 %1 帧不存在：图像有第 0 至 %2 帧。</translation>
+    </message>
+    <message>
+        <source>GDCM could not write the DICOM file. Choose another format.</source>
+        <translation>GDCM 无法写入 DICOM 文件。请选择其他格式。</translation>
+    </message>
+    <message>
+        <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image&apos;s brightness (Aylward 2003; re-implementation, parameters ours).</source>
+        <translation>对血管树与提取血管之间的平均核，或图像亮度做梯度上升（Aylward 2003；重新实现，参数自定）。</translation>
+    </message>
+    <message>
+        <source>Gradient steps at each of the three widths at most.</source>
+        <translation>三个宽度各自的最多梯度步数。</translation>
+    </message>
+    <message>
+        <source>How alike directions must be; small is strict.</source>
+        <translation>方向须多相似；越小越严格。</translation>
+    </message>
+    <message>
+        <source>How far across the ray the search reaches.</source>
+        <translation>搜索在垂直射线方向的范围。</translation>
+    </message>
+    <message>
+        <source>How far along the vessel walls&apos; normals edges are sought at first.</source>
+        <translation>最初沿血管壁法线寻找边缘的距离。</translation>
+    </message>
+    <message>
+        <source>How far the mask reaches beyond the projected vessels.</source>
+        <translation>掩模超出投影血管的距离。</translation>
+    </message>
+    <message>
+        <source>How far the search reaches in LAO/RAO and CRA/CAU.</source>
+        <translation>搜索在 LAO/RAO 和 CRA/CAU 方向的范围。</translation>
+    </message>
+    <message>
+        <source>How far the search turns the vessels in the image.</source>
+        <translation>搜索在图像内旋转血管的范围。</translation>
+    </message>
+    <message>
+        <source>How many, where the auxiliary points are random.</source>
+        <translation>辅助点为随机时的数量。</translation>
+    </message>
+    <message>
+        <source>How the pull towards the start pose is weighed against the image.</source>
+        <translation>初始位姿约束与图像的权衡方式。</translation>
+    </message>
+    <message>
+        <source>How they are found: the tree and the grid are exact, the map is right to within three pixels.</source>
+        <translation>查找方式：树和网格为精确，距离图误差在三个像素内。</translation>
+    </message>
+    <message>
+        <source>Huber distance</source>
+        <translation>Huber 距离</translation>
+    </message>
+    <message>
+        <source>Hypotheses</source>
+        <translation>假设数</translation>
+    </message>
+    <message>
+        <source>ICP iterations at most</source>
+        <translation>ICP 最多迭代</translation>
+    </message>
+    <message>
+        <source>Image point spacing</source>
+        <translation>图像点间距</translation>
+    </message>
+    <message>
+        <source>Image points that pull each tree point: the nearest, the five nearest, or all within three kernel widths.</source>
+        <translation>作用于每个树点的图像点：最近的、最近五个，或三倍核宽内的全部。</translation>
+    </message>
+    <message>
+        <source>Iterations at most</source>
+        <translation>最多迭代</translation>
+    </message>
+    <message>
+        <source>Its slices are stored with different scales or as float. %1</source>
+        <translation>其层面以不同比例或浮点存储。%1</translation>
+    </message>
+    <message>
+        <source>Keeps the projected tree from shrinking; lower it where many branches are missing from the image.</source>
+        <translation>防止投影血管树收缩；图像缺少较多分支时应降低。</translation>
+    </message>
+    <message>
+        <source>Kernel decay</source>
+        <translation>核衰减</translation>
+    </message>
+    <message>
+        <source>Kernel width at first: the largest distance, or its square as the paper prints it.</source>
+        <translation>初始核宽：最大距离，或如论文所示取其平方。</translation>
+    </message>
+    <message>
+        <source>Kernel-weighted iterative PnP on all points (Song, Ghaffari).</source>
+        <translation>对全部点的核加权迭代 PnP（Song、Ghaffari）。</translation>
+    </message>
+    <message>
+        <source>L2 distance of oriented Gaussian mixtures of tree and traced vessels (Baka 2014; re-implementation, parameters ours).</source>
+        <translation>血管树与提取血管的有向高斯混合之 L2 距离（Baka 2014；重新实现，参数自定）。</translation>
+    </message>
+    <message>
+        <source>Last kernel width</source>
+        <translation>最终核宽</translation>
+    </message>
+    <message>
+        <source>Least Huber loss of the distances to the nearest traced vessel (Rivest-Hénault 2012; re-implementation, parameters ours).</source>
+        <translation>到最近提取血管距离的 Huber 损失最小（Rivest-Hénault 2012；重新实现，参数自定）。</translation>
+    </message>
+    <message>
+        <source>Least squares on nearest pairs by OpenCV&apos;s SQPNP, repeated: what library parts make in an afternoon.</source>
+        <translation>用 OpenCV 的 SQPNP 对最近点对反复做最小二乘：用现成库一下午可拼成的方法。</translation>
+    </message>
+    <message>
+        <source>Lets the auxiliary and the full problem take turns.</source>
+        <translation>辅助问题与完整问题交替求解。</translation>
+    </message>
+    <message>
+        <source>Lets the auxiliary points and all points take turns.</source>
+        <translation>辅助点与全部点交替。</translation>
+    </message>
+    <message>
+        <source>Line searches along all six directions.</source>
+        <translation>沿六个方向的线搜索。</translation>
+    </message>
+    <message>
+        <source>Looks for the pose around the start before refining it.</source>
+        <translation>精配准前先在初始位姿附近搜索。</translation>
+    </message>
+    <message>
+        <source>Many poses at once, drawn anew by likelihood, or a walk over the out-of-plane angles (after Tian 2022; re-implementation, parameters ours).</source>
+        <translation>同时维持多个位姿并按似然重采样，或遍历平面外角度（参照 Tian 2022；重新实现，参数自定）。</translation>
+    </message>
+    <message>
+        <source>Mask frame %1 does not exist. The run has frames 0 to %2.</source>
+        <translation>蒙片第 %1 帧不存在。该序列有第 0 至 %2 帧。</translation>
+    </message>
+    <message>
+        <source>Mask margin</source>
+        <translation>掩模边距</translation>
+    </message>
+    <message>
+        <source>Matching and choosing a pose end after so many rounds.</source>
+        <translation>匹配与选位姿的最多轮数。</translation>
+    </message>
+    <message>
+        <source>Matching and solving end after so many rounds.</source>
+        <translation>匹配与求解的最多轮数。</translation>
+    </message>
+    <message>
+        <source>Missing required property</source>
+        <translation>缺少必需属性</translation>
+    </message>
+    <message>
+        <source>NICP inside the alternating search (Song, Ghaffari; re-implementation, parameters ours).</source>
+        <translation>交替搜索中的 NICP（Song、Ghaffari；重新实现，参数自定）。</translation>
+    </message>
+    <message>
+        <source>NIfTI holds at most 32767 voxels along an axis. Write .nrrd or .mha.</source>
+        <translation>NIfTI 每轴最多 32767 个体素。请写为 .nrrd 或 .mha。</translation>
+    </message>
+    <message>
+        <source>Narrows the kernel after five steps, or once no further point comes within its reach.</source>
+        <translation>五步后收窄核，或在不再有新点进入范围时收窄。</translation>
+    </message>
+    <message>
+        <source>Nearest points</source>
+        <translation>最近点</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>邻点</translation>
+    </message>
+    <message>
+        <source>No contrast-filled blood stands out in the volume. If it shows vessels, give the threshold at which they begin.</source>
+        <translation>体数据中未见明显对比剂充盈。若其中有血管，请给出血管起始阈值。</translation>
+    </message>
+    <message>
+        <source>Nothing in the volume is like a vessel: no branch is long enough. Lower the threshold or the shortest branch length.</source>
+        <translation>体数据中没有类似血管的结构：没有足够长的分支。请降低阈值或最短分支长度。</translation>
+    </message>
+    <message>
+        <source>Nothing lies inside the surface: it is too open, or thinner than a voxel. Close its holes, or choose a smaller voxel size.</source>
+        <translation>表面内部为空：开口过大或比一个体素还薄。请封闭孔洞或选更小体素。</translation>
+    </message>
+    <message>
+        <source>Nothing like a vessel was found in the angiogram frame. Choose a frame with more contrast, raise the sensitivity, or check whether vessels are dark or bright.</source>
+        <translation>此帧造影图像中未发现血管。请选对比度更高的帧、提高灵敏度，或检查血管是暗还是亮。</translation>
+    </message>
+    <message>
+        <source>One view does not tell the depth here: the distance from the source stays close to the start pose.</source>
+        <translation>单一投影无法确定深度：到射线源的距离保持接近初始位姿。</translation>
+    </message>
+    <message>
+        <source>Only %1 of the vessel tree lies inside the image.</source>
+        <translation>血管树仅 %1 位于图像内。</translation>
+    </message>
+    <message>
+        <source>Only %1 of the vessel tree lies on a traced vessel, and it explains %2 of the traced vessels.</source>
+        <translation>血管树仅 %1 落在提取血管上，解释了提取血管的 %2。</translation>
+    </message>
+    <message>
+        <source>Particles</source>
+        <translation>粒子数</translation>
+    </message>
+    <message>
+        <source>Pixels compared</source>
+        <translation>比较像素</translation>
+    </message>
+    <message>
+        <source>Population</source>
+        <translation>种群</translation>
+    </message>
+    <message>
+        <source>Poses from three random correspondences per round.</source>
+        <translation>每轮由三个随机对应求得的位姿数。</translation>
+    </message>
+    <message>
+        <source>Poses kept per round.</source>
+        <translation>每轮保留的位姿数。</translation>
+    </message>
+    <message>
+        <source>Poses tried in all.</source>
+        <translation>总共尝试的位姿数。</translation>
+    </message>
+    <message>
+        <source>Poses tried per generation.</source>
+        <translation>每代尝试的位姿数。</translation>
+    </message>
+    <message>
+        <source>Prior</source>
+        <translation>先验</translation>
+    </message>
+    <message>
+        <source>Prior weight</source>
+        <translation>先验权重</translation>
+    </message>
+    <message>
+        <source>Processor threads; never changes the result.</source>
+        <translation>处理器线程数；不影响结果。</translation>
+    </message>
+    <message>
+        <source>Pull to the start</source>
+        <translation>向初始的拉力</translation>
+    </message>
+    <message>
+        <source>Radiographs computed at most.</source>
+        <translation>最多计算的模拟 X 线图数。</translation>
+    </message>
+    <message>
+        <source>Random points</source>
+        <translation>随机点</translation>
+    </message>
+    <message>
+        <source>Random seed</source>
+        <translation>随机种子</translation>
+    </message>
+    <message>
+        <source>Rank correlation of the image with radiographs of the CTA or of tubes, Nelder–Mead (Steininger 2012; re-implementation, parameters ours).</source>
+        <translation>图像与 CTA 或管状模型模拟 X 线图的秩相关，Nelder–Mead（Steininger 2012；重新实现，参数自定）。</translation>
+    </message>
+    <message>
+        <source>Reach of the attraction at first.</source>
+        <translation>初始吸引范围。</translation>
+    </message>
+    <message>
+        <source>Reach of the attraction in the end.</source>
+        <translation>最终吸引范围。</translation>
+    </message>
+    <message>
+        <source>Rigid only, or an affine stage after it, of which the rigid part is kept if it fits better.</source>
+        <translation>仅刚性，或之后加仿射阶段，其刚性部分更优时保留。</translation>
+    </message>
+    <message>
+        <source>Rotation first</source>
+        <translation>先旋转</translation>
+    </message>
+    <message>
+        <source>Rounds</source>
+        <translation>轮数</translation>
+    </message>
+    <message>
+        <source>Rounds at most</source>
+        <translation>最多轮数</translation>
+    </message>
+    <message>
+        <source>SHA-256 cannot be computed. Check the OpenSSL installation.</source>
+        <translation>无法计算 SHA-256。请检查 OpenSSL 安装。</translation>
+    </message>
+    <message>
+        <source>SID / (0018,1114) magnification %1</source>
+        <translation>SID / (0018,1114) 放大率 %1</translation>
+    </message>
+    <message>
+        <source>SID is more than three times SOD: the magnification is implausible.</source>
+        <translation>SID 超过 SOD 的三倍：放大率不合理。</translation>
+    </message>
+    <message>
+        <source>SOD is not smaller than SID: the patient would lie behind the detector.</source>
+        <translation>SOD 不小于 SID：患者将位于探测器之后。</translation>
+    </message>
+    <message>
+        <source>Scan and angiogram seem to be of different patients (%1 differ). Check that both are the right ones.</source>
+        <translation>CT 与造影图像似乎属于不同患者（%1不同）。请核对。</translation>
+    </message>
+    <message>
+        <source>Scans and surfaces (%1 *.dcm)</source>
+        <translation>CT 数据和表面 (%1 *.dcm)</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Search radius</source>
+        <translation>搜索半径</translation>
+    </message>
+    <message>
+        <source>Search roll</source>
+        <translation>搜索滚转</translation>
+    </message>
+    <message>
+        <source>Search tilt</source>
+        <translation>搜索倾角</translation>
+    </message>
+    <message>
+        <source>Self term</source>
+        <translation>自身项</translation>
+    </message>
+    <message>
+        <source>Share of the mask that the rank correlation is taken over; at least 2000 pixels.</source>
+        <translation>秩相关所用掩模比例；至少 2000 像素。</translation>
+    </message>
+    <message>
+        <source>Smoothing under the gradients of the image.</source>
+        <translation>图像梯度的平滑尺度。</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>求解器</translation>
+    </message>
+    <message>
+        <source>Spreads the points evenly before matching; off takes them as they are.</source>
+        <translation>匹配前将点等距化；关闭则按原样使用。</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the start pose across the ray.</source>
+        <translation>初始位姿垂直射线方向的标准差。</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the start pose along the ray.</source>
+        <translation>初始位姿沿射线方向的标准差。</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the start pose&apos;s angles; holds what the image cannot tell.</source>
+        <translation>初始位姿角度的标准差；约束图像无法确定的量。</translation>
+    </message>
+    <message>
+        <source>Start depth ±</source>
+        <translation>初始深度 ±</translation>
+    </message>
+    <message>
+        <source>Start rotation ±</source>
+        <translation>初始旋转 ±</translation>
+    </message>
+    <message>
+        <source>Start scale</source>
+        <translation>初始尺度</translation>
+    </message>
+    <message>
+        <source>Start shift ±</source>
+        <translation>初始平移 ±</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步长</translation>
+    </message>
+    <message>
+        <source>Steps per width</source>
+        <translation>每宽度步数</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>策略</translation>
+    </message>
+    <message>
+        <source>Strength of the pull towards the start pose.</source>
+        <translation>向初始位姿拉力的强度。</translation>
+    </message>
+    <message>
+        <source>The %1 voxels are rounded to 16 bit, in steps of %2.</source>
+        <translation>%1 体素舍入为 16 位，步长 %2。</translation>
+    </message>
+    <message>
+        <source>The 2-D centreline is empty: no vessel was found in the image. Choose another frame or a higher sensitivity, or give a centreline file.</source>
+        <translation>二维中心线为空：图像中未发现血管。请换帧、提高灵敏度，或提供中心线文件。</translation>
+    </message>
+    <message>
+        <source>The C-arm moved during this run: the angles are those of the first frame.</source>
+        <translation>采集中 C 形臂有移动：角度取自第一帧。</translation>
+    </message>
+    <message>
+        <source>The angiogram frame has pixels that are not a number (NaN or infinite). Choose another frame, or export the image again.</source>
+        <translation>此帧有非数值像素（NaN 或无穷）。请换帧或重新导出图像。</translation>
+    </message>
+    <message>
+        <source>The angiogram frame is empty. Choose another frame or file.</source>
+        <translation>此帧为空。请选择其他帧或文件。</translation>
+    </message>
+    <message>
+        <source>The angiogram frame is of one colour: there is nothing to trace. Choose another frame or file.</source>
+        <translation>此帧为单一颜色：无可提取。请选择其他帧或文件。</translation>
+    </message>
+    <message>
+        <source>The camera needs the image size: width and height must be positive.</source>
+        <translation>相机需要图像尺寸：宽和高必须为正。</translation>
+    </message>
+    <message>
+        <source>The detector is tilted by %1° (0018,1530): the principal point is uncertain.</source>
+        <translation>探测器倾斜 %1°（0018,1530）：主点不确定。</translation>
+    </message>
+    <message>
+        <source>The detector pixel spacing</source>
+        <translation>探测器像素间距</translation>
+    </message>
+    <message>
+        <source>The detector pixel spacing lies outside 0.05 to 2 mm.</source>
+        <translation>探测器像素间距不在 0.05 至 2 mm 之间。</translation>
+    </message>
+    <message>
+        <source>The distance source to detector (SID)</source>
+        <translation>源到探测器距离（SID）</translation>
+    </message>
+    <message>
+        <source>The distance source to patient (SOD)</source>
+        <translation>源到患者距离（SOD）</translation>
+    </message>
+    <message>
+        <source>The end of the file is damaged (%1); the image is complete.</source>
+        <translation>文件末尾损坏（%1）；图像完整。</translation>
+    </message>
+    <message>
+        <source>The focal lengths fx and fy must be finite and not zero.</source>
+        <translation>焦距 fx 和 fy 必须有限且非零。</translation>
+    </message>
+    <message>
+        <source>The frames of the run differ in size and cannot be subtracted.</source>
+        <translation>该序列各帧大小不同，无法减影。</translation>
+    </message>
+    <message>
+        <source>The geometry of view %1 is far from its header: check angles and distances.</source>
+        <translation>投影 %1 的几何与文件头相差很大：请检查角度和距离。</translation>
+    </message>
+    <message>
+        <source>The header does not say how the axes lie in the patient: i to the left, j to the back and k to the head are assumed. Check left and right.</source>
+        <translation>文件头未说明轴向：假定 i 向左、j 向后、k 向头。请核对左右。</translation>
+    </message>
+    <message>
+        <source>The header does not say how the voxels lie in the patient: +x right to left, +y front to back and +z up are assumed to be i, j reversed and k. Check left and right.</source>
+        <translation>文件头未说明体素方位：假定 +x 右到左、+y 前到后、+z 向上分别为 i、反向 j 和 k。请核对左右。</translation>
+    </message>
+    <message>
+        <source>The header gives no imager pixel spacing (0018,1164): %1 mm is derived from the field of view. Check it in the geometry.</source>
+        <translation>文件头无成像器像素间距（0018,1164）：由视野推算为 %1 mm。请在几何中核对。</translation>
+    </message>
+    <message>
+        <source>The header gives no imager pixel spacing (0018,1164): enter it in the geometry.%1</source>
+        <translation>文件头无成像器像素间距（0018,1164）：请在几何中输入。%1</translation>
+    </message>
+    <message>
+        <source>The header gives no imager pixel spacing: %1 mm is derived from the calibrated pixel spacing. Check it in the geometry.</source>
+        <translation>文件头无成像器像素间距：由校准像素间距推算为 %1 mm。请在几何中核对。</translation>
+    </message>
+    <message>
+        <source>The header gives no voxel size: 1 x 1 x 1 mm is assumed.</source>
+        <translation>文件头无体素大小：假定为 1 x 1 x 1 mm。</translation>
+    </message>
+    <message>
+        <source>The header gives only isocentre angles (0018,9463), whose signs are not certain: enter LAO/RAO and CRA/CAU in the geometry.</source>
+        <translation>文件头仅有等中心角度（0018,9463），符号不确定：请在几何中输入 LAO/RAO 和 CRA/CAU。</translation>
+    </message>
+    <message>
+        <source>The image hardly tells how the vessels are tilted out of the image plane.</source>
+        <translation>图像几乎无法确定血管在平面外的倾斜。</translation>
+    </message>
+    <message>
+        <source>The image hardly tells how the vessels are turned in the image plane.</source>
+        <translation>图像几乎无法确定血管在平面内的旋转。</translation>
+    </message>
+    <message>
+        <source>The image hardly tells where along the vessels the tree lies.</source>
+        <translation>图像几乎无法确定血管树沿血管方向的位置。</translation>
+    </message>
+    <message>
+        <source>The image is not of the size that the camera takes. Use the camera that belongs to the image.</source>
+        <translation>图像尺寸与相机不符。请使用该图像对应的相机。</translation>
+    </message>
+    <message>
+        <source>The image is taken as mirrored, after %1. Check that left and right are where they belong.</source>
+        <translation>根据 %1 视图像为镜像。请核对左右。</translation>
+    </message>
+    <message>
+        <source>The image leaves the pose uncertain by about %1.</source>
+        <translation>图像使位姿仍有约 %1 的不确定。</translation>
+    </message>
+    <message>
+        <source>The imager pixel spacing (%1 mm) does not fit the field of view (%2 mm per pixel): the image may be zoomed or resampled. Check the pixel spacing.</source>
+        <translation>成像器像素间距（%1 mm）与视野（每像素 %2 mm）不符：图像可能经过缩放或重采样。请核对像素间距。</translation>
+    </message>
+    <message>
+        <source>The option %1 is out of range. Give a number from %2 to %3.</source>
+        <translation>选项 %1 超出范围。请给出 %2 至 %3 之间的数。</translation>
+    </message>
+    <message>
+        <source>The pose to judge is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers finite.</source>
+        <translation>待评估位姿不是刚体变换：旋转须正交且行列式为 +1，所有数有限。</translation>
+    </message>
+    <message>
+        <source>The positioner angles (LAO/RAO, CRA/CAU) are missing. Enter them in the geometry of the case.</source>
+        <translation>缺少投照角度（LAO/RAO、CRA/CAU）。请在病例几何中输入。</translation>
+    </message>
+    <message>
+        <source>The primary angle lies outside ±180°.</source>
+        <translation>主角度超出 ±180°。</translation>
+    </message>
+    <message>
+        <source>The principal point cx, cy must be finite.</source>
+        <translation>主点 cx、cy 必须有限。</translation>
+    </message>
+    <message>
+        <source>The refinement ends after so many steps.</source>
+        <translation>精配准的最多步数。</translation>
+    </message>
+    <message>
+        <source>The registration was stopped before its end.</source>
+        <translation>配准在结束前被停止。</translation>
+    </message>
+    <message>
+        <source>The run has one frame: there is nothing to subtract. Choose a run with frames before the contrast.</source>
+        <translation>该序列只有一帧：无法减影。请选择含造影前帧的序列。</translation>
+    </message>
+    <message>
+        <source>The run shows contrast medium from its first frame on, so no frame serves as mask. Name the mask frames, or trace without subtraction.</source>
+        <translation>该序列从第一帧起即有对比剂，无法作蒙片。请指定蒙片帧，或不减影提取。</translation>
+    </message>
+    <message>
+        <source>The secondary angle lies outside ±90°.</source>
+        <translation>次角度超出 ±90°。</translation>
+    </message>
+    <message>
+        <source>The seed %1 mm (LPS) lies in no vessel. Place it inside one, or lower the threshold.</source>
+        <translation>种子点 %1 mm（LPS）不在血管内。请放入血管或降低阈值。</translation>
+    </message>
+    <message>
+        <source>The series mixes images of %1 sizes or orientations; each is listed by itself.</source>
+        <translation>该序列混有 %1 种尺寸或方位的图像；已分别列出。</translation>
+    </message>
+    <message>
+        <source>The slices are not stacked upright (%1° off, as with a tilted gantry): shifted within their planes to where they lie.</source>
+        <translation>层面未垂直堆叠（偏 %1°，如机架倾斜）：已在面内平移到实际位置。</translation>
+    </message>
+    <message>
+        <source>The slices are unevenly spaced (%1 to %2 mm): resampled to %3 mm.</source>
+        <translation>层间距不均（%1 至 %2 mm）：已重采样为 %3 mm。</translation>
+    </message>
+    <message>
+        <source>The spread narrows by a quarter in each.</source>
+        <translation>每轮散布缩小四分之一。</translation>
+    </message>
+    <message>
+        <source>The start pose is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers finite. Correct cameraFromPatient or derive the start pose from the angles.</source>
+        <translation>初始位姿不是刚体变换：旋转须正交且行列式为 +1，所有数有限。请更正 cameraFromPatient 或由角度推导初始位姿。</translation>
+    </message>
+    <message>
+        <source>The start pose puts the whole vessel tree behind the X-ray source, where nothing projects. Check the source-to-patient distance and the direction of the start pose.</source>
+        <translation>初始位姿将整个血管树置于 X 射线源之后，无法投影。请检查源到患者距离和初始位姿方向。</translation>
+    </message>
+    <message>
+        <source>The surface has no triangles, or the voxel size is not positive. Choose another surface.</source>
+        <translation>表面没有三角面，或体素大小非正。请选择其他表面。</translation>
+    </message>
+    <message>
+        <source>The surface is %1 mm across, which is unusual: if its unit is not the millimetre, give the unit.</source>
+        <translation>表面跨度为 %1 mm，不寻常：若单位不是毫米，请指定单位。</translation>
+    </message>
+    <message>
+        <source>The surface is flat: it bounds no inside. Choose the wall of a vessel.</source>
+        <translation>表面是平的：没有内部。请选择血管壁。</translation>
+    </message>
+    <message>
+        <source>The surface is not closed (%1 open and %2 crowded edges): its inside is decided by majority. Check the result, or close the holes.</source>
+        <translation>表面未闭合（%1 条开放边、%2 条重叠边）：内部按多数判定。请检查结果或封闭孔洞。</translation>
+    </message>
+    <message>
+        <source>The traced vessels, or the brightness of the image at each vessel&apos;s own width.</source>
+        <translation>提取的血管，或按各血管宽度的图像亮度。</translation>
+    </message>
+    <message>
+        <source>The transparency of the image is ignored.</source>
+        <translation>忽略图像透明度。</translation>
+    </message>
+    <message>
+        <source>The triangles do not agree on inside and outside; overlapping parts may cancel out.</source>
+        <translation>三角面内外方向不一致；重叠部分可能抵消。</translation>
+    </message>
+    <message>
+        <source>The vessel mask has no vessel of at least %1 px in it. Draw longer vessels, or lower the shortest length.</source>
+        <translation>血管掩模中没有至少 %1 px 的血管。请画更长的血管或降低最短长度。</translation>
+    </message>
+    <message>
+        <source>The vessel tree has no branch %1.</source>
+        <translation>血管树没有分支 %1。</translation>
+    </message>
+    <message>
+        <source>The vessel tree has no branches. Load a centreline with at least one branch.</source>
+        <translation>血管树没有分支。请载入至少含一个分支的中心线。</translation>
+    </message>
+    <message>
+        <source>The vessels fit better %1 aside.</source>
+        <translation>血管偏移 %1 处吻合更好。</translation>
+    </message>
+    <message>
+        <source>The volume has more than 4 billion voxels. Crop or resample it first.</source>
+        <translation>体数据超过 40 亿体素。请先裁剪或重采样。</translation>
+    </message>
+    <message>
+        <source>The volume has no valid voxel spacing. Give the spacing in mm, or export the volume again.</source>
+        <translation>体数据没有有效体素间距。请给出 mm 间距或重新导出。</translation>
+    </message>
+    <message>
+        <source>The volume holds labels: its vessels are taken as they are marked.</source>
+        <translation>体数据为标签：血管按标记采用。</translation>
+    </message>
+    <message>
+        <source>The volume is empty. Choose another series or file.</source>
+        <translation>体数据为空。请选择其他序列或文件。</translation>
+    </message>
+    <message>
+        <source>The volume is of one value: there is nothing to trace. Choose another series or file.</source>
+        <translation>体数据只有一个值：无可提取。请选择其他序列或文件。</translation>
+    </message>
+    <message>
+        <source>The voxel size is given as 1 x 1 x 1 mm: check that it was not lost on the way.</source>
+        <translation>体素大小为 1 x 1 x 1 mm：请确认未在转换中丢失。</translation>
+    </message>
+    <message>
+        <source>The voxel size is too fine for a surface of this extent. Choose a larger one.</source>
+        <translation>对此范围的表面体素过小。请选更大的。</translation>
+    </message>
+    <message>
+        <source>There are places to avoid, but no seed. Place at least one seed in the vessels.</source>
+        <translation>有避开点但没有种子点。请在血管中至少放一个种子点。</translation>
+    </message>
+    <message>
+        <source>There is no angiogram yet. Open an image first.</source>
+        <translation>尚无造影图像。请先打开图像。</translation>
+    </message>
+    <message>
+        <source>There is no method &apos;%1&apos;. Choose one of: %2.</source>
+        <translation>没有方法“%1”。可选：%2。</translation>
+    </message>
+    <message>
+        <source>There is no vessel in the volume: nothing is set. Lower the threshold, or load another file.</source>
+        <translation>体数据中没有血管：无置位体素。请降低阈值或载入其他文件。</translation>
+    </message>
+    <message>
+        <source>There is no vessel tree yet. Open a centreline first.</source>
+        <translation>尚无血管树。请先打开中心线。</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this. Close other programs or use smaller inputs.</source>
+        <translation>内存不足。请关闭其他程序或使用较小的数据。</translation>
+    </message>
+    <message>
+        <source>This is %1, not X-ray angiography: it has no C-arm geometry.</source>
+        <translation>这是%1，不是 X 线血管造影：没有 C 形臂几何。</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>线程</translation>
+    </message>
+    <message>
+        <source>Tracing was stopped; nothing was kept.</source>
+        <translation>提取已停止；未保留结果。</translation>
+    </message>
+    <message>
+        <source>Transformation</source>
+        <translation>变换</translation>
+    </message>
+    <message>
+        <source>Tree point spacing</source>
+        <translation>树点间距</translation>
+    </message>
+    <message>
+        <source>Turns about the source before all else.</source>
+        <translation>首先绕射线源旋转。</translation>
+    </message>
+    <message>
+        <source>Turns and shifts in balance, or raw radians beside millimetres, which hardly shifts.</source>
+        <translation>旋转与平移平衡，或弧度与毫米直接并用（几乎不平移）。</translation>
+    </message>
+    <message>
+        <source>Vessel walls against image gradients, Powell&apos;s method (Mitrović 2013; re-implementation, parameters ours).</source>
+        <translation>血管壁与图像梯度匹配，Powell 法（Mitrović 2013；重新实现，参数自定）。</translation>
+    </message>
+    <message>
+        <source>View %1 does not agree with the joint pose.</source>
+        <translation>投影 %1 与联合位姿不符。</translation>
+    </message>
+    <message>
+        <source>View %1 uses another vessel tree or other branches than view 1. Give all views the same.</source>
+        <translation>投影 %1 使用的血管树或分支与投影 1 不同。请统一。</translation>
+    </message>
+    <message>
+        <source>Width of the mixtures&apos; Gaussians at first.</source>
+        <translation>高斯混合的初始宽度。</translation>
+    </message>
+    <message>
+        <source>Width of the mixtures&apos; Gaussians in the end.</source>
+        <translation>高斯混合的最终宽度。</translation>
+    </message>
+    <message>
+        <source>affine</source>
+        <translation>仿射</translation>
+    </message>
+    <message>
+        <source>an HDF5 file</source>
+        <translation>HDF5 文件</translation>
+    </message>
+    <message>
+        <source>an MRtrix tractogram</source>
+        <translation>MRtrix 纤维束图</translation>
+    </message>
+    <message>
+        <source>an NRRD volume</source>
+        <translation>NRRD 体数据</translation>
+    </message>
+    <message>
+        <source>an STL surface</source>
+        <translation>STL 表面</translation>
+    </message>
+    <message>
+        <source>an XML file</source>
+        <translation>XML 文件</translation>
+    </message>
+    <message>
+        <source>an image without modality</source>
+        <translation>未注明模态的图像</translation>
+    </message>
+    <message>
+        <source>angiogram.frame: %1 does not exist. The image has frames 0 to %2.</source>
+        <translation>angiogram.frame：第 %1 帧不存在。图像有第 0 至 %2 帧。</translation>
+    </message>
+    <message>
+        <source>angiogram.trace: maxVesselRadiusPx is below minVesselRadiusPx. Exchange them.</source>
+        <translation>angiogram.trace：maxVesselRadiusPx 小于 minVesselRadiusPx。请对调。</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>假定</translation>
+    </message>
+    <message>
+        <source>auxiliary</source>
+        <translation>辅助分支</translation>
+    </message>
+    <message>
+        <source>birth date</source>
+        <translation>出生日期</translation>
+    </message>
+    <message>
+        <source>cameraFromPatient has an entry that is not a finite number.</source>
+        <translation>cameraFromPatient 含有非有限数。</translation>
+    </message>
+    <message>
+        <source>cameraFromPatient is a reflection (determinant below 0). A mirrored image belongs into the sign of fx, never into the rotation.</source>
+        <translation>cameraFromPatient 为镜像（行列式小于 0）。镜像应体现在 fx 的符号，而非旋转。</translation>
+    </message>
+    <message>
+        <source>cameraFromPatient must have four rows of four numbers.</source>
+        <translation>cameraFromPatient 须为四行四列数字。</translation>
+    </message>
+    <message>
+        <source>converged</source>
+        <translation>已收敛</translation>
+    </message>
+    <message>
+        <source>derived</source>
+        <translation>推算</translation>
+    </message>
+    <message>
+        <source>frame %1 cannot be decoded (transfer syntax %2): damaged, cut short, or a compression this program does not read. Export the run again, uncompressed if possible.</source>
+        <translation>第 %1 帧无法解码（传输语法 %2）：损坏、截断或不支持的压缩。请重新导出，尽量不压缩。</translation>
+    </message>
+    <message>
+        <source>full</source>
+        <translation>全部点</translation>
+    </message>
+    <message>
+        <source>geometry.camera: it is for an image of %1 x %2 pixels, but the angiogram has %3 x %4. Give the camera of this image.</source>
+        <translation>geometry.camera：适用于 %1 x %2 像素的图像，但造影图像为 %3 x %4。请给出此图像的相机。</translation>
+    </message>
+    <message>
+        <source>header</source>
+        <translation>文件头</translation>
+    </message>
+    <message>
+        <source>identity hidden</source>
+        <translation>患者信息已隐藏</translation>
+    </message>
+    <message>
+        <source>it cannot be opened (%1). Check that you may read it.</source>
+        <translation>无法打开（%1）。请检查读取权限。</translation>
+    </message>
+    <message>
+        <source>it cannot be reached (%1). Check the path.</source>
+        <translation>无法访问（%1）。请检查路径。</translation>
+    </message>
+    <message>
+        <source>it cannot be read (%1). Copy it to a local disk.</source>
+        <translation>无法读取（%1）。请复制到本地磁盘。</translation>
+    </message>
+    <message>
+        <source>it cannot be read. Copy it to a local disk.</source>
+        <translation>无法读取。请复制到本地磁盘。</translation>
+    </message>
+    <message>
+        <source>it cannot be written (%1). Choose another folder or make room.</source>
+        <translation>无法写入（%1）。请选择其他文件夹或腾出空间。</translation>
+    </message>
+    <message>
+        <source>it declares %1 frames of %2 x %3 pixels, more than this program holds. Export fewer frames.</source>
+        <translation>声明 %1 帧、每帧 %2 x %3 像素，超出程序容量。请导出较少帧。</translation>
+    </message>
+    <message>
+        <source>it declares %1, more than this program holds. Crop the scan to the vessels.</source>
+        <translation>声明 %1，超出程序容量。请将扫描裁剪到血管范围。</translation>
+    </message>
+    <message>
+        <source>it declares more data than memory holds. The file is damaged; export it again.</source>
+        <translation>声明的数据超过内存。文件损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>it does not begin like a VTK file. Export the centrelines again.</source>
+        <translation>开头不像 VTK 文件。请重新导出中心线。</translation>
+    </message>
+    <message>
+        <source>it does not follow the published schema. Compare it with a case that loads.</source>
+        <translation>不符合公布的模式。请与可载入的病例比较。</translation>
+    </message>
+    <message>
+        <source>it does not hold one ITK transform as text. Export a single rigid transform.</source>
+        <translation>未含单个文本形式的 ITK 变换。请导出一个刚性变换。</translation>
+    </message>
+    <message>
+        <source>it does not say where its voxels are (ElementDataFile). Export it again.</source>
+        <translation>未说明体素所在（ElementDataFile）。请重新导出。</translation>
+    </message>
+    <message>
+        <source>it has %1 dimensions (4-D or more). Save the one volume to use and open that.</source>
+        <translation>有 %1 维（四维或以上）。请单独保存所需体数据再打开。</translation>
+    </message>
+    <message>
+        <source>it has %1 dimensions, but a volume has three. Choose the whole scan.</source>
+        <translation>有 %1 维，而体数据为三维。请选择完整扫描。</translation>
+    </message>
+    <message>
+        <source>it has %1 points; a centreline tree has at most %2. Resample the centrelines.</source>
+        <translation>有 %1 个点；中心线树最多 %2 个。请重采样中心线。</translation>
+    </message>
+    <message>
+        <source>it has %1 separate lines; a centreline tree has at most %2. Keep the vessels of interest.</source>
+        <translation>有 %1 条独立线；中心线树最多 %2 条。请只保留感兴趣的血管。</translation>
+    </message>
+    <message>
+        <source>it has %1 values per voxel. Choose the scan itself, in grey values.</source>
+        <translation>每体素有 %1 个值。请选择灰度扫描本身。</translation>
+    </message>
+    <message>
+        <source>it has %1: a single slice is no volume. Choose the whole scan.</source>
+        <translation>有 %1：单层不是体数据。请选择完整扫描。</translation>
+    </message>
+    <message>
+        <source>it has a column z: this is a 3-D centreline. Choose the centreline traced in the image.</source>
+        <translation>含 z 列：这是三维中心线。请选择图像中提取的中心线。</translation>
+    </message>
+    <message>
+        <source>it has more than a million points. Resample the centreline.</source>
+        <translation>超过一百万个点。请重采样中心线。</translation>
+    </message>
+    <message>
+        <source>it has more triangles than this program holds. Decimate the surface.</source>
+        <translation>三角面超出程序容量。请简化表面。</translation>
+    </message>
+    <message>
+        <source>it has no matrix `cameraFromPatient` of four rows of four numbers, at the top or in `pose`. Give one.</source>
+        <translation>顶层或 `pose` 中没有四行四列的 `cameraFromPatient` 矩阵。请提供。</translation>
+    </message>
+    <message>
+        <source>it holds %1 volumes or values per voxel (4-D). Extract the one to use and open that.</source>
+        <translation>含 %1 个体数据或每体素多值（四维）。请提取所需的再打开。</translation>
+    </message>
+    <message>
+        <source>it holds %1 volumes, layers or values per voxel (4-D). Save the one to use and open that.</source>
+        <translation>含 %1 个体数据、层或每体素多值（四维）。请单独保存所需的再打开。</translation>
+    </message>
+    <message>
+        <source>it holds %1, not POLYDATA or UNSTRUCTURED_GRID. Export the centrelines as poly-lines.</source>
+        <translation>含 %1，而非 POLYDATA 或 UNSTRUCTURED_GRID。请以折线导出中心线。</translation>
+    </message>
+    <message>
+        <source>it holds %1, which is no label: labels are whole numbers from 0. Choose a label image.</source>
+        <translation>含 %1，不是标签：标签为从 0 起的整数。请选择标签图像。</translation>
+    </message>
+    <message>
+        <source>it holds a %1, not an image. Choose the scan.</source>
+        <translation>含 %1，而非图像。请选择扫描。</translation>
+    </message>
+    <message>
+        <source>it holds a surface, not centrelines. Extract the centrelines first (e.g. with VMTK or Slicer) and open those.</source>
+        <translation>含表面而非中心线。请先提取中心线（如用 VMTK 或 Slicer）再打开。</translation>
+    </message>
+    <message>
+        <source>it holds more than 50000 files. Choose the folder of one study.</source>
+        <translation>含超过 50000 个文件。请选择单个检查的文件夹。</translation>
+    </message>
+    <message>
+        <source>it holds no lines. Choose a file with vessel centrelines.</source>
+        <translation>不含线。请选择含血管中心线的文件。</translation>
+    </message>
+    <message>
+        <source>it holds no triangles. Choose the surface of a vessel.</source>
+        <translation>不含三角面。请选择血管表面。</translation>
+    </message>
+    <message>
+        <source>it is a DICOM segmentation. Export it as a NIfTI or NRRD label image.</source>
+        <translation>是 DICOM 分割。请导出为 NIfTI 或 NRRD 标签图像。</translation>
+    </message>
+    <message>
+        <source>it is a colour image. Choose the scan itself, in grey values.</source>
+        <translation>是彩色图像。请选择灰度扫描本身。</translation>
+    </message>
+    <message>
+        <source>it is a single slice, not a volume. Copy all slices of the series, or choose another one.</source>
+        <translation>是单层而非体数据。请复制该序列全部层面，或另选。</translation>
+    </message>
+    <message>
+        <source>it is not VTK XML PolyData or UnstructuredGrid. Export the centrelines as .vtp.</source>
+        <translation>不是 VTK XML PolyData 或 UnstructuredGrid。请导出为 .vtp。</translation>
+    </message>
+    <message>
+        <source>it is not a Slicer markups file with curves. Export the centrelines as .mrk.json curves, .vtp, .vtk, .csv or .swc.</source>
+        <translation>不是含曲线的 Slicer markups 文件。请将中心线导出为 .mrk.json 曲线、.vtp、.vtk、.csv 或 .swc。</translation>
+    </message>
+    <message>
+        <source>it is not valid JSON at line %1. Correct it there.</source>
+        <translation>第 %1 行不是有效 JSON。请更正。</translation>
+    </message>
+    <message>
+        <source>it is only %1 x %2 pixels. Choose the angiogram at its full size.</source>
+        <translation>仅 %1 x %2 像素。请选择原尺寸造影图像。</translation>
+    </message>
+    <message>
+        <source>it is stored in palette colours. Export the angiogram in grey.</source>
+        <translation>以调色板颜色存储。请以灰度导出造影图像。</translation>
+    </message>
+    <message>
+        <source>it is too large for a case file. Choose an .angiopose file.</source>
+        <translation>作为病例文件过大。请选择 .angiopose 文件。</translation>
+    </message>
+    <message>
+        <source>it is too large for a pose. Choose a .json or .tfm file.</source>
+        <translation>作为位姿过大。请选择 .json 或 .tfm 文件。</translation>
+    </message>
+    <message>
+        <source>it looks like a list of graph nodes (column id), which has no order along the vessels. Give a branch column, or export the centrelines themselves.</source>
+        <translation>像是图节点列表（id 列），没有沿血管的顺序。请给出 branch 列，或导出中心线本身。</translation>
+    </message>
+    <message>
+        <source>it skips lines of another file. Save header and voxels as one file.</source>
+        <translation>跳过了另一文件的行。请将文件头与体素保存为一个文件。</translation>
+    </message>
+    <message>
+        <source>iteration limit</source>
+        <translation>达到迭代上限</translation>
+    </message>
+    <message>
+        <source>its DimSize makes no sense. The file is damaged; export it again.</source>
+        <translation>DimSize 无意义。文件损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>its HeaderSize makes no sense. Correct the header.</source>
+        <translation>HeaderSize 无意义。请更正文件头。</translation>
+    </message>
+    <message>
+        <source>its JSON is nested more than %1 levels deep. This is no file of this program.</source>
+        <translation>JSON 嵌套超过 %1 层。这不是本程序的文件。</translation>
+    </message>
+    <message>
+        <source>its PLY data are damaged or cut short. Export it again.</source>
+        <translation>PLY 数据损坏或截断。请重新导出。</translation>
+    </message>
+    <message>
+        <source>its PLY header is damaged or cut short. Export it again.</source>
+        <translation>PLY 文件头损坏或截断。请重新导出。</translation>
+    </message>
+    <message>
+        <source>its PLY header is damaged: the element &quot;%1&quot; has no properties. Export it again.</source>
+        <translation>PLY 文件头损坏：元素 &quot;%1&quot; 没有属性。请重新导出。</translation>
+    </message>
+    <message>
+        <source>its axes are %1° apart instead of 90°. Resample the volume to perpendicular axes.</source>
+        <translation>各轴夹角为 %1° 而非 90°。请重采样到正交轴。</translation>
+    </message>
+    <message>
+        <source>its bits per pixel contradict each other. The header is damaged; export the run again.</source>
+        <translation>每像素位数相互矛盾。文件头损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>its centre is not finite. Export the transform again.</source>
+        <translation>中心非有限数。请重新导出变换。</translation>
+    </message>
+    <message>
+        <source>its compressed pixels are cut short. Copy or export it again.</source>
+        <translation>压缩像素被截断。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>its coordinates are in %1. Export the curves in mm.</source>
+        <translation>坐标单位为 %1。请以 mm 导出曲线。</translation>
+    </message>
+    <message>
+        <source>its deflated content is damaged or cut short. Copy or export it again.</source>
+        <translation>压缩内容损坏或截断。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>its first axis has %1 entries: this is a colour picture, not a volume. Choose the scan.</source>
+        <translation>第一轴有 %1 项：这是彩色图片而非体数据。请选择扫描。</translation>
+    </message>
+    <message>
+        <source>its header gives %1. The file is damaged; export it again.</source>
+        <translation>文件头给出 %1。文件损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>its header gives no image size. The file is damaged; export the run again.</source>
+        <translation>文件头无图像尺寸。文件损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>its header gives no usable voxel size or place. Export the volume again.</source>
+        <translation>文件头无可用的体素大小或位置。请重新导出。</translation>
+    </message>
+    <message>
+        <source>its header is damaged: it names %1 dimensions. Export it again.</source>
+        <translation>文件头损坏：标注 %1 维。请重新导出。</translation>
+    </message>
+    <message>
+        <source>its header is damaged: the voxels begin at an impossible place. Export it again.</source>
+        <translation>文件头损坏：体素起始位置不可能。请重新导出。</translation>
+    </message>
+    <message>
+        <source>its images do not say how large a pixel is, so they make no volume. Choose another series.</source>
+        <translation>图像未说明像素大小，无法组成体数据。请选择其他序列。</translation>
+    </message>
+    <message>
+        <source>its images do not say where they lie in the patient, so they make no volume. Choose another series.</source>
+        <translation>图像未说明在患者中的位置，无法组成体数据。请选择其他序列。</translation>
+    </message>
+    <message>
+        <source>its line skip or byte skip makes no sense. Correct the header.</source>
+        <translation>line skip 或 byte skip 无意义。请更正文件头。</translation>
+    </message>
+    <message>
+        <source>its lines visit the same points too often. The file is damaged; export it again.</source>
+        <translation>线过多经过相同的点。文件损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>its pixels (%1, %2 samples) are not grey or colour. Export the angiogram in grey.</source>
+        <translation>像素（%1，%2 个采样）既非灰度也非彩色。请以灰度导出。</translation>
+    </message>
+    <message>
+        <source>its pixels are cut short: %1 of %2 bytes are there. Copy or export it again.</source>
+        <translation>像素被截断：%2 字节中仅有 %1。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>its pixels are not finite numbers of a known kind. Export it with 8 or 16 bits.</source>
+        <translation>像素不是已知类型的有限数。请以 8 或 16 位导出。</translation>
+    </message>
+    <message>
+        <source>its pixels are not of the size its header gives. Export it again.</source>
+        <translation>像素尺寸与文件头不符。请重新导出。</translation>
+    </message>
+    <message>
+        <source>its pixels have %1 bits. Export the angiogram with 8 or 16 bits.</source>
+        <translation>像素为 %1 位。请以 8 或 16 位导出。</translation>
+    </message>
+    <message>
+        <source>its sizes are no numbers. The file is damaged; export it again.</source>
+        <translation>尺寸不是数字。文件损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>its slices lie beside each other rather than above. Choose another series.</source>
+        <translation>层面并排而非堆叠。请选择其他序列。</translation>
+    </message>
+    <message>
+        <source>its slices lie too unevenly to make a volume of them (%1 over %2 mm). Copy all slices of the series, or choose another one.</source>
+        <translation>层间距过于不均，无法组成体数据（%2 mm 内 %1 层）。请复制全部层面，或另选。</translation>
+    </message>
+    <message>
+        <source>its transform &quot;%1&quot; is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
+        <translation>变换 &quot;%1&quot; 非刚性或缺少参数。请导出刚性变换（affine、Euler3D 或 VersorRigid3D）。</translation>
+    </message>
+    <message>
+        <source>its triangles are damaged or cut short. Copy or export it again.</source>
+        <translation>三角面损坏或截断。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>its voxel type (&quot;%1&quot;) is not read. Save it as 16-bit or float.</source>
+        <translation>不支持体素类型（&quot;%1&quot;）。请存为 16 位或浮点。</translation>
+    </message>
+    <message>
+        <source>its voxel type (NIfTI datatype %1) is not read. Save it as 16-bit or float.</source>
+        <translation>不支持体素类型（NIfTI 类型 %1）。请存为 16 位或浮点。</translation>
+    </message>
+    <message>
+        <source>its voxels are colours. Choose the scan itself, in grey values.</source>
+        <translation>体素为彩色。请选择灰度扫描本身。</translation>
+    </message>
+    <message>
+        <source>its voxels are cut short, or their packing is damaged. Copy or export it again.</source>
+        <translation>体素被截断或压缩损坏。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>its voxels are cut short. Copy or export it again.</source>
+        <translation>体素被截断。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>its voxels are cut short: %1 of %2 bytes are there. Copy or export it again.</source>
+        <translation>体素被截断：%2 字节中仅有 %1。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>its voxels are packed with bzip2. Save it with gzip or raw encoding.</source>
+        <translation>体素以 bzip2 压缩。请用 gzip 或 raw 编码保存。</translation>
+    </message>
+    <message>
+        <source>its voxels are written as text (%1). Save it with gzip or raw encoding.</source>
+        <translation>体素以文本写入（%1）。请用 gzip 或 raw 编码保存。</translation>
+    </message>
+    <message>
+        <source>its voxels are written as text. Save it with binary data.</source>
+        <translation>体素以文本写入。请以二进制保存。</translation>
+    </message>
+    <message>
+        <source>its voxels lie in several files. Save it as one file.</source>
+        <translation>体素分在多个文件。请存为一个文件。</translation>
+    </message>
+    <message>
+        <source>line %1 does not give a point. The file is damaged; export it again.</source>
+        <translation>第 %1 行不是点。文件损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>line %1 has %2 columns, the first line has %3. Separate columns by commas and use . as decimal point.</source>
+        <translation>第 %1 行有 %2 列，首行有 %3 列。请以逗号分列，用 . 作小数点。</translation>
+    </message>
+    <message>
+        <source>line %1 is not `id type x y z radius parent`. Correct the line or export it again.</source>
+        <translation>第 %1 行不是 `id type x y z radius parent`。请更正或重新导出。</translation>
+    </message>
+    <message>
+        <source>line %1 lies far outside any image. Coordinates are in pixels.</source>
+        <translation>第 %1 行远在图像之外。坐标单位为像素。</translation>
+    </message>
+    <message>
+        <source>line %1 names a parent, %2, that is not there. Export the whole tree.</source>
+        <translation>第 %1 行的父节点 %2 不存在。请导出整棵树。</translation>
+    </message>
+    <message>
+        <source>line %1 repeats an id. Ids must be unique.</source>
+        <translation>第 %1 行 id 重复。id 必须唯一。</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: &quot;%3&quot; is not a finite number. Correct or remove the line.</source>
+        <translation>第 %1 行 %2 列：&quot;%3&quot; 不是有限数。请更正或删除该行。</translation>
+    </message>
+    <message>
+        <source>line %1: the branch must be a whole number. Correct the line.</source>
+        <translation>第 %1 行：branch 必须为整数。请更正。</translation>
+    </message>
+    <message>
+        <source>method: &quot;%1&quot; is unknown. Use one of %2.</source>
+        <translation>method：&quot;%1&quot; 未知。可用：%2。</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>modality %1</source>
+        <translation>模态 %1</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>姓名</translation>
+    </message>
+    <message>
+        <source>no DICOM element in it can be read. The file is damaged; copy or export it again.</source>
+        <translation>无法读取任何 DICOM 元素。文件损坏；请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>no data set</source>
+        <translation>无数据集</translation>
+    </message>
+    <message>
+        <source>no file this program knows</source>
+        <translation>未知文件</translation>
+    </message>
+    <message>
+        <source>no image this program reads</source>
+        <translation>不支持的图像</translation>
+    </message>
+    <message>
+        <source>no improvement</source>
+        <translation>不再改善</translation>
+    </message>
+    <message>
+        <source>no name</source>
+        <translation>无名称</translation>
+    </message>
+    <message>
+        <source>no series in this folder makes a volume. Choose another folder.</source>
+        <translation>此文件夹中没有序列可组成体数据。请选择其他文件夹。</translation>
+    </message>
+    <message>
+        <source>none of its lines has two different points. Choose a file with vessel centrelines.</source>
+        <translation>没有一条线含两个不同的点。请选择含血管中心线的文件。</translation>
+    </message>
+    <message>
+        <source>none of its triangles has an area. Choose the surface of a vessel.</source>
+        <translation>三角面均无面积。请选择血管表面。</translation>
+    </message>
+    <message>
+        <source>none of its voxels is a number. Export the volume again.</source>
+        <translation>没有体素是数字。请重新导出。</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>编号</translation>
+    </message>
+    <message>
+        <source>only %1 of its %2 frames are there. Copy or export it again.</source>
+        <translation>%2 帧中仅有 %1 帧。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>options.%1: give %2.</source>
+        <translation>options.%1：请给出 %2。</translation>
+    </message>
+    <message>
+        <source>part %1 of %2</source>
+        <translation>第 %1 部分，共 %2</translation>
+    </message>
+    <message>
+        <source>pose.initial: it is missing, and the angles do not give a start pose. %1</source>
+        <translation>pose.initial：缺失，且角度不足以得出初始位姿。%1</translation>
+    </message>
+    <message>
+        <source>poses are written as .json or .tfm. Change the extension.</source>
+        <translation>位姿写为 .json 或 .tfm。请更改扩展名。</translation>
+    </message>
+    <message>
+        <source>reading was stopped.</source>
+        <translation>读取已停止。</translation>
+    </message>
+    <message>
+        <source>refine</source>
+        <translation>精配准</translation>
+    </message>
+    <message>
+        <source>rotation</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>settle</source>
+        <translation>稳定</translation>
+    </message>
+    <message>
+        <source>stopped by the user</source>
+        <translation>用户停止</translation>
+    </message>
+    <message>
+        <source>surfaces are written as .stl. Change the extension.</source>
+        <translation>表面写为 .stl。请更改扩展名。</translation>
+    </message>
+    <message>
+        <source>the SWC unit must be a positive length in mm.</source>
+        <translation>SWC 单位须为正的毫米长度。</translation>
+    </message>
+    <message>
+        <source>the VTK XML data in it is damaged or cut short. Export it again.</source>
+        <translation>其中的 VTK XML 数据损坏或截断。请重新导出。</translation>
+    </message>
+    <message>
+        <source>the element %1 declares %2 bytes, but %3 are left</source>
+        <translation>元素 %1 声明 %2 字节，但仅剩 %3</translation>
+    </message>
+    <message>
+        <source>the file is empty. Export or copy it again.</source>
+        <translation>文件为空。请重新导出或复制。</translation>
+    </message>
+    <message>
+        <source>the file with its voxels cannot be read (%1).</source>
+        <translation>无法读取体素文件（%1）。</translation>
+    </message>
+    <message>
+        <source>the first line must name the columns: x,y,z and, where known, radius,branch.</source>
+        <translation>首行须为列名：x,y,z 以及已知的 radius,branch。</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read (%1). Check the path.</source>
+        <translation>无法读取文件夹（%1）。请检查路径。</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read to its end. Copy it to a local disk.</source>
+        <translation>无法读完文件夹。请复制到本地磁盘。</translation>
+    </message>
+    <message>
+        <source>the frames differ in size. All frames of a run must be equally large.</source>
+        <translation>各帧大小不同。同一序列各帧须等大。</translation>
+    </message>
+    <message>
+        <source>the header row has no columns x and y. The first line must name the columns: x,y and, where known, branch,radius (px).</source>
+        <translation>表头缺少 x 和 y 列。首行须为列名：x,y 以及已知的 branch,radius（px）。</translation>
+    </message>
+    <message>
+        <source>the header row has no columns x, y and z. Name them (mm, patient LPS).</source>
+        <translation>表头缺少 x、y、z 列。请命名（mm，患者 LPS）。</translation>
+    </message>
+    <message>
+        <source>the image cannot be decoded: damaged, cut short or of an unusual kind. Export it again.</source>
+        <translation>图像无法解码：损坏、截断或类型特殊。请重新导出。</translation>
+    </message>
+    <message>
+        <source>the image has fewer than 8 pixels on a side, or more than this program holds. Export the angiogram at its own size.</source>
+        <translation>图像边长少于 8 像素，或超出程序容量。请按原尺寸导出。</translation>
+    </message>
+    <message>
+        <source>the image is damaged or cut short. Copy or export it again.</source>
+        <translation>图像损坏或截断。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>the image is damaged or of an unusual kind. Export it in grey or RGB with 8 or 16 bits, without tiles.</source>
+        <translation>图像损坏或类型特殊。请以 8 或 16 位灰度或 RGB、不分块导出。</translation>
+    </message>
+    <message>
+        <source>the last row of cameraFromPatient must be 0 0 0 1. Is the matrix transposed?</source>
+        <translation>cameraFromPatient 末行须为 0 0 0 1。矩阵是否转置了？</translation>
+    </message>
+    <message>
+        <source>the pose is not a rigid motion of finite numbers. Reset it before saving.</source>
+        <translation>位姿不是有限数的刚体变换。保存前请重置。</translation>
+    </message>
+    <message>
+        <source>the pose is not a rigid motion of finite numbers. Reset the pose before saving.</source>
+        <translation>位姿不是有限数的刚体变换。保存前请重置位姿。</translation>
+    </message>
+    <message>
+        <source>the run is too large for an uncompressed DICOM file. Write fewer frames.</source>
+        <translation>该序列超出未压缩 DICOM 文件容量。请写入较少帧。</translation>
+    </message>
+    <message>
+        <source>the section &quot;%1&quot; is damaged or cut short. Export it again.</source>
+        <translation>&quot;%1&quot; 部分损坏或截断。请重新导出。</translation>
+    </message>
+    <message>
+        <source>the sequence %1 has no end</source>
+        <translation>序列 %1 没有结尾</translation>
+    </message>
+    <message>
+        <source>the series %1 is not in this folder. Choose the folder it is in.</source>
+        <translation>序列 %1 不在此文件夹。请选择其所在文件夹。</translation>
+    </message>
+    <message>
+        <source>the series of the case is not in this folder. Choose the folder it is in.</source>
+        <translation>病例的序列不在此文件夹。请选择其所在文件夹。</translation>
+    </message>
+    <message>
+        <source>the third line of a legacy VTK file must be ASCII or BINARY. Export it again.</source>
+        <translation>旧版 VTK 文件第三行须为 ASCII 或 BINARY。请重新导出。</translation>
+    </message>
+    <message>
+        <source>the unit must be a positive length in mm.</source>
+        <translation>单位须为正的毫米长度。</translation>
+    </message>
+    <message>
+        <source>the upper left 3 x 3 of cameraFromPatient is not a rotation (scale or shear). Give a rigid pose in mm.</source>
+        <translation>cameraFromPatient 左上 3 x 3 不是旋转（含缩放或剪切）。请给出以 mm 为单位的刚性位姿。</translation>
+    </message>
+    <message>
+        <source>the volume is larger than this computer&apos;s memory. Crop the scan to the vessels.</source>
+        <translation>体数据超过本机内存。请裁剪到血管范围。</translation>
+    </message>
+    <message>
+        <source>there are no frames to write. Load or simulate an angiogram first.</source>
+        <translation>没有可写入的帧。请先载入或模拟造影图像。</translation>
+    </message>
+    <message>
+        <source>there are no voxels to write. Load a volume first.</source>
+        <translation>没有可写入的体素。请先载入体数据。</translation>
+    </message>
+    <message>
+        <source>there is no DICOM image in this folder. Choose the folder of a scan.</source>
+        <translation>此文件夹中没有 DICOM 图像。请选择扫描所在文件夹。</translation>
+    </message>
+    <message>
+        <source>there is no memory left to pack the volume.</source>
+        <translation>内存不足，无法压缩体数据。</translation>
+    </message>
+    <message>
+        <source>there is no picture to write. Render or trace one first.</source>
+        <translation>没有可写入的图片。请先生成。</translation>
+    </message>
+    <message>
+        <source>there is no such file. Check the path.</source>
+        <translation>文件不存在。请检查路径。</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to write this run. Write fewer frames.</source>
+        <translation>内存不足以写入该序列。请写入较少帧。</translation>
+    </message>
+    <message>
+        <source>this DICOM file (%1)</source>
+        <translation>此 DICOM 文件（%1）</translation>
+    </message>
+    <message>
+        <source>this DICOM file holds no image. Choose a scan.</source>
+        <translation>此 DICOM 文件不含图像。请选择扫描。</translation>
+    </message>
+    <message>
+        <source>this JSON is not an AngioPose case (its format is not &quot;angiopose-case&quot;). Choose an .angiopose file.</source>
+        <translation>此 JSON 不是 AngioPose 病例（format 不是 &quot;angiopose-case&quot;）。请选择 .angiopose 文件。</translation>
+    </message>
+    <message>
+        <source>this is %1, not a 2-D centreline. Choose a CSV table or a PNG mask.</source>
+        <translation>这是%1，不是二维中心线。请选择 CSV 表或 PNG 掩模。</translation>
+    </message>
+    <message>
+        <source>this is %1, not a case. Choose an .angiopose file.</source>
+        <translation>这是%1，不是病例。请选择 .angiopose 文件。</translation>
+    </message>
+    <message>
+        <source>this is %1, not a centreline. %2</source>
+        <translation>这是%1，不是中心线。%2</translation>
+    </message>
+    <message>
+        <source>this is %1, not a surface. Choose a .vtp, .vtk, .stl, .ply or .obj file.</source>
+        <translation>这是%1，不是表面。请选择 .vtp、.vtk、.stl、.ply 或 .obj 文件。</translation>
+    </message>
+    <message>
+        <source>this is %1, not a volume. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).</source>
+        <translation>这是%1，不是体数据。请选择 DICOM 文件夹、NIfTI、NRRD 或 MetaImage（.mha、.mhd）。</translation>
+    </message>
+    <message>
+        <source>this is %1, not an angiogram. Choose a DICOM XA run, a PNG, TIFF or JPEG image.</source>
+        <translation>这是%1，不是造影图像。请选择 DICOM XA 序列、PNG、TIFF 或 JPEG 图像。</translation>
+    </message>
+    <message>
+        <source>this is a Git LFS pointer, not the file itself. Run `git lfs pull` where it came from.</source>
+        <translation>这是 Git LFS 指针而非文件本身。请在来源处运行 `git lfs pull`。</translation>
+    </message>
+    <message>
+        <source>this is a folder. Choose a file in it.</source>
+        <translation>这是文件夹。请选择其中的文件。</translation>
+    </message>
+    <message>
+        <source>this is a gzip archive without a readable DICOM file in it. Unpack it and choose the angiogram itself.</source>
+        <translation>这是不含可读 DICOM 文件的 gzip 压缩包。请解压后选择造影图像。</translation>
+    </message>
+    <message>
+        <source>this is an Analyze 7.5 header, which does not say left from right. Convert it to NIfTI where the orientation is known.</source>
+        <translation>这是 Analyze 7.5 文件头，不区分左右。请在已知方位处转换为 NIfTI。</translation>
+    </message>
+    <message>
+        <source>this is an X-ray run, not a volume. Open it as the angiogram.</source>
+        <translation>这是 X 线序列，不是体数据。请作为造影图像打开。</translation>
+    </message>
+    <message>
+        <source>this is an input of the case and will not be overwritten. Choose another name.</source>
+        <translation>这是病例的输入文件，不会覆盖。请换名。</translation>
+    </message>
+    <message>
+        <source>this is no centreline format AngioPose reads. %1</source>
+        <translation>AngioPose 不支持此中心线格式。%1</translation>
+    </message>
+    <message>
+        <source>this is no pose. Choose a .json or an ITK .tfm file.</source>
+        <translation>这不是位姿。请选择 .json 或 ITK .tfm 文件。</translation>
+    </message>
+    <message>
+        <source>this is not a DICOM file. Choose a scan.</source>
+        <translation>这不是 DICOM 文件。请选择扫描。</translation>
+    </message>
+    <message>
+        <source>this is not a mask of two levels. Draw the vessels white on black.</source>
+        <translation>这不是二值掩模。请以黑底白色画血管。</translation>
+    </message>
+    <message>
+        <source>this is not a place for a file. Give a file name in an existing folder.</source>
+        <translation>此处不能存放文件。请给出现有文件夹中的文件名。</translation>
+    </message>
+    <message>
+        <source>this is not a regular file. Choose a file on disk.</source>
+        <translation>这不是普通文件。请选择磁盘上的文件。</translation>
+    </message>
+    <message>
+        <source>this is not a text table. Choose a CSV file with a header row.</source>
+        <translation>这不是文本表。请选择有表头的 CSV 文件。</translation>
+    </message>
+    <message>
+        <source>user</source>
+        <translation>用户</translation>
+    </message>
+    <message>
+        <source>version: the case was saved by a newer AngioPose. Update the program.</source>
+        <translation>version：病例由较新的 AngioPose 保存。请更新程序。</translation>
+    </message>
+    <message>
+        <source>vessel trees are written as .vtp, .csv or .mrk.json. Change the extension.</source>
+        <translation>血管树写为 .vtp、.csv 或 .mrk.json。请更改扩展名。</translation>
+    </message>
+    <message>
+        <source>vessel.%1: the tree has no branch %2; it is left out.</source>
+        <translation>vessel.%1：树中没有分支 %2；已略去。</translation>
+    </message>
+    <message>
+        <source>vessel: it names no input. Give the file of the vessels as centerline, segmentation, surface or volume.</source>
+        <translation>vessel：未指定输入。请以 centerline、segmentation、surface 或 volume 给出血管文件。</translation>
+    </message>
+    <message>
+        <source>volumes are written as .nii, .nii.gz, .nrrd or .mha. Change the extension.</source>
+        <translation>体数据写为 .nii、.nii.gz、.nrrd 或 .mha。请更改扩展名。</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>所选</translation>
+    </message>
+    <message>
+        <source>closest</source>
+        <translation>最近</translation>
+    </message>
+    <message>
+        <source>cma-es</source>
+        <translation>CMA-ES</translation>
+    </message>
+    <message>
+        <source>five</source>
+        <translation>五个</translation>
+    </message>
+    <message>
+        <source>grid</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>halving</source>
+        <translation>减半</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>kd-tree</source>
+        <translation>k-d 树</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>largest squared</source>
+        <translation>最大平方</translation>
+    </message>
+    <message>
+        <source>lbfgs</source>
+        <translation>L-BFGS</translation>
+    </message>
+    <message>
+        <source>literal</source>
+        <translation>按原式</translation>
+    </message>
+    <message>
+        <source>lm</source>
+        <translation>LM</translation>
+    </message>
+    <message>
+        <source>main branches</source>
+        <translation>主要分支</translation>
+    </message>
+    <message>
+        <source>map</source>
+        <translation>距离图</translation>
+    </message>
+    <message>
+        <source>metric</source>
+        <translation>度量</translation>
+    </message>
+    <message>
+        <source>nodes</source>
+        <translation>节点</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>one plus one</source>
+        <translation>一加一</translation>
+    </message>
+    <message>
+        <source>out of plane</source>
+        <translation>平面外</translation>
+    </message>
+    <message>
+        <source>particles</source>
+        <translation>粒子</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>random</source>
+        <translation>随机</translation>
+    </message>
+    <message>
+        <source>rigid</source>
+        <translation>刚性</translation>
+    </message>
+    <message>
+        <source>seed mean</source>
+        <translation>均值</translation>
+    </message>
+    <message>
+        <source>seed metric</source>
+        <translation>度量</translation>
+    </message>
+    <message>
+        <source>seed noprior</source>
+        <translation>无先验</translation>
+    </message>
+    <message>
+        <source>seed sum</source>
+        <translation>求和</translation>
+    </message>
+    <message>
+        <source>stagnation</source>
+        <translation>停滞</translation>
+    </message>
+    <message>
+        <source>traced vessels</source>
+        <translation>提取血管</translation>
+    </message>
+    <message>
+        <source> The intensifier of %1 mm suggests at most %2 mm.</source>
+        <translation> 影像增强器 %1 mm，提示最多 %2 mm。</translation>
+    </message>
+    <message>
+        <source> · not trustworthy</source>
+        <translation> · 不可信</translation>
+    </message>
+    <message>
+        <source>%1 and elsewhere</source>
+        <translation>%1 等处</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2. Check its permissions.</source>
+        <translation>无法读取 %1：%2。请检查权限。</translation>
+    </message>
+    <message>
+        <source>%1 does not exist. Check the name, or whether its drive is mounted.</source>
+        <translation>%1 不存在。请检查名称或驱动器是否挂载。</translation>
+    </message>
+    <message>
+        <source>%1 files of the series are damaged at their end.</source>
+        <translation>该序列 %1 个文件末尾损坏。</translation>
+    </message>
+    <message>
+        <source>%1 files of the series are there twice.</source>
+        <translation>该序列 %1 个文件重复。</translation>
+    </message>
+    <message>
+        <source>%1 holds no image. Choose the X-ray angiography run.</source>
+        <translation>%1 不含图像。请选择 X 线血管造影序列。</translation>
+    </message>
+    <message>
+        <source>%1 is a case. Open it alone, without other files.</source>
+        <translation>%1 是病例。请单独打开，不要与其他文件一起。</translation>
+    </message>
+    <message>
+        <source>%1 is a second %2. Open one %3 at a time.</source>
+        <translation>%1 是第二个%2。请每次只打开一个%3。</translation>
+    </message>
+    <message>
+        <source>%1 is damaged before its pixels: %2. Copy or export it again.</source>
+        <translation>%1 在像素之前损坏：%2。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>%1 is empty. Copy the file again from where it came from.</source>
+        <translation>%1 为空。请从来源重新复制。</translation>
+    </message>
+    <message>
+        <source>%1 is missing or not positive. Enter it in the geometry of the case (the image header does not tell).</source>
+        <translation>%1缺失或非正。请在病例几何中输入（图像文件头未提供）。</translation>
+    </message>
+    <message>
+        <source>%1 is not a file that AngioPose opens. Open a case (.angiopose), a centreline (VTP, VTK, CSV, SWC), a CT scan (DICOM folder, NIfTI, NRRD, MetaImage), a surface (STL, PLY, OBJ) or an angiogram (DICOM, PNG, TIFF).</source>
+        <translation>AngioPose 无法打开 %1。请打开病例（.angiopose）、中心线（VTP、VTK、CSV、SWC）、CT 扫描（DICOM 文件夹、NIfTI、NRRD、MetaImage）、表面（STL、PLY、OBJ）或造影图像（DICOM、PNG、TIFF）。</translation>
+    </message>
+    <message>
+        <source>%1 mm/px at the vessels</source>
+        <translation>血管处 %1 mm/px</translation>
+    </message>
+    <message>
+        <source>%1 mm/px detector (%2)</source>
+        <translation>探测器 %1 mm/px（%2）</translation>
+    </message>
+    <message>
+        <source>%1 occurs twice in the vessel tree. Branch ids must be unique.</source>
+        <translation>%1 在血管树中重复。分支编号必须唯一。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 slices lie where another one does; the first recorded of each is used.</source>
+        <translation>%2 层中 %1 层位置重复；采用最先采集的。</translation>
+    </message>
+    <message>
+        <source>%1 of the vessel tree does not have one radius per point.</source>
+        <translation>血管树的 %1 并非每点都有半径。</translation>
+    </message>
+    <message>
+        <source>%1 of the vessel tree has a coordinate that is not a number (NaN or infinite).</source>
+        <translation>血管树的 %1 有非数值坐标（NaN 或无穷）。</translation>
+    </message>
+    <message>
+        <source>%1 of the vessel tree has fewer than two points. Remove it or add points.</source>
+        <translation>血管树的 %1 少于两点。请移除或补点。</translation>
+    </message>
+    <message>
+        <source>%1 of the vessel tree has no length: all its points coincide.</source>
+        <translation>血管树的 %1 长度为零：所有点重合。</translation>
+    </message>
+    <message>
+        <source>%1 voxels are not numbers; they are taken as the lowest value.</source>
+        <translation>%1 个体素不是数字；按最低值处理。</translation>
+    </message>
+    <message>
+        <source>%1 · median %2 px%3</source>
+        <translation>%1 · 中位数 %2 px%3</translation>
+    </message>
+    <message>
+        <source>%1: %2 Correct it.</source>
+        <translation>%1：%2 请更正。</translation>
+    </message>
+    <message>
+        <source>%1: the file has changed since the case was saved. Check that it is the right one.</source>
+        <translation>%1：文件在病例保存后已更改。请确认是否正确。</translation>
+    </message>
+    <message>
+        <source>%1: the key %2 is missing. Add it.</source>
+        <translation>%1：缺少键 %2。请补充。</translation>
+    </message>
+    <message>
+        <source>%1: the value is not one of those allowed. See the published schema.</source>
+        <translation>%1：取值不在允许范围。请见公布的模式。</translation>
+    </message>
+    <message>
+        <source>%1: the value is of the wrong kind. See the published schema.</source>
+        <translation>%1：取值类型错误。请见公布的模式。</translation>
+    </message>
+    <message>
+        <source>%1: this is another DICOM image than the one the case was made for.</source>
+        <translation>%1：这与病例所用的 DICOM 图像不同。</translation>
+    </message>
+    <message>
+        <source>(0018,1149) field of view %1 mm / %2 px</source>
+        <translation>(0018,1149) 视野 %1 mm / %2 px</translation>
+    </message>
+    <message>
+        <source>(0028,0030) Pixel Spacing (%1) times SID/SOD</source>
+        <translation>(0028,0030) Pixel Spacing（%1）乘以 SID/SOD</translation>
+    </message>
+    <message>
+        <source>A branch cannot be joined to itself. Choose two branches.</source>
+        <translation>分支不能与自身连接。请选择两个分支。</translation>
+    </message>
+    <message>
+        <source>A joint registration needs at least two views.</source>
+        <translation>联合配准至少需要两个投影。</translation>
+    </message>
+    <message>
+        <source>A library gave up: </source>
+        <translation>库函数失败：</translation>
+    </message>
+    <message>
+        <source>A library gave up: %1. Check the inputs.</source>
+        <translation>库函数失败：%1。请检查输入。</translation>
+    </message>
+    <message>
+        <source>A plain image has no C-arm geometry: enter it in the geometry of the case.</source>
+        <translation>普通图像没有 C 形臂几何：请在病例几何中输入。</translation>
+    </message>
+    <message>
+        <source>a DICOM file</source>
+        <translation>DICOM 文件</translation>
+    </message>
+    <message>
+        <source>a JPEG image</source>
+        <translation>JPEG 图像</translation>
+    </message>
+    <message>
+        <source>a JSON file</source>
+        <translation>JSON 文件</translation>
+    </message>
+    <message>
+        <source>a MetaImage header</source>
+        <translation>MetaImage 文件头</translation>
+    </message>
+    <message>
+        <source>a NIfTI header</source>
+        <translation>NIfTI 文件头</translation>
+    </message>
+    <message>
+        <source>a NIfTI volume</source>
+        <translation>NIfTI 体数据</translation>
+    </message>
+    <message>
+        <source>a NetCDF (MINC) volume</source>
+        <translation>NetCDF（MINC）体数据</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>PDF 文档</translation>
+    </message>
+    <message>
+        <source>a PLY surface</source>
+        <translation>PLY 表面</translation>
+    </message>
+    <message>
+        <source>a PNG image</source>
+        <translation>PNG 图像</translation>
+    </message>
+    <message>
+        <source>a TIFF image</source>
+        <translation>TIFF 图像</translation>
+    </message>
+    <message>
+        <source>a TrackVis tractogram</source>
+        <translation>TrackVis 纤维束图</translation>
+    </message>
+    <message>
+        <source>a VTK XML file</source>
+        <translation>VTK XML 文件</translation>
+    </message>
+    <message>
+        <source>a case needs a vessel tree and an angiogram. Open both before saving.</source>
+        <translation>病例需要血管树和造影图像。保存前请打开两者。</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a number, or beyond a kilometre. Correct or export it again.</source>
+        <translation>坐标不是数字或超过一公里。请更正或重新导出。</translation>
+    </message>
+    <message>
+        <source>a file name or a text in the case is not UTF-8. Rename the file.</source>
+        <translation>病例中的文件名或文本不是 UTF-8。请重命名。</translation>
+    </message>
+    <message>
+        <source>a glTF scene</source>
+        <translation>glTF 场景</translation>
+    </message>
+    <message>
+        <source>a gzip archive</source>
+        <translation>gzip 压缩包</translation>
+    </message>
+    <message>
+        <source>a legacy VTK file</source>
+        <translation>旧版 VTK 文件</translation>
+    </message>
+    <message>
+        <source>a line refers to a point that does not exist. The file is damaged; export it again.</source>
+        <translation>线引用了不存在的点。文件损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>%1 至 %2 之间的数</translation>
+    </message>
+    <message>
+        <source>a number in it is too large for a double. Correct it.</source>
+        <translation>其中的数超出双精度范围。请更正。</translation>
+    </message>
+    <message>
+        <source>a pixel is not a finite number. Correct the image before writing it.</source>
+        <translation>有像素不是有限数。写入前请更正图像。</translation>
+    </message>
+    <message>
+        <source>a pixel is not a finite number. Export the image again.</source>
+        <translation>有像素不是有限数。请重新导出图像。</translation>
+    </message>
+    <message>
+        <source>a triangle refers to a point that does not exist. The file is damaged; export it again.</source>
+        <translation>三角面引用了不存在的点。文件损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>a value in it has the wrong kind. Compare it with the published schema.</source>
+        <translation>其中有取值类型错误。请与公布的模式比较。</translation>
+    </message>
+    <message>
+        <source>a zip archive</source>
+        <translation>zip 压缩包</translation>
+    </message>
+    <message>
+        <source>%1 (%2): filled in between their neighbours. Copy the series again if you can.</source>
+        <translation>%1（%2）：已由相邻层插补。如可能请重新复制该序列。</translation>
+    </message>
+    <message>
+        <source>%1 loops were opened at their thinnest places: look there for vessels that only touch.</source>
+        <translation>%1 个环在最细处断开：请检查这些地方是否仅为血管相触。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 slices are missing</source>
+        <translation>%2 层中缺 %1 层</translation>
+    </message>
+    <message>
+        <source>%1 pieces that do not connect to the traced vessels were left out. Place a seed in each that belongs to the tree.</source>
+        <translation>有 %1 段未与提取血管相连，已略去。请在属于血管树的各段中放种子点。</translation>
+    </message>
+    <message>
+        <source>1 loop was opened at the thinnest place: look there for vessels that only touch.</source>
+        <translation>1 个环在最细处断开：请检查该处是否仅为血管相触。</translation>
+    </message>
+    <message>
+        <source>1 of %1 slices is missing</source>
+        <translation>%1 层中缺 1 层</translation>
+    </message>
+    <message>
+        <source>A piece that does not connect to the traced vessels was left out. Place a seed in it if it belongs to the tree.</source>
+        <translation>有一段未与提取血管相连，已略去。若属于血管树，请在其中放种子点。</translation>
+    </message>
+    <message>
+        <source>Its two placements (qform and sform) differ; the qform, in the scanner&apos;s coordinates, is used.</source>
+        <translation>两种定位（qform 与 sform）不一致；采用扫描仪坐标的 qform。</translation>
+    </message>
+    <message>
+        <source>Its two placements (qform and sform) differ; the sform is used.</source>
+        <translation>两种定位（qform 与 sform）不一致；采用 sform。</translation>
+    </message>
+    <message>
+        <source>after slice %1</source>
+        <translation>第 %1 层之后</translation>
+    </message>
+    <message>
+        <source>it declares %1&quot;, which cannot be. The file is damaged; export it again.</source>
+        <translation>声明 %1&quot;，不可能。文件损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>it holds %1 volumes (%2). Choose one by its series id; `info` lists them.</source>
+        <translation>含 %1 个体数据（%2）。请按序列号选择；`info` 可列出。</translation>
+    </message>
+</context>
+<context>
+    <name>main</name>
+    <message>
+        <source>Finds the pose of a 3-D vessel tree in a 2-D angiogram. Not for clinical use.</source>
+        <translation>求三维血管树在二维造影图像中的位姿。不得用于临床。</translation>
+    </message>
+    <message>
+        <source>A case, or a centreline and an angiogram.</source>
+        <translation>一个病例，或一条中心线和一幅造影图像。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::AngiogramAnnotations</name>
+    <message>
+        <source>%1 mm at vessel</source>
+        <translation>血管处 %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::AngiogramView</name>
+    <message>
+        <source>Angiogram with the projected vessel tree</source>
+        <translation>叠加投影血管树的造影图像</translation>
+    </message>
+    <message>
+        <source>frame %1 of 0–%2</source>
+        <translation>第 %1 帧（0–%2）</translation>
+    </message>
+</context>
+<context>
+    <name>ui::BottomStrip</name>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Stop the running task</source>
+        <translation>停止当前任务</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+</context>
+<context>
+    <name>ui::BranchDelegate</name>
+    <message>
+        <source>aux</source>
+        <translation>辅助</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>out</source>
+        <translation>排除</translation>
+    </message>
+</context>
+<context>
+    <name>ui::BranchModel</name>
+    <message>
+        <source>%1, %2 mm long</source>
+        <translation>%1，长 %2 mm</translation>
+    </message>
+    <message>
+        <source>in the auxiliary set</source>
+        <translation>属于辅助集</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>已排除</translation>
+    </message>
+    <message>
+        <source>median residual %1 mm</source>
+        <translation>残差中位数 %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::BranchPanel</name>
+    <message>
+        <source>Branches</source>
+        <translation>分支</translation>
+    </message>
+    <message>
+        <source>No vessels yet. Open a centreline: VTP, VTK, CSV or SWC.</source>
+        <translation>尚无血管。请打开中心线：VTP、VTK、CSV 或 SWC。</translation>
+    </message>
+    <message>
+        <source>A auxiliary · X exclude</source>
+        <translation>A 辅助 · X 排除</translation>
+    </message>
+    <message>
+        <source>Auxiliary on or off	A</source>
+        <translation>辅助开/关	A</translation>
+    </message>
+    <message>
+        <source>Exclude or include	X</source>
+        <translation>排除或恢复	X</translation>
+    </message>
+    <message>
+        <source>Only these auxiliary</source>
+        <translation>仅这些为辅助</translation>
+    </message>
+    <message>
+        <source>No auxiliary branches (use the nodes)</source>
+        <translation>无辅助分支（使用节点）</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ConvergencePlot</name>
+    <message>
+        <source>Convergence</source>
+        <translation>收敛</translation>
+    </message>
+    <message>
+        <source>shown after a run</source>
+        <translation>配准后显示</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ExportDialog</name>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Residual colours with their scale</source>
+        <translation>残差颜色及色标</translation>
+    </message>
+    <message>
+        <source>Patient identity in the picture</source>
+        <translation>图中显示患者信息</translation>
+    </message>
+    <message>
+        <source>Export overlay</source>
+        <translation>导出叠加图</translation>
+    </message>
+    <message>
+        <source>As in the window</source>
+        <translation>与窗口一致</translation>
+    </message>
+    <message>
+        <source>1024 px wide</source>
+        <translation>宽 1024 px</translation>
+    </message>
+    <message>
+        <source>2048 px wide</source>
+        <translation>宽 2048 px</translation>
+    </message>
+    <message>
+        <source>Other width</source>
+        <translation>其他宽度</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>The picture always says “Not for clinical use” and carries inputs, method and pose in its text fields.</source>
+        <translation>图片始终注明“Not for clinical use”，并在文本字段中记录输入、方法和位姿。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation>导出……</translation>
+    </message>
+    <message>
+        <source>%1 × %2 px</source>
+        <translation>%1 × %2 px</translation>
+    </message>
+</context>
+<context>
+    <name>ui::FrameBars</name>
+    <message>
+        <source>Frames by opacification</source>
+        <translation>各帧充盈度</translation>
+    </message>
+    <message>
+        <source>Frame %1, the fullest</source>
+        <translation>第 %1 帧，最充盈</translation>
+    </message>
+    <message>
+        <source>Frame %1</source>
+        <translation>第 %1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>ui::GeometryPanel</name>
+    <message>
+        <source>SID</source>
+        <translation>SID</translation>
+    </message>
+    <message>
+        <source>Source to detector distance</source>
+        <translation>源到探测器距离</translation>
+    </message>
+    <message>
+        <source>SOD</source>
+        <translation>SOD</translation>
+    </message>
+    <message>
+        <source>Source to isocentre distance</source>
+        <translation>源到等中心距离</translation>
+    </message>
+    <message>
+        <source>pixel</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>Pixel pitch on the detector</source>
+        <translation>探测器像素间距</translation>
+    </message>
+    <message>
+        <source>LAO / RAO</source>
+        <translation>LAO / RAO</translation>
+    </message>
+    <message>
+        <source>Primary angle: LAO positive, RAO negative</source>
+        <translation>主角度：LAO 为正，RAO 为负</translation>
+    </message>
+    <message>
+        <source>CRA / CAU</source>
+        <translation>CRA / CAU</translation>
+    </message>
+    <message>
+        <source>Secondary angle: CRA positive, CAU negative</source>
+        <translation>次角度：头位为正，足位为负</translation>
+    </message>
+    <message>
+        <source>header</source>
+        <translation>文件头</translation>
+    </message>
+    <message>
+        <source>derived</source>
+        <translation>推算</translation>
+    </message>
+    <message>
+        <source>typed</source>
+        <translation>手工输入</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>假定</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>几何</translation>
+    </message>
+    <message>
+        <source>Assume usual values</source>
+        <translation>采用常用值</translation>
+    </message>
+    <message>
+        <source>Use distances and spacing instead</source>
+        <translation>改用距离和像素间距</translation>
+    </message>
+    <message>
+        <source>SID 1000 mm, SOD 750 mm, pixel 0.3 mm, angles 0°: only for what is missing.</source>
+        <translation>SID 1000 mm、SOD 750 mm、像素 0.3 mm、角度 0°：仅用于缺失项。</translation>
+    </message>
+    <message>
+        <source>Camera from the case file: f %1 px, centre %2, %3 px, %4.</source>
+        <translation>病例文件中的相机：f %1 px，中心 %2，%3 px，%4。</translation>
+    </message>
+    <message>
+        <source>seen from the detector</source>
+        <translation>从探测器方向看</translation>
+    </message>
+    <message>
+        <source>mirrored</source>
+        <translation>镜像</translation>
+    </message>
+    <message>
+        <source>incomplete</source>
+        <translation>不完整</translation>
+    </message>
+    <message>
+        <source>SID %1</source>
+        <translation>SID %1</translation>
+    </message>
+    <message>
+        <source>%1 mm/px</source>
+        <translation>%1 mm/px</translation>
+    </message>
+    <message>
+        <source>missing values</source>
+        <translation>缺少数值</translation>
+    </message>
+</context>
+<context>
+    <name>ui::GoodFit</name>
+    <message>
+        <source>Good: everything lies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Good: one branch unfilled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Good: vessels have moved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bad: shifted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bad: turned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bad: wrong view angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lines run in the middle of their vessels, blue all along, into the side branches too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amber only where this frame shows no contrast; every filled vessel is blue.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Small differences to both sides: beating and breathing. No rigid pose does better.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All lines miss to the same side. Register again, or nudge with the arrows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fits in the middle and misses more and more outwards: turned in the image plane.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trunk fits, side branches point elsewhere: LAO/RAO or CRA/CAU are off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a good fit looks like</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated vessels. Blue lies on a vessel, amber 2 mm off or more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">关闭</translation>
+    </message>
+    <message>
+        <source>drawing …</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::HeaderBar</name>
+    <message>
+        <source>Not for clinical use</source>
+        <translation>不得用于临床</translation>
+    </message>
+    <message>
+        <source>AngioPose is a research program, not a medical device.</source>
+        <translation>AngioPose 是研究软件，不是医疗器械。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::HelpPage</name>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">关闭</translation>
+    </message>
+</context>
+<context>
+    <name>ui::HistogramPlot</name>
+    <message>
+        <source>Histogram of residuals</source>
+        <translation>残差直方图</translation>
+    </message>
+    <message>
+        <source>no residuals yet</source>
+        <translation>尚无残差</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>大于 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::KeySheet</name>
+    <message>
+        <source>Keys</source>
+        <translation>快捷键</translation>
+    </message>
+    <message>
+        <source>Search keys and what they do</source>
+        <translation>搜索快捷键及其作用</translation>
+    </message>
+    <message>
+        <source>Search keys</source>
+        <translation>搜索快捷键</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>No key for “%1”.</source>
+        <translation>没有“%1”的快捷键。</translation>
+    </message>
+    <message>
+        <source>Keys and what they do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset all keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter or double-click on a line takes a new key for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This key is fixed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press the new key for “%1”. Esc keeps the old one, Delete leaves none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The old key stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is needed elsewhere. Press another key.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” belongs to “%2”. Press it again to take it from there, or press another key.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No key any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The key is “%1” now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::MessageDialog</name>
+    <message>
+        <source>Details</source>
+        <translation>详细信息</translation>
+    </message>
+    <message>
+        <source>Copy details</source>
+        <translation>复制详细信息</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>ui::NudgeTool</name>
+    <message>
+        <source>Nudge: drag shifts, ring rolls, Ctrl is fine, Esc takes back</source>
+        <translation>微调：拖动平移，圆环旋转，Ctrl 精细，Esc 取消</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PoseAxis</name>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>along ray</source>
+        <translation>沿射线</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>滚转</translation>
+    </message>
+    <message>
+        <source>LAO / RAO</source>
+        <translation>LAO / RAO</translation>
+    </message>
+    <message>
+        <source>CRA / CAU</source>
+        <translation>CRA / CAU</translation>
+    </message>
+    <message>
+        <source>To the right on screen, in mm at the vessels. Nudge: ← →</source>
+        <translation>屏幕向右，血管处毫米数。微调：← →</translation>
+    </message>
+    <message>
+        <source>Up on screen, in mm at the vessels. Nudge: ↑ ↓</source>
+        <translation>屏幕向上，血管处毫米数。微调：↑ ↓</translation>
+    </message>
+    <message>
+        <source>Away from the X-ray source, in mm. Nudge: PgUp PgDn</source>
+        <translation>远离 X 射线源，单位 mm。微调：PgUp PgDn</translation>
+    </message>
+    <message>
+        <source>Clockwise on screen. Nudge: , .</source>
+        <translation>屏幕顺时针。微调：, .</translation>
+    </message>
+    <message>
+        <source>As if the C-arm went to LAO (+) or RAO (−). Nudge: Alt+← Alt+→</source>
+        <translation>相当于 C 形臂转向 LAO (+) 或 RAO (−)。微调：Alt+← Alt+→</translation>
+    </message>
+    <message>
+        <source>As if the C-arm went cranial (+) or caudal (−). Nudge: Alt+↑ Alt+↓</source>
+        <translation>相当于 C 形臂转向头位 (+) 或足位 (−)。微调：Alt+↑ Alt+↓</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PosePanel</name>
+    <message>
+        <source>Pose</source>
+        <translation>位姿</translation>
+    </message>
+    <message>
+        <source>Back to start pose</source>
+        <translation>回到初始位姿</translation>
+    </message>
+    <message>
+        <source>Backspace. Undo brings the pose back.</source>
+        <translation>退格键。撤销可恢复位姿。</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>位姿 %1</translation>
+    </message>
+    <message>
+        <source>Lock %1</source>
+        <translation>锁定%1</translation>
+    </message>
+    <message>
+        <source>Lock against nudging, dragging and typing. Register still finds all six and says so.</source>
+        <translation>锁定后不能微调、拖动或输入。配准仍会求全部六个自由度并提示。</translation>
+    </message>
+    <message>
+        <source>nudging · arrows · N ends</source>
+        <translation>微调中 · 方向键 · N 结束</translation>
+    </message>
+    <message>
+        <source>nudge N · fine Ctrl · coarse Shift</source>
+        <translation>微调 N · 精细 Ctrl · 粗调 Shift</translation>
+    </message>
+</context>
+<context>
+    <name>ui::RegistrationPanel</name>
+    <message>
+        <source>Registration</source>
+        <translation>配准</translation>
+    </message>
+    <message>
+        <source>Method and options</source>
+        <translation>方法和选项</translation>
+    </message>
+    <message>
+        <source>Register  R</source>
+        <translation>配准  R</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>配准</translation>
+    </message>
+    <message>
+        <source>Ends the run and keeps the best pose so far.</source>
+        <translation>结束并保留目前最佳位姿。</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>About this method</source>
+        <translation>关于此方法</translation>
+    </message>
+    <message>
+        <source>What this method minimises, when it fails, and its source.</source>
+        <translation>此方法的目标函数、失效情形及出处。</translation>
+    </message>
+    <message>
+        <source>aux: 1 branch</source>
+        <translation>辅助：1 个分支</translation>
+    </message>
+    <message>
+        <source>aux: %1 branches</source>
+        <translation>辅助：%1 个分支</translation>
+    </message>
+    <message>
+        <source>aux: nodes</source>
+        <translation>辅助：节点</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>The lock holds for your hand only: Register moves all six.</source>
+        <translation>锁定只限手动：配准会移动全部六个自由度。</translation>
+    </message>
+    <message>
+        <source>The %1 locks hold for your hand only: Register moves all six.</source>
+        <translation>%1 个锁定只限手动：配准会移动全部六个自由度。</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Finds the pose that lays the vessels onto the angiogram (R).</source>
+        <translation>求使血管与造影图像重合的位姿（R）。</translation>
+    </message>
+    <message>
+        <source>Registering …</source>
+        <translation>配准中……</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ResultPanel</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 · moved by hand</source>
+        <translation>%1 · 手动移动</translation>
+    </message>
+    <message>
+        <source>%1 · start pose</source>
+        <translation>%1 · 初始位姿</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>Convergence</source>
+        <translation>收敛</translation>
+    </message>
+    <message>
+        <source>median, mm</source>
+        <translation>中位数，mm</translation>
+    </message>
+    <message>
+        <source>Half of the vessel points lie nearer than this.</source>
+        <translation>一半的血管点小于此距离。</translation>
+    </message>
+    <message>
+        <source>95 %, mm</source>
+        <translation>95 %，mm</translation>
+    </message>
+    <message>
+        <source>95 of 100 vessel points lie nearer than this.</source>
+        <translation>95% 的血管点小于此距离。</translation>
+    </message>
+    <message>
+        <source>covered</source>
+        <translation>覆盖率</translation>
+    </message>
+    <message>
+        <source>Share of the traced vessels that the tree explains within 3 px.</source>
+        <translation>3 px 内被血管树解释的提取血管比例。</translation>
+    </message>
+    <message>
+        <source>± is one standard deviation.</source>
+        <translation>± 为一个标准差。</translation>
+    </message>
+    <message>
+        <source>mm, all points</source>
+        <translation>mm，所有点</translation>
+    </message>
+    <message>
+        <source>nothing to judge yet</source>
+        <translation>尚无可评估内容</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>This is the start pose: nothing is fitted yet. R registers, N nudges.</source>
+        <translation>这是初始位姿：尚未配准。R 配准，N 微调。</translation>
+    </message>
+    <message>
+        <source>median distance, px</source>
+        <translation>距离中位数，px</translation>
+    </message>
+    <message>
+        <source>median %1 → %2 px, steps: %3</source>
+        <translation>中位数 %1 → %2 px，步数：%3</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ResultSentences</name>
+    <message>
+        <source>In plane ±%1 mm</source>
+        <translation>平面内 ±%1 mm</translation>
+    </message>
+    <message>
+        <source>Rotation ±%1°</source>
+        <translation>旋转 ±%1°</translation>
+    </message>
+    <message>
+        <source>rotation ±%1°</source>
+        <translation>旋转 ±%1°</translation>
+    </message>
+    <message>
+        <source>%1 of %2 branches agree within %3 mm.</source>
+        <translation>%2 个分支中有 %1 个在 %3 mm 内吻合。</translation>
+    </message>
+    <message>
+        <source>Depth ±%1 mm: one view cannot tell it.</source>
+        <translation>深度 ±%1 mm：单一投影无法确定。</translation>
+    </message>
+    <message>
+        <source>Depth is the least certain: ±%1 mm.</source>
+        <translation>深度最不确定：±%1 mm。</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm off: perhaps unfilled in this frame, or moved.</source>
+        <translation>%1 偏离 %2 mm：此帧可能未充盈，或已移位。</translation>
+    </message>
+    <message>
+        <source>%1 branches are up to %2 mm off: unfilled in this frame, or the pose is wrong.</source>
+        <translation>%1 个分支最多偏离 %2 mm：此帧未充盈，或位姿有误。</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are up to %3 mm off: perhaps unfilled in this frame, or moved.</source>
+        <translation>%1 和 %2 最多偏离 %3 mm：此帧可能未充盈，或已移位。</translation>
+    </message>
+    <message>
+        <source>Look closely: this fit is not trustworthy.</source>
+        <translation>请仔细核对：此配准不可信。</translation>
+    </message>
+    <message>
+        <source>Branch %1</source>
+        <translation>分支 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Section</name>
+    <message>
+        <source>Fold %1</source>
+        <translation>折叠 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SeriesChooser</name>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Choose a series</source>
+        <translation>选择序列</translation>
+    </message>
+    <message>
+        <source>Which series?</source>
+        <translation>哪个序列？</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 holds %n series.</source>
+        <translation>
+            <numerusform>%1 含 %n 个序列。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Series of the folder</source>
+        <translation>文件夹中的序列</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>描述</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>模态</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>图像数</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Spacing in mm</source>
+        <translation>间距（mm）</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+</context>
+<context>
+    <name>ui::StepBar</name>
+    <message>
+        <source>Vessels</source>
+        <translation>血管</translation>
+    </message>
+    <message>
+        <source>Angiogram</source>
+        <translation>造影</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>几何</translation>
+    </message>
+    <message>
+        <source>Start pose</source>
+        <translation>初始位姿</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>配准</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>核查</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+</context>
+<context>
+    <name>ui::StepButton</name>
+    <message>
+        <source>done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>needs a look</source>
+        <translation>需查看</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>未完成</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3</source>
+        <translation>%1：%2，%3</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Tour</name>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::TreeView</name>
+    <message>
+        <source>3-D view of vessel tree, X-ray source and detector</source>
+        <translation>血管树、X 射线源和探测器的三维视图</translation>
+    </message>
+</context>
+<context>
+    <name>ui::VtkView</name>
+    <message>
+        <source>The 3-D view needs OpenGL 3.2, which this display does not offer. Everything else works. Try LIBGL_ALWAYS_SOFTWARE=1, or install libgl1-mesa-dri.</source>
+        <translation>三维视图需要 OpenGL 3.2，此显示环境不支持。其他功能正常。可尝试 LIBGL_ALWAYS_SOFTWARE=1，或安装 libgl1-mesa-dri。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WelcomePage</name>
+    <message>
+        <source>Lay a vessel tree onto its angiogram</source>
+        <translation>将血管树对准造影图像</translation>
+    </message>
+    <message>
+        <source>Drop a case here, or a centreline together with an angiogram.</source>
+        <translation>将病例，或中心线与造影图像一起拖到此处。</translation>
+    </message>
+    <message>
+        <source>Centrelines: VTP, VTK, CSV, SWC.  Angiograms: DICOM XA, PNG, TIFF.</source>
+        <translation>中心线：VTP、VTK、CSV、SWC。造影图像：DICOM XA、PNG、TIFF。</translation>
+    </message>
+    <message>
+        <source>Open …  Ctrl+O</source>
+        <translation>打开……  Ctrl+O</translation>
+    </message>
+    <message>
+        <source>Open the sample case</source>
+        <translation>打开示例病例</translation>
+    </message>
+    <message>
+        <source>%1 (missing)</source>
+        <translation>%1（缺失）</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowActions</name>
+    <message>
+        <source>Open …</source>
+        <translation>打开……</translation>
+    </message>
+    <message>
+        <source>Open DICOM folder …</source>
+        <translation>打开 DICOM 文件夹……</translation>
+    </message>
+    <message>
+        <source>Open sample case</source>
+        <translation>打开示例病例</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Save as …</source>
+        <translation>另存为……</translation>
+    </message>
+    <message>
+        <source>Export overlay …</source>
+        <translation>导出叠加图……</translation>
+    </message>
+    <message>
+        <source>Export result …</source>
+        <translation>导出结果……</translation>
+    </message>
+    <message>
+        <source>Export pose …</source>
+        <translation>导出位姿……</translation>
+    </message>
+    <message>
+        <source>Export traced vessels …</source>
+        <translation>导出提取的血管……</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>退出</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>Nudge mode</source>
+        <translation>微调模式</translation>
+    </message>
+    <message>
+        <source>Back to start pose</source>
+        <translation>回到初始位姿</translation>
+    </message>
+    <message>
+        <source>Copy pose as matrix</source>
+        <translation>以矩阵复制位姿</translation>
+    </message>
+    <message>
+        <source>Selected branches auxiliary on or off</source>
+        <translation>所选分支辅助开/关</translation>
+    </message>
+    <message>
+        <source>Auxiliary: the branches in view</source>
+        <translation>辅助：视野内的分支</translation>
+    </message>
+    <message>
+        <source>Auxiliary: the wider half</source>
+        <translation>辅助：较粗的一半</translation>
+    </message>
+    <message>
+        <source>Exclude or include selected branches</source>
+        <translation>排除或恢复所选分支</translation>
+    </message>
+    <message>
+        <source>Select all branches</source>
+        <translation>选择所有分支</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>配准</translation>
+    </message>
+    <message>
+        <source>Stop and keep the best pose</source>
+        <translation>停止并保留最佳位姿</translation>
+    </message>
+    <message>
+        <source>Fit the image to the window</source>
+        <translation>图像适合窗口</translation>
+    </message>
+    <message>
+        <source>Automatic brightness</source>
+        <translation>自动窗宽窗位</translation>
+    </message>
+    <message>
+        <source>Invert grey values</source>
+        <translation>灰度反转</translation>
+    </message>
+    <message>
+        <source>Brightness: every grey value</source>
+        <translation>窗宽：全部灰度</translation>
+    </message>
+    <message>
+        <source>More contrast</source>
+        <translation>增强对比度</translation>
+    </message>
+    <message>
+        <source>Less contrast</source>
+        <translation>降低对比度</translation>
+    </message>
+    <message>
+        <source>Vessels: centreline, outline, tube</source>
+        <translation>血管：中心线、轮廓、管状</translation>
+    </message>
+    <message>
+        <source>Near vessels bright, far ones dim</source>
+        <translation>近处血管亮、远处血管暗</translation>
+    </message>
+    <message>
+        <source>Swipe, lens, off</source>
+        <translation>卷帘、透镜、关闭</translation>
+    </message>
+    <message>
+        <source>Zoom to the worst branch, the next</source>
+        <translation>放大最差分支，再下一个</translation>
+    </message>
+    <message>
+        <source>Show traced vessels</source>
+        <translation>显示提取的血管</translation>
+    </message>
+    <message>
+        <source>Flicker start pose and pose</source>
+        <translation>初始与当前位姿闪烁对比</translation>
+    </message>
+    <message>
+        <source>Replay the last run</source>
+        <translation>回放上次配准</translation>
+    </message>
+    <message>
+        <source>Swing along what the image cannot tell</source>
+        <translation>沿图像无法确定的方向摆动</translation>
+    </message>
+    <message>
+        <source>Show the run&apos;s other solutions</source>
+        <translation>显示其他解</translation>
+    </message>
+    <message>
+        <source>Take the solution shown</source>
+        <translation>采用所示解</translation>
+    </message>
+    <message>
+        <source>Overlay fainter</source>
+        <translation>叠加图变淡</translation>
+    </message>
+    <message>
+        <source>Overlay stronger</source>
+        <translation>叠加图变浓</translation>
+    </message>
+    <message>
+        <source>Play frames</source>
+        <translation>播放帧</translation>
+    </message>
+    <message>
+        <source>Hide patient identity</source>
+        <translation>隐藏患者信息</translation>
+    </message>
+    <message>
+        <source>Reset 3-D view</source>
+        <translation>重置三维视图</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>全屏</translation>
+    </message>
+    <message>
+        <source>Reduce motion</source>
+        <translation>减少动画</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>跟随桌面</translation>
+    </message>
+    <message>
+        <source>About AngioPose</source>
+        <translation>关于 AngioPose</translation>
+    </message>
+    <message>
+        <source>← → ↑ ↓</source>
+        <translation>← → ↑ ↓</translation>
+    </message>
+    <message>
+        <source>move by 1 mm (Shift 10 mm, Ctrl 0.1 mm)</source>
+        <translation>平移 1 mm（Shift 10 mm，Ctrl 0.1 mm）</translation>
+    </message>
+    <message>
+        <source>PgUp PgDn</source>
+        <translation>PgUp PgDn</translation>
+    </message>
+    <message>
+        <source>move away from or to the source</source>
+        <translation>远离或靠近射线源</translation>
+    </message>
+    <message>
+        <source>, .</source>
+        <translation>, .</translation>
+    </message>
+    <message>
+        <source>roll by 1°</source>
+        <translation>滚转 1°</translation>
+    </message>
+    <message>
+        <source>Alt+arrows</source>
+        <translation>Alt+方向键</translation>
+    </message>
+    <message>
+        <source>turn LAO/RAO and CRA/CAU by 1°</source>
+        <translation>转动 LAO/RAO 和 CRA/CAU 1°</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>拖动</translation>
+    </message>
+    <message>
+        <source>left drag</source>
+        <translation>左键拖动</translation>
+    </message>
+    <message>
+        <source>window and level</source>
+        <translation>窗宽窗位</translation>
+    </message>
+    <message>
+        <source>middle drag</source>
+        <translation>中键拖动</translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation>平移图像</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>wheel, ↑ ↓, Home, End</source>
+        <translation>滚轮、↑ ↓、Home、End</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>H (hold)</source>
+        <translation>H（按住）</translation>
+    </message>
+    <message>
+        <source>hide the overlay</source>
+        <translation>隐藏叠加图</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>单击</translation>
+    </message>
+    <message>
+        <source>pick a branch (Ctrl adds)</source>
+        <translation>选择分支（Ctrl 追加）</translation>
+    </message>
+    <message>
+        <source>Open recent</source>
+        <translation>最近打开</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Registration</source>
+        <translation>配准(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>In the whole window</source>
+        <translation>整个窗口</translation>
+    </message>
+    <message>
+        <source>In nudge mode</source>
+        <translation>微调模式下</translation>
+    </message>
+    <message>
+        <source>On the angiogram</source>
+        <translation>在造影图像上</translation>
+    </message>
+    <message>
+        <source>Language of the desktop</source>
+        <translation>桌面语言</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>move; on the ring roll; Esc takes it back, then ends the mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save picture of the window …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy picture of the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radiology: left drag windows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D Slicer: left only picks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scroll: left drag runs the frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Help on what the mouse points at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Short tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a good fit looks like</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>menu of what can be done here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left drag, arrows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation type="unfinished">转动</translation>
+    </message>
+    <message>
+        <source>right drag, wheel, + −</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>double click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>everything in view again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+left drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+left drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the 3-D view</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+</TS>

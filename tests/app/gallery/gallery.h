@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+class QWidget;
+
+namespace test {
+
+/// Takes pictures of the window, its panels and dialogs in one language and theme, and looks for what a user would
+/// frown at: words without room, and panels that show nothing.
+class Gallery {
+public:
+    /// `folder` empty: only looks, writes no pictures.
+    Gallery(QString folder, QString language, QString theme);
+
+    void run();
+    const QStringList& problems() const { return problems_; }
+    int pictureCount() const { return pictureCount_; }
+
+private:
+    void showWindow(QWidget& window, const QString& name);
+    void showPanels(QWidget& window);
+    void take(QWidget& widget, const QString& name);
+
+    QString folder_;
+    QString language_;
+    QString theme_;
+    QStringList problems_;
+    int pictureCount_ = 0;
+};
+
+}   // namespace test

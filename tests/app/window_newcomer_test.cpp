@@ -1,0 +1,139 @@
+#include "tests/app/open_window.h"
+#include "tests/io/series/dicom_slices.h"
+#include "tests/support/forked_vessel.h"
+
+#include "app/settings.h"
+#include "ui/panels/step_button.h"
+
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QTemporaryDir>
+
+namespace app {
+namespace {
+
+using test::OpenWindow;
+
+/// Someone who starts the program for the first time and only clicks; every click and every drop is counted.
+class Newcomer : public ::testing::Test {
+protected:
+    void SetUp() override
+    {
+        settings::noticeAccepted.write(false);
+        settings::tourSeen.write(false);
+        settings::lastFolder.write(folder.path());
+        w.controller.begin({});
+    }
+    void TearDown() override { settings::lastFolder.write({}); }
+
+    void click(QWidget* widget)
+    {
+        ASSERT_TRUE(widget && widget->isVisible() && widget->isEnabled());
+        QTest::mouseClick(widget, Qt::LeftButton);
+        ++clicks;
+    }
+
+    template <class Button = QPushButton>
+    static Button* buttonCalled(const QWidget* parent, const char* text)
+    {
+        for (Button* button : parent->findChildren<Button*>()) {
+            if (button->text() == QString::fromUtf8(text) && button->isVisible()) {
+                return button;
+            }
+        }
+        return nullptr;
+    }
+
+    void acceptNotice()
+    {
+        ASSERT_EQ(w.dialogs("noticeDialog").size(), 1);
+        click(buttonCalled(w.dialogs("noticeDialog").front(), "I understand"));
+    }
+
+    void drop(const QString& path)
+    {
+        w.drop({path});
+        ++clicks;
+    }
+
+    /// Register, then export what the program suggests.
+    void registerAndExport()
+    {
+        w.waitForJudgement();
+        click(w.window.registration().registerButton());
+        w.waitForRun();
+        click(buttonCalled<ui::StepButton>(&w.window.steps(), "Export"));
+        auto* choice = w.window.findChild<ui::ExportDialog*>();
+        ASSERT_TRUE(choice);
+        click(buttonCalled(choice, "Export …"));
+        auto* files = w.window.findChild<QFileDialog*>();
+        ASSERT_TRUE(files);
+        click(files->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save));
+        ASSERT_TRUE(QTest::qWaitFor([this] { return !pictures().isEmpty(); }, test::patienceMs));
+    }
+
+    QStringList pictures() const { return QDir(folder.path()).entryList({QStringLiteral("*.png")}); }
+
+    QTemporaryDir folder;
+    OpenWindow w;
+    int clicks = 0;
+};
+
+TEST_F(Newcomer, ReachesAnOverlayOfTheSampleInSixClicks)
+{
+    acceptNotice();
+    click(buttonCalled(&w.window.welcome(), "Open the sample case"));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().angiogram != nullptr; }, test::patienceMs));
+    registerAndExport();
+    EXPECT_LE(clicks, 6);
+}
+
+TEST_F(Newcomer, ReachesAnOverlayOfADicomFolderAndARunInTwelve)
+{
+    const QTemporaryDir study;
+    const core::Volume scan = test::forkScan();
+    const core::VolumeGeometry& geometry = scan.geometry;
+    for (int k = 0; k < geometry.size.z(); ++k) {
+        test::CtSlice slice;
+        slice.columns = geometry.size.x();
+        slice.rows = geometry.size.y();
+        slice.columnSpacingMm = slice.rowSpacingMm = 1.0;
+        slice.intercept = 0.0;
+        slice.position = {geometry.originInPatient.x(), geometry.originInPatient.y(), geometry.originInPatient.z() + k};
+        slice.sopInstanceUid = "1.2.3." + std::to_string(k);
+        const auto first = scan.voxels.begin() + static_cast<std::ptrdiff_t>(geometry.index(0, 0, k));
+        slice.pixels.assign(first, first + static_cast<std::ptrdiff_t>(slice.columns) * slice.rows);
+        QFile file(study.filePath(QString::fromStdString(slice.sopInstanceUid)));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray::fromStdString(test::ctSlice(slice)));
+    }
+    const auto sample = writeSampleCase();
+    ASSERT_TRUE(sample);
+    acceptNotice();
+    drop(study.path());
+    ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().tree != nullptr; }, test::patienceMs));
+    drop(QFileInfo(sample.value()).dir().filePath(QStringLiteral("run.dcm")));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().angiogram != nullptr; }, test::patienceMs));
+    registerAndExport();
+    EXPECT_LE(clicks, 12);
+}
+
+TEST_F(Newcomer, IsShownTheTourOnceAndOnlyOnce)
+{
+    acceptNotice();
+    EXPECT_TRUE(w.window.findChild<QWidget*>(QStringLiteral("tour")));
+    EXPECT_TRUE(settings::tourSeen.read());
+}
+
+TEST_F(Newcomer, IsAskedForWhatAStepLacks)
+{
+    acceptNotice();
+    click(buttonCalled<ui::StepButton>(&w.window.steps(), "Angiogram"));
+    auto* files = w.window.findChild<QFileDialog*>();
+    ASSERT_TRUE(files);
+    files->reject();
+}
+
+}   // namespace
+}   // namespace app

@@ -1,0 +1,33 @@
+# Fails when the window has words that German or Chinese lack, or the translations hold words the window no longer has.
+# Needs LUPDATE, ROOT, CORE_TEXTS (made in the build) and WORK, a folder to write to.
+file(GLOB translations "${ROOT}/resources/translations/*.ts")
+foreach(translation ${translations})
+  get_filename_component(name "${translation}" NAME)
+  configure_file("${translation}" "${WORK}/${name}" COPYONLY)
+  execute_process(COMMAND ${LUPDATE} -silent -I ${ROOT} -no-obsolete -locations none -source-language en
+      ${ROOT}/ui ${ROOT}/app ${CORE_TEXTS} -ts ${WORK}/${name}
+    RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+  if(failed)
+    message(FATAL_ERROR "lupdate failed on ${name}")
+  endif()
+  file(READ "${translation}" committed)
+  file(READ "${WORK}/${name}" current)
+  string(REGEX MATCHALL "<source>[^<]*</source>[^<]*(<comment>[^<]*</comment>[^<]*)?<translation type=\"unfinished\"" missing
+    "${current}")
+  foreach(message ${missing})
+    string(REGEX REPLACE "<source>([^<]*)</source>.*" "\\1" words "${message}")
+    message(SEND_ERROR "${name}: not translated: ${words}")
+  endforeach()
+  string(REGEX MATCHALL "<source>" before "${committed}")
+  string(REGEX MATCHALL "<source>" after "${current}")
+  list(LENGTH before before)
+  list(LENGTH after after)
+  list(LENGTH missing new)
+  math(EXPR gone "${before} + ${new} - ${after}")
+  if(gone GREATER 0)
+    message(SEND_ERROR "${name}: ${gone} texts are not in the window any more: build update_translations")
+  endif()
+  if(after LESS 500)
+    message(SEND_ERROR "${name}: lupdate found only ${after} texts")
+  endif()
+endforeach()

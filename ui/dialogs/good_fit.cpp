@@ -1,0 +1,130 @@
+#include "ui/dialogs/good_fit.h"
+
+#include "ui/panels/section.h"
+
+#include <QGridLayout>
+#include <QImage>
+#include <QPixmap>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+
+constexpr int picturePx = 250;
+
+bool isGood(FitExample example)
+{
+    return example <= FitExample::Deformed;
+}
+
+QString headingOf(FitExample example)
+{
+    switch (example) {
+        case FitExample::Right:
+            return GoodFit::tr("Good: everything lies");
+        case FitExample::Unfilled:
+            return GoodFit::tr("Good: one branch unfilled");
+        case FitExample::Deformed:
+            return GoodFit::tr("Good: vessels have moved");
+        case FitExample::Shifted:
+            return GoodFit::tr("Bad: shifted");
+        case FitExample::Turned:
+            return GoodFit::tr("Bad: turned");
+        case FitExample::Tilted:
+            break;
+    }
+    return GoodFit::tr("Bad: wrong view angle");
+}
+
+QString sentenceOf(FitExample example)
+{
+    switch (example) {
+        case FitExample::Right:
+            return GoodFit::tr("Lines run in the middle of their vessels, blue all along, into the side branches too.");
+        case FitExample::Unfilled:
+            return GoodFit::tr("Amber only where this frame shows no contrast; every filled vessel is blue.");
+        case FitExample::Deformed:
+            return GoodFit::tr("Small differences to both sides: beating and breathing. No rigid pose does better.");
+        case FitExample::Shifted:
+            return GoodFit::tr("All lines miss to the same side. Register again, or nudge with the arrows.");
+        case FitExample::Turned:
+            return GoodFit::tr("Fits in the middle and misses more and more outwards: turned in the image plane.");
+        case FitExample::Tilted:
+            break;
+    }
+    return GoodFit::tr("The trunk fits, side branches point elsewhere: LAO/RAO or CRA/CAU are off.");
+}
+
+}   // namespace
+
+GoodFit::GoodFit(QWidget* parent) : QDialog(parent)
+{
+    setObjectName(QStringLiteral("goodFit"));
+    setWindowTitle(tr("What a good fit looks like"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(16);
+    grid->setVerticalSpacing(14);
+    for (int i = 0; i < fitExampleCount; ++i) {
+        grid->addWidget(makeCell(static_cast<FitExample>(i)), i / 3, i % 3);
+    }
+    auto* note = roleLabel("hint", tr("Simulated vessels. Blue lies on a vessel, amber 2 mm off or more."));
+    auto* close = new QPushButton(tr("Close"));
+    close->setProperty("role", "primary");
+    close->setDefault(true);
+    connect(close, &QPushButton::clicked, this, &QDialog::accept);
+    auto* foot = new QHBoxLayout;
+    foot->addWidget(note, 1);
+    foot->addWidget(close);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(20, 18, 20, 16);
+    layout->setSpacing(14);
+    layout->addLayout(grid);
+    layout->addLayout(foot);
+}
+
+QWidget* GoodFit::makeCell(FitExample example)
+{
+    auto* cell = new QWidget;
+    auto* picture = roleLabel("hint", tr("drawing …"));
+    picture->setFixedSize(picturePx, picturePx);
+    picture->setAlignment(Qt::AlignCenter);
+    picture->setAccessibleName(headingOf(example));
+    pictures_[static_cast<std::size_t>(example)] = picture;
+    const QString mark = isGood(example) ? QStringLiteral("✓ ") : QStringLiteral("! ");
+    auto* heading = roleLabel(isGood(example) ? "heading" : "attention", mark + headingOf(example));
+    auto* sentence = roleLabel("label", sentenceOf(example));
+    sentence->setWordWrap(true);
+    sentence->setFixedWidth(picturePx);
+    auto* layout = new QVBoxLayout(cell);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(5);
+    layout->addWidget(picture);
+    layout->addWidget(heading);
+    layout->addWidget(sentence);
+    layout->addStretch(1);
+    return cell;
+}
+
+void GoodFit::showPicture(FitExample example, const QImage& picture)
+{
+    QLabel* label = pictures_[static_cast<std::size_t>(example)];
+    const double ratio = devicePixelRatioF();
+    const int side = static_cast<int>(picturePx * ratio);
+    QPixmap shown = QPixmap::fromImage(picture.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+    shown.setDevicePixelRatio(ratio);
+    label->setPixmap(shown);
+}
+
+void GoodFit::showProblem(const QString& reason)
+{
+    for (QLabel* label : pictures_) {
+        if (label->pixmap().isNull()) {
+            label->setWordWrap(true);
+            label->setText(reason);
+        }
+    }
+}
+
+}   // namespace ui

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QDialog>
+
+#include <array>
+
+class QImage;
+class QLabel;
+
+namespace ui {
+
+/// What can be wrong with a fit, and what only looks wrong: the examples of the page, good ones first.
+enum class FitExample { Right, Unfilled, Deformed, Shifted, Turned, Tilted };
+inline constexpr int fitExampleCount = 6;
+
+/// "What a good fit looks like": three good and three bad fits with a sentence each. Pictures arrive as they are made.
+/// Deletes itself when closed.
+class GoodFit : public QDialog {
+    Q_OBJECT
+public:
+    explicit GoodFit(QWidget* parent);
+
+    void showPicture(FitExample example, const QImage& picture);
+    void showProblem(const QString& reason);
+
+private:
+    QWidget* makeCell(FitExample example);
+
+    std::array<QLabel*, fitExampleCount> pictures_{};
+};
+
+}   // namespace ui

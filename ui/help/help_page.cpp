@@ -1,0 +1,75 @@
+#include "ui/help/help_page.h"
+
+#include "ui/words/language.h"
+
+#include <QFile>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+/// Resources of a static library are there only once asked for, and only from outside any namespace.
+static void loadPages()
+{
+    Q_INIT_RESOURCE(help);
+}
+
+namespace ui {
+namespace {
+
+/// "ui::PosePanel" → "panels/pose_panel", as its source file is called.
+QString pageOfClass(const QWidget& widget)
+{
+    static const QRegularExpression wordStart(QStringLiteral("(?<=[a-z0-9])(?=[A-Z])"));
+    QString name = QString::fromLatin1(widget.metaObject()->className()).section(QStringLiteral("::"), -1);
+    return QStringLiteral("panels/") + name.replace(wordStart, QStringLiteral("_")).toLower();
+}
+
+}   // namespace
+
+HelpPage::HelpPage(const QString& page, const QString& title, QWidget* parent) : QDialog(parent)
+{
+    setObjectName(QStringLiteral("helpPage"));
+    setWindowTitle(title);
+    setAttribute(Qt::WA_DeleteOnClose);
+    auto* text = new QTextBrowser;
+    text->setMarkdown(markdown(page));
+    text->setFrameShape(QFrame::NoFrame);
+    text->setAccessibleName(title);
+    auto* close = new QPushButton(tr("Close"));
+    close->setProperty("role", "primary");
+    close->setDefault(true);
+    connect(close, &QPushButton::clicked, this, &QDialog::accept);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(20, 18, 20, 16);
+    layout->setSpacing(14);
+    layout->addWidget(text, 1);
+    layout->addWidget(close, 0, Qt::AlignRight);
+    resize(560, 640);
+}
+
+QString HelpPage::markdown(const QString& page)
+{
+    loadPages();
+    for (const QString& place : {currentLanguage() + QLatin1Char('/') + page, page}) {
+        QFile file(QStringLiteral(":/help/%1.md").arg(place));
+        if (file.open(QIODevice::ReadOnly)) {
+            return QString::fromUtf8(file.readAll());
+        }
+    }
+    return {};
+}
+
+QString HelpPage::pageAbout(const QWidget* widget)
+{
+    loadPages();
+    for (; widget && !widget->isWindow(); widget = widget->parentWidget()) {
+        const QString page = pageOfClass(*widget);
+        if (QFile::exists(QStringLiteral(":/help/%1.md").arg(page))) {
+            return page;
+        }
+    }
+    return QStringLiteral("panels/overview");
+}
+
+}   // namespace ui

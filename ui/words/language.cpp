@@ -1,0 +1,81 @@
+#include "ui/words/language.h"
+
+#include <QCoreApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QTranslator>
+
+#include <algorithm>
+
+/// Resources of a static library are there only once asked for, and only from outside any namespace.
+static void loadTranslations()
+{
+    Q_INIT_RESOURCE(translations);
+}
+
+namespace ui {
+namespace {
+
+/// "zh-Hans-CN", "zh-CN" and "zh-SG" are written alike; "zh-TW" and "zh-Hant" are not.
+bool speaks(const QString& wanted, const QString& code)
+{
+    const QLocale locale(wanted);
+    if (code == QLatin1String("zh_CN")) {
+        return locale.language() == QLocale::Chinese && locale.script() == QLocale::SimplifiedHanScript;
+    }
+    return locale.language() == QLocale(code).language();
+}
+
+QString& current()
+{
+    static QString code = languages().front();
+    return code;
+}
+
+void install(QTranslator* translator, bool isLoaded)
+{
+    if (isLoaded) {
+        QCoreApplication::installTranslator(translator);
+    }
+}
+
+}   // namespace
+
+QStringList languages()
+{
+    return {QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("zh_CN")};
+}
+
+QString desktopLanguage()
+{
+    for (const QString& wanted : QLocale::system().uiLanguages()) {
+        const QStringList known = languages();
+        const auto found = std::ranges::find_if(known, [&wanted](const QString& code) { return speaks(wanted, code); });
+        if (found != known.end()) {
+            return *found;
+        }
+    }
+    return languages().front();
+}
+
+void applyLanguage(const QString& code)
+{
+    loadTranslations();
+    current() = code;
+    static QTranslator ours, qts;
+    for (QTranslator* translator : {&ours, &qts}) {
+        QCoreApplication::removeTranslator(translator);
+    }
+    if (code != languages().front()) {
+        install(&qts,
+                qts.load(QStringLiteral("qtbase_%1").arg(code), QLibraryInfo::path(QLibraryInfo::TranslationsPath)));
+        install(&ours, ours.load(QStringLiteral(":/translations/angiopose_%1.qm").arg(code)));
+    }
+}
+
+QString currentLanguage()
+{
+    return current();
+}
+
+}   // namespace ui

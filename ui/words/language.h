@@ -1,0 +1,20 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+namespace ui {
+
+/// Codes of the languages the window speaks, English first: "en", "de", "zh_CN".
+QStringList languages();
+
+/// The first of the desktop's languages that the window speaks; English where it speaks none.
+QString desktopLanguage();
+
+/// Makes windows made from now on speak the language, Qt's own dialogs too. Numbers keep their point in all of them.
+void applyLanguage(const QString& code);
+
+/// The code that was applied last.
+QString currentLanguage();
+
+}   // namespace ui
