@@ -143,6 +143,7 @@ void MainWindow::focusStep(Step step)
             branches_->list()->setFocus(Qt::OtherFocusReason);
             break;
         case Step::Angiogram:
+            angiogramPanel_->setFolded(false);
             rightColumn_->ensureWidgetVisible(angiogramPanel_);
             angiogramView_->setFocus(Qt::OtherFocusReason);
             break;

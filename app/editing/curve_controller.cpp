@@ -58,6 +58,7 @@ void CurveController::connectTool()
         bar_->setVisible(on);
         window_.angiogramView().setFocus();
     });
+    connect(&window_.angiogramPanel(), &ui::AngiogramPanel::editingRequested, mode, [mode] { mode->setChecked(true); });
     connect(tool_, &ui::EditCurvesTool::begun, this, [this] {
         window_.actions()[ui::Command::Cine]->setChecked(false);
         shownCurves_.reset();
@@ -171,7 +172,8 @@ void CurveController::push(std::shared_ptr<const core::Centerline2d> curves, std
         document_, ChangeTarget::Values{core::InputFile{}, std::move(curves), frame, std::move(accepted), std::nullopt},
         what));
     if (isPushed && formerFrame && formerFrame != frame) {
-        notices_.showNote(tr("The edited curves of frame %1 gave way to these. Undo brings them back.").arg(*formerFrame));
+        notices_.showNote(
+            tr("The edited curves of frame %1 gave way to these. Undo brings them back.").arg(*formerFrame));
     }
 }
 
