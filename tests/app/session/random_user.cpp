@@ -80,6 +80,16 @@ const std::vector<Press>& presses()
                                          {Key_Y, Qt::ControlModifier},
                                          {Key_Y, Qt::ControlModifier},
                                          {Key_C, Qt::ControlModifier},
+                                         {Key_E},
+                                         {Key_E},
+                                         {Key_B},
+                                         {Key_B, Qt::ShiftModifier},
+                                         {Key_B, Qt::ControlModifier},
+                                         {Key_C, Qt::ShiftModifier},
+                                         {Key_G},
+                                         {Key_L},
+                                         {Key_Return},
+                                         {Key_Escape},
                                          {Key_Escape},
                                          {Key_F1}};
     return keys;
