@@ -93,7 +93,6 @@ MainWindow::MainWindow(QWidget* parent)
     setMinimumSize(900, 560);
     resize(1440, 900);
     connectSlices();
-    connect(treeView_, &TreeView::pointPicked, this, &MainWindow::pointPicked);
     angiogramView_->setFocus();
     qApp->installEventFilter(this);
 }
@@ -188,6 +187,7 @@ void MainWindow::focusStep(Step step)
             branches_->list()->setFocus(Qt::OtherFocusReason);
             break;
         case Step::Angiogram:
+            angiogramPanel_->setFolded(false);
             rightColumn_->ensureWidgetVisible(angiogramPanel_);
             angiogramView_->setFocus(Qt::OtherFocusReason);
             break;

@@ -58,6 +58,7 @@ void CurveController::connectTool()
         bar_->setVisible(on);
         window_.angiogramView().setFocus();
     });
+    connect(&window_.angiogramPanel(), &ui::AngiogramPanel::editingRequested, mode, [mode] { mode->setChecked(true); });
     connect(tool_, &ui::EditCurvesTool::begun, this, [this] {
         window_.actions()[ui::Command::Cine]->setChecked(false);
         shownCurves_.reset();

@@ -99,25 +99,18 @@ void SubtractionController::connectShift()
         window_.actions()[ui::Command::ShiftMask]->setChecked(true);
         window_.angiogramView().setFocus();
     });
-    connect(shiftTool_, &ui::MaskShiftTool::begun, this, [this] {
-        window_.actions()[ui::Command::Cine]->setChecked(false);
-        shiftTool_->showShift(
-            document_.current().treatment.plan.maskShiftPx.value_or(Eigen::Vector2d(Eigen::Vector2d::Zero())));
+    connect(shiftTool_, &ui::MaskShiftTool::begun, this, &SubtractionController::beginShift);
+    connect(shiftTool_, &ui::MaskShiftTool::shifted, this, [this](const Eigen::Vector2d& shiftPx) {
+        isShiftFound_ = true;
+        rest_.stop();
+        previewShift(shiftPx);
     });
-    connect(shiftTool_, &ui::MaskShiftTool::shifted, this, &SubtractionController::previewShift);
     connect(shiftTool_, &ui::MaskShiftTool::settled, &rest_, qOverload<>(&QTimer::start));
     connect(shiftTool_, &ui::MaskShiftTool::ended, this, &SubtractionController::settleShift);
     rest_.setSingleShot(true);
     rest_.setInterval(600ms);
     connect(&rest_, &QTimer::timeout, this, &SubtractionController::settleShift);
-    connect(&preview_, &QFutureWatcherBase::finished, this, [this] {
-        const Picture picture = preview_.result();
-        const bool isWanted = window_.angiogramView().tool() == shiftTool_;
-        if (picture && isWanted) {
-            window_.angiogramView().setFrame(*picture.value());
-        }
-        startPreview();
-    });
+    connect(&preview_, &QFutureWatcherBase::finished, this, &SubtractionController::showPreview);
 }
 
 void SubtractionController::change(const core::RunTreatment& wanted, const QString& what)
@@ -192,39 +185,68 @@ void SubtractionController::take(const Wish& wish, const SharedRun& run)
         wish.what));
 }
 
-void SubtractionController::previewShift(const Eigen::Vector2d& shiftPx)
+/// The hand begins where the mask lies: at its shift, or at the one found for the frame on screen.
+void SubtractionController::beginShift()
 {
-    rest_.stop();
-    wantedShift_ = shiftPx;
+    window_.actions()[ui::Command::Cine]->setChecked(false);
+    const auto& given = document_.current().treatment.plan.maskShiftPx;
+    isShiftFound_ = given.has_value();
+    shiftBegan_ = given.value_or(Eigen::Vector2d(Eigen::Vector2d::Zero()));
+    shiftTool_->showShift(shiftBegan_);
+    previewShift(given);
+}
+
+void SubtractionController::previewShift(const std::optional<Eigen::Vector2d>& shiftPx)
+{
+    wantedPreview_ = document_.current().treatment.plan;
+    wantedPreview_->maskShiftPx = shiftPx;
     startPreview();
 }
 
 void SubtractionController::startPreview()
 {
     const core::RegistrationCase& current = document_.current();
-    if (!wantedShift_ || preview_.isRunning() || !current.angiogram) {
+    if (!wantedPreview_ || preview_.isRunning() || !current.angiogram) {
         return;
     }
-    core::SubtractionPlan plan = current.treatment.plan;
-    plan.maskShiftPx = *std::exchange(wantedShift_, std::nullopt);
-    preview_.setFuture(QtConcurrent::run([stored = core::storedRunOf(current), plan, frame = current.frame,
-                                          polarity = current.angiogram->polarity]() -> Picture {
-        auto picture = core::subtractFrame(stored->frames, polarity, plan, frame);
+    preview_.setFuture(
+        QtConcurrent::run([stored = core::storedRunOf(current), plan = *std::exchange(wantedPreview_, std::nullopt),
+                           frame = current.frame, polarity = current.angiogram->polarity]() -> Picture {
+            auto picture = core::subtractFrame(stored->frames, polarity, plan, frame);
+            if (!picture) {
+                return picture.error();
+            }
+            return std::make_shared<const core::SubtractedFrame>(std::move(picture).value());
+        }));
+}
+
+void SubtractionController::showPreview()
+{
+    const Picture picture = preview_.result();
+    if (window_.angiogramView().tool() == shiftTool_) {
         if (!picture) {
-            return picture.error();
+            notices_.showNote(QString::fromStdString(picture.error().message));
+            window_.angiogramView().setTool(nullptr);
+            return;
         }
-        return std::make_shared<const core::ImageF>(std::move(picture).value());
-    }));
+        window_.angiogramView().setFrame(picture.value()->frame);
+        if (!std::exchange(isShiftFound_, true)) {
+            shiftTool_->showShift(picture.value()->maskShiftPx);
+            shiftBegan_ = picture.value()->maskShiftPx;
+        }
+    }
+    startPreview();
 }
 
 void SubtractionController::settleShift()
 {
     rest_.stop();
-    core::RunTreatment wanted = document_.current().treatment;
-    const Eigen::Vector2d former = wanted.plan.maskShiftPx.value_or(Eigen::Vector2d(Eigen::Vector2d::Zero()));
-    if (shiftTool_->shiftPx() == former) {
+    if (shiftTool_->shiftPx() == shiftBegan_) {
+        sync_.showFrame(document_.current().frame);   // as it was
         return;
     }
+    shiftBegan_ = shiftTool_->shiftPx();
+    core::RunTreatment wanted = document_.current().treatment;
     wanted.plan.maskShiftPx = shiftTool_->shiftPx();
     wanted.isSubtracted = true;
     change(wanted, tr("Move the mask"));
@@ -243,7 +265,8 @@ void SubtractionController::follow()
     }
     if (window_.angiogramView().tool() == shiftTool_ && current.treatment.plan.maskShiftPx && !rest_.isActive() &&
         !wish_) {
-        shiftTool_->showShift(*current.treatment.plan.maskShiftPx);
+        shiftBegan_ = *current.treatment.plan.maskShiftPx;   // an undo
+        shiftTool_->showShift(shiftBegan_);
     }
     showState();
 }

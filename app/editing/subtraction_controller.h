@@ -28,7 +28,7 @@ public:
 private:
     using SharedRun = std::shared_ptr<const core::Angiogram>;
     using Outcome = core::Result<SharedRun>;
-    using Picture = core::Result<std::shared_ptr<const core::ImageF>>;
+    using Picture = core::Result<std::shared_ptr<const core::SubtractedFrame>>;
     struct Wish {
         SharedRun stored;
         core::RunTreatment treatment;
@@ -47,8 +47,10 @@ private:
     void compute();
     void publish();
     void take(const Wish& wish, const SharedRun& run);
-    void previewShift(const Eigen::Vector2d& shiftPx);
+    void beginShift();
+    void previewShift(const std::optional<Eigen::Vector2d>& shiftPx);
     void startPreview();
+    void showPreview();
     void settleShift();
     void follow();
     void showState();
@@ -64,7 +66,9 @@ private:
     QFutureWatcher<Outcome> run_;
     std::deque<Made> made_;   ///< of late, so that switching to and fro costs nothing
     QFutureWatcher<Picture> preview_;
-    std::optional<Eigen::Vector2d> wantedShift_;
+    std::optional<core::SubtractionPlan> wantedPreview_;
+    bool isShiftFound_ = true;   ///< false: the automatic shift of the frame, where the hand begins, is on its way
+    Eigen::Vector2d shiftBegan_ = Eigen::Vector2d::Zero();   ///< what the case or the search says
     QTimer rest_;
     SharedRun shownRun_;
 };

@@ -64,11 +64,6 @@ std::optional<std::size_t> intervalMask(const MaskInterval& interval, int frame,
     return exists ? std::optional(static_cast<std::size_t>(index)) : std::nullopt;
 }
 
-struct SubtractedFrame {
-    ImageF frame;
-    Eigen::Vector2d maskShiftPx = Eigen::Vector2d::Zero();
-};
-
 SubtractedFrame subtractedFrame(const ImageF& frame, const ImageF& mask, const SubtractionPlan& plan)
 {
     const Eigen::Vector2d shift = plan.maskShiftPx ? *plan.maskShiftPx : maskShift(mask, frame, plan.relation);
@@ -129,15 +124,15 @@ Result<SubtractedRun> subtractRun(const std::vector<ImageF>& frames, Polarity po
     return isWhole ? Result<SubtractedRun>(std::move(run)) : Error{"The subtraction was stopped."};
 }
 
-Result<ImageF> subtractFrame(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,
-                             int frame)
+Result<SubtractedFrame> subtractFrame(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,
+                                      int frame)
 {
     const auto chosen = settled(frames, polarity, plan);
     if (!chosen) {
         return chosen.error();
     }
     const ImageF mask = meanFrame(frames, chosen.value().maskFrames);
-    return subtractedFrame(frames, static_cast<std::size_t>(frame), mask, chosen.value()).frame;
+    return subtractedFrame(frames, static_cast<std::size_t>(frame), mask, chosen.value());
 }
 
 Result<Angiogram> treatedRun(const Angiogram& stored, const RunTreatment& treatment, const StopCheck& isStopWished)

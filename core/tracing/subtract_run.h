@@ -56,9 +56,14 @@ std::vector<int> suggestMaskFrames(const std::vector<ImageF>& frames, Polarity p
 Result<SubtractedRun> subtractRun(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,
                                   const StopCheck& isStopWished = {});
 
+struct SubtractedFrame {
+    ImageF frame;
+    Eigen::Vector2d maskShiftPx = Eigen::Vector2d::Zero();
+};
+
 /// One frame as `subtractRun` gives it, for looking while masks and shift are being chosen.
-Result<ImageF> subtractFrame(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,
-                             int frame);
+Result<SubtractedFrame> subtractFrame(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,
+                                      int frame);
 
 /// The run as the treatment makes it; headers, suggested frame and size stay. Fails as `subtractRun` does.
 Result<Angiogram> treatedRun(const Angiogram& stored, const RunTreatment& treatment,

@@ -73,6 +73,7 @@ AngiogramPanel::AngiogramPanel(QWidget* parent)
     buildTracing();
     showRun({});
     showTracing({});
+    setFolded(true);
 }
 
 template <class Change>
@@ -215,8 +216,11 @@ void AngiogramPanel::buildTracing()
                          {1.5, 40.0, 1, QStringLiteral("px"), 0.5}, &core::TraceOptions::maxVesselRadiusPx);
     connect(defaults_, &QPushButton::clicked, this,
             [this] { emit tracingEdited(core::TraceOptions{}, tr("Default tracing")); });
+    QPushButton* byHand = quietButton(tr("Edit vessels  E"), tr("Leave out, erase, draw and cut traced curves (E)"));
+    connect(byHand, &QPushButton::clicked, this, &AngiogramPanel::editingRequested);
     auto* heading = new QHBoxLayout;
     heading->addWidget(roleLabel("heading", tr("Tracing")), 1);
+    heading->addWidget(byHand);
     heading->addWidget(defaults_);
     contentLayout()->addLayout(heading);
     contentLayout()->addLayout(grid);

@@ -7,6 +7,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QGridLayout;
 class QPushButton;
 
 namespace ui {
@@ -33,6 +34,7 @@ public:
 signals:
     void treatmentEdited(const core::RunTreatment& treatment, const QString& what);
     void shiftByHandRequested();
+    void editingRequested();   ///< of the traced curves by hand
     void tracingEdited(const core::TraceOptions& options, const QString& what);
 
 private:
@@ -42,9 +44,9 @@ private:
     void editShift();
     template <class Change>
     void edit(const Change& change, const QString& what);
-    NumberField* tracingRow(class QGridLayout& grid, int row, const QString& label, const QString& help,
+    NumberField* tracingRow(QGridLayout& grid, int row, const QString& label, const QString& help,
                             const NumberFormat& format, double core::TraceOptions::*value);
-    NumberField* lengthRow(class QGridLayout& grid, int row);
+    NumberField* lengthRow(QGridLayout& grid, int row);
 
     RunState state_;
     core::TraceOptions tracing_;

@@ -7,6 +7,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <utility>
 
 namespace ui {
 
@@ -146,8 +147,9 @@ void FrameBars::mouseMoveEvent(QMouseEvent* event)
 void FrameBars::mouseReleaseEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton && marking_) {
-        const auto [low, high] = std::minmax(marking_->first, marking_->second);
-        marking_.reset();
+        const auto [from, to] = *std::exchange(marking_, std::nullopt);
+        const int low = std::min(from, to);
+        const int high = std::max(from, to);
         emit maskRangeMarked(low, high);
         update();
     }

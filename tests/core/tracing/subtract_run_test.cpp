@@ -104,7 +104,8 @@ TEST(SubtractRun, OneFrameIsAsInTheRun)
     const auto whole = core::subtractRun(run, Polarity::VesselsDark, plan);
     const auto one = core::subtractFrame(run, Polarity::VesselsDark, plan, 2);
     ASSERT_TRUE(whole && one);
-    EXPECT_EQ(one.value().pixels, whole.value().frames[2].pixels);
+    EXPECT_EQ(one.value().frame.pixels, whole.value().frames[2].pixels);
+    EXPECT_EQ(one.value().maskShiftPx, whole.value().maskShiftsPx[2]);
 }
 
 TEST(TreatedRun, CompositeShowsAllContrastInEveryFrame)

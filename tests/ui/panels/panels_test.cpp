@@ -106,6 +106,34 @@ TEST(FrameBars, AskForTheFrameUnderTheMouse)
     EXPECT_EQ(requested.at(1).first().toInt(), 1);
 }
 
+TEST(FrameBars, ShiftMarksMaskFrames)
+{
+    FrameBars bars;
+    bars.resize(400, 40);
+    bars.showFrames({{0.0, 0.1, 1.0, 0.7}, 2, 66.7});
+    bars.showCurrent(0);
+    QSignalSpy marked(&bars, &FrameBars::maskRangeMarked);
+    QSignalSpy requested(&bars, &FrameBars::frameRequested);
+
+    QTest::mousePress(&bars, Qt::LeftButton, Qt::ShiftModifier, QPoint(250, 20));
+    QTest::mouseMove(&bars, QPoint(50, 20));
+    QTest::mouseRelease(&bars, Qt::LeftButton, Qt::ShiftModifier, QPoint(50, 20));
+    ASSERT_EQ(marked.count(), 1);
+    EXPECT_EQ(marked.at(0), (QVariantList{0, 2})) << "backwards as well";
+    EXPECT_EQ(requested.count(), 0);
+
+    QTest::keyClick(&bars, Qt::Key_Right, Qt::ShiftModifier);
+    ASSERT_EQ(marked.count(), 2);
+    EXPECT_EQ(marked.at(1), (QVariantList{0, 1}));
+}
+
+TEST(FrameBars, TellFrameTimeAndWhatIsSpecial)
+{
+    const FrameCurve curve{{0.0, 0.1, 1.0}, 2, 66.7};
+    EXPECT_EQ(describeFrame(curve, {0, 1}, 1), QStringLiteral("Frame 1 · 0.07 s · 10 % · mask"));
+    EXPECT_EQ(describeFrame(curve, {}, 2), QStringLiteral("Frame 2 · 0.13 s · 100 % · the fullest"));
+}
+
 TEST(HistogramPlot, CountsWhatLiesAboveTheScaleByItself)
 {
     const auto counts = binned({0.0, 0.4, 0.6, 1.9, 2.0, 50.0, std::numeric_limits<double>::infinity()}, 2.0, 4);

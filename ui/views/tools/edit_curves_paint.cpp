@@ -1,4 +1,5 @@
 // What EditCurvesTool shows: curves, brush, region, path under way, and the signs of suspects.
+#include "core/tracing/edit_centerline.h"
 #include "ui/scenes/fill_strokes.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_view.h"
@@ -7,6 +8,8 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <numbers>
 

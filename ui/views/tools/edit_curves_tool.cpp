@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace ui {
 namespace {
@@ -27,7 +28,8 @@ constexpr std::array editKeys{EditKey{Qt::Key_E, CurveEdit::Erase}, EditKey{Qt::
 
 std::optional<CurveEdit> editOf(const QKeyEvent& event)
 {
-    const auto* found = std::ranges::find(editKeys, event.key(), [](const EditKey& row) { return int{row.key}; });
+    const auto* found =
+        std::ranges::find(editKeys, event.key(), [](const EditKey& row) { return static_cast<int>(row.key); });
     const bool isPlain = event.modifiers() == Qt::NoModifier;
     return isPlain && found != editKeys.end() ? std::optional(found->edit) : std::nullopt;
 }

@@ -7,6 +7,9 @@
 #include <QKeyEvent>
 #include <QPainter>
 
+#include <cmath>
+#include <utility>
+
 namespace ui {
 namespace {
 

@@ -1,0 +1,213 @@
+#include "core/tracing/edit_centerline.h"
+#include "io/case_file.h"
+#include "tests/app/open_window.h"
+#include "tests/support/temporary_folder.h"
+#include "ui/panels/curve_edit_bar.h"
+
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+using test::OpenWindow;
+
+/// The sample with its frame traced and the editing mode on.
+class WindowCurves : public ::testing::Test {
+protected:
+    void SetUp() override
+    {
+        w.openSample();
+        ASSERT_TRUE(QTest::qWaitFor([this] { return target() != nullptr; }, test::patienceMs));
+        traced = *target();
+        ASSERT_FALSE(traced.curves.empty());
+        w.press(Qt::Key_E);
+        ASSERT_EQ(w.window.angiogramView().tool(), &tool());
+    }
+
+    ui::EditCurvesTool& tool() { return w.controller.angiogram().curves().tool(); }
+    const SharedCenterline& target() { return w.controller.target().current(); }
+    QPoint onScreen(const Eigen::Vector2d& imagePx)
+    {
+        return w.window.angiogramView().widgetFromImage(imagePx).toPoint();
+    }
+    void clickAt(const Eigen::Vector2d& imagePx)
+    {
+        QTest::mouseMove(&w.window.angiogramView(), onScreen(imagePx));
+        QTest::mouseClick(&w.window.angiogramView(), Qt::LeftButton, {}, onScreen(imagePx));
+    }
+    void dragBetween(const Eigen::Vector2d& from, const Eigen::Vector2d& to, Qt::KeyboardModifiers modifiers = {})
+    {
+        QWidget* view = &w.window.angiogramView();
+        QTest::mousePress(view, Qt::LeftButton, modifiers, onScreen(from));
+        QTest::mouseMove(view, onScreen(0.5 * (from + to)));
+        QTest::mouseMove(view, onScreen(to));
+        QTest::mouseRelease(view, Qt::LeftButton, modifiers, onScreen(to));
+    }
+    /// A curve that no other passes near its middle.
+    const core::Curve2d& loneCurve() const
+    {
+        return *std::ranges::max_element(traced.curves, {}, &core::Curve2d::lengthPx);
+    }
+    static Eigen::Vector2d middle(const core::Curve2d& curve) { return curve.pointsPx[curve.pointsPx.size() / 2]; }
+
+    OpenWindow w;
+    core::Centerline2d traced;
+};
+
+TEST_F(WindowCurves, AClickLeavesACurveOutAsOneStep)
+{
+    const int id = core::curveAt(traced, middle(loneCurve()), 5.0);
+    clickAt(middle(loneCurve()));
+
+    ASSERT_TRUE(w.current().givenTarget);
+    EXPECT_EQ(w.current().givenTarget->curves.size(), traced.curves.size() - 1);
+    EXPECT_EQ(std::ranges::count(w.current().givenTarget->curves, id, &core::Curve2d::id), 0);
+    EXPECT_EQ(w.current().editedFrame, w.current().frame);
+    EXPECT_EQ(target()->curves.size(), traced.curves.size() - 1) << "what is registered to";
+    EXPECT_EQ(w.history().count(), 1);
+    EXPECT_EQ(w.history().undoText(), QStringLiteral("Mark as not a vessel"));
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_FALSE(w.current().givenTarget);
+    EXPECT_EQ(target()->pointCount(), traced.pointCount());
+}
+
+TEST_F(WindowCurves, TheBrushErasesAndEscapeTakesTheStrokeBack)
+{
+    const Eigen::Vector2d at = middle(loneCurve());
+    w.press(Qt::Key_E);
+    QWidget* view = &w.window.angiogramView();
+    QTest::mousePress(view, Qt::LeftButton, {}, onScreen(at));
+    QTest::mouseMove(view, onScreen(at) + QPoint(12, 0));
+    w.press(Qt::Key_Escape);
+    QTest::mouseRelease(view, Qt::LeftButton, {}, onScreen(at) + QPoint(12, 0));
+    EXPECT_EQ(w.history().count(), 0);
+    EXPECT_EQ(w.window.angiogramView().tool(), &tool()) << "the stroke, not the mode";
+
+    dragBetween(at - Eigen::Vector2d(10.0, 0.0), at + Eigen::Vector2d(10.0, 0.0));
+    EXPECT_EQ(w.history().count(), 1);
+    EXPECT_LT(target()->pointCount(), traced.pointCount());
+    EXPECT_EQ(core::curveAt(*target(), at, 3.0), -1);
+}
+
+TEST_F(WindowCurves, DrawsBackWhatWasErased)
+{
+    const core::Curve2d curve = loneCurve();
+    clickAt(middle(curve));
+    ASSERT_EQ(w.history().count(), 1);
+    QTest::qWait(300);   // the ground of the live wire
+    w.press(Qt::Key_D);
+    const auto count = curve.pointsPx.size();
+    clickAt(curve.pointsPx[count / 4]);
+    clickAt({5.0, 5.0});   // a slip
+    w.press(Qt::Key_Backspace);
+    clickAt(curve.pointsPx[3 * count / 4]);
+    w.press(Qt::Key_Return);
+
+    ASSERT_EQ(w.history().count(), 2);
+    EXPECT_EQ(w.history().undoText(), QStringLiteral("Draw a curve"));
+    const core::Curve2d& drawn = target()->curves.back();
+    for (const Eigen::Vector2d& point : drawn.pointsPx) {
+        EXPECT_NE(core::curveAt(traced, point, 4.0), -1) << "beside every vessel: " << point.transpose();
+    }
+    EXPECT_GT(drawn.lengthPx(), 0.3 * curve.lengthPx());
+}
+
+TEST_F(WindowCurves, CutsAndRestricts)
+{
+    w.press(Qt::Key_C);
+    clickAt(middle(loneCurve()));
+    EXPECT_EQ(target()->curves.size(), traced.curves.size() + 1);
+    EXPECT_EQ(target()->pointCount(), traced.pointCount());
+
+    w.press(Qt::Key_B);
+    const Eigen::Vector2d at = middle(loneCurve());
+    dragBetween(at - Eigen::Vector2d(30.0, 30.0), at + Eigen::Vector2d(30.0, 30.0), Qt::ControlModifier);
+    const std::size_t outside = target()->pointCount();
+    EXPECT_LT(outside, traced.pointCount()) << "Ctrl leaves the region out";
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    dragBetween(at - Eigen::Vector2d(30.0, 30.0), at + Eigen::Vector2d(30.0, 30.0));
+    EXPECT_NEAR(static_cast<double>(target()->pointCount() + outside), static_cast<double>(traced.pointCount()), 4.0);
+    EXPECT_EQ(w.history().count(), 2);
+}
+
+TEST_F(WindowCurves, EscapeEndsTheModeAndTheKeysAreTheWindowsAgain)
+{
+    w.press(Qt::Key_D);
+    clickAt(middle(loneCurve()));
+    w.press(Qt::Key_Escape);
+    EXPECT_EQ(w.window.angiogramView().tool(), &tool()) << "first the path under way";
+    w.press(Qt::Key_Escape);
+    EXPECT_EQ(w.window.angiogramView().tool(), nullptr);
+    EXPECT_FALSE(w.window.actions()[ui::Command::EditVessels]->isChecked());
+    EXPECT_EQ(w.history().count(), 0);
+    w.press(Qt::Key_N);
+    EXPECT_TRUE(w.window.actions()[ui::Command::Nudge]->isChecked());
+    w.press(Qt::Key_E);
+    EXPECT_FALSE(w.window.actions()[ui::Command::Nudge]->isChecked()) << "one mode at a time";
+}
+
+TEST_F(WindowCurves, TracesAgainWhenAskedTwice)
+{
+    clickAt(middle(loneCurve()));
+    w.window.actions()[ui::Command::TraceAgain]->trigger();
+    ASSERT_EQ(w.dialogs("traceAgainQuestion").size(), 1);
+    OpenWindow::clickButton(w.dialogs("traceAgainQuestion").front(), QStringLiteral("Trace again"));
+    EXPECT_FALSE(w.current().givenTarget);
+    EXPECT_EQ(target()->pointCount(), traced.pointCount());
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(target()->curves.size(), traced.curves.size() - 1);
+}
+
+TEST_F(WindowCurves, EditsHoldForTheirFrame)
+{
+    clickAt(middle(loneCurve()));
+    const SharedCenterline edited = target();
+    const int frame = w.current().frame;
+    w.press(Qt::Key_Escape);
+    w.press(Qt::Key_Up);
+    ASSERT_NE(w.current().frame, frame);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return target() && w.controller.target().trace(); }, test::patienceMs));
+    EXPECT_NE(target(), edited);
+    w.press(Qt::Key_Down);
+    EXPECT_EQ(target(), edited);
+}
+
+TEST_F(WindowCurves, SurviveSavingAndReopening)
+{
+    clickAt(middle(loneCurve()));
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("case.angiopose");
+    bool isSaved = false;
+    w.controller.saving().saveTo(QString::fromStdString(path), [&isSaved] { isSaved = true; });
+    ASSERT_TRUE(QTest::qWaitFor([&isSaved] { return isSaved; }, test::patienceMs));
+
+    // The command line reads the same target from the file.
+    std::vector<std::string> warnings;
+    const auto loaded = io::loadCase(path, warnings);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    const auto same = core::targetOf(loaded.value());
+    ASSERT_TRUE(same);
+    ASSERT_EQ(same.value().curves.size(), target()->curves.size());
+    for (std::size_t i = 0; i < same.value().curves.size(); ++i) {
+        EXPECT_EQ(same.value().curves[i].pointsPx, target()->curves[i].pointsPx);
+    }
+    w.drop({QString::fromStdString(path)});
+    EXPECT_EQ(w.current().editedFrame, w.current().frame);
+}
+
+TEST_F(WindowCurves, ButtonsChooseTheEdit)
+{
+    auto* bar = w.window.findChild<ui::CurveEditBar*>();
+    ASSERT_TRUE(bar && bar->isVisible());
+    for (QToolButton* button : bar->findChildren<QToolButton*>()) {
+        QTest::mouseClick(button, Qt::LeftButton);
+        EXPECT_TRUE(button->isChecked());
+        EXPECT_TRUE(w.window.angiogramView().hasFocus()) << "keys go to the image";
+    }
+    EXPECT_EQ(tool().edit(), ui::CurveEdit::Lasso);
+}
+
+}   // namespace
+}   // namespace app

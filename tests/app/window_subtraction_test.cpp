@@ -1,0 +1,204 @@
+#include "io/case_file.h"
+#include "tests/app/open_window.h"
+#include "tests/support/temporary_folder.h"
+#include "ui/plots/frame_bars.h"
+#include "ui/plots/opacification_plot.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+
+namespace app {
+namespace {
+
+using test::OpenWindow;
+
+class WindowSubtraction : public ::testing::Test {
+protected:
+    void SetUp() override
+    {
+        w.openSample();
+        ASSERT_GT(w.current().angiogram->frameCount(), 3);
+        stored = w.current().angiogram;
+        w.window.angiogramPanel().setFolded(false);
+    }
+
+    bool waitForRun()
+    {
+        return QTest::qWaitFor([this] { return !w.controller.angiogram().subtraction().isComputing(); },
+                               test::patienceMs);
+    }
+    ui::FrameBars& bars() { return *w.window.findChild<ui::FrameBars*>(); }
+    QPoint onBar(int frame)
+    {
+        const int count = stored->frameCount();
+        return {(2 * frame + 1) * bars().width() / (2 * count), bars().height() / 2};
+    }
+    const core::ImageF& shownPicture() { return w.window.angiogramView().scene().frame(); }
+    const core::ImageF& pictureOf(const core::Angiogram& run)
+    {
+        return run.frames[static_cast<std::size_t>(w.current().frame)];
+    }
+    void markFirstFrames()
+    {
+        QTest::mousePress(&bars(), Qt::LeftButton, Qt::ShiftModifier, onBar(0));
+        QTest::mouseMove(&bars(), onBar(1));
+        QTest::mouseRelease(&bars(), Qt::LeftButton, Qt::ShiftModifier, onBar(1));
+        ASSERT_TRUE(waitForRun());
+    }
+
+    OpenWindow w;
+    std::shared_ptr<const core::Angiogram> stored;
+};
+
+TEST_F(WindowSubtraction, MasksMarkedInTheStripAreSubtracted)
+{
+    const int frame = w.current().frame;
+    markFirstFrames();
+
+    EXPECT_TRUE(w.current().treatment.isSubtracted);
+    EXPECT_EQ(w.current().treatment.plan.maskFrames, (std::vector<int>{0, 1}));
+    EXPECT_EQ(w.current().storedRun, stored);
+    EXPECT_EQ(w.current().frame, frame);
+    const auto expected = core::subtractRun(stored->frames, stored->polarity, w.current().treatment.plan);
+    ASSERT_TRUE(expected) << expected.error().message;
+    EXPECT_EQ(shownPicture().pixels, expected.value().frames[static_cast<std::size_t>(frame)].pixels);
+    EXPECT_EQ(w.history().count(), 1) << "one step";
+}
+
+TEST_F(WindowSubtraction, OneKeySwitchesToAndFro)
+{
+    markFirstFrames();
+    const auto subtracted = w.current().angiogram;
+    w.press(Qt::Key_B);
+    ASSERT_TRUE(waitForRun());
+    EXPECT_EQ(w.current().angiogram, stored);
+    EXPECT_EQ(shownPicture().pixels, pictureOf(*stored).pixels);
+    w.press(Qt::Key_B);
+    EXPECT_FALSE(w.controller.angiogram().subtraction().isComputing()) << "remembered";
+    EXPECT_EQ(w.current().angiogram, subtracted);
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_FALSE(w.current().treatment.isSubtracted);
+    EXPECT_EQ(w.current().angiogram, stored);
+}
+
+TEST_F(WindowSubtraction, TheShownPictureIsTheOneTraced)
+{
+    markFirstFrames();
+    ASSERT_TRUE(QTest::qWaitFor(
+        [this] { return w.controller.target().current() || !w.controller.target().problem().isEmpty(); },
+        test::patienceMs));
+    const auto expected = core::targetOf(w.current());
+    ASSERT_EQ(expected ? true : false, w.controller.target().current() != nullptr);
+    if (expected) {
+        EXPECT_EQ(w.controller.target().current()->pointCount(), expected.value().pointCount());
+    }
+}
+
+TEST_F(WindowSubtraction, ArrowsMoveTheMaskAndRestingTakesIt)
+{
+    markFirstFrames();
+    const auto steps = w.history().count();
+    w.press(Qt::Key_B, Qt::ShiftModifier);
+    EXPECT_TRUE(w.window.actions()[ui::Command::ShiftMask]->isChecked());
+    QTest::qWait(400);   // the shift it begins with is being found
+    const core::RigidTransform pose = w.current().cameraFromPatient;
+    w.press(Qt::Key_Right);
+    w.press(Qt::Key_Right);
+    w.press(Qt::Key_Down, Qt::ShiftModifier);
+    ASSERT_TRUE(
+        QTest::qWaitFor([this] { return w.current().treatment.plan.maskShiftPx.has_value(); }, test::patienceMs));
+    EXPECT_EQ(w.history().count(), steps + 1) << "a burst of keys is one step";
+    EXPECT_LT(test::distance(w.current().cameraFromPatient, pose), 1e-12) << "the arrows were not nudges";
+    const auto automatic =
+        core::subtractFrame(stored->frames, stored->polarity, {.maskFrames = {0, 1}}, w.current().frame);
+    ASSERT_TRUE(automatic);
+    const Eigen::Vector2d moved = *w.current().treatment.plan.maskShiftPx - automatic.value().maskShiftPx;
+    EXPECT_NEAR(moved.x(), 0.5, 1e-9);
+    EXPECT_NEAR(moved.y(), 1.0, 1e-9);
+    w.press(Qt::Key_Escape);
+    EXPECT_EQ(w.window.angiogramView().tool(), nullptr);
+}
+
+TEST_F(WindowSubtraction, TheCompositeIsInEveryFrame)
+{
+    w.press(Qt::Key_C, Qt::ShiftModifier);
+    ASSERT_TRUE(waitForRun());
+    EXPECT_TRUE(w.current().treatment.isComposite);
+    const auto whole = core::opacifiedComposite(stored->frames, stored->polarity);
+    EXPECT_EQ(shownPicture().pixels, whole.pixels);
+    w.press(Qt::Key_Home);
+    EXPECT_EQ(shownPicture().pixels, whole.pixels);
+}
+
+TEST_F(WindowSubtraction, PolarityIsCorrectedAsAStep)
+{
+    auto* panel = &w.window.angiogramPanel();
+    for (QComboBox* box : panel->findChildren<QComboBox*>()) {
+        if (box->accessibleName() == QStringLiteral("Vessels")) {
+            box->setFocus();
+            QTest::keyClick(box, Qt::Key_Down);
+            emit box->activated(1);
+        }
+    }
+    ASSERT_TRUE(waitForRun());
+    EXPECT_EQ(w.current().angiogram->polarity, core::Polarity::VesselsBright);
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(w.current().angiogram->polarity, core::Polarity::VesselsDark);
+}
+
+TEST_F(WindowSubtraction, SurvivesSavingAndReopening)
+{
+    markFirstFrames();
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("case.angiopose");
+    bool isSaved = false;
+    w.controller.saving().saveTo(QString::fromStdString(path), [&isSaved] { isSaved = true; });
+    ASSERT_TRUE(QTest::qWaitFor([&isSaved] { return isSaved; }, test::patienceMs));
+    const auto picture = shownPicture().pixels;
+    w.drop({QString::fromStdString(path)});
+    EXPECT_TRUE(w.current().treatment.isSubtracted);
+    EXPECT_EQ(shownPicture().pixels, picture);
+    EXPECT_TRUE(w.window.actions()[ui::Command::Subtract]->isChecked());
+}
+
+TEST_F(WindowSubtraction, TracingFollowsItsNumbers)
+{
+    ASSERT_TRUE(QTest::qWaitFor([this] { return w.controller.target().current() != nullptr; }, test::patienceMs));
+    const auto before = w.controller.target().current();
+    ui::NumberField* sensitivity = nullptr;
+    for (auto* field : w.window.angiogramPanel().findChildren<ui::NumberField*>()) {
+        sensitivity = field->accessibleName() == QStringLiteral("sensitivity") ? field : sensitivity;
+    }
+    ASSERT_TRUE(sensitivity);
+    sensitivity->setFocus();
+    sensitivity->selectAll();
+    QTest::keyClicks(sensitivity, QStringLiteral("2.5"));
+    QTest::keyClick(sensitivity, Qt::Key_Return);
+    EXPECT_DOUBLE_EQ(w.current().traceOptions.sensitivity, 2.5);
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return w.controller.target().current() && w.controller.target().current() != before; },
+                        test::patienceMs));
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(w.controller.target().current(), before) << "remembered";
+}
+
+TEST_F(WindowSubtraction, ThePlotShowsFramesAndChoosesThem)
+{
+    w.press(Qt::Key_G);
+    const auto open = w.dialogs("opacificationDialog");
+    ASSERT_EQ(open.size(), 1);
+    auto* plot = open.front()->findChild<ui::OpacificationPlot*>();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(open.front()));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [this, plot] { return plot->pointOf(0).x() < plot->pointOf(stored->frameCount() - 1).x(); }, 5000));
+    QTest::mouseMove(plot, plot->pointOf(2).toPoint());
+    EXPECT_EQ(plot->hoveredFrame(), 2);
+    QTest::mouseClick(plot, Qt::LeftButton, {}, plot->pointOf(2).toPoint());
+    EXPECT_EQ(w.current().frame, 2);
+    open.front()->close();
+}
+
+}   // namespace
+}   // namespace app
