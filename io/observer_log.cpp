@@ -31,13 +31,15 @@ std::string header()
 
 std::string rowOf(const ObserverTrial& trial)
 {
-    const core::PoseDifference difference = core::differenceBetween(trial.centre, trial.final, trial.pivotInPatient);
+    const core::PoseDifference difference =
+        core::differenceBetween(trial.centrePose, trial.finalPose, trial.pivotInPatient);
     return csvCell(trial.startedAt) + "," + csvCell(trial.observer) + "," + csvCell(trial.caseTitle) + "," +
            csvCell(trial.imageSha256) + "," + std::to_string(trial.frame) + "," + std::to_string(trial.seed) + "," +
            toText(trial.rangeMm) + "," + toText(trial.rangeDeg) + "," + toText(trial.durationS) + "," +
            std::to_string(trial.editCount) + (trial.isAbandoned ? ",abandoned," : ",done,") +
            toText(difference.inPlaneMm) + "," + toText(difference.depthMm) + "," + toText(difference.rotationDeg) +
-           "," + poseCells(trial.start) + "," + poseCells(trial.final) + "," + poseCells(trial.centre) + "\n";
+           "," + poseCells(trial.startPose) + "," + poseCells(trial.finalPose) + "," + poseCells(trial.centrePose) +
+           "\n";
 }
 
 }   // namespace

@@ -21,9 +21,9 @@ struct ObserverTrial {
     double durationS = 0.0;
     int editCount = 0;   ///< steps of undo: moves, drags, typed numbers
     bool isAbandoned = false;
-    core::RigidTransform start;   ///< cameraFromPatient
-    core::RigidTransform final;
-    core::RigidTransform centre;   ///< of the range: the pose before the trial
+    core::RigidTransform startPose;   ///< cameraFromPatient
+    core::RigidTransform finalPose;
+    core::RigidTransform centrePose;   ///< of the range: the pose before the trial
     Eigen::Vector3d pivotInPatient = Eigen::Vector3d::Zero();   ///< centroid of the tree
 };
 

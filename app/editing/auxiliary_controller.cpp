@@ -35,7 +35,7 @@ QString nameOfStep(std::size_t step)
 bool alternates(const std::string& methodId)
 {
     const auto& fields = core::optionFields();
-    const auto field = std::ranges::find(fields, "auxiliary", &core::OptionField::key);
+    const auto field = std::ranges::find(fields, std::string_view("auxiliary"), &core::OptionField::key);
     return field != fields.end() &&
            (field->methods.empty() || std::ranges::find(field->methods, methodId) != field->methods.end());
 }
@@ -253,8 +253,8 @@ QString AuxiliaryController::previewWords() const
         chosenMm += branches_.marks().auxiliary.contains(branch.id) ? branch.lengthMm() : 0.0;
     }
     const QString chosen = current.auxiliaryBranchIds.empty()
-                               ? tr("Nothing is chosen: the alternation takes the %n node(s) of the tree.", nullptr,
-                                    static_cast<int>(core::findNodes(*current.tree).size()))
+                               ? tr("Nothing is chosen: the alternation takes the %1 nodes of the tree.")
+                                     .arg(core::findNodes(*current.tree).size())
                                : tr("Chosen: %1 (%2 mm, %3 % of the tree).")
                                      .arg(namesOf(current.auxiliaryBranchIds))
                                      .arg(chosenMm, 0, 'f', 0)

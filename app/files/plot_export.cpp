@@ -46,6 +46,7 @@ QImage imageOf(QWidget& plot)
     image.setDevicePixelRatio(pngScale);
     QPainter painter(&image);
     paint(plot, painter);
+    painter.end();
     return image;
 }
 

@@ -86,12 +86,13 @@ void BlindTrialController::start(const ui::BlindTrialSetup& setup)
     trial_.seed = setup.seed;
     trial_.rangeMm = setup.rangeMm;
     trial_.rangeDeg = setup.rangeDeg;
-    trial_.centre = current.cameraFromPatient;
+    trial_.centrePose = current.cameraFromPatient;
     trial_.pivotInPatient = core::centroidInPatient(*current.tree);
-    trial_.start =
-        core::uniformlyDisplaced(trial_.centre, trial_.pivotInPatient, setup.rangeDeg, setup.rangeMm, random);
+    trial_.startPose =
+        core::uniformlyDisplaced(trial_.centrePose, trial_.pivotInPatient, setup.rangeDeg, setup.rangeMm, random);
     document_.beginTrial(std::make_unique<HideWhatIsKnown>(
-        document_, HideWhatIsKnown::Values{trial_.start, true, trial_.start, std::nullopt, {}}, tr("Blind trial")));
+        document_, HideWhatIsKnown::Values{trial_.startPose, true, trial_.startPose, std::nullopt, {}},
+        tr("Blind trial")));
     showRunning(true);
     clock_.start();
     emit started();
@@ -116,7 +117,7 @@ void BlindTrialController::end(bool isAbandoned)
     trial_.editCount = document_.trialEdits();
     trial_.isAbandoned = isAbandoned;
     trial_.frame = document_.current().frame;
-    trial_.final = document_.current().cameraFromPatient;
+    trial_.finalPose = document_.current().cameraFromPatient;
     document_.endTrial();
     showRunning(false);
     emit ended();
@@ -165,11 +166,11 @@ void BlindTrialController::judge(const io::ObserverTrial& trial)
     auto input = isSameFrame ? core::registrationInputOf(document_.current(), *target_.current())
                              : core::Result<core::RegistrationInput>(core::Error{});
     if (input) {
-        judge_.request({std::move(input).value(), trial.final});
+        judge_.request({std::move(input).value(), trial.finalPose});
         return;
     }
     core::RegistrationResult unjudged;
-    unjudged.cameraFromPatient = trial.final;
+    unjudged.cameraFromPatient = trial.finalPose;
     keep(unjudged);
 }
 

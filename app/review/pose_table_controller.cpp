@@ -181,7 +181,7 @@ void PoseTableController::flush()
 void PoseTableController::finish(bool wasStopped)
 {
     if (table_) {
-        const QString count = tr("%n method(s) done", nullptr, solvedCount_);
+        const QString count = solvedCount_ == 1 ? tr("1 method done") : tr("%1 methods done").arg(solvedCount_);
         table_->showIdle(wasStopped          ? tr("Stopped. %1.").arg(count)
                          : failures_.empty() ? count
                                              : failures_.join(QLatin1Char(' ')));

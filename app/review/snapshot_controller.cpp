@@ -196,7 +196,7 @@ void SnapshotController::remove(const std::set<int>& snapshotIds)
     const auto count =
         std::erase_if(snapshots, [&](const core::PoseSnapshot& each) { return snapshotIds.contains(each.id); });
     if (count > 0) {
-        push(std::move(snapshots), tr("Delete %n pose(s)", nullptr, static_cast<int>(count)));
+        push(std::move(snapshots), count == 1 ? tr("Delete a pose") : tr("Delete %1 poses").arg(count));
     }
 }
 

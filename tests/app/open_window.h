@@ -2,6 +2,7 @@
 
 #include "app/case_controller.h"
 #include "app/files/sample_case.h"
+#include "app/settings.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
@@ -102,6 +103,10 @@ public:
         FAIL() << "no button " << text.toStdString();
     }
 
+    /// What an earlier test did to the brightness of the sample is not to be seen again.
+    struct FreshBrightness {
+        FreshBrightness() { app::settings::brightness.write({}); }
+    } fresh;
     ui::MainWindow window;
     app::CaseController controller{window};
 };

@@ -67,7 +67,7 @@ io::ObserverTrial trialOf(const std::string& observer)
     trial.seed = 7;
     trial.durationS = 42.5;
     trial.editCount = 31;
-    trial.final.translation = {0.0, 4.0, 3.0};
+    trial.finalPose.translation = {0.0, 4.0, 3.0};
     return trial;
 }
 

@@ -69,4 +69,24 @@ TEST(PerturbPose, StaysRigidAndRepeats)
     EXPECT_EQ(a.matrix(), b.matrix());
 }
 
+TEST(PerturbPose, UniformlyStaysInsideItsRangeAndFillsIt)
+{
+    constexpr double rangeMm = 12.0;
+    constexpr double rangeDeg = 3.0;
+    CounterRandom random(5);
+    Eigen::Vector3d farthest = Eigen::Vector3d::Zero();
+    double largestDeg = 0.0;
+    for (int i = 0; i < 500; ++i) {
+        const RigidTransform moved = uniformlyDisplaced(somePose(), centroid, rangeDeg, rangeMm, random);
+        const Eigen::Vector3d shift = moved * centroid - somePose() * centroid;
+        farthest = farthest.cwiseMax(shift.cwiseAbs());
+        largestDeg = std::max(largestDeg, angleBetween(moved.rotation, somePose().rotation) * 180.0 / std::numbers::pi);
+        ASSERT_TRUE(isRigid(moved, 1e-12));
+    }
+    EXPECT_LE(farthest.maxCoeff(), rangeMm);
+    EXPECT_GT(farthest.minCoeff(), 0.95 * rangeMm);
+    EXPECT_LE(largestDeg, rangeDeg * std::numbers::sqrt3);
+    EXPECT_GT(largestDeg, rangeDeg);
+}
+
 }   // namespace

@@ -35,7 +35,8 @@ QString LassoTool::caption() const
 
 bool LassoTool::startDrag(const ToolPoint& pressed)
 {
-    outline_ = {toPoint(pressed.imagePx)};
+    outline_.clear();
+    outline_ << toPoint(pressed.imagePx);
     return true;
 }
 
