@@ -2,6 +2,7 @@
 
 #include "core/registration/pnp/sqpnp.h"
 #include "core/registration/pose/centroid_pose.h"
+#include "core/registration/pose/start_prior.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/SVD>

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double leastSeedRadiusMm = 5.0;   ///< thinner vessels say nothing about how wide their trunk is
 constexpr double leastChamberRadiusMm = 4.0;   ///< thinner leaks are left to pruning
-constexpr double leastNeckShare = 0.33;   ///< of the radius beyond it: stenoses and compressed lumens are wider
+constexpr double leastNeckShare = 0.3;   ///< of the radius beyond it: stenoses and compressed lumens are wider
 constexpr double mostChamberShare = 1.35;   ///< of the radius at the seed
 
 template <class Visit>

@@ -117,18 +117,23 @@ TEST_P(LockedAxes, LeaveOneFree)
     EXPECT_NEAR(locked.fromTruth(result.value().cameraFromPatient).upMm, 0.0, 0.5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, LockedAxes, testing::ValuesIn([] {
-                             std::vector<std::string_view> ids;
-                             for (const MethodInfo& info : methodInfos()) {
-                                 ids.push_back(info.id);
-                             }
-                             return ids;
-                         }()),
-                         [](const auto& info) {
-                             std::string name(info.param);
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+std::vector<std::string_view> allMethodIds()
+{
+    std::vector<std::string_view> ids;
+    for (const MethodInfo& method : methodInfos()) {
+        ids.push_back(method.id);
+    }
+    return ids;
+}
+
+std::string testName(const testing::TestParamInfo<std::string_view>& parameter)
+{
+    std::string name(parameter.param);
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, LockedAxes, testing::ValuesIn(allMethodIds()), testName);
 
 TEST(LockedAxesOfAngioPose, AreExactAndTheRestIsExactWithTrueLocks)
 {

@@ -63,10 +63,10 @@ std::vector<ImageF> steps(int count)
     return frames;
 }
 
-float differenceAt(const core::SubtractedRun& run, const std::vector<ImageF>& frames, int frame)
+float differenceAt(const core::SubtractedRun& subtracted, const std::vector<ImageF>& frames, int frame)
 {
     const auto i = static_cast<std::size_t>(frame);
-    return run.frames[i].pixels.front() - frames[i].pixels.front();   // the frame's middle grey is added back
+    return subtracted.frames[i].pixels.front() - frames[i].pixels.front();   // the frame's middle grey is added back
 }
 
 TEST(SubtractRun, AnIntervalTakesTheFrameBefore)
