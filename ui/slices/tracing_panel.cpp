@@ -124,12 +124,12 @@ QLayout* TracingPanel::pointRows()
     connect(avoid_, &QPushButton::toggled, this,
             [this](bool on) { emit pickWanted(on ? TracingPick::Avoid : TracingPick::Nothing); });
     connect(remove_, &QPushButton::clicked, this, &TracingPanel::removePoint);
-    connect(points_, &QListWidget::currentRowChanged, this, [this](int row) {
-        remove_->setEnabled(row >= 0 && !running_);
+    connect(points_, &QListWidget::currentRowChanged, this, [this](int chosen) {
+        remove_->setEnabled(chosen >= 0 && !running_);
         const auto seeds = static_cast<int>(options_.seedsInPatient.size());
-        if (row >= 0) {
-            emit placeChosen(row < seeds ? options_.seedsInPatient[static_cast<std::size_t>(row)]
-                                         : options_.avoidInPatient[static_cast<std::size_t>(row - seeds)]);
+        if (chosen >= 0) {
+            emit placeChosen(chosen < seeds ? options_.seedsInPatient[static_cast<std::size_t>(chosen)]
+                                            : options_.avoidInPatient[static_cast<std::size_t>(chosen - seeds)]);
         }
     });
     return rows;
