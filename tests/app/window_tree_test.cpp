@@ -180,8 +180,9 @@ TEST_F(WindowTree, AdvisesHowToMendABrokenTree)
     const auto isBroken = [this] { return w.window.actions()[ui::Command::MendGap]->isEnabled(); };
     // A piece taken out of a branch that no other leaves: what lies beyond is a piece of its own.
     const auto twig = std::ranges::find_if(tree().branches, [this](const core::VesselBranch& branch) {
-        return branch.lengthMm() > 30.0 && branch.pointsInPatient.size() > 30 &&
-               core::withoutSubtree(tree(), branch.id).value().branches.size() + 1 == tree().branches.size();
+        const auto left = core::withoutSubtree(tree(), branch.id);
+        return branch.lengthMm() > 30.0 && branch.pointsInPatient.size() > 30 && left &&
+               left.value().branches.size() + 1 == tree().branches.size();
     });
     ASSERT_NE(twig, tree().branches.end());
     const auto keptAlive = w.current().tree;
