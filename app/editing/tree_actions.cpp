@@ -13,6 +13,7 @@
 #include <QMenu>
 
 #include <array>
+#include <optional>
 
 namespace app {
 namespace {
@@ -28,6 +29,22 @@ int countGone(const core::VesselTree& tree, const ui::PruneLimits& limits)
 {
     const auto left = core::pruned(tree, limits.minLengthMm, limits.minRadiusMm);
     return left ? static_cast<int>(tree.branches.size() - left.value().branches.size()) : -1;
+}
+
+/// The branch that a point of a slice is meant to be on.
+std::optional<int> branchNear(const core::VesselTree& tree, const Eigen::Vector3d& point)
+{
+    double nearestMm = 3.0;
+    std::optional<int> nearest;
+    for (const core::VesselBranch& branch : tree.branches) {
+        const std::size_t at = core::nearestPoint(tree, branch.id, point);
+        const double distanceMm = (branch.pointsInPatient[at] - point).norm();
+        if (distanceMm < nearestMm) {
+            nearestMm = distanceMm;
+            nearest = branch.id;
+        }
+    }
+    return nearest;
 }
 
 void openMenu(QMenu* menu, const QPoint& globalPosition)
@@ -194,6 +211,11 @@ void TreeActions::openBranchMenu(int branchId, const Eigen::Vector3d& pointInPat
 void TreeActions::openSliceMenu(const Eigen::Vector3d& pointInPatient, const QPoint& globalPosition)
 {
     window_.slices().setCrosshair(pointInPatient);
+    const auto& tree = document_.current().tree;
+    const auto branch = tree ? branchNear(*tree, pointInPatient) : std::nullopt;
+    if (branch && !branches_.marks().selected.contains(*branch)) {
+        branches_.select({*branch});
+    }
     auto* menu = new QMenu(&window_);
     if (window_.actions()[Command::TraceScan]->isEnabled()) {
         menu->addAction(tr("Seed here"), this,
@@ -206,10 +228,11 @@ void TreeActions::openSliceMenu(const Eigen::Vector3d& pointInPatient, const QPo
         menu->addAction(QCoreApplication::translate("ui::WindowPreset", preset.name), this,
                         [this, window = preset.window] { window_.slices().setWindow(window); });
     }
-    if (!branches_.marks().selected.empty()) {
+    if (branch) {
         menu->addSeparator();
-        menu->addAction(window_.actions()[Command::CutBranch]);
-        menu->addAction(window_.actions()[Command::RootAtBranch]);
+        for (const Command command : branchCommands) {
+            menu->addAction(window_.actions()[command]);
+        }
     }
     menu->addSeparator();
     menu->addAction(window_.actions()[Command::SlicesLarge]);

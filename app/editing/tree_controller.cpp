@@ -163,7 +163,8 @@ void TreeController::toggleHiddenSelected()
 void TreeController::showAll()
 {
     if (!document_.current().hiddenBranchIds.empty()) {
-        document_.push(std::make_unique<HideBranches>(document_, HideBranches::Values{{}}, tr("Show all branches")));
+        document_.push(std::make_unique<HideBranches>(document_, HideBranches::Values{std::vector<int>()},
+                                                      tr("Show all branches")));
     }
 }
 

@@ -16,7 +16,7 @@ constexpr int residualWidth = 44;
 constexpr int pillWidth = 40;
 constexpr int crossWidth = 20;
 constexpr int nameIndent = 20;
-constexpr int generationWidth = 30;
+constexpr int generationWidth = 24;
 
 void paintBackground(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index)
 {
@@ -86,6 +86,30 @@ QRect nameRectIn(const QStyleOptionViewItem& option, int right)
     return {left, option.rect.top(), right - left - generationWidth, option.rect.height()};
 }
 
+/// The name, and behind it the generation.
+void paintName(QPainter& painter, const QRect& area, const QFont& font, const QModelIndex& index)
+{
+    const Palette& tones = activePalette();
+    const bool excluded = index.data(BranchModel::ExcludedRole).toBool();
+    const bool hidden = index.data(BranchModel::HiddenRole).toBool();
+    const int generation = index.data(BranchModel::GenerationRole).toInt();
+    QFont name = font;
+    name.setWeight(QFont::DemiBold);
+    name.setStrikeOut(excluded);
+    name.setItalic(hidden);
+    painter.setFont(name);
+    painter.setPen(toQColor(excluded || hidden ? tones.hint : tones.textStrong));
+    painter.drawText(
+        area, Qt::AlignLeft | Qt::AlignVCenter,
+        QFontMetrics(name).elidedText(index.data(BranchModel::NameRole).toString(), Qt::ElideRight, area.width()));
+    painter.setFont(font);
+    if (generation >= 0) {
+        const QRect behind(area.right(), area.top(), generationWidth - 4, area.height());
+        painter.setPen(toQColor(tones.hint));
+        painter.drawText(behind, Qt::AlignRight | Qt::AlignVCenter, BranchDelegate::tr("g%1").arg(generation));
+    }
+}
+
 int lengthWidthOf(const QStyleOptionViewItem& option)
 {
     return option.fontMetrics.horizontalAdvance(QStringLiteral("0000 mm"));
@@ -114,24 +138,9 @@ void BranchDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     const int lengthWidth = lengthWidthOf(option);
     const QRect lengthRect(pill.left() - lengthWidth - 10, row.top(), lengthWidth, row.height());
     const bool hidden = index.data(BranchModel::HiddenRole).toBool();
-    const int generation = index.data(BranchModel::GenerationRole).toInt();
     const QRect nameRect = nameRectIn(option, lengthRect.left());
 
-    QFont name = option.font;
-    name.setWeight(QFont::DemiBold);
-    name.setStrikeOut(excluded);
-    name.setItalic(hidden);
-    painter->setFont(name);
-    painter->setPen(toQColor(excluded || hidden ? tones.hint : tones.textStrong));
-    painter->drawText(
-        nameRect, Qt::AlignLeft | Qt::AlignVCenter,
-        QFontMetrics(name).elidedText(index.data(BranchModel::NameRole).toString(), Qt::ElideRight, nameRect.width()));
-    painter->setFont(option.font);
-    if (generation >= 0) {
-        painter->setPen(toQColor(tones.hint));
-        const QRect generationRect(nameRect.right(), row.top(), generationWidth - 4, row.height());
-        painter->drawText(generationRect, Qt::AlignRight | Qt::AlignVCenter, tr("g%1").arg(generation));
-    }
+    paintName(*painter, nameRect, option.font, index);
     painter->setPen(toQColor(tones.label));
     painter->drawText(lengthRect, Qt::AlignRight | Qt::AlignVCenter, length);
     if (!excluded) {

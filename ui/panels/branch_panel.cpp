@@ -88,7 +88,8 @@ BranchPanel::BranchPanel(QWidget* parent)
             [this](int id) { emit auxiliaryToggled(affectedBy(id)); });
     connect(delegate, &BranchDelegate::excludeClicked, this, [this](int id) { emit excludedToggled(affectedBy(id)); });
     connect(list_, &QListView::entered, this, [this](const QModelIndex& index) { emit hovered(idAt(index)); });
-    connect(model_, &BranchModel::renamed, this, &BranchPanel::renamed);
+    // Queued: the answer is another tree, which must not take the editor away while it is at work.
+    connect(model_, &BranchModel::renamed, this, &BranchPanel::renamed, Qt::QueuedConnection);
     connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &BranchPanel::reportSelection);
     connect(list_, &QWidget::customContextMenuRequested, this, &BranchPanel::showContextMenu);
     showTree({});

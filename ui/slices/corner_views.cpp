@@ -1,6 +1,5 @@
 #include "ui/slices/corner_views.h"
 
-#include "ui/slices/slices_page.h"
 #include "ui/views/tree_view.h"
 
 #include <QHBoxLayout>

@@ -36,6 +36,18 @@ const std::vector<WindowPreset>& windowPresets()
     return presets;
 }
 
+QString nameOf(core::BodyPlane plane)
+{
+    switch (plane) {
+        case core::BodyPlane::Axial:
+            return SliceModel::tr("Axial");
+        case core::BodyPlane::Coronal:
+            return SliceModel::tr("Coronal");
+        default:
+            return SliceModel::tr("Sagittal");
+    }
+}
+
 GreyWindow windowOfValues(const core::Volume& volume)
 {
     const std::vector<double> values = sampledValues(volume);
@@ -73,7 +85,7 @@ void SliceModel::setTree(std::shared_ptr<const core::VesselTree> tree)
 {
     if (tree != tree_) {
         tree_ = std::move(tree);
-        emit lookChanged();
+        emit overlayChanged();
     }
 }
 
@@ -81,7 +93,7 @@ void SliceModel::setMarks(const BranchMarks& marks)
 {
     if (marks != marks_) {
         marks_ = marks;
-        emit lookChanged();
+        emit overlayChanged();
     }
 }
 
@@ -89,7 +101,7 @@ void SliceModel::setPoints(SliceMarkKind kind, std::vector<SliceMark> points)
 {
     if (points != points_[kind]) {
         points_[kind] = std::move(points);
-        emit lookChanged();
+        emit overlayChanged();
     }
 }
 

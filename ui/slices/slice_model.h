@@ -55,7 +55,8 @@ public:
 signals:
     void scanChanged();
     void crosshairChanged();
-    void lookChanged();   ///< window, preview, branches, points
+    void lookChanged();   ///< window, preview
+    void overlayChanged();   ///< branches, points
 
 private:
     std::shared_ptr<const core::Volume> volume_;
@@ -68,6 +69,8 @@ private:
     std::optional<double> previewFrom_;
     bool isHounsfield_ = false;
 };
+
+QString nameOf(core::BodyPlane plane);   ///< as a heading
 
 /// A named window of CT.
 struct WindowPreset {

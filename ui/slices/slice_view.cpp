@@ -33,35 +33,24 @@ SliceView::SliceView(SliceModel& model, core::BodyPlane plane, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
-    setAccessibleName(describe(plane));
+    setAccessibleName(nameOf(plane));
     connect(&model, &SliceModel::scanChanged, this, [this] {
         isContentStale_ = true;
         fit();
     });
     connect(&model, &SliceModel::crosshairChanged, this, qOverload<>(&QWidget::update));
+    connect(&model, &SliceModel::overlayChanged, this, qOverload<>(&QWidget::update));
     connect(&model, &SliceModel::lookChanged, this, [this] {
         isPictureStale_ = true;
         update();
     });
 }
 
-QString SliceView::describe(core::BodyPlane plane) const
-{
-    switch (plane) {
-        case core::BodyPlane::Axial:
-            return tr("Axial");
-        case core::BodyPlane::Coronal:
-            return tr("Coronal");
-        default:
-            return tr("Sagittal");
-    }
-}
-
 void SliceView::setPlane(core::BodyPlane plane)
 {
     if (plane != plane_) {
         plane_ = plane;
-        setAccessibleName(describe(plane));
+        setAccessibleName(nameOf(plane));
         isContentStale_ = true;
         fit();
     }
@@ -127,8 +116,9 @@ void SliceView::paintEvent(QPaintEvent*)
     drawPicture();
     QPainter painter(this);
     painter.drawImage(QPointF(0, 0), picture_);
+    const Palette& tones = ui::palette(ThemeMode::Dark);
     if (!model_.hasScan()) {
-        painter.setPen(toQColor(ui::palette(ThemeMode::Dark).label));
+        painter.setPen(toQColor(tones.label));
         painter.drawText(rect(), Qt::AlignCenter, tr("No scan"));
         return;
     }
@@ -139,26 +129,36 @@ void SliceView::paintEvent(QPaintEvent*)
     paintPoints(painter, overlay);
     paintCrosshair(painter, overlay);
     paintSides(painter, overlay);
-    const Eigen::Vector3d at = pointer_ ? patientFromWidget(*pointer_) : model_.crosshair();
-    const auto value = model_.volume() ? core::valueAt(*model_.volume(), at) : std::nullopt;
-    const QString unit = model_.isHounsfield() ? tr(" HU") : QString();
-    const QString number = value ? QString::number(*value, 'f', 0) + unit : tr("outside");
-    const int index = core::sliceIndex(*model_.geometry(), plane_, model_.crosshair());
-    const int count = core::sliceCount(*model_.geometry(), plane_);
-    const QStringList top{tr("%1 %2 / %3").arg(describe(plane_)).arg(index + 1).arg(count)};
-    QStringList bottom{positionText(at)};
-    if (model_.volume()) {
-        bottom.prepend(tr("%1 · W %2 L %3")
-                           .arg(number)
-                           .arg(model_.window().width, 0, 'f', 0)
-                           .arg(model_.window().level, 0, 'f', 0));
-    }
-    paintTexts(painter, rect(), top, bottom);
+    paintTexts(painter, rect(), {sliceText()}, placeTexts());
     if (hasFocus()) {
-        painter.setPen(QPen(toQColor(ui::palette(ThemeMode::Dark).accent, 0.7), 1.0));
+        painter.setPen(QPen(toQColor(tones.accent, 0.7), 1.0));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
     }
+}
+
+QString SliceView::sliceText() const
+{
+    const core::VolumeGeometry& geometry = *model_.geometry();
+    return tr("%1 %2 / %3")
+        .arg(nameOf(plane_))
+        .arg(core::sliceIndex(geometry, plane_, model_.crosshair()) + 1)
+        .arg(core::sliceCount(geometry, plane_));
+}
+
+/// Value and place under the pointer, or at the cross-hair.
+QStringList SliceView::placeTexts() const
+{
+    const Eigen::Vector3d at = pointer_ ? patientFromWidget(*pointer_) : model_.crosshair();
+    if (!model_.volume()) {
+        return {positionText(at)};
+    }
+    const auto value = core::valueAt(*model_.volume(), at);
+    const QString number = !value                  ? tr("outside")
+                           : model_.isHounsfield() ? tr("%1 HU").arg(*value, 0, 'f', 0)
+                                                   : QString::number(*value, 'f', 0);
+    const QString window = tr("W %1 L %2").arg(model_.window().width, 0, 'f', 0).arg(model_.window().level, 0, 'f', 0);
+    return {number + QStringLiteral(" · ") + window, positionText(at)};
 }
 
 QPointF SliceView::widgetFromPatient(const Eigen::Vector3d& pointInPatient) const

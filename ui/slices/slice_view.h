@@ -54,7 +54,8 @@ private:
     bool moveCrosshair(int key);
     std::optional<int> branchAt(const QPointF& position) const;
     void hover(const std::optional<QPointF>& position);
-    QString describe(core::BodyPlane plane) const;
+    QString sliceText() const;
+    QStringList placeTexts() const;
 
     SliceModel& model_;
     core::BodyPlane plane_;

@@ -14,18 +14,6 @@ constexpr int gapPx = 2;   // between the slices: tone, not lines
 
 }   // namespace
 
-QString nameOf(core::BodyPlane plane)
-{
-    switch (plane) {
-        case core::BodyPlane::Axial:
-            return SlicesPage::tr("Axial");
-        case core::BodyPlane::Coronal:
-            return SlicesPage::tr("Coronal");
-        default:
-            return SlicesPage::tr("Sagittal");
-    }
-}
-
 SlicesPage::SlicesPage(SliceModel& model, QWidget* parent) : QWidget(parent), model_(model), columns_(new QHBoxLayout)
 {
     for (const core::BodyPlane plane : core::bodyPlanes) {

@@ -31,7 +31,4 @@ private:
     QHBoxLayout* columns_;
 };
 
-/// Name of a plane as a heading.
-QString nameOf(core::BodyPlane plane);
-
 }   // namespace ui

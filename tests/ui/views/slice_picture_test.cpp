@@ -1,0 +1,125 @@
+#include "ui/slices/slice_picture.h"
+#include "ui/slices/slice_model.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace ui {
+namespace {
+
+/// 8 × 8 pixels of 1 × 2 mm with the values 0, 100, … 700 from left to right.
+SliceContent ramp()
+{
+    SliceContent content;
+    content.grid.width = content.grid.height = 8;
+    content.grid.rowStep = {0.0, 2.0, 0.0};
+    for (int row = 0; row < 8; ++row) {
+        for (int column = 0; column < 8; ++column) {
+            content.values.push_back(100.0F * static_cast<float>(column));
+        }
+    }
+    return content;
+}
+
+/// Ten widget px to the mm: the whole slice fills 80 × 160.
+ImageViewport fittedViewport()
+{
+    ImageViewport viewport;
+    viewport.setImageSize(8, 16);
+    viewport.setWidgetSize(80, 160);
+    viewport.fit();
+    return viewport;
+}
+
+constexpr GreyWindow wholeRamp{800.0, 400.0};
+
+QRgb middleOf(const QImage& picture, int column, int row, int scale = 1)
+{
+    return picture.pixel(scale * (10 * column + 5), scale * (20 * row + 5));
+}
+
+TEST(SlicePicture, ShowsTheWindowAndInterpolates)
+{
+    const QImage picture = slicePicture(ramp(), wholeRamp, {}, fittedViewport(), {80, 160}, 1.0);
+    for (const int column : {0, 3, 7}) {
+        EXPECT_NEAR(qRed(middleOf(picture, column, 2)), 255.0 * column / 8.0, 7.0);
+        EXPECT_EQ(qRed(middleOf(picture, column, 2)), qBlue(middleOf(picture, column, 2)));
+    }
+    const int between = qRed(picture.pixel(40, 50));   // from column 3 to column 4
+    EXPECT_GT(between, qRed(middleOf(picture, 3, 2)));
+    EXPECT_LT(between, qRed(middleOf(picture, 4, 2)));
+    EXPECT_EQ(middleOf(slicePicture(ramp(), {10.0, 900.0}, {}, fittedViewport(), {80, 160}, 1.0), 7, 7), qRgb(0, 0, 0));
+    EXPECT_EQ(middleOf(slicePicture(ramp(), {10.0, -90.0}, {}, fittedViewport(), {80, 160}, 1.0), 0, 0),
+              qRgb(255, 255, 255));
+}
+
+TEST(SlicePicture, TintsLumenAndWhatIsAboveTheThreshold)
+{
+    SliceContent content = ramp();
+    content.lumen.assign(64, 0);
+    content.lumen[8 * 4 + 1] = 1;
+    SliceTints tints{{0, 0, 255}, {255, 0, 0}, 0.5, 450.0};
+    const QImage picture = slicePicture(content, wholeRamp, tints, fittedViewport(), {80, 160}, 1.0);
+    EXPECT_GT(qBlue(middleOf(picture, 1, 4)), qRed(middleOf(picture, 1, 4)));
+    EXPECT_EQ(qBlue(middleOf(picture, 1, 3)), qRed(middleOf(picture, 1, 3)));
+    EXPECT_EQ(qBlue(middleOf(picture, 4, 4)), qRed(middleOf(picture, 4, 4)));
+    EXPECT_GT(qRed(middleOf(picture, 5, 4)), qBlue(middleOf(picture, 5, 4)));
+}
+
+TEST(SlicePicture, IsBlackOutsideTheScan)
+{
+    SliceContent content = ramp();
+    content.values[0] = std::numeric_limits<float>::quiet_NaN();
+    const SliceTints everything{{0, 0, 255}, {255, 0, 0}, 0.5, -1e9};
+    const QImage picture = slicePicture(content, {10.0, -90.0}, everything, fittedViewport(), {200, 160}, 1.0);
+    EXPECT_EQ(middleOf(picture, 0, 0), qRgb(0, 0, 0));
+    EXPECT_NE(middleOf(picture, 4, 4), qRgb(0, 0, 0));
+    EXPECT_EQ(picture.pixel(190, 80), qRgb(0, 0, 0));
+    EXPECT_EQ(slicePicture({}, wholeRamp, {}, fittedViewport(), {80, 160}, 1.0).pixel(40, 80), qRgb(0, 0, 0));
+}
+
+TEST(SlicePicture, IsTheSameOnAFineScreen)
+{
+    const QImage coarse = slicePicture(ramp(), wholeRamp, {}, fittedViewport(), {80, 160}, 1.0);
+    const QImage fine = slicePicture(ramp(), wholeRamp, {}, fittedViewport(), {160, 320}, 2.0);
+    for (const int column : {0, 3, 7}) {
+        EXPECT_NEAR(qRed(middleOf(fine, column, 5, 2)), qRed(middleOf(coarse, column, 5)), 6);
+    }
+}
+
+TEST(SliceModel, ChoosesTheWindowByTheKindOfScan)
+{
+    core::VolumeGeometry geometry;
+    geometry.size = {20, 20, 20};
+    auto ct = std::make_shared<core::Volume>(geometry, std::int16_t{-1000});
+    SliceModel model;
+    model.setScan(ct, nullptr);
+    EXPECT_TRUE(model.isHounsfield());
+    EXPECT_EQ(model.window(), windowPresets().front().window);
+
+    auto other = std::make_shared<core::Volume>(geometry);
+    for (std::size_t i = 0; i < other->voxels.size(); ++i) {
+        other->voxels[i] = static_cast<std::int16_t>(i % 1000);
+    }
+    model.setScan(other, nullptr);
+    EXPECT_FALSE(model.isHounsfield());
+    EXPECT_NEAR(model.window().level, 500.0, 60.0);
+    EXPECT_NEAR(model.window().width, 980.0, 60.0);
+}
+
+TEST(SliceModel, KeepsTheCrosshairWithinTheScan)
+{
+    core::VolumeGeometry geometry;
+    geometry.size = {11, 11, 11};
+    SliceModel model;
+    model.setCrosshair({3, 3, 3});
+    EXPECT_TRUE(model.crosshair().isZero());   // nothing to be in yet
+    model.setScan(nullptr, std::make_shared<const core::VoxelMask>(geometry));
+    EXPECT_EQ(model.crosshair(), Eigen::Vector3d(5, 5, 5));
+    model.setCrosshair({3, 40, -7});
+    EXPECT_EQ(model.crosshair(), Eigen::Vector3d(3, 10, 0));
+}
+
+}   // namespace
+}   // namespace ui
