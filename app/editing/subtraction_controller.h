@@ -20,6 +20,7 @@ class SubtractionController : public QObject {
     Q_OBJECT
 public:
     explicit SubtractionController(const AngiogramParts& parts, QObject* parent = nullptr);
+    ~SubtractionController() override;   ///< what is being made stops at its next frame, and is dropped
 
     /// Asks for the run so treated; only the newest wish is answered.
     void change(const core::RunTreatment& wanted, const QString& what);
@@ -70,7 +71,7 @@ private:
     bool isShiftFound_ = true;   ///< false: the automatic shift of the frame, where the hand begins, is on its way
     Eigen::Vector2d shiftBegan_ = Eigen::Vector2d::Zero();   ///< what the case or the search says
     QTimer rest_;
-    SharedRun shownRun_;
+    bool isPreviewNew_ = false;   ///< its grey values are not those on screen
 };
 
 }   // namespace app
