@@ -25,6 +25,7 @@ public:
     /// Asks for the run so treated; only the newest wish is answered.
     void change(const core::RunTreatment& wanted, const QString& what);
     bool isComputing() const { return wish_.has_value(); }
+    bool isFindingShift() const { return !isShiftFound_; }   ///< that moving by hand begins with
 
 private:
     using SharedRun = std::shared_ptr<const core::Angiogram>;

@@ -84,7 +84,7 @@ private:
     void placeCutout(const QPointF& position);
     QSize deviceSize() const;
     void dragBy(const QPointF& position, Qt::KeyboardModifiers modifiers);
-    void startDrag(Qt::KeyboardModifiers modifiers);
+    void startDrag();
     void adjustWindowLevel(const QPointF& step);
     void zoomAt(const QPointF& position, double factor);
     bool cancelDrag();   ///< true when there was one
