@@ -20,6 +20,9 @@ std::shared_ptr<ui::CurveGround> makeGround(const TraceRequest& request)
 {
     const core::ImageF& frame = request.angiogram->frames[static_cast<std::size_t>(request.frame)];
     core::DrawingGround ground = core::drawingGround(frame, request.angiogram->polarity, request.options);
+    if (ground.vesselness.isEmpty()) {
+        return nullptr;
+    }
     return std::make_shared<ui::CurveGround>(ui::CurveGround{
         core::LiveWire(ground.vesselness), std::move(ground.opacity), request.options.maxVesselRadiusPx});
 }

@@ -52,6 +52,13 @@ SubtractionController::SubtractionController(const AngiogramParts& parts, QObjec
     follow();
 }
 
+SubtractionController::~SubtractionController()
+{
+    if (stop_) {
+        *stop_ = true;
+    }
+}
+
 void SubtractionController::connectCommands()
 {
     ui::WindowActions& actions = window_.actions();
@@ -117,6 +124,8 @@ void SubtractionController::change(const core::RunTreatment& wanted, const QStri
 {
     const core::RegistrationCase& current = document_.current();
     if (!current.angiogram || document_.isLocked()) {
+        notices_.showNote(current.angiogram ? tr("A registration is running. Stop it to edit.")
+                                            : tr("Open an angiogram first."));
         showState();
         return;
     }
@@ -191,6 +200,7 @@ void SubtractionController::beginShift()
     window_.actions()[ui::Command::Cine]->setChecked(false);
     const auto& given = document_.current().treatment.plan.maskShiftPx;
     isShiftFound_ = given.has_value();
+    isPreviewNew_ = true;
     shiftBegan_ = given.value_or(Eigen::Vector2d(Eigen::Vector2d::Zero()));
     shiftTool_->showShift(shiftBegan_);
     previewShift(given);
@@ -230,6 +240,9 @@ void SubtractionController::showPreview()
             return;
         }
         window_.angiogramView().setFrame(picture.value()->frame);
+        if (std::exchange(isPreviewNew_, false)) {
+            window_.angiogramView().autoWindowLevel();
+        }
         if (!std::exchange(isShiftFound_, true)) {
             shiftTool_->showShift(picture.value()->maskShiftPx);
             shiftBegan_ = picture.value()->maskShiftPx;
@@ -243,6 +256,7 @@ void SubtractionController::settleShift()
     rest_.stop();
     if (shiftTool_->shiftPx() == shiftBegan_) {
         sync_.showFrame(document_.current().frame);   // as it was
+        window_.angiogramView().autoWindowLevel();
         return;
     }
     shiftBegan_ = shiftTool_->shiftPx();
@@ -255,14 +269,6 @@ void SubtractionController::settleShift()
 void SubtractionController::follow()
 {
     const core::RegistrationCase& current = document_.current();
-    if (current.angiogram != shownRun_) {
-        const bool isSameRun =
-            shownRun_ && current.angiogram && shownRun_->frameCount() == current.angiogram->frameCount();
-        shownRun_ = current.angiogram;
-        if (isSameRun && shownRun_) {
-            window_.angiogramView().autoWindowLevel();   // other grey values in the same frame
-        }
-    }
     if (window_.angiogramView().tool() == shiftTool_ && current.treatment.plan.maskShiftPx && !rest_.isActive() &&
         !wish_) {
         shiftBegan_ = *current.treatment.plan.maskShiftPx;   // an undo

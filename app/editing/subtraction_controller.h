@@ -20,10 +20,12 @@ class SubtractionController : public QObject {
     Q_OBJECT
 public:
     explicit SubtractionController(const AngiogramParts& parts, QObject* parent = nullptr);
+    ~SubtractionController() override;   ///< what is being made stops at its next frame, and is dropped
 
     /// Asks for the run so treated; only the newest wish is answered.
     void change(const core::RunTreatment& wanted, const QString& what);
     bool isComputing() const { return wish_.has_value(); }
+    bool isFindingShift() const { return !isShiftFound_; }   ///< that moving by hand begins with
 
 private:
     using SharedRun = std::shared_ptr<const core::Angiogram>;
@@ -70,7 +72,7 @@ private:
     bool isShiftFound_ = true;   ///< false: the automatic shift of the frame, where the hand begins, is on its way
     Eigen::Vector2d shiftBegan_ = Eigen::Vector2d::Zero();   ///< what the case or the search says
     QTimer rest_;
-    SharedRun shownRun_;
+    bool isPreviewNew_ = false;   ///< its grey values are not those on screen
 };
 
 }   // namespace app

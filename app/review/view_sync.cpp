@@ -108,7 +108,9 @@ void ViewSync::showAngiogram()
 {
     shownAngiogram_ = document_.current().angiogram;
     shownFrame_ = -1;
-    if (measuredRun_ != core::storedRunOf(document_.current())) {
+    if (measuredRun_ == core::storedRunOf(document_.current())) {
+        isGreyNew_ = shownAngiogram_ != nullptr;   // the same run, subtracted or native
+    } else {
         measureOpacification();   // of what is stored: it does not change with the subtraction
     }
 }
@@ -133,6 +135,9 @@ void ViewSync::showFrame(int frame)
     if (shownAngiogram_ && frame >= 0 && frame < shownAngiogram_->frameCount()) {
         const core::ImageF& image = shownAngiogram_->frames[static_cast<std::size_t>(frame)];
         window_.angiogramView().setFrame(image);
+        if (std::exchange(isGreyNew_, false)) {
+            window_.angiogramView().autoWindowLevel();
+        }
         window_.angiogramView().setFramePosition(frame, shownAngiogram_->frameCount());
         window_.treeView().scene().setFrame(image);
         window_.treeView().requestRender();

@@ -66,6 +66,7 @@ private:
     std::shared_ptr<const core::Angiogram> shownAngiogram_;
     std::optional<core::ProjectionCamera> shownCamera_;
     int shownFrame_ = -1;
+    bool isGreyNew_ = false;   ///< the next frame has other grey values than the last
     bool previewing_ = false;
     SharedJudgement judgement_;
     bool colorsHidden_ = false;

@@ -7,6 +7,7 @@
 #include "core/tracing/vesselness.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace core {
@@ -19,7 +20,8 @@ constexpr double surroundingsInRadii = 3.0;
 
 DrawingGround drawingGround(const ImageF& frame, Polarity polarity, const TraceOptions& options)
 {
-    if (frame.isEmpty()) {
+    const auto isFinite = [](float value) { return std::isfinite(value); };
+    if (frame.isEmpty() || !std::ranges::all_of(frame.pixels, isFinite)) {
         return {};
     }
     ImageF vesselsDark = frame;

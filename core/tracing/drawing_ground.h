@@ -14,7 +14,7 @@ struct DrawingGround {
     Mask2d fieldMask;   ///< 0 where nothing is traced: shutter, border, burned-in text
 };
 
-/// Of a frame with finite values; everything empty for an empty one.
+/// Everything is empty for an empty frame and one with values that are not finite.
 DrawingGround drawingGround(const ImageF& frame, Polarity polarity, const TraceOptions& options = {});
 
 }   // namespace core

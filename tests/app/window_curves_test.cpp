@@ -96,7 +96,7 @@ TEST_F(WindowCurves, DrawsBackWhatWasErased)
     const core::Curve2d curve = loneCurve();
     clickAt(middle(curve));
     ASSERT_EQ(w.history().count(), 1);
-    QTest::qWait(300);   // the ground of the live wire
+    ASSERT_TRUE(QTest::qWaitFor([this] { return tool().hasGround(); }, test::patienceMs));
     w.press(Qt::Key_D);
     const auto count = curve.pointsPx.size();
     clickAt(curve.pointsPx[count / 4]);

@@ -102,7 +102,8 @@ TEST_F(WindowSubtraction, ArrowsMoveTheMaskAndRestingTakesIt)
     const auto steps = w.history().count();
     w.press(Qt::Key_B, Qt::ShiftModifier);
     EXPECT_TRUE(w.window.actions()[ui::Command::ShiftMask]->isChecked());
-    QTest::qWait(400);   // the shift it begins with is being found
+    ASSERT_TRUE(
+        QTest::qWaitFor([this] { return !w.controller.angiogram().subtraction().isFindingShift(); }, test::patienceMs));
     const core::RigidTransform pose = w.current().cameraFromPatient;
     w.press(Qt::Key_Right);
     w.press(Qt::Key_Right);
@@ -139,7 +140,6 @@ TEST_F(WindowSubtraction, PolarityIsCorrectedAsAStep)
         if (box->accessibleName() == QStringLiteral("Vessels")) {
             box->setFocus();
             QTest::keyClick(box, Qt::Key_Down);
-            emit box->activated(1);
         }
     }
     ASSERT_TRUE(waitForRun());

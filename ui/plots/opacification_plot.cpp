@@ -68,6 +68,9 @@ QRectF OpacificationPlot::area() const
 QPointF OpacificationPlot::pointOf(int frame) const
 {
     const QRectF part = area();
+    if (frame < 0 || frame > lastFrame()) {
+        return part.bottomLeft();
+    }
     const double share = std::clamp(curve_.opacification[static_cast<std::size_t>(frame)], 0.0, 1.0);
     return {part.left() + part.width() * frame / std::max(1, lastFrame()), part.bottom() - share * part.height()};
 }

@@ -31,6 +31,7 @@ struct AngiogramView::Interaction {
     bool isToolDragging = false;   // the drag under way is the tool's
     bool isCancelled = false;   // the rest of a cancelled drag does nothing
     QPointF pressedAt;
+    Qt::KeyboardModifiers pressedWith;
     QPointF lastAt;
     std::optional<int> hovered;
     double wheelSteps = 0.0;   // fine steps of touch pads and drags add up to whole frames

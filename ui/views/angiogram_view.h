@@ -92,7 +92,7 @@ private:
     QSize deviceSize() const;
     QString sideMark() const;
     void dragBy(const QPointF& position, Qt::KeyboardModifiers modifiers);
-    void startDrag(Qt::KeyboardModifiers modifiers);
+    void startDrag();
     void adjustWindowLevel(const QPointF& step);
     void scrollFrames(double frames);
     void zoomAt(const QPointF& position, double factor);

@@ -42,6 +42,7 @@ void AngiogramView::mousePressEvent(QMouseEvent* event)
     i.isDragging = false;
     i.isCancelled = false;
     i.pressedAt = i.lastAt = event->position();
+    i.pressedWith = event->modifiers();
 }
 
 void AngiogramView::mouseMoveEvent(QMouseEvent* event)
@@ -59,7 +60,7 @@ void AngiogramView::mouseMoveEvent(QMouseEvent* event)
     }
     const QPointF way = event->position() - i.pressedAt;
     if (!i.isDragging && std::hypot(way.x(), way.y()) >= clickReachPx) {
-        startDrag(event->modifiers());
+        startDrag();
     }
     if (i.isDragging) {
         dragBy(event->position(), event->modifiers());
@@ -67,12 +68,13 @@ void AngiogramView::mouseMoveEvent(QMouseEvent* event)
     i.lastAt = event->position();
 }
 
-void AngiogramView::startDrag(Qt::KeyboardModifiers modifiers)
+void AngiogramView::startDrag()
 {
     Interaction& i = *interaction_;
     i.isDragging = true;
-    i.isToolDragging = i.tool && i.pressed == Qt::LeftButton && i.tool->startDrag(i.toolPoint(i.pressedAt, modifiers));
-    i.dragAction = i.mouse.actionOf(i.pressed, modifiers);
+    i.isToolDragging =
+        i.tool && i.pressed == Qt::LeftButton && i.tool->startDrag(i.toolPoint(i.pressedAt, i.pressedWith));
+    i.dragAction = i.mouse.actionOf(i.pressed, i.pressedWith);
     showCursor();
 }
 

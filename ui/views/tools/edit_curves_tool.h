@@ -30,6 +30,7 @@ public:
     void showCurves(const core::Centerline2d& curves, const std::vector<int>& suspectIds);   ///< ends what is under way
     void setReady(bool ready);   ///< false while the frame is being traced: nothing can be edited yet
     void setGround(std::shared_ptr<CurveGround> ground);   ///< null: not there yet, drawn lines are straight
+    bool hasGround() const { return ground_ != nullptr; }
     void setEdit(CurveEdit edit);
     CurveEdit edit() const { return edit_; }
     void setBrush(double radius);   ///< widget px
