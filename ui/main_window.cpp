@@ -70,7 +70,6 @@ MainWindow::MainWindow(QWidget* parent)
     setCentralWidget(central);
     setMinimumSize(900, 560);
     resize(1440, 900);
-    connect(treeView_, &TreeView::pointPicked, this, &MainWindow::pointPicked);
     angiogramView_->setFocus();
     qApp->installEventFilter(this);
 }

@@ -8,6 +8,8 @@
 #include "ui/views/tree_view.h"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace app {
 namespace {
