@@ -40,8 +40,9 @@ Result<std::vector<RegistrationInput>> jointInputsOf(std::span<const Registratio
         if (k == 0) {
             firstStartInverse = start.value().inverse();
         }
-        const RigidTransform viewFromFirst = start.value() * firstStartInverse;
-        view.cameraFromPatient = viewFromFirst * views.front().cameraFromPatient;
+        if (k > 0) {
+            view.cameraFromPatient = start.value() * firstStartInverse * views.front().cameraFromPatient;
+        }
         auto input = registrationInputOf(view, targets[k]);
         if (!input) {
             return inView(k, input.error());

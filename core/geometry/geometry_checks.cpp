@@ -86,7 +86,10 @@ private:
 
     void checkMagnification()
     {
-        if (hasDistances() && header_.magnification) {
+        // Who types a distance knows better than the header.
+        const bool areTyped =
+            cArm_.sourceToDetectorMm.origin == Origin::User || cArm_.sourceToPatientMm.origin == Origin::User;
+        if (hasDistances() && header_.magnification && !areTyped) {
             say(differ(magnification(), *header_.magnification, sameMagnification),
                 "The header's magnification of " + text(*header_.magnification, 3) + " (0018,1114) is not SID/SOD = " +
                     text(magnification(), 3) + ": one of the three is stale. Check SID and SOD.");

@@ -211,6 +211,10 @@ void GeometryPanel::showNotes()
     if (state_.cArm.columnSpacingMm.origin == core::Origin::Derived && !state_.cameraOverride) {
         notes << tr("The header gives no pixel spacing; this one is derived. Press Enter in it to confirm, or type it.");
     }
+    if (state_.cArm.columnSpacingMm.origin == core::Origin::Derived && !state_.cameraOverride) {
+        notes << tr(
+            "The header gives no pixel spacing; this one is derived. Press Enter in it to confirm, or type it.");
+    }
     if (state_.cArm.mirrored.value.value_or(false) && !state_.cameraOverride) {
         notes << tr("The image is taken as mirrored (%1): check that left and right are where they belong.")
                      .arg(originWord(state_.cArm.mirrored.origin));

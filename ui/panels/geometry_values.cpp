@@ -18,7 +18,10 @@ NumberFormat degrees(double limit)
     return {-limit, limit, 1, QStringLiteral("°"), 1.0, NumberSign::Always};
 }
 
-const NumberFormat pixels{-100000.0, 100000.0, 1, QStringLiteral("px"), 1.0};
+NumberFormat pixels()
+{
+    return {-100000.0, 100000.0, 1, QStringLiteral("px"), 1.0};
+}
 
 const std::array<GeometryValueKind, geometryValueCount>& kinds()
 {
@@ -45,10 +48,10 @@ const std::array<GeometryValueKind, geometryValueCount>& kinds()
           QT_TRANSLATE_NOOP("ui::GeometryPanel", "The image is turned clockwise by this"), degrees(180.0), 0.0, false},
          {QT_TRANSLATE_NOOP("ui::GeometryPanel", "centre right"),
           QT_TRANSLATE_NOOP("ui::GeometryPanel", "Column that the beam axis meets; 0 is the middle of the first"),
-          pixels, 0.0, false},
+          pixels(), 0.0, false},
          {QT_TRANSLATE_NOOP("ui::GeometryPanel", "centre down"),
-          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Row that the beam axis meets; 0 is the middle of the first"), pixels,
-          0.0, false},
+          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Row that the beam axis meets; 0 is the middle of the first"),
+          pixels(), 0.0, false},
          {QT_TRANSLATE_NOOP("ui::GeometryPanel", "isocentre L"),
           QT_TRANSLATE_NOOP("ui::GeometryPanel", "What the gantry turns about, in the vessels' coordinates: left"),
           millimetres(-100000.0, 100000.0, 1, 1.0), 0.0, false},

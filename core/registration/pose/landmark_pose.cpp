@@ -21,8 +21,10 @@ constexpr int maxSteps = 60;
 constexpr double settled = 1e-12;   // of the cost
 constexpr double asGood = 1.5;   // costs within this factor, or within a click, tell nothing
 
-// What few pairs leave open stays as it was: turning costs more than shifting, depth more than shifting sideways.
+// What few pairs leave open stays as it was: turning out of the image costs more than rolling, rolling more than
+// shifting, depth more than shifting sideways.
 constexpr double priorTurnDeg = 8.0;
+constexpr double priorRollDeg = 60.0;
 constexpr double priorShiftMm = 1000.0;
 constexpr double priorDepthMm = 30.0;
 
@@ -158,7 +160,7 @@ StartPrior priorAt(const CentroidPose& before)
     StartPrior prior;
     prior.start = before;
     const double turn = priorTurnDeg / degPerRad;
-    prior.std << turn, turn, turn, priorShiftMm, priorShiftMm, priorDepthMm;
+    prior.std << turn, turn, priorRollDeg / degPerRad, priorShiftMm, priorShiftMm, priorDepthMm;
     return prior;
 }
 

@@ -114,6 +114,15 @@ TEST(GeometryChecks, NameWhatEachWrongValueContradicts)
     }
 }
 
+TEST(GeometryChecks, ATypedDistanceNeedNotMatchTheHeadersMagnification)
+{
+    CArm cArm = usual();
+    cArm.sourceToPatientMm = {700.0, Origin::User, ""};
+    GantryHeader header;
+    header.magnification = 1.4;
+    EXPECT_TRUE(findContradictions(cArm, header, size).empty());
+}
+
 TEST(GeometryChecks, PixelsThatAreMeantToBeOblongAreFine)
 {
     CArm cArm = usual();

@@ -116,7 +116,8 @@ bool LandmarkTool::click(const ToolPoint& point)
 
 bool LandmarkTool::takesKey(const QKeyEvent& event) const
 {
-    return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter || event.key() == Qt::Key_Delete;
+    const bool isPlain = (event.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+    return isPlain && (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter || event.key() == Qt::Key_Delete);
 }
 
 void LandmarkTool::keyPress(const QKeyEvent& event)
