@@ -200,10 +200,15 @@ std::set<int> SnapshotPanel::selectedIds() const
 
 bool SnapshotPanel::eventFilter(QObject* watched, QEvent* event)
 {
-    if (watched != list_ || event->type() != QEvent::KeyPress) {
+    const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    if (watched != list_ || !isKey) {
         return Section::eventFilter(watched, event);
     }
     const int key = static_cast<QKeyEvent*>(event)->key();
+    if (event->type() == QEvent::ShortcutOverride) {   // in the list these keys are about poses, not branches
+        event->setAccepted(key == Qt::Key_Delete || key == Qt::Key_F2);
+        return event->isAccepted();
+    }
     const std::set<int> ids = selectedIds();
     if (key == Qt::Key_Delete && !ids.empty()) {
         emit removeRequested(ids);

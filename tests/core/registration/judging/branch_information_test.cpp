@@ -22,10 +22,10 @@ VesselBranch line(int id, const Eigen::Vector3d& from, const Eigen::Vector3d& to
     return branch;
 }
 
-/// Across (1), up (2), a short one (3), one outside the image (4).
+/// Across (1), up (2), a short one along the first (3), one outside the image (4).
 VesselTree cross()
 {
-    return {{line(1, {-50, 0, 0}, {50, 0, 0}), line(2, {0, -50, 0}, {0, 50, 0}), line(3, {20, 20, 0}, {24, 20, 0}),
+    return {{line(1, {-50, 0, 0}, {50, 0, 0}), line(2, {0, -50, 0}, {0, 50, 0}), line(3, {10, 0, 0}, {14, 0, 0}),
              line(4, {300, 300, 0}, {350, 300, 0})}};
 }
 
