@@ -2,6 +2,92 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>app::AuxiliaryController</name>
+    <message>
+        <source>tilt</source>
+        <translation>Kippung</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>sideways</source>
+        <translation>seitlich</translation>
+    </message>
+    <message>
+        <source>up–down</source>
+        <translation>auf–ab</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>No branch lies mostly inside the lasso.</source>
+        <translation>Kein Ast liegt großteils im Lasso.</translation>
+    </message>
+    <message>
+        <source>This tree knows no generations.</source>
+        <translation>Dieser Gefäßbaum kennt keine Generationen.</translation>
+    </message>
+    <message>
+        <source>No branch is that wide.</source>
+        <translation>Kein Ast ist so weit.</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen: the alternation takes the %1 nodes of the tree.</source>
+        <translation>Nichts gewählt: der Wechsel nimmt die %1 Knoten des Gefäßbaums.</translation>
+    </message>
+    <message>
+        <source>Chosen: %1 (%2 mm, %3 % of the tree).</source>
+        <translation>Gewählt: %1 (%2 mm, %3 % des Gefäßbaums).</translation>
+    </message>
+    <message>
+        <source>%1 The method chosen now does not alternate and takes all branches.</source>
+        <translation>%1 Die gewählte Methode wechselt nicht und nimmt alle Äste.</translation>
+    </message>
+    <message>
+        <source>%1 The option “Auxiliary points” of the method overrules this.</source>
+        <translation>%1 Die Option „Hilfspunkte“ der Methode geht vor.</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+</context>
+<context>
+    <name>app::BlindTrialController</name>
+    <message>
+        <source>A trial needs vessels, an angiogram and a start pose, and no registration running.</source>
+        <translation>Ein Versuch braucht Gefäße, Angiogramm und Startlage, und keine laufende Registrierung.</translation>
+    </message>
+    <message>
+        <source>Blind trial</source>
+        <translation>Blindversuch</translation>
+    </message>
+    <message>
+        <source>%1, blind</source>
+        <translation>%1, blind</translation>
+    </message>
+    <message>
+        <source>Blind trial, seed %1, %2 s, %3 edits</source>
+        <translation>Blindversuch, Startwert %1, %2 s, %3 Änderungen</translation>
+    </message>
+    <message>
+        <source>Keep a blind trial</source>
+        <translation>Blindversuch behalten</translation>
+    </message>
+</context>
+<context>
     <name>app::BranchController</name>
     <message>
         <source>Select a branch first: click it in the list or in a view.</source>
@@ -146,6 +232,41 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>%1 · AngioPose · not for clinical use</source>
         <translation>%1 · AngioPose · nicht für den klinischen Einsatz</translation>
     </message>
+    <message>
+        <source>Vessels cannot be traced</source>
+        <translation>Gefäße lassen sich nicht erfassen</translation>
+    </message>
+</context>
+<context>
+    <name>app::CurveController</name>
+    <message>
+        <source>At least one curve must stay: there would be nothing to register to.</source>
+        <translation>Mindestens eine Kurve muss bleiben: sonst gäbe es nichts zum Registrieren.</translation>
+    </message>
+    <message>
+        <source>Keep a suspect curve</source>
+        <translation>Verdächtige Kurve behalten</translation>
+    </message>
+    <message>
+        <source>The edited curves of frame %1 gave way to these. Undo brings them back.</source>
+        <translation>Die bearbeiteten Kurven von Bild %1 sind ersetzt. Rückgängig bringt sie zurück.</translation>
+    </message>
+    <message>
+        <source>Trace this frame again?</source>
+        <translation>Dieses Bild neu erfassen?</translation>
+    </message>
+    <message>
+        <source>Its edited or given curves are set aside. Undo brings them back.</source>
+        <translation>Bearbeitete oder gegebene Kurven werden beiseitegelegt. Rückgängig bringt sie zurück.</translation>
+    </message>
+    <message>
+        <source>Trace again</source>
+        <translation>Neu erfassen</translation>
+    </message>
+    <message>
+        <source>Keep the curves</source>
+        <translation>Kurven behalten</translation>
+    </message>
 </context>
 <context>
     <name>app::ExportController</name>
@@ -198,63 +319,63 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <name>app::HelpController</name>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe</translation>
     </message>
     <message>
         <source>Start here</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier beginnen</translation>
     </message>
     <message>
         <source>Drop a case, or vessels and an angiogram, anywhere. “Open the sample case” works without own data.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Fall, oder Gefäße und ein Angiogramm, irgendwo ablegen. „Beispielfall öffnen“ geht ohne eigene Daten.</translation>
     </message>
     <message>
         <source>The way to a result</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Weg zum Ergebnis</translation>
     </message>
     <message>
         <source>Each step has a tick, or says in its tool tip what is missing. Click any of them, in any order.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Schritt hat einen Haken oder sagt im Tooltip, was fehlt. In beliebiger Reihenfolge anklicken.</translation>
     </message>
     <message>
         <source>The vessel tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Gefäßbaum</translation>
     </message>
     <message>
         <source>Its branches with length and distance to the image. A takes a branch into the auxiliary set, X leaves it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seine Äste mit Länge und Abstand zum Bild. A nimmt einen Ast in die Hilfsmenge, X lässt ihn weg.</translation>
     </message>
     <message>
         <source>The angiogram</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Angiogramm</translation>
     </message>
     <message>
         <source>The projected tree lies over it, coloured by distance. Wheel: frames. N: move the tree with arrows or mouse. H: hide it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der projizierte Gefäßbaum liegt darüber, nach Abstand gefärbt. Rad: Bilder. N: mit Pfeilen oder Maus schieben. H: verbergen.</translation>
     </message>
     <message>
         <source>Register</source>
-        <translation type="unfinished">Registrieren</translation>
+        <translation>Registrieren</translation>
     </message>
     <message>
         <source>R finds the pose. Stop keeps the best one so far, Ctrl+Z brings the old one back.</source>
-        <translation type="unfinished"></translation>
+        <translation>R findet die Lage. Stopp behält die bisher beste, Strg+Z bringt die alte zurück.</translation>
     </message>
     <message>
         <source>Can it be trusted?</source>
-        <translation type="unfinished"></translation>
+        <translation>Ist darauf Verlass?</translation>
     </message>
     <message>
         <source>Numbers in mm, and sentences on what the image cannot tell. Shift+F1 shows good and bad fits.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen in mm und Sätze darüber, was das Bild nicht verrät. Umschalt+F1 zeigt gute und schlechte Einpassungen.</translation>
     </message>
     <message>
         <source>Help is never far</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe ist nah</translation>
     </message>
     <message>
         <source>F1 explains what the mouse points at, ? lists and changes all keys. This tour is under Help.</source>
-        <translation type="unfinished"></translation>
+        <translation>F1 erklärt, worauf die Maus zeigt, ? zeigt und ändert alle Tasten. Dieser Rundgang steht unter Hilfe.</translation>
     </message>
 </context>
 <context>
@@ -288,7 +409,54 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <name>app::JudgementController</name>
     <message>
         <source>nothing to judge yet</source>
-        <translation type="unfinished">noch nichts zu beurteilen</translation>
+        <translation>noch nichts zu beurteilen</translation>
+    </message>
+</context>
+<context>
+    <name>app::LandmarkController</name>
+    <message>
+        <source>bifurcation %1</source>
+        <translation>Verzweigung %1</translation>
+    </message>
+    <message>
+        <source>end of %1</source>
+        <translation>Ende von %1</translation>
+    </message>
+    <message>
+        <source>on %1</source>
+        <translation>auf %1</translation>
+    </message>
+    <message>
+        <source>place beside the vessels</source>
+        <translation>Stelle neben den Gefäßen</translation>
+    </message>
+    <message>
+        <source>Fewer than four pairs: what they leave open stays as it is.</source>
+        <translation>Weniger als vier Paare: was sie offenlassen, bleibt wie es ist.</translation>
+    </message>
+    <message>
+        <source>The pairs leave %1 px; for clicks off by 2 px: rotation ±%2°, depth ±%3 mm.</source>
+        <translation>Die Paare lassen %1 px; bei Klicks 2 px daneben: Drehung ±%2°, Tiefe ±%3 mm.</translation>
+    </message>
+    <message>
+        <source>Move landmark %1</source>
+        <translation>Landmarke %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Open the vessels first.</source>
+        <translation>Zuerst die Gefäße öffnen.</translation>
+    </message>
+    <message>
+        <source>Add landmark</source>
+        <translation>Landmarke hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove landmark</source>
+        <translation>Landmarke entfernen</translation>
+    </message>
+    <message>
+        <source>Place vessels by landmarks</source>
+        <translation>Gefäße nach Landmarken legen</translation>
     </message>
 </context>
 <context>
@@ -352,16 +520,31 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Worst %1 of %2: %3 mm median · W next · 1 fits</source>
         <translation>Schlechtester %1 von %2: Median %3 mm · W weiter · 1 einpassen</translation>
     </message>
+    <message>
+        <source>Seen from the source: only the view is mirrored</source>
+        <translation>Vom Fokus gesehen: nur die Ansicht ist gespiegelt</translation>
+    </message>
+    <message>
+        <source>Seen from the detector</source>
+        <translation>Vom Detektor gesehen</translation>
+    </message>
 </context>
 <context>
     <name>app::Notices</name>
     <message>
         <source>Ready</source>
-        <translation type="unfinished">Bereit</translation>
+        <translation>Bereit</translation>
     </message>
     <message>
         <source>AngioPose %1</source>
-        <translation type="unfinished">AngioPose %1</translation>
+        <translation>AngioPose %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::OpacificationController</name>
+    <message>
+        <source>Opacification over time</source>
+        <translation>Kontrastfüllung über die Zeit</translation>
     </message>
 </context>
 <context>
@@ -382,32 +565,67 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Open %1</source>
         <translation>%1 öffnen</translation>
     </message>
+    <message>
+        <source>A blind trial is under way. End it before opening another file.</source>
+        <translation>Ein Blindversuch läuft. Vor dem Öffnen einer anderen Datei beenden.</translation>
+    </message>
+    <message>
+        <source>A blind trial was started meanwhile. Open the file again when it has ended.</source>
+        <translation>Inzwischen begann ein Blindversuch. Die Datei nach dessen Ende erneut öffnen.</translation>
+    </message>
 </context>
 <context>
     <name>app::PictureController</name>
     <message>
         <source>The window is in the clipboard as a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Fenster liegt als Bild in der Zwischenablage</translation>
     </message>
     <message>
         <source>Save picture of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild des Fensters speichern</translation>
     </message>
     <message>
         <source>PNG pictures (*.png)</source>
-        <translation type="unfinished">PNG-Bilder (*.png)</translation>
+        <translation>PNG-Bilder (*.png)</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation type="unfinished">Geschrieben: %1</translation>
+        <translation>Geschrieben: %1</translation>
     </message>
     <message>
         <source>Could not save the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild ließ sich nicht speichern</translation>
     </message>
     <message>
         <source>%1 could not be written. Choose another folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ließ sich nicht schreiben. Anderen Ordner wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>app::PlotExport</name>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Export as SVG …</source>
+        <translation>Als SVG exportieren …</translation>
+    </message>
+    <message>
+        <source>Export as PNG …</source>
+        <translation>Als PNG exportieren …</translation>
+    </message>
+    <message>
+        <source>Export plot</source>
+        <translation>Diagramm exportieren</translation>
+    </message>
+    <message>
+        <source>Drawings (*.svg)</source>
+        <translation>Zeichnungen (*.svg)</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG-Bilder (*.png)</translation>
     </message>
 </context>
 <context>
@@ -432,6 +650,68 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>A registration is running. Stop it first.</source>
         <translation>Eine Registrierung läuft. Zuerst anhalten.</translation>
     </message>
+    <message>
+        <source>Change locks</source>
+        <translation>Sperren ändern</translation>
+    </message>
+</context>
+<context>
+    <name>app::PoseTableController</name>
+    <message>
+        <source>There are no poses to compare yet.</source>
+        <translation>Noch keine Lagen zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>The pose as it is</source>
+        <translation>Die jetzige Lage</translation>
+    </message>
+    <message>
+        <source>The vessels of this frame are still being traced.</source>
+        <translation>Die Gefäße dieses Bildes werden noch erkannt.</translation>
+    </message>
+    <message>
+        <source>Starting …</source>
+        <translation>Beginnt …</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Run several methods</source>
+        <translation>Mehrere Methoden laufen lassen</translation>
+    </message>
+    <message>
+        <source>1 method done</source>
+        <translation>1 Methode fertig</translation>
+    </message>
+    <message>
+        <source>%1 methods done</source>
+        <translation>%1 Methoden fertig</translation>
+    </message>
+    <message>
+        <source>Stopped. %1.</source>
+        <translation>Angehalten. %1.</translation>
+    </message>
+    <message>
+        <source>Export comparison</source>
+        <translation>Vergleich exportieren</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>app::PoseTools</name>
+    <message>
+        <source>Logged: %1</source>
+        <translation>Protokolliert: %1</translation>
+    </message>
+    <message>
+        <source>Blind trial</source>
+        <translation>Blindversuch</translation>
+    </message>
 </context>
 <context>
     <name>app::RegistrationController</name>
@@ -446,6 +726,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Register (%1)</source>
         <translation>Registrieren (%1)</translation>
+    </message>
+    <message>
+        <source>A blind trial is fitted by hand.</source>
+        <translation>Ein Blindversuch wird von Hand eingepasst.</translation>
     </message>
 </context>
 <context>
@@ -545,30 +829,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Fälle (*.angiopose)</translation>
     </message>
     <message>
-        <source>a case that was never saved</source>
-        <translation>einem nie gespeicherten Fall</translation>
-    </message>
-    <message>
-        <source>Recover unsaved work?</source>
-        <translation>Nicht Gespeichertes wiederherstellen?</translation>
-    </message>
-    <message>
-        <source>AngioPose ended unexpectedly. There is a copy of %1 from %2.</source>
-        <translation>AngioPose wurde unerwartet beendet. Es gibt eine Kopie von %1 vom %2.</translation>
-    </message>
-    <message>
-        <source>Recover</source>
-        <translation>Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Delete the copy</source>
-        <translation>Kopie löschen</translation>
-    </message>
-    <message>
-        <source>Decide later</source>
-        <translation>Später entscheiden</translation>
-    </message>
-    <message>
         <source>All changes saved</source>
         <translation>Alle Änderungen gespeichert</translation>
     </message>
@@ -584,151 +844,229 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Unsaved changes</source>
         <translation>Ungespeicherte Änderungen</translation>
     </message>
+    <message>
+        <source>A blind trial is under way. End it before saving.</source>
+        <translation>Ein Blindversuch läuft. Vor dem Speichern beenden.</translation>
+    </message>
+    <message>
+        <source>Untitled case</source>
+        <translation>Unbenannter Fall</translation>
+    </message>
 </context>
 <context>
     <name>app::SeriesRows</name>
     <message>
         <source>Series %1</source>
-        <translation type="unfinished">Serie %1</translation>
+        <translation>Serie %1</translation>
     </message>
 </context>
 <context>
     <name>app::SessionController</name>
     <message>
         <source>Not for clinical use</source>
-        <translation type="unfinished">Nicht für den klinischen Einsatz</translation>
+        <translation>Nicht für den klinischen Einsatz</translation>
     </message>
     <message>
         <source>AngioPose is a research program. It is not a medical device: do not use it for diagnosis, treatment or navigation. Results can be wrong; one projection cannot tell everything about depth.</source>
-        <translation type="unfinished">AngioPose ist ein Forschungsprogramm und kein Medizinprodukt: nicht für Diagnose, Behandlung oder Navigation verwenden. Ergebnisse können falsch sein; eine einzelne Projektion verrät nicht alles über die Tiefe.</translation>
+        <translation>AngioPose ist ein Forschungsprogramm und kein Medizinprodukt: nicht für Diagnose, Behandlung oder Navigation verwenden. Ergebnisse können falsch sein; eine einzelne Projektion verrät nicht alles über die Tiefe.</translation>
     </message>
     <message>
         <source>I understand</source>
-        <translation type="unfinished">Verstanden</translation>
+        <translation>Verstanden</translation>
     </message>
     <message>
         <source>Ready</source>
-        <translation type="unfinished">Bereit</translation>
+        <translation>Bereit</translation>
     </message>
     <message>
         <source>Opened</source>
-        <translation type="unfinished">Geöffnet</translation>
+        <translation>Geöffnet</translation>
     </message>
     <message>
         <source>Could not open the file</source>
-        <translation type="unfinished">Die Datei ließ sich nicht öffnen</translation>
+        <translation>Die Datei ließ sich nicht öffnen</translation>
     </message>
     <message>
         <source>Could not open the files</source>
-        <translation type="unfinished">Die Dateien ließen sich nicht öffnen</translation>
+        <translation>Die Dateien ließen sich nicht öffnen</translation>
     </message>
     <message>
         <source>Could not save</source>
-        <translation type="unfinished">Speichern nicht möglich</translation>
+        <translation>Speichern nicht möglich</translation>
     </message>
     <message>
         <source>Saving …</source>
-        <translation type="unfinished">Wird gespeichert …</translation>
+        <translation>Wird gespeichert …</translation>
     </message>
     <message>
         <source>Saved</source>
-        <translation type="unfinished">Gespeichert</translation>
+        <translation>Gespeichert</translation>
     </message>
     <message>
         <source>Writing …</source>
-        <translation type="unfinished">Wird geschrieben …</translation>
+        <translation>Wird geschrieben …</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation type="unfinished">Geschrieben: %1</translation>
+        <translation>Geschrieben: %1</translation>
     </message>
     <message>
         <source>Could not export</source>
-        <translation type="unfinished">Export nicht möglich</translation>
+        <translation>Export nicht möglich</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished">Öffnen</translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>Open DICOM folder</source>
-        <translation type="unfinished">DICOM-Ordner öffnen</translation>
+        <translation>DICOM-Ordner öffnen</translation>
     </message>
     <message>
         <source>Making the sample case …</source>
-        <translation type="unfinished">Beispielfall wird erzeugt …</translation>
+        <translation>Beispielfall wird erzeugt …</translation>
     </message>
     <message>
         <source>Could not make the sample case</source>
-        <translation type="unfinished">Der Beispielfall ließ sich nicht erzeugen</translation>
+        <translation>Der Beispielfall ließ sich nicht erzeugen</translation>
     </message>
     <message>
         <source>Save the open case first?</source>
-        <translation type="unfinished">Den offenen Fall zuerst speichern?</translation>
+        <translation>Den offenen Fall zuerst speichern?</translation>
     </message>
     <message>
         <source>“%1” has changes that are not saved.</source>
-        <translation type="unfinished">„%1“ hat ungespeicherte Änderungen.</translation>
+        <translation>„%1“ hat ungespeicherte Änderungen.</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished">Speichern</translation>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>Discard changes</source>
-        <translation type="unfinished">Änderungen verwerfen</translation>
+        <translation>Änderungen verwerfen</translation>
     </message>
     <message>
         <source>Keep the open case</source>
-        <translation type="unfinished">Beim offenen Fall bleiben</translation>
+        <translation>Beim offenen Fall bleiben</translation>
     </message>
     <message>
         <source>A registration is running</source>
-        <translation type="unfinished">Eine Registrierung läuft</translation>
+        <translation>Eine Registrierung läuft</translation>
     </message>
     <message>
         <source>Stop it and close? Changes of this case are lost unless they are saved.</source>
-        <translation type="unfinished">Anhalten und schließen? Änderungen an diesem Fall gehen ohne Speichern verloren.</translation>
+        <translation>Anhalten und schließen? Änderungen an diesem Fall gehen ohne Speichern verloren.</translation>
     </message>
     <message>
         <source>Save before closing?</source>
-        <translation type="unfinished">Vor dem Schließen speichern?</translation>
+        <translation>Vor dem Schließen speichern?</translation>
     </message>
     <message>
         <source>Stop, save and close</source>
-        <translation type="unfinished">Anhalten, speichern, schließen</translation>
+        <translation>Anhalten, speichern, schließen</translation>
     </message>
     <message>
         <source>Stop and close</source>
-        <translation type="unfinished">Anhalten und schließen</translation>
+        <translation>Anhalten und schließen</translation>
     </message>
     <message>
         <source>Keep running</source>
-        <translation type="unfinished">Weiterlaufen lassen</translation>
+        <translation>Weiterlaufen lassen</translation>
     </message>
     <message>
         <source>Save and close</source>
-        <translation type="unfinished">Speichern und schließen</translation>
+        <translation>Speichern und schließen</translation>
     </message>
     <message>
         <source>Close without saving</source>
-        <translation type="unfinished">Ohne Speichern schließen</translation>
+        <translation>Ohne Speichern schließen</translation>
     </message>
     <message>
         <source>Stay</source>
-        <translation type="unfinished">Bleiben</translation>
+        <translation>Bleiben</translation>
     </message>
     <message>
         <source>%1 (missing)</source>
-        <translation type="unfinished">%1 (fehlt)</translation>
+        <translation>%1 (fehlt)</translation>
+    </message>
+    <message>
+        <source>Not the same patient?</source>
+        <translation>Nicht derselbe Patient?</translation>
+    </message>
+</context>
+<context>
+    <name>app::SnapshotController</name>
+    <message>
+        <source>Pose %1</source>
+        <translation>Lage %1</translation>
+    </message>
+    <message>
+        <source>There is no pose to keep yet.</source>
+        <translation>Noch keine Lage zu behalten.</translation>
+    </message>
+    <message>
+        <source>Keep %1</source>
+        <translation>%1 behalten</translation>
+    </message>
+    <message>
+        <source>Kept as “%1” · Y compares</source>
+        <translation>Behalten als „%1“ · Y vergleicht</translation>
+    </message>
+    <message>
+        <source>“%1”: median %2 mm · Esc goes back</source>
+        <translation>„%1“: Median %2 mm · Esc führt zurück</translation>
+    </message>
+    <message>
+        <source>“%1” · Esc goes back</source>
+        <translation>„%1“ · Esc führt zurück</translation>
+    </message>
+    <message>
+        <source>There is nothing to compare with yet: K keeps a pose, R leaves one.</source>
+        <translation>Noch nichts zum Vergleichen: K behält eine Lage, R hinterlässt eine.</translation>
+    </message>
+    <message>
+        <source>A: the pose as it is</source>
+        <translation>A: die jetzige Lage</translation>
+    </message>
+    <message>
+        <source>Restore %1</source>
+        <translation>%1 wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Describe a pose</source>
+        <translation>Lage beschreiben</translation>
+    </message>
+    <message>
+        <source>Delete a pose</source>
+        <translation>Lage löschen</translation>
+    </message>
+    <message>
+        <source>Delete %1 poses</source>
+        <translation>%1 Lagen löschen</translation>
+    </message>
+</context>
+<context>
+    <name>app::SolutionController</name>
+    <message>
+        <source>found</source>
+        <translation>gefunden</translation>
+    </message>
+    <message>
+        <source>The solution itself</source>
+        <translation>Die Lösung selbst</translation>
+    </message>
+    <message>
+        <source>%1 mm, %2°</source>
+        <translation>%1 mm, %2°</translation>
+    </message>
+    <message>
+        <source>Other solution %1, score %2: %3 mm aside, %4 mm in depth and %5° turned from the one found. Return takes it.</source>
+        <translation>Andere Lösung %1, Güte %2: %3 mm seitlich, %4 mm in der Tiefe und %5° gedreht gegen die gefundene. Eingabe übernimmt sie.</translation>
     </message>
 </context>
 <context>
     <name>app::StepStates</name>
-    <message>
-        <source>Open a centreline: VTP, VTK, CSV or SWC.</source>
-        <translation>Eine Mittellinie öffnen: VTP, VTK, CSV oder SWC.</translation>
-    </message>
     <message>
         <source>1 branch</source>
         <translation>1 Ast</translation>
@@ -825,6 +1163,214 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>written</source>
         <translation>geschrieben</translation>
     </message>
+    <message>
+        <source>Open a CT angiogram, a segmentation, a surface or a centreline.</source>
+        <translation>Eine CT-Angiographie, Segmentierung, Oberfläche oder Mittellinie öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 pieces</source>
+        <translation>%1 Stücke</translation>
+    </message>
+    <message>
+        <source>The vessels are in pieces. Below the branch list is how to join them.</source>
+        <translation>Die Gefäße sind in Stücken. Unter der Astliste steht, wie sie zu verbinden sind.</translation>
+    </message>
+    <message>
+        <source>another patient?</source>
+        <translation>anderer Patient?</translation>
+    </message>
+    <message>
+        <source>frame %1, edited</source>
+        <translation>Bild %1, bearbeitet</translation>
+    </message>
+    <message>
+        <source>The header gives no pixel spacing: %1. Type it, or press Enter in the field to confirm it.</source>
+        <translation>Der Header nennt keine Pixelgröße: %1. Eintragen, oder im Feld mit der Eingabetaste bestätigen.</translation>
+    </message>
+    <message>
+        <source>from landmarks</source>
+        <translation>aus Landmarken</translation>
+    </message>
+</context>
+<context>
+    <name>app::SubtractionController</name>
+    <message>
+        <source>Subtract mask</source>
+        <translation>Maske abziehen</translation>
+    </message>
+    <message>
+        <source>Show native frames</source>
+        <translation>Native Bilder zeigen</translation>
+    </message>
+    <message>
+        <source>Whole run in one picture</source>
+        <translation>Ganze Serie in einem Bild</translation>
+    </message>
+    <message>
+        <source>One frame at a time</source>
+        <translation>Ein Bild nach dem anderen</translation>
+    </message>
+    <message>
+        <source>Choose mask frames</source>
+        <translation>Maskenbilder wählen</translation>
+    </message>
+    <message>
+        <source>A registration is running. Stop it to edit.</source>
+        <translation>Eine Registrierung läuft. Zum Bearbeiten anhalten.</translation>
+    </message>
+    <message>
+        <source>Open an angiogram first.</source>
+        <translation>Zuerst ein Angiogramm öffnen.</translation>
+    </message>
+    <message>
+        <source>Move the mask</source>
+        <translation>Maske verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>app::TracingController</name>
+    <message>
+        <source>Tracing the vessels of the scan … %1 %</source>
+        <translation>Gefäße des CT werden erfasst … %1 %</translation>
+    </message>
+    <message>
+        <source>Stopped: the vessels are as they were</source>
+        <translation>Angehalten: die Gefäße sind wie zuvor</translation>
+    </message>
+    <message>
+        <source>These vessels were not traced: open a scan, a segmentation or a surface.</source>
+        <translation>Diese Gefäße wurden nicht erfasst: ein CT, eine Segmentierung oder Oberfläche öffnen.</translation>
+    </message>
+    <message>
+        <source>A registration is running. Stop it first.</source>
+        <translation>Eine Registrierung läuft. Zuerst anhalten.</translation>
+    </message>
+    <message>
+        <source>Tracing the vessels of the scan …</source>
+        <translation>Gefäße des CT werden erfasst …</translation>
+    </message>
+    <message>
+        <source>Trace vessels</source>
+        <translation>Gefäße erfassen</translation>
+    </message>
+    <message>
+        <source>Traced: 1 branch.</source>
+        <translation>Erfasst: 1 Ast.</translation>
+    </message>
+    <message>
+        <source>Traced: %1 branches.</source>
+        <translation>Erfasst: %1 Äste.</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+</context>
+<context>
+    <name>app::TreeActions</name>
+    <message>
+        <source>Select one branch: click it in the list or in a view.</source>
+        <translation>Einen Ast wählen: in der Liste oder einer Ansicht anklicken.</translation>
+    </message>
+    <message>
+        <source>%1 pieces · gap %2 mm between %3 and %4</source>
+        <translation>%1 Stücke · Lücke %2 mm zwischen %3 und %4</translation>
+    </message>
+    <message>
+        <source>%1 pieces, too far apart to belong together</source>
+        <translation>%1 Stücke, zu weit auseinander, um zusammenzugehören</translation>
+    </message>
+    <message>
+        <source>Seed here</source>
+        <translation>Startpunkt hier</translation>
+    </message>
+    <message>
+        <source>Avoid this place</source>
+        <translation>Diese Stelle meiden</translation>
+    </message>
+</context>
+<context>
+    <name>app::TreeController</name>
+    <message>
+        <source>Select a branch first: click it in the list or in a view.</source>
+        <translation>Zuerst einen Ast wählen: in der Liste oder in einer Ansicht anklicken.</translation>
+    </message>
+    <message>
+        <source>Select one branch: click it in the list or in a view.</source>
+        <translation>Einen Ast wählen: in der Liste oder einer Ansicht anklicken.</translation>
+    </message>
+    <message>
+        <source>%1 branches</source>
+        <translation>%1 Äste</translation>
+    </message>
+    <message>
+        <source>At least one branch has to stay.</source>
+        <translation>Mindestens ein Ast muss bleiben.</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>%1 löschen</translation>
+    </message>
+    <message>
+        <source>Delete %1 and what leaves it</source>
+        <translation>%1 und seine Abgänge löschen</translation>
+    </message>
+    <message>
+        <source>Click the place of the cut first, in a slice or on the branch in the 3-D view.</source>
+        <translation>Zuerst die Trennstelle anklicken, in einer Schicht oder am Ast in der 3-D-Ansicht.</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>%1 trennen</translation>
+    </message>
+    <message>
+        <source>Select the two branches to join: Ctrl adds the second one.</source>
+        <translation>Die zwei zu verbindenden Äste wählen: Strg fügt den zweiten hinzu.</translation>
+    </message>
+    <message>
+        <source>Join %1 and %2</source>
+        <translation>%1 und %2 verbinden</translation>
+    </message>
+    <message>
+        <source>Smooth %1</source>
+        <translation>%1 glätten</translation>
+    </message>
+    <message>
+        <source>Root at %1</source>
+        <translation>Wurzel an %1</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>%1 verbergen</translation>
+    </message>
+    <message>
+        <source>Show all branches</source>
+        <translation>Alle Äste zeigen</translation>
+    </message>
+    <message>
+        <source>No end branch is shorter or thinner than that.</source>
+        <translation>Kein Endast ist kürzer oder dünner.</translation>
+    </message>
+    <message>
+        <source>Prune 1 branch</source>
+        <translation>1 Ast ausdünnen</translation>
+    </message>
+    <message>
+        <source>Prune %1 branches</source>
+        <translation>%1 Äste ausdünnen</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>%1 umbenennen</translation>
+    </message>
+    <message>
+        <source>Set generation of %1</source>
+        <translation>Generation von %1 setzen</translation>
+    </message>
 </context>
 <context>
     <name>app::ViewSync</name>
@@ -908,7 +1454,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gewählte Äste (Knoten, wo keiner gewählt ist), Knoten, die weitesten Äste bis zu einem Drittel der Länge, oder zufällige Punkte.</translation>
     </message>
     <message>
-        <source>Coarse search, then robust point-to-line refinement about the tree&apos;s centroid, with uncertainty.</source>
+        <source>Coarse search, then robust point-to-line refinement about the tree's centroid, with uncertainty.</source>
         <translation>Grobe Suche, dann robuste Punkt-Linien-Verfeinerung um den Schwerpunkt, mit Unsicherheit.</translation>
     </message>
     <message>
@@ -948,7 +1494,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Abstand, ab dem ein Punkt am Ende kaum zählt; Bildrauschen kann ihn weiten.</translation>
     </message>
     <message>
-        <source>Distance from which a point&apos;s pull stops growing.</source>
+        <source>Distance from which a point's pull stops growing.</source>
         <translation>Abstand, ab dem der Zug eines Punkts nicht mehr wächst.</translation>
     </message>
     <message>
@@ -956,7 +1502,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Kantenskala</translation>
     </message>
     <message>
-        <source>Edges found along the vessel walls&apos; normals, a pose chosen by RANSAC with gradient matching (Markelj 2008; re-implementation, parameters ours).</source>
+        <source>Edges found along the vessel walls' normals, a pose chosen by RANSAC with gradient matching (Markelj 2008; re-implementation, parameters ours).</source>
         <translation>Kanten längs der Normalen der Gefäßwände, Lage durch RANSAC mit Gradientenvergleich (Markelj 2008; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
@@ -1000,7 +1546,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>GDCM konnte die DICOM-Datei nicht schreiben. Anderes Format wählen.</translation>
     </message>
     <message>
-        <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image&apos;s brightness (Aylward 2003; re-implementation, parameters ours).</source>
+        <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image's brightness (Aylward 2003; re-implementation, parameters ours).</source>
         <translation>Gradientenaufstieg des mittleren Kerns zwischen Gefäßbaum und erkannten Gefäßen, oder der Bildhelligkeit (Aylward 2003; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
@@ -1016,7 +1562,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Wie weit die Suche quer zum Strahl reicht.</translation>
     </message>
     <message>
-        <source>How far along the vessel walls&apos; normals edges are sought at first.</source>
+        <source>How far along the vessel walls' normals edges are sought at first.</source>
         <translation>Wie weit anfangs längs der Normalen der Gefäßwände gesucht wird.</translation>
     </message>
     <message>
@@ -1100,7 +1646,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Kleinster Huber-Verlust der Abstände zum nächsten erkannten Gefäß (Rivest-Hénault 2012; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Least squares on nearest pairs by OpenCV&apos;s SQPNP, repeated: what library parts make in an afternoon.</source>
+        <source>Least squares on nearest pairs by OpenCV's SQPNP, repeated: what library parts make in an afternoon.</source>
         <translation>Kleinste Quadrate auf nächsten Paaren mit OpenCVs SQPNP, wiederholt: was Bibliotheksteile an einem Nachmittag ergeben.</translation>
     </message>
     <message>
@@ -1344,7 +1890,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Standardabweichung der Startlage längs des Strahls.</translation>
     </message>
     <message>
-        <source>Standard deviation of the start pose&apos;s angles; holds what the image cannot tell.</source>
+        <source>Standard deviation of the start pose's angles; holds what the image cannot tell.</source>
         <translation>Standardabweichung der Winkel der Startlage; hält, was das Bild nicht verrät.</translation>
     </message>
     <message>
@@ -1584,7 +2130,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Oberfläche ist nicht geschlossen (%1 offene und %2 mehrfache Kanten): ihr Inneres entscheidet die Mehrheit. Ergebnis prüfen oder Löcher schließen.</translation>
     </message>
     <message>
-        <source>The traced vessels, or the brightness of the image at each vessel&apos;s own width.</source>
+        <source>The traced vessels, or the brightness of the image at each vessel's own width.</source>
         <translation>Die erkannten Gefäße, oder die Bildhelligkeit in der Breite jedes Gefäßes.</translation>
     </message>
     <message>
@@ -1648,7 +2194,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Noch kein Angiogramm. Zuerst ein Bild öffnen.</translation>
     </message>
     <message>
-        <source>There is no method &apos;%1&apos;. Choose one of: %2.</source>
+        <source>There is no method '%1'. Choose one of: %2.</source>
         <translation>Es gibt keine Methode „%1“. Wählbar: %2.</translation>
     </message>
     <message>
@@ -1692,7 +2238,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Drehung und Verschiebung ausgewogen, oder Bogenmaß neben Millimetern, was kaum verschiebt.</translation>
     </message>
     <message>
-        <source>Vessel walls against image gradients, Powell&apos;s method (Mitrović 2013; re-implementation, parameters ours).</source>
+        <source>Vessel walls against image gradients, Powell's method (Mitrović 2013; re-implementation, parameters ours).</source>
         <translation>Gefäßwände gegen Bildgradienten, Powell-Verfahren (Mitrović 2013; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
@@ -1704,11 +2250,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Projektion %1 verwendet einen anderen Gefäßbaum oder andere Äste als Projektion 1. Allen dasselbe geben.</translation>
     </message>
     <message>
-        <source>Width of the mixtures&apos; Gaussians at first.</source>
+        <source>Width of the mixtures' Gaussians at first.</source>
         <translation>Anfängliche Breite der Gauß-Mischungen.</translation>
     </message>
     <message>
-        <source>Width of the mixtures&apos; Gaussians in the end.</source>
+        <source>Width of the mixtures' Gaussians in the end.</source>
         <translation>Breite der Gauß-Mischungen am Ende.</translation>
     </message>
     <message>
@@ -1996,8 +2542,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der PLY-Header ist beschädigt oder unvollständig. Neu exportieren.</translation>
     </message>
     <message>
-        <source>its PLY header is damaged: the element &quot;%1&quot; has no properties. Export it again.</source>
-        <translation>der PLY-Header ist beschädigt: das Element &quot;%1&quot; hat keine Eigenschaften. Neu exportieren.</translation>
+        <source>its PLY header is damaged: the element "%1" has no properties. Export it again.</source>
+        <translation>der PLY-Header ist beschädigt: das Element "%1" hat keine Eigenschaften. Neu exportieren.</translation>
     </message>
     <message>
         <source>its axes are %1° apart instead of 90°. Resample the volume to perpendicular axes.</source>
@@ -2096,16 +2642,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Schichten liegen zu ungleich für ein Volumen (%1 auf %2 mm). Alle Schichten der Serie kopieren oder eine andere wählen.</translation>
     </message>
     <message>
-        <source>its transform &quot;%1&quot; is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
-        <translation>die Transformation &quot;%1&quot; ist nicht starr oder hat zu wenig Parameter. Eine starre exportieren (affine, Euler3D oder VersorRigid3D).</translation>
+        <source>its transform "%1" is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
+        <translation>die Transformation "%1" ist nicht starr oder hat zu wenig Parameter. Eine starre exportieren (affine, Euler3D oder VersorRigid3D).</translation>
     </message>
     <message>
         <source>its triangles are damaged or cut short. Copy or export it again.</source>
         <translation>die Dreiecke sind beschädigt oder unvollständig. Neu kopieren oder exportieren.</translation>
     </message>
     <message>
-        <source>its voxel type (&quot;%1&quot;) is not read. Save it as 16-bit or float.</source>
-        <translation>der Voxeltyp (&quot;%1&quot;) wird nicht gelesen. Als 16 Bit oder float speichern.</translation>
+        <source>its voxel type ("%1") is not read. Save it as 16-bit or float.</source>
+        <translation>der Voxeltyp ("%1") wird nicht gelesen. Als 16 Bit oder float speichern.</translation>
     </message>
     <message>
         <source>its voxel type (NIfTI datatype %1) is not read. Save it as 16-bit or float.</source>
@@ -2168,16 +2714,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zeile %1 wiederholt eine id. Jede id muss einmalig sein.</translation>
     </message>
     <message>
-        <source>line %1, column %2: &quot;%3&quot; is not a finite number. Correct or remove the line.</source>
-        <translation>Zeile %1, Spalte %2: &quot;%3&quot; ist keine endliche Zahl. Berichtigen oder entfernen.</translation>
+        <source>line %1, column %2: "%3" is not a finite number. Correct or remove the line.</source>
+        <translation>Zeile %1, Spalte %2: "%3" ist keine endliche Zahl. Berichtigen oder entfernen.</translation>
     </message>
     <message>
         <source>line %1: the branch must be a whole number. Correct the line.</source>
         <translation>Zeile %1: branch muss eine ganze Zahl sein. Berichtigen.</translation>
     </message>
     <message>
-        <source>method: &quot;%1&quot; is unknown. Use one of %2.</source>
-        <translation>method: &quot;%1&quot; ist unbekannt. Möglich: %2.</translation>
+        <source>method: "%1" is unknown. Use one of %2.</source>
+        <translation>method: "%1" ist unbekannt. Möglich: %2.</translation>
     </message>
     <message>
         <source>missing</source>
@@ -2360,8 +2906,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Serie ist zu groß für eine unkomprimierte DICOM-Datei. Weniger Bilder schreiben.</translation>
     </message>
     <message>
-        <source>the section &quot;%1&quot; is damaged or cut short. Export it again.</source>
-        <translation>der Abschnitt &quot;%1&quot; ist beschädigt oder unvollständig. Neu exportieren.</translation>
+        <source>the section "%1" is damaged or cut short. Export it again.</source>
+        <translation>der Abschnitt "%1" ist beschädigt oder unvollständig. Neu exportieren.</translation>
     </message>
     <message>
         <source>the sequence %1 has no end</source>
@@ -2388,7 +2934,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die linken oberen 3 x 3 von cameraFromPatient sind keine Drehung (Skalierung oder Scherung). Eine starre Lage in mm angeben.</translation>
     </message>
     <message>
-        <source>the volume is larger than this computer&apos;s memory. Crop the scan to the vessels.</source>
+        <source>the volume is larger than this computer's memory. Crop the scan to the vessels.</source>
         <translation>das Volumen ist größer als der Speicher dieses Rechners. Den Scan auf die Gefäße zuschneiden.</translation>
     </message>
     <message>
@@ -2428,8 +2974,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>diese DICOM-Datei enthält kein Bild. Einen Scan wählen.</translation>
     </message>
     <message>
-        <source>this JSON is not an AngioPose case (its format is not &quot;angiopose-case&quot;). Choose an .angiopose file.</source>
-        <translation>dieses JSON ist kein AngioPose-Fall (sein format ist nicht &quot;angiopose-case&quot;). Eine .angiopose-Datei wählen.</translation>
+        <source>this JSON is not an AngioPose case (its format is not "angiopose-case"). Choose an .angiopose file.</source>
+        <translation>dieses JSON ist kein AngioPose-Fall (sein format ist nicht "angiopose-case"). Eine .angiopose-Datei wählen.</translation>
     </message>
     <message>
         <source>this is %1, not a 2-D centreline. Choose a CSV table or a PNG mask.</source>
@@ -2940,7 +3486,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ein Stück ohne Verbindung zu den erkannten Gefäßen wurde ausgelassen. Einen Startpunkt hineinsetzen, wenn es zum Baum gehört.</translation>
     </message>
     <message>
-        <source>Its two placements (qform and sform) differ; the qform, in the scanner&apos;s coordinates, is used.</source>
+        <source>Its two placements (qform and sform) differ; the qform, in the scanner's coordinates, is used.</source>
         <translation>Ihre zwei Lageangaben (qform und sform) weichen ab; die qform in Gerätekoordinaten gilt.</translation>
     </message>
     <message>
@@ -2952,12 +3498,376 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>nach Schicht %1</translation>
     </message>
     <message>
-        <source>it declares %1&quot;, which cannot be. The file is damaged; export it again.</source>
-        <translation>nennt %1&quot;, was nicht sein kann. Die Datei ist beschädigt; neu exportieren.</translation>
+        <source>it declares %1", which cannot be. The file is damaged; export it again.</source>
+        <translation>nennt %1", was nicht sein kann. Die Datei ist beschädigt; neu exportieren.</translation>
     </message>
     <message>
         <source>it holds %1 volumes (%2). Choose one by its series id; `info` lists them.</source>
         <translation>enthält %1 Volumen (%2). Eines über seine Serien-ID wählen; `info` zeigt sie.</translation>
+    </message>
+    <message>
+        <source> differ</source>
+        <translation> verschieden</translation>
+    </message>
+    <message>
+        <source> differs</source>
+        <translation> verschieden</translation>
+    </message>
+    <message>
+        <source>%1 The edited vessels are in the case; it opens without the file.</source>
+        <translation>%1 Die bearbeiteten Gefäße sind im Fall; er öffnet ohne die Datei.</translation>
+    </message>
+    <message>
+        <source>%1 has moved and was found as %2. Save the case to remember.</source>
+        <translation>%1 wurde verschoben und als %2 gefunden. Zum Merken den Fall speichern.</translation>
+    </message>
+    <message>
+        <source>%1 solves for all six degrees of freedom at once and cannot keep one. Unlock them, or choose another method.</source>
+        <translation>%1 löst alle sechs Freiheitsgrade zugleich und kann keinen festhalten. Entsperren oder andere Methode wählen.</translation>
+    </message>
+    <message>
+        <source>%1, more than its active %2 x %3 mm. Check the pixel spacing.</source>
+        <translation>%1, mehr als seine aktiven %2 x %3 mm. Die Pixelgröße prüfen.</translation>
+    </message>
+    <message>
+        <source>%1, more than the intensifier of %2 mm. Check the pixel spacing.</source>
+        <translation>%1, mehr als der Bildverstärker von %2 mm. Die Pixelgröße prüfen.</translation>
+    </message>
+    <message>
+        <source>%1, the field of view is %2 x %3 mm: the image may be zoomed, cropped or resampled. Check the pixel spacing.</source>
+        <translation>%1, das Bildfeld ist %2 x %3 mm: das Bild ist vielleicht gezoomt, beschnitten oder umgerechnet. Die Pixelgröße prüfen.</translation>
+    </message>
+    <message>
+        <source>%1: no detector of a C-arm is like that. Check the pixel spacing.</source>
+        <translation>%1: so ist kein Detektor eines C-Bogens. Die Pixelgröße prüfen.</translation>
+    </message>
+    <message>
+        <source>A detector pixel spacing of %1 mm lies outside 0.05 to 2 mm: check its unit.</source>
+        <translation>Eine Pixelgröße von %1 mm liegt außerhalb 0.05 bis 2 mm: die Einheit prüfen.</translation>
+    </message>
+    <message>
+        <source>A joint registration cannot keep single degrees of freedom. Unlock them first.</source>
+        <translation>Eine gemeinsame Registrierung kann einzelne Freiheitsgrade nicht festhalten. Zuerst entsperren.</translation>
+    </message>
+    <message>
+        <source>A landmark is not a finite number. Remove it.</source>
+        <translation>Eine Landmarke ist keine endliche Zahl. Entfernen.</translation>
+    </message>
+    <message>
+        <source>A picture needs a vessel tree and an angiogram. Open both first.</source>
+        <translation>Ein Bild braucht Gefäßbaum und Angiogramm. Zuerst beide öffnen.</translation>
+    </message>
+    <message>
+        <source>A source to detector distance (SID) of %1 mm is unlike a C-arm (500 to 2000 mm): check its unit.</source>
+        <translation>Ein Abstand Fokus–Detektor (SID) von %1 mm passt zu keinem C-Bogen (500 bis 2000 mm): die Einheit prüfen.</translation>
+    </message>
+    <message>
+        <source>All six degrees of freedom are locked: nothing is left to find. Unlock at least one.</source>
+        <translation>Alle sechs Freiheitsgrade sind gesperrt: nichts bleibt zu finden. Mindestens einen entsperren.</translation>
+    </message>
+    <message>
+        <source>CRA/CAU angle: type it, or place the vessels by landmarks.</source>
+        <translation>Winkel CRA/CAU: eintragen, oder die Gefäße nach Landmarken legen.</translation>
+    </message>
+    <message>
+        <source>Detector Active Dimension(s)</source>
+        <translation>Detector Active Dimension(s)</translation>
+    </message>
+    <message>
+        <source>Detector Active Origin</source>
+        <translation>Detector Active Origin</translation>
+    </message>
+    <message>
+        <source>Detector Element Spacing</source>
+        <translation>Detector Element Spacing</translation>
+    </message>
+    <message>
+        <source>Detector Primary Angle</source>
+        <translation>Detector Primary Angle</translation>
+    </message>
+    <message>
+        <source>Detector Secondary Angle</source>
+        <translation>Detector Secondary Angle</translation>
+    </message>
+    <message>
+        <source>Detector pixel spacing: type it, or the width of the field of view on the detector divided by the columns.</source>
+        <translation>Pixelgröße des Detektors: eintragen, oder die Breite des Bildfelds auf dem Detektor geteilt durch die Spalten.</translation>
+    </message>
+    <message>
+        <source>Distance Source to Detector</source>
+        <translation>Distance Source to Detector</translation>
+    </message>
+    <message>
+        <source>Distance Source to Isocenter</source>
+        <translation>Distance Source to Isocenter</translation>
+    </message>
+    <message>
+        <source>Distance Source to Patient</source>
+        <translation>Distance Source to Patient</translation>
+    </message>
+    <message>
+        <source>Estimated Radiographic Magnification Factor</source>
+        <translation>Estimated Radiographic Magnification Factor</translation>
+    </message>
+    <message>
+        <source>Field of View Dimension(s)</source>
+        <translation>Field of View Dimension(s)</translation>
+    </message>
+    <message>
+        <source>Field of View Horizontal Flip</source>
+        <translation>Field of View Horizontal Flip</translation>
+    </message>
+    <message>
+        <source>Field of View Origin</source>
+        <translation>Field of View Origin</translation>
+    </message>
+    <message>
+        <source>Field of View Rotation</source>
+        <translation>Field of View Rotation</translation>
+    </message>
+    <message>
+        <source>Field of View Shape</source>
+        <translation>Field of View Shape</translation>
+    </message>
+    <message>
+        <source>Imager Pixel Spacing</source>
+        <translation>Imager Pixel Spacing</translation>
+    </message>
+    <message>
+        <source>Intensifier Size</source>
+        <translation>Intensifier Size</translation>
+    </message>
+    <message>
+        <source>LAO/RAO angle: type it, or place the vessels by landmarks.</source>
+        <translation>Winkel LAO/RAO: eintragen, oder die Gefäße nach Landmarken legen.</translation>
+    </message>
+    <message>
+        <source>Manufacturer's Model Name</source>
+        <translation>Manufacturer's Model Name</translation>
+    </message>
+    <message>
+        <source>No pose lays these landmarks onto their pixels. Check that each pair shows the same place.</source>
+        <translation>Keine Lage legt diese Landmarken auf ihre Pixel. Prüfen, ob jedes Paar dieselbe Stelle zeigt.</translation>
+    </message>
+    <message>
+        <source>Not for clinical use</source>
+        <translation>Nicht für den klinischen Einsatz</translation>
+    </message>
+    <message>
+        <source>Patient Orientation</source>
+        <translation>Patient Orientation</translation>
+    </message>
+    <message>
+        <source>Patient Position</source>
+        <translation>Patient Position</translation>
+    </message>
+    <message>
+        <source>Pixel Aspect Ratio</source>
+        <translation>Pixel Aspect Ratio</translation>
+    </message>
+    <message>
+        <source>Pixel Spacing</source>
+        <translation>Pixel Spacing</translation>
+    </message>
+    <message>
+        <source>Pixel Spacing (0028,0030) says %1 mm without a calibration, the detector's pixels are %2 mm: check which is meant.</source>
+        <translation>Pixel Spacing (0028,0030) nennt ohne Kalibrierung %1 mm, die Detektorpixel messen %2 mm: prüfen, was gemeint ist.</translation>
+    </message>
+    <message>
+        <source>Pixel Spacing Calibration Type</source>
+        <translation>Pixel Spacing Calibration Type</translation>
+    </message>
+    <message>
+        <source>Pixels are %1 times as high as wide by their spacing, %2 times by the pixel aspect: check the pixel spacing.</source>
+        <translation>Nach ihrem Abstand sind Pixel %1-mal so hoch wie breit, nach dem Seitenverhältnis %2-mal: die Pixelgröße prüfen.</translation>
+    </message>
+    <message>
+        <source>Positioner Isocenter Detector Rotation Angle</source>
+        <translation>Positioner Isocenter Detector Rotation Angle</translation>
+    </message>
+    <message>
+        <source>Positioner Isocenter Primary Angle</source>
+        <translation>Positioner Isocenter Primary Angle</translation>
+    </message>
+    <message>
+        <source>Positioner Isocenter Secondary Angle</source>
+        <translation>Positioner Isocenter Secondary Angle</translation>
+    </message>
+    <message>
+        <source>Positioner Motion</source>
+        <translation>Positioner Motion</translation>
+    </message>
+    <message>
+        <source>Positioner Primary Angle</source>
+        <translation>Positioner Primary Angle</translation>
+    </message>
+    <message>
+        <source>Positioner Primary Angle Increment</source>
+        <translation>Positioner Primary Angle Increment</translation>
+    </message>
+    <message>
+        <source>Positioner Secondary Angle</source>
+        <translation>Positioner Secondary Angle</translation>
+    </message>
+    <message>
+        <source>Positioner Secondary Angle Increment</source>
+        <translation>Positioner Secondary Angle Increment</translation>
+    </message>
+    <message>
+        <source>SID is %1 times SOD; angiograms are magnified 1.0 to 2.5 times. Check both distances.</source>
+        <translation>SID ist das %1-fache von SOD; Angiogramme sind 1.0- bis 2.5-fach vergrößert. Beide Abstände prüfen.</translation>
+    </message>
+    <message>
+        <source>SOD (%1 mm) is not smaller than SID (%2 mm): the patient would lie behind the detector. Correct one of them.</source>
+        <translation>SOD (%1 mm) ist nicht kleiner als SID (%2 mm): der Patient läge hinter dem Detektor. Eines berichtigen.</translation>
+    </message>
+    <message>
+        <source>Scan and angiogram seem to be of different patients (%1). Check that both are the right ones.</source>
+        <translation>CT und Angiogramm scheinen von verschiedenen Patienten zu sein (%1). Prüfen, ob beide stimmen.</translation>
+    </message>
+    <message>
+        <source>Source to detector distance (SID): type it, usually 900 to 1200 mm.</source>
+        <translation>Abstand Fokus–Detektor (SID): eintragen, meist 900 bis 1200 mm.</translation>
+    </message>
+    <message>
+        <source>Source to isocentre distance (SOD): type it, usually 700 to 800 mm.</source>
+        <translation>Abstand Fokus–Isozentrum (SOD): eintragen, meist 700 bis 800 mm.</translation>
+    </message>
+    <message>
+        <source>Table Angle</source>
+        <translation>Table Angle</translation>
+    </message>
+    <message>
+        <source>Table Cradle Tilt Angle</source>
+        <translation>Table Cradle Tilt Angle</translation>
+    </message>
+    <message>
+        <source>Table Head Tilt Angle</source>
+        <translation>Table Head Tilt Angle</translation>
+    </message>
+    <message>
+        <source>Table Height</source>
+        <translation>Table Height</translation>
+    </message>
+    <message>
+        <source>Table Horizontal Rotation Angle</source>
+        <translation>Table Horizontal Rotation Angle</translation>
+    </message>
+    <message>
+        <source>Table Lateral Increment</source>
+        <translation>Table Lateral Increment</translation>
+    </message>
+    <message>
+        <source>Table Longitudinal Increment</source>
+        <translation>Table Longitudinal Increment</translation>
+    </message>
+    <message>
+        <source>Table Motion</source>
+        <translation>Table Motion</translation>
+    </message>
+    <message>
+        <source>Table Vertical Increment</source>
+        <translation>Table Vertical Increment</translation>
+    </message>
+    <message>
+        <source>Table X Position to Isocenter</source>
+        <translation>Table X Position to Isocenter</translation>
+    </message>
+    <message>
+        <source>Table Y Position to Isocenter</source>
+        <translation>Table Y Position to Isocenter</translation>
+    </message>
+    <message>
+        <source>Table Z Position to Isocenter</source>
+        <translation>Table Z Position to Isocenter</translation>
+    </message>
+    <message>
+        <source>The C-arm moved during this run, but the header gives %1 for its %2 frames: the angles are those of the first frame. Check them for the frame you use.</source>
+        <translation>Der C-Bogen hat sich bewegt, der Header nennt aber %1 für %2 Bilder: die Winkel sind die des ersten Bildes. Für das benutzte Bild prüfen.</translation>
+    </message>
+    <message>
+        <source>The calibrated pixel spacing of %1 mm times SID/SOD is %2 mm, not the detector's %3 mm: the calibration or a distance is off.</source>
+        <translation>Die kalibrierte Pixelgröße von %1 mm mal SID/SOD ergibt %2 mm, nicht die %3 mm des Detektors: Kalibrierung oder Abstand stimmt nicht.</translation>
+    </message>
+    <message>
+        <source>The gantry turns during this run: frames show other views, not only motion. Register the frames one by one, or as views together.</source>
+        <translation>Der C-Bogen dreht sich während der Serie: die Bilder zeigen andere Projektionen, nicht nur Bewegung. Bilder einzeln oder gemeinsam als Projektionen registrieren.</translation>
+    </message>
+    <message>
+        <source>The image covers %1 x %2 mm of the detector by its pixel spacing</source>
+        <translation>Nach der Pixelgröße bedeckt das Bild %1 x %2 mm des Detektors</translation>
+    </message>
+    <message>
+        <source>The landmarks all lie in one place. Choose some farther apart.</source>
+        <translation>Die Landmarken liegen alle an einer Stelle. Weiter auseinander liegende wählen.</translation>
+    </message>
+    <message>
+        <source>The landmarks lie on one line, so the turn about it stays open. Add one off that line.</source>
+        <translation>Die Landmarken liegen auf einer Linie, die Drehung um sie bleibt offen. Eine daneben hinzufügen.</translation>
+    </message>
+    <message>
+        <source>The primary angle (LAO/RAO) lies outside ±180°. Correct it.</source>
+        <translation>Der Primärwinkel (LAO/RAO) liegt außerhalb ±180°. Berichtigen.</translation>
+    </message>
+    <message>
+        <source>The principal point (%1, %2 px) lies outside the image: right for a cropped image only.</source>
+        <translation>Der Hauptpunkt (%1, %2 px) liegt außerhalb des Bildes: nur bei beschnittenem Bild richtig.</translation>
+    </message>
+    <message>
+        <source>The roll lies outside ±180°. Correct it.</source>
+        <translation>Das Rollen liegt außerhalb ±180°. Berichtigen.</translation>
+    </message>
+    <message>
+        <source>The scan is of the patient's %1 side, the angiogram of the other. Check that both are the right ones.</source>
+        <translation>Das CT zeigt die Seite %1 des Patienten, das Angiogramm die andere. Prüfen, ob beide stimmen.</translation>
+    </message>
+    <message>
+        <source>The secondary angle (CRA/CAU) lies outside ±90°. Correct it.</source>
+        <translation>Der Sekundärwinkel (CRA/CAU) liegt außerhalb ±90°. Berichtigen.</translation>
+    </message>
+    <message>
+        <source>The subtraction was stopped.</source>
+        <translation>Die Subtraktion wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>The vessels of this frame are given by a file, those of the others are not. Take the given centreline out of the case to trace every frame.</source>
+        <translation>Die Gefäße dieses Bildes stammen aus einer Datei, die der anderen nicht. Die gegebene Mittellinie aus dem Fall nehmen, um jedes Bild zu erfassen.</translation>
+    </message>
+    <message>
+        <source>There are no landmarks yet. Click a place on the vessels and the same place in the image.</source>
+        <translation>Noch keine Landmarken. Eine Stelle an den Gefäßen und dieselbe im Bild anklicken.</translation>
+    </message>
+    <message>
+        <source>There is only one frame: nothing to follow. Open a run of several frames.</source>
+        <translation>Nur ein Bild: nichts zu verfolgen. Eine Serie mit mehreren Bildern öffnen.</translation>
+    </message>
+    <message>
+        <source>Without angles a pose needs four landmarks; there are %1. Add landmarks, or type the angles: then one is enough.</source>
+        <translation>Ohne Winkel braucht eine Lage vier Landmarken; es sind %1. Hinzufügen, oder die Winkel eintragen: dann genügt eine.</translation>
+    </message>
+    <message>
+        <source>branch %1 is there twice.</source>
+        <translation>Ast %1 ist doppelt vorhanden.</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>no angles</source>
+        <translation>keine Winkel</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>this is not a log of observer trials. Choose another name.</source>
+        <translation>das ist kein Protokoll von Beobachterversuchen. Anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>vessel.editedTree: %1 Remove the key to go back to the vessels as they were before the edits.</source>
+        <translation>vessel.editedTree: %1 Den Schlüssel entfernen, um zu den unbearbeiteten Gefäßen zurückzukehren.</translation>
     </message>
 </context>
 <context>
@@ -2979,6 +3889,229 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
+    <name>ui::AngiogramPanel</name>
+    <message>
+        <source>%1 frames before each</source>
+        <translation>%1 Bilder vor jedem</translation>
+    </message>
+    <message>
+        <source>none found: mark them below</source>
+        <translation>keine gefunden: unten markieren</translation>
+    </message>
+    <message>
+        <source>%1 (automatic)</source>
+        <translation>%1 (automatisch)</translation>
+    </message>
+    <message>
+        <source>Angiogram</source>
+        <translation>Angiogramm</translation>
+    </message>
+    <message>
+        <source>Subtract mask  B</source>
+        <translation>Maske abziehen  B</translation>
+    </message>
+    <message>
+        <source>Whole run in one picture</source>
+        <translation>Ganze Serie in einem Bild</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Choose the frames before the contrast medium arrives</source>
+        <translation>Die Bilder vor Ankunft des Kontrastmittels wählen</translation>
+    </message>
+    <message>
+        <source>Find the shift of each frame</source>
+        <translation>Die Verschiebung jedes Bildes finden</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Von Hand</translation>
+    </message>
+    <message>
+        <source>Move the mask with arrows or the mouse (Shift+B)</source>
+        <translation>Maske mit Pfeilen oder Maus verschieben (Umschalt+B)</translation>
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation>Vorgaben</translation>
+    </message>
+    <message>
+        <source>Trace as the program would by itself</source>
+        <translation>Erfassen, wie das Programm es von selbst täte</translation>
+    </message>
+    <message>
+        <source>Take away what the mask frames show as well: bones and organs (B)</source>
+        <translation>Wegnehmen, was auch die Maskenbilder zeigen: Knochen und Organe (B)</translation>
+    </message>
+    <message>
+        <source>Every frame shows the darkest value of each pixel over the run (Shift+C)</source>
+        <translation>Jedes Bild zeigt den dunkelsten Wert jedes Pixels der Serie (Umschalt+C)</translation>
+    </message>
+    <message>
+        <source>Subtract mask</source>
+        <translation>Maske abziehen</translation>
+    </message>
+    <message>
+        <source>Show native frames</source>
+        <translation>Native Bilder zeigen</translation>
+    </message>
+    <message>
+        <source>One frame at a time</source>
+        <translation>Ein Bild nach dem anderen</translation>
+    </message>
+    <message>
+        <source>Choose mask frames automatically</source>
+        <translation>Maskenbilder automatisch wählen</translation>
+    </message>
+    <message>
+        <source>Find the mask's shift</source>
+        <translation>Verschiebung der Maske finden</translation>
+    </message>
+    <message>
+        <source>Mask shift to the right</source>
+        <translation>Maskenverschiebung nach rechts</translation>
+    </message>
+    <message>
+        <source>Mask shift down</source>
+        <translation>Maskenverschiebung nach unten</translation>
+    </message>
+    <message>
+        <source>How far the mask moves to the right, px</source>
+        <translation>Wie weit die Maske nach rechts rückt, px</translation>
+    </message>
+    <message>
+        <source>How far the mask moves down, px</source>
+        <translation>Wie weit die Maske nach unten rückt, px</translation>
+    </message>
+    <message>
+        <source>mask frames</source>
+        <translation>Maskenbilder</translation>
+    </message>
+    <message>
+        <source>shift →  ↓</source>
+        <translation>Versatz →  ↓</translation>
+    </message>
+    <message>
+        <source>Move the mask</source>
+        <translation>Maske verschieben</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
+    </message>
+    <message>
+        <source>logarithmic</source>
+        <translation>logarithmisch</translation>
+    </message>
+    <message>
+        <source>How stored values relate to the X-ray intensity (0028,1040)</source>
+        <translation>Wie gespeicherte Werte zur Röntgenintensität stehen (0028,1040)</translation>
+    </message>
+    <message>
+        <source>Pixel values</source>
+        <translation>Pixelwerte</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>dunkel</translation>
+    </message>
+    <message>
+        <source>bright</source>
+        <translation>hell</translation>
+    </message>
+    <message>
+        <source>Whether contrast medium is darker or brighter than the background</source>
+        <translation>Ob Kontrastmittel dunkler oder heller als der Hintergrund ist</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>Gefäße</translation>
+    </message>
+    <message>
+        <source>Change the meaning of pixel values</source>
+        <translation>Bedeutung der Pixelwerte ändern</translation>
+    </message>
+    <message>
+        <source>Vessels are dark</source>
+        <translation>Gefäße sind dunkel</translation>
+    </message>
+    <message>
+        <source>Vessels are bright</source>
+        <translation>Gefäße sind hell</translation>
+    </message>
+    <message>
+        <source>pixel values</source>
+        <translation>Pixelwerte</translation>
+    </message>
+    <message>
+        <source>vessels</source>
+        <translation>Gefäße</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>shortest vessel</source>
+        <translation>kürzestes Gefäß</translation>
+    </message>
+    <message>
+        <source>Isolated pieces shorter than this are left out; spurs shorter than a third of it too</source>
+        <translation>Kürzere Einzelstücke entfallen; Sporne unter einem Drittel davon auch</translation>
+    </message>
+    <message>
+        <source>sensitivity</source>
+        <translation>Empfindlichkeit</translation>
+    </message>
+    <message>
+        <source>Above 1: fainter vessels are traced as well</source>
+        <translation>Über 1: auch schwächere Gefäße werden erfasst</translation>
+    </message>
+    <message>
+        <source>widest radius</source>
+        <translation>größter Radius</translation>
+    </message>
+    <message>
+        <source>Radius of the widest vessel looked for</source>
+        <translation>Radius des weitesten gesuchten Gefäßes</translation>
+    </message>
+    <message>
+        <source>Default tracing</source>
+        <translation>Vorgabe der Erkennung</translation>
+    </message>
+    <message>
+        <source>Edit vessels  E</source>
+        <translation>Gefäße bearbeiten  E</translation>
+    </message>
+    <message>
+        <source>Leave out, erase, draw and cut traced curves (E)</source>
+        <translation>Erkannte Kurven weglassen, radieren, zeichnen, trennen (E)</translation>
+    </message>
+    <message>
+        <source>Tracing</source>
+        <translation>Erkennung</translation>
+    </message>
+    <message>
+        <source>subtracting …</source>
+        <translation>subtrahiert …</translation>
+    </message>
+    <message>
+        <source>subtracted</source>
+        <translation>subtrahiert</translation>
+    </message>
+    <message>
+        <source>composite</source>
+        <translation>Gesamtbild</translation>
+    </message>
+    <message>
+        <source>native</source>
+        <translation>nativ</translation>
+    </message>
+</context>
+<context>
     <name>ui::AngiogramView</name>
     <message>
         <source>Angiogram with the projected vessel tree</source>
@@ -2987,6 +4120,192 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>frame %1 of 0–%2</source>
         <translation>Bild %1 von 0–%2</translation>
+    </message>
+    <message>
+        <source>Mirrored image, mirrored back by the view</source>
+        <translation>Gespiegeltes Bild, von der Ansicht zurückgespiegelt</translation>
+    </message>
+    <message>
+        <source>Seen from the source: the view is mirrored</source>
+        <translation>Vom Fokus gesehen: die Ansicht ist gespiegelt</translation>
+    </message>
+    <message>
+        <source>Mirrored image: as seen from the source</source>
+        <translation>Gespiegeltes Bild: wie vom Fokus gesehen</translation>
+    </message>
+</context>
+<context>
+    <name>ui::AuxiliaryDialog</name>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Up to generation</source>
+        <translation>Bis Generation</translation>
+    </message>
+    <message>
+        <source>Generation 0 begins at the root of the tree.</source>
+        <translation>Generation 0 beginnt an der Wurzel.</translation>
+    </message>
+    <message>
+        <source>At least this wide</source>
+        <translation>Mindestens so weit</translation>
+    </message>
+    <message>
+        <source>By the median radius of a branch.</source>
+        <translation>Nach dem mittleren Radius des Astes (Median).</translation>
+    </message>
+    <message>
+        <source>Choose these</source>
+        <translation>Diese wählen</translation>
+    </message>
+    <message>
+        <source>Makes the suggested branches the auxiliary ones.</source>
+        <translation>Macht die vorgeschlagenen Äste zu Hilfsästen.</translation>
+    </message>
+    <message>
+        <source>Auxiliary branches</source>
+        <translation>Hilfsäste</translation>
+    </message>
+    <message>
+        <source>The alternating methods solve for these branches first, so choose what is filled, still and told apart well. One image tells a branch only across its course: which ones pin which step of the pose is computed here for the pose as it is.</source>
+        <translation>Wechselnde Methoden lösen zuerst für diese Äste: wählen, was gefüllt, ruhig und gut unterscheidbar ist. Ein Bild bestimmt einen Ast nur quer zu seinem Verlauf: welche Äste welchen Freiheitsgrad festlegen, ist hier für die jetzige Lage berechnet.</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>all branches</source>
+        <translation>alle Äste</translation>
+    </message>
+    <message>
+        <source>the chosen</source>
+        <translation>die gewählten</translation>
+    </message>
+    <message>
+        <source>pinned best by</source>
+        <translation>am besten durch</translation>
+    </message>
+    <message>
+        <source>± is one standard deviation expected of traced vessels with usual noise.</source>
+        <translation>± ist eine Standardabweichung, wie bei üblichem Rauschen zu erwarten.</translation>
+    </message>
+    <message>
+        <source>Last generation</source>
+        <translation>Letzte Generation</translation>
+    </message>
+    <message>
+        <source>Smallest radius</source>
+        <translation>Kleinster Radius</translation>
+    </message>
+    <message>
+        <source>Lasso  Ctrl+L</source>
+        <translation>Lasso  Strg+L</translation>
+    </message>
+    <message>
+        <source>Draw around the branches on the image (Ctrl+L).</source>
+        <translation>Die Äste im Bild umfahren (Strg+L).</translation>
+    </message>
+    <message>
+        <source>In view  V</source>
+        <translation>Im Blick  V</translation>
+    </message>
+    <message>
+        <source>The branches that lie wholly in the view (V).</source>
+        <translation>Die Äste, die ganz im Blickfeld liegen (V).</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Without chosen branches the nodes of the tree are used.</source>
+        <translation>Ohne gewählte Äste gelten die Knoten des Gefäßbaums.</translation>
+    </message>
+    <message>
+        <source>±%1 %2</source>
+        <translation>±%1 %2</translation>
+    </message>
+    <message>
+        <source>Vessels, camera and pose are needed for a suggestion.</source>
+        <translation>Für einen Vorschlag sind Gefäße, Kamera und Lage nötig.</translation>
+    </message>
+    <message>
+        <source>Suggested: %1. They tell nearly as much as all together.</source>
+        <translation>Vorschlag: %1. Sie verraten fast so viel wie alle zusammen.</translation>
+    </message>
+    <message>
+        <source>This tree knows no generations.</source>
+        <translation>Dieser Gefäßbaum kennt keine Generationen.</translation>
+    </message>
+    <message>
+        <source>This tree knows no radii.</source>
+        <translation>Dieser Gefäßbaum kennt keine Radien.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::BlindTrialDialog</name>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Start shifted by up to</source>
+        <translation>Start verschoben bis</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Start turned by up to</source>
+        <translation>Start gedreht bis</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Start trial</source>
+        <translation>Versuch beginnen</translation>
+    </message>
+    <message>
+        <source>Blind observer trial</source>
+        <translation>Blinder Beobachterversuch</translation>
+    </message>
+    <message>
+        <source>The vessels start at random around the pose as it is. Until Done all numbers, residual colours and earlier poses are out of sight; time and final pose go to the log, and the case stays as it is.</source>
+        <translation>Die Gefäße beginnen zufällig um die jetzige Lage. Bis „Fertig“ sind alle Zahlen, Abweichungsfarben und früheren Lagen verborgen; Zeit und Endlage kommen ins Protokoll, der Fall bleibt, wie er ist.</translation>
+    </message>
+    <message>
+        <source>Observer</source>
+        <translation>Beobachter</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Log of the trials</source>
+        <translation>Protokoll der Versuche</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Observer and log are needed.</source>
+        <translation>Beobachter und Protokoll sind nötig.</translation>
     </message>
 </context>
 <context>
@@ -3022,6 +4341,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>out</source>
         <translation>aus</translation>
     </message>
+    <message>
+        <source>g%1</source>
+        <translation>G%1</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>verborgen</translation>
+    </message>
 </context>
 <context>
     <name>ui::BranchModel</name>
@@ -3040,6 +4367,18 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>median residual %1 mm</source>
         <translation>mittlere Abweichung %1 mm</translation>
+    </message>
+    <message>
+        <source>radius %1 mm</source>
+        <translation>Radius %1 mm</translation>
+    </message>
+    <message>
+        <source>generation %1</source>
+        <translation>Generation %1</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>verborgen</translation>
     </message>
 </context>
 <context>
@@ -3072,6 +4411,62 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>No auxiliary branches (use the nodes)</source>
         <translation>Keine Hilfsäste (Knoten verwenden)</translation>
     </message>
+    <message>
+        <source>as in the tree</source>
+        <translation>wie im Gefäßbaum</translation>
+    </message>
+    <message>
+        <source>by name</source>
+        <translation>nach Name</translation>
+    </message>
+    <message>
+        <source>by length</source>
+        <translation>nach Länge</translation>
+    </message>
+    <message>
+        <source>by radius</source>
+        <translation>nach Radius</translation>
+    </message>
+    <message>
+        <source>by generation</source>
+        <translation>nach Generation</translation>
+    </message>
+    <message>
+        <source>by residual</source>
+        <translation>nach Abweichung</translation>
+    </message>
+    <message>
+        <source>Find a branch</source>
+        <translation>Ast suchen</translation>
+    </message>
+    <message>
+        <source>Order of the branches</source>
+        <translation>Reihenfolge der Äste</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Closes the gap; undo opens it again (Ctrl+G).</source>
+        <translation>Schließt die Lücke; Rückgängig öffnet sie wieder (Strg+G).</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Selects both branches and moves the cross-hair to the gap.</source>
+        <translation>Wählt beide Äste und setzt das Fadenkreuz an die Lücke.</translation>
+    </message>
+    <message>
+        <source>Generation</source>
+        <translation>Generation</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
 </context>
 <context>
     <name>ui::ConvergencePlot</name>
@@ -3082,6 +4477,147 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>shown after a run</source>
         <translation>nach einem Lauf zu sehen</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CornerViews</name>
+    <message>
+        <source>3-D</source>
+        <translation>3-D</translation>
+    </message>
+    <message>
+        <source>All slices, large</source>
+        <translation>Alle Schichten, groß</translation>
+    </message>
+    <message>
+        <source>All slices, large (M)</source>
+        <translation>Alle Schichten, groß (M)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CurveEditBar</name>
+    <message>
+        <source>Not a vessel</source>
+        <translation>Kein Gefäß</translation>
+    </message>
+    <message>
+        <source>Click a curve to leave it out</source>
+        <translation>Kurve anklicken, um sie wegzulassen</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Radieren</translation>
+    </message>
+    <message>
+        <source>Brush over parts of curves</source>
+        <translation>Über Kurventeile streichen</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Click along a vessel: the line follows it</source>
+        <translation>Am Gefäß entlang klicken: die Linie folgt ihm</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Click where a curve is to fall in two</source>
+        <translation>Klicken, wo eine Kurve geteilt werden soll</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Keep what lies in a box; Ctrl: leave it out</source>
+        <translation>Behalten, was im Rahmen liegt; Strg: weglassen</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Keep what lies in a lasso; Ctrl: leave it out</source>
+        <translation>Behalten, was im Lasso liegt; Strg: weglassen</translation>
+    </message>
+    <message>
+        <source>Trace again</source>
+        <translation>Neu erfassen</translation>
+    </message>
+    <message>
+        <source>Forget the edits of this frame and trace it automatically; undo brings them back</source>
+        <translation>Bearbeitung dieses Bildes verwerfen und automatisch erfassen; Rückgängig bringt sie zurück</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>%1 curves, %2 suspect</source>
+        <translation>%1 Kurven, %2 verdächtig</translation>
+    </message>
+    <message>
+        <source>%1 curves</source>
+        <translation>%1 Kurven</translation>
+    </message>
+</context>
+<context>
+    <name>ui::EditCurvesTool</name>
+    <message>
+        <source>Mark as not a vessel</source>
+        <translation>Als Nicht-Gefäß markieren</translation>
+    </message>
+    <message>
+        <source>Edit vessels: tracing this frame …</source>
+        <translation>Gefäße bearbeiten: Bild wird erfasst …</translation>
+    </message>
+    <message>
+        <source>Erase: brush over curves, [ ] size of the brush, Esc ends</source>
+        <translation>Radieren: über Kurven streichen, [ ] Pinselgröße, Esc beendet</translation>
+    </message>
+    <message>
+        <source>Draw: click along the vessel, Enter ends, Backspace takes a point back, Shift straight</source>
+        <translation>Zeichnen: am Gefäß entlang klicken, Eingabe beendet, Rücktaste nimmt einen Punkt zurück, Umschalt gerade</translation>
+    </message>
+    <message>
+        <source>Cut: click where a curve is to fall in two, Esc ends</source>
+        <translation>Trennen: klicken, wo eine Kurve geteilt werden soll, Esc beendet</translation>
+    </message>
+    <message>
+        <source>Not a vessel: click a curve to leave it out, Esc ends</source>
+        <translation>Kein Gefäß: Kurve anklicken, um sie wegzulassen, Esc beendet</translation>
+    </message>
+    <message>
+        <source>Box: drag around what counts, Ctrl around what does not, Esc ends</source>
+        <translation>Rahmen: um das ziehen, was zählt, mit Strg um das Übrige, Esc beendet</translation>
+    </message>
+    <message>
+        <source>Lasso: draw around what counts, Ctrl around what does not, Esc ends</source>
+        <translation>Lasso: umfahren, was zählt, mit Strg, was nicht zählt, Esc beendet</translation>
+    </message>
+    <message>
+        <source>Erase curves</source>
+        <translation>Kurven radieren</translation>
+    </message>
+    <message>
+        <source>Restrict to a region</source>
+        <translation>Auf einen Bereich beschränken</translation>
+    </message>
+    <message>
+        <source>Leave out a region</source>
+        <translation>Bereich weglassen</translation>
+    </message>
+    <message>
+        <source>Cut a curve</source>
+        <translation>Kurve trennen</translation>
+    </message>
+    <message>
+        <source>Draw a curve</source>
+        <translation>Kurve zeichnen</translation>
     </message>
 </context>
 <context>
@@ -3146,12 +4682,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Bilder nach Kontrastfüllung</translation>
     </message>
     <message>
-        <source>Frame %1, the fullest</source>
-        <translation>Bild %1, das vollste</translation>
-    </message>
-    <message>
         <source>Frame %1</source>
         <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>the fullest</source>
+        <translation>das vollste</translation>
+    </message>
+    <message>
+        <source>mask</source>
+        <translation>Maske</translation>
+    </message>
+    <message>
+        <source>Shift+drag marks mask frames, double click shows the curve</source>
+        <translation>Umschalt+Ziehen markiert Maskenbilder, Doppelklick zeigt die Kurve</translation>
     </message>
 </context>
 <context>
@@ -3175,10 +4723,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>pixel</source>
         <translation>Pixel</translation>
-    </message>
-    <message>
-        <source>Pixel pitch on the detector</source>
-        <translation>Pixelabstand auf dem Detektor</translation>
     </message>
     <message>
         <source>LAO / RAO</source>
@@ -3260,72 +4804,176 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>missing values</source>
         <translation>fehlende Werte</translation>
     </message>
+    <message>
+        <source>Roll, centre, isocentre</source>
+        <translation>Rollen, Mitte, Isozentrum</translation>
+    </message>
+    <message>
+        <source>What the header says</source>
+        <translation>Was der Header sagt</translation>
+    </message>
+    <message>
+        <source>as from the detector</source>
+        <translation>wie vom Detektor</translation>
+    </message>
+    <message>
+        <source>Side that the image is shown from</source>
+        <translation>Seite, von der das Bild gezeigt ist</translation>
+    </message>
+    <message>
+        <source>Angiograms are shown as seen from the detector. A mirrored export shows left and right exchanged: the projection is mirrored with it, the vessels never are.</source>
+        <translation>Angiogramme zeigt man vom Detektor gesehen. Ein gespiegelter Export vertauscht links und rechts: die Projektion wird mitgespiegelt, die Gefäße nie.</translation>
+    </message>
+    <message>
+        <source>side of the image</source>
+        <translation>Bildseite</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>%1 tags</source>
+        <translation>%1 Tags</translation>
+    </message>
+    <message>
+        <source>The header gives no pixel spacing; this one is derived. Press Enter in it to confirm, or type it.</source>
+        <translation>Der Header nennt keine Pixelgröße; diese ist abgeleitet. Mit Eingabe im Feld bestätigen oder eintragen.</translation>
+    </message>
+    <message>
+        <source>The image is taken as mirrored (%1): check that left and right are where they belong.</source>
+        <translation>Das Bild gilt als gespiegelt (%1): prüfen, ob links und rechts stimmen.</translation>
+    </message>
+    <message>
+        <source>The gantry turns during this run: at this frame by %1° LAO/RAO and %2° CRA/CAU since the first.</source>
+        <translation>Der C-Bogen dreht sich in dieser Serie: bei diesem Bild um %1° LAO/RAO und %2° CRA/CAU seit dem ersten.</translation>
+    </message>
+    <message>
+        <source>Pixel pitch on the detector. Enter confirms a derived one.</source>
+        <translation>Pixelabstand auf dem Detektor. Eingabe bestätigt einen abgeleiteten.</translation>
+    </message>
+    <message>
+        <source>field width</source>
+        <translation>Bildbreite</translation>
+    </message>
+    <message>
+        <source>Width of the image on the detector: gives the pixel pitch</source>
+        <translation>Breite des Bildes auf dem Detektor: ergibt den Pixelabstand</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>The image is turned clockwise by this</source>
+        <translation>Um so viel ist das Bild im Uhrzeigersinn gedreht</translation>
+    </message>
+    <message>
+        <source>centre right</source>
+        <translation>Mitte rechts</translation>
+    </message>
+    <message>
+        <source>Column that the beam axis meets; 0 is the middle of the first</source>
+        <translation>Spalte, die der Zentralstrahl trifft; 0 ist die Mitte der ersten</translation>
+    </message>
+    <message>
+        <source>centre down</source>
+        <translation>Mitte unten</translation>
+    </message>
+    <message>
+        <source>Row that the beam axis meets; 0 is the middle of the first</source>
+        <translation>Zeile, die der Zentralstrahl trifft; 0 ist die Mitte der ersten</translation>
+    </message>
+    <message>
+        <source>isocentre L</source>
+        <translation>Isozentrum L</translation>
+    </message>
+    <message>
+        <source>What the gantry turns about, in the vessels' coordinates: left</source>
+        <translation>Drehpunkt des C-Bogens in Gefäßkoordinaten: links</translation>
+    </message>
+    <message>
+        <source>isocentre P</source>
+        <translation>Isozentrum P</translation>
+    </message>
+    <message>
+        <source>What the gantry turns about, in the vessels' coordinates: posterior</source>
+        <translation>Drehpunkt des C-Bogens in Gefäßkoordinaten: hinten</translation>
+    </message>
+    <message>
+        <source>isocentre H</source>
+        <translation>Isozentrum H</translation>
+    </message>
+    <message>
+        <source>What the gantry turns about, in the vessels' coordinates: head</source>
+        <translation>Drehpunkt des C-Bogens in Gefäßkoordinaten: Kopf</translation>
+    </message>
 </context>
 <context>
     <name>ui::GoodFit</name>
     <message>
-        <source>Good: everything lies</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Good: one branch unfilled</source>
-        <translation type="unfinished"></translation>
+        <translation>Gut: ein Ast ungefüllt</translation>
     </message>
     <message>
         <source>Good: vessels have moved</source>
-        <translation type="unfinished"></translation>
+        <translation>Gut: Gefäße haben sich bewegt</translation>
     </message>
     <message>
         <source>Bad: shifted</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlecht: verschoben</translation>
     </message>
     <message>
         <source>Bad: turned</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlecht: verdreht</translation>
     </message>
     <message>
         <source>Bad: wrong view angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlecht: falscher Winkel</translation>
     </message>
     <message>
         <source>Lines run in the middle of their vessels, blue all along, into the side branches too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Linien laufen mitten in ihren Gefäßen, durchgehend blau, auch in die Seitenäste.</translation>
     </message>
     <message>
         <source>Amber only where this frame shows no contrast; every filled vessel is blue.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelb nur, wo dieses Bild kein Kontrastmittel zeigt; jedes gefüllte Gefäß ist blau.</translation>
     </message>
     <message>
         <source>Small differences to both sides: beating and breathing. No rigid pose does better.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleine Abweichungen nach beiden Seiten: Herzschlag und Atmung. Keine starre Lage ist besser.</translation>
     </message>
     <message>
         <source>All lines miss to the same side. Register again, or nudge with the arrows.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Linien liegen zur selben Seite daneben. Neu registrieren oder mit den Pfeilen schieben.</translation>
     </message>
     <message>
         <source>Fits in the middle and misses more and more outwards: turned in the image plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Passt in der Mitte und nach außen immer weniger: in der Bildebene verdreht.</translation>
     </message>
     <message>
         <source>The trunk fits, side branches point elsewhere: LAO/RAO or CRA/CAU are off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Stamm passt, Seitenäste zeigen woandershin: LAO/RAO oder CRA/CAU stimmen nicht.</translation>
     </message>
     <message>
         <source>What a good fit looks like</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie eine gute Einpassung aussieht</translation>
     </message>
     <message>
         <source>Simulated vessels. Blue lies on a vessel, amber 2 mm off or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Simulierte Gefäße. Blau liegt auf einem Gefäß, gelb 2 mm daneben oder mehr.</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Schließen</translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>drawing …</source>
-        <translation type="unfinished"></translation>
+        <translation>wird gezeichnet …</translation>
+    </message>
+    <message>
+        <source>Good: everything fits</source>
+        <translation>Gut: alles passt</translation>
     </message>
 </context>
 <context>
@@ -3343,7 +4991,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <name>ui::HelpPage</name>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Schließen</translation>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
@@ -3385,43 +5033,123 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Keys and what they do</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten und ihre Wirkung</translation>
     </message>
     <message>
         <source>Reset all keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Tasten zurücksetzen</translation>
     </message>
     <message>
         <source>Enter or double-click on a line takes a new key for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingabetaste oder Doppelklick auf eine Zeile nimmt eine neue Taste an.</translation>
     </message>
     <message>
         <source>This key is fixed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Taste ist fest.</translation>
     </message>
     <message>
         <source>Press the new key for “%1”. Esc keeps the old one, Delete leaves none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Taste für „%1“ drücken. Esc behält die alte, Entf lässt keine.</translation>
     </message>
     <message>
         <source>The old key stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die alte Taste bleibt.</translation>
     </message>
     <message>
         <source>“%1” is needed elsewhere. Press another key.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ wird anderswo gebraucht. Eine andere Taste drücken.</translation>
     </message>
     <message>
         <source>“%1” belongs to “%2”. Press it again to take it from there, or press another key.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ gehört zu „%2“. Nochmals drücken nimmt sie von dort, oder eine andere drücken.</translation>
     </message>
     <message>
         <source>No key any more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Taste mehr.</translation>
     </message>
     <message>
         <source>The key is “%1” now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Taste ist jetzt „%1“.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::LandmarkPanel</name>
+    <message>
+        <source>Landmarks</source>
+        <translation>Landmarken</translation>
+    </message>
+    <message>
+        <source>Click pairs  L</source>
+        <translation>Paare klicken  L</translation>
+    </message>
+    <message>
+        <source>Place vessels</source>
+        <translation>Gefäße legen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Landmarks and how far each is off</source>
+        <translation>Landmarken und ihre Abweichung</translation>
+    </message>
+    <message>
+        <source>A place on the vessels in 3-D (or a slice), then the same place in the image: L</source>
+        <translation>Eine Stelle an den Gefäßen in 3-D (oder einer Schicht), dann dieselbe im Bild: L</translation>
+    </message>
+    <message>
+        <source>Find the start pose from the pairs: Enter while clicking. Undo brings the old one back.</source>
+        <translation>Startlage aus den Paaren finden: Eingabe beim Klicken. Rückgängig bringt die alte zurück.</translation>
+    </message>
+    <message>
+        <source>Remove the chosen pairs: Delete</source>
+        <translation>Gewählte Paare entfernen: Entf</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>not in view</source>
+        <translation>nicht im Bild</translation>
+    </message>
+    <message>
+        <source>L pairs places by clicks</source>
+        <translation>L paart Stellen durch Klicks</translation>
+    </message>
+    <message>
+        <source>%1 pairs</source>
+        <translation>%1 Paare</translation>
+    </message>
+</context>
+<context>
+    <name>ui::LandmarkTool</name>
+    <message>
+        <source>Landmarks: now click the same place in the image</source>
+        <translation>Landmarken: jetzt dieselbe Stelle im Bild anklicken</translation>
+    </message>
+    <message>
+        <source>Landmarks: now click the same place on the vessels in 3-D</source>
+        <translation>Landmarken: jetzt dieselbe Stelle an den Gefäßen in 3-D anklicken</translation>
+    </message>
+    <message>
+        <source>Landmarks: click a place in 3-D and here, or drag a node to its place · Enter places the vessels</source>
+        <translation>Landmarken: Stelle in 3-D und hier anklicken, oder einen Knoten an seinen Ort ziehen · Eingabe legt die Gefäße</translation>
+    </message>
+</context>
+<context>
+    <name>ui::LassoTool</name>
+    <message>
+        <source>Lasso: draw around the auxiliary branches, Shift adds, Ctrl removes, Esc ends</source>
+        <translation>Lasso: Hilfsäste umfahren, Umschalt fügt hinzu, Strg entfernt, Esc beendet</translation>
+    </message>
+</context>
+<context>
+    <name>ui::MaskShiftTool</name>
+    <message>
+        <source>Mask: arrows or drag move it, Shift 1 px, Ctrl 0.05 px, Esc ends · right %1, down %2 px</source>
+        <translation>Maske: Pfeile oder Ziehen, Umschalt 1 px, Strg 0.05 px, Esc beendet · rechts %1, unten %2 px</translation>
     </message>
 </context>
 <context>
@@ -3440,10 +5168,72 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
+    <name>ui::MissingInputs</name>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Where are the inputs?</source>
+        <translation>Wo sind die Eingaben?</translation>
+    </message>
+    <message>
+        <source>“%1” refers to files that are not where they were, and a search beside it and among recent cases did not find them. The case itself is unharmed.</source>
+        <translation>„%1“ verweist auf Dateien, die nicht mehr am Ort sind; die Suche daneben und bei den letzten Fällen fand sie nicht. Der Fall selbst ist unversehrt.</translation>
+    </message>
+    <message>
+        <source>was in %1</source>
+        <translation>war in %1</translation>
+    </message>
+    <message>
+        <source>Locate …</source>
+        <translation>Suchen …</translation>
+    </message>
+    <message>
+        <source>Locate %1</source>
+        <translation>%1 suchen</translation>
+    </message>
+    <message>
+        <source>Search a folder …</source>
+        <translation>Ordner durchsuchen …</translation>
+    </message>
+    <message>
+        <source>Looks in the folder and all below it, by name and by content.</source>
+        <translation>Sucht im Ordner und allen darunter, nach Name und Inhalt.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>now %1</source>
+        <translation>jetzt %1</translation>
+    </message>
+    <message>
+        <source>Search a folder</source>
+        <translation>Ordner durchsuchen</translation>
+    </message>
+</context>
+<context>
     <name>ui::NudgeTool</name>
     <message>
         <source>Nudge: drag shifts, ring rolls, Ctrl is fine, Esc takes back</source>
         <translation>Justieren: Ziehen schiebt, Ring dreht, Strg fein, Esc nimmt zurück</translation>
+    </message>
+</context>
+<context>
+    <name>ui::OpacificationPlot</name>
+    <message>
+        <source>Opacification over the frames</source>
+        <translation>Kontrastfüllung über die Bilder</translation>
+    </message>
+    <message>
+        <source>%1 · %2 s</source>
+        <translation>%1 · %2 s</translation>
+    </message>
+    <message>
+        <source>Only runs of several frames have a curve</source>
+        <translation>Nur Serien mit mehreren Bildern haben eine Kurve</translation>
     </message>
 </context>
 <context>
@@ -3520,16 +5310,229 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 sperren</translation>
     </message>
     <message>
-        <source>Lock against nudging, dragging and typing. Register still finds all six and says so.</source>
-        <translation>Sperrt gegen Justieren, Ziehen und Tippen. Registrieren bestimmt weiter alle sechs und sagt das.</translation>
-    </message>
-    <message>
         <source>nudging · arrows · N ends</source>
         <translation>justieren · Pfeile · N beendet</translation>
     </message>
     <message>
         <source>nudge N · fine Ctrl · coarse Shift</source>
         <translation>justieren N · fein Strg · grob Umschalt</translation>
+    </message>
+    <message>
+        <source>Keep this value: nudging, dragging, typing and Register leave it as it is.</source>
+        <translation>Diesen Wert halten: Justieren, Ziehen, Tippen und Registrieren lassen ihn.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PoseTable</name>
+    <message>
+        <source>Run</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>Runs the ticked methods one after the other from the pose as it is.</source>
+        <translation>Startet die angehakten Methoden nacheinander von der jetzigen Lage aus.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Stops the running method and skips the rest; what is finished stays.</source>
+        <translation>Hält die laufende Methode an und überspringt den Rest; Fertiges bleibt.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Moves the vessels there; undo takes it back.</source>
+        <translation>Bringt die Gefäße dorthin; Rückgängig nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>Use as reference</source>
+        <translation>Als Bezug</translation>
+    </message>
+    <message>
+        <source>Differences are told from this pose.</source>
+        <translation>Unterschiede gelten gegen diese Lage.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Removes the snapshots; undo brings them back.</source>
+        <translation>Entfernt die Lagen; Rückgängig bringt sie zurück.</translation>
+    </message>
+    <message>
+        <source>Compare poses</source>
+        <translation>Lagen vergleichen</translation>
+    </message>
+    <message>
+        <source>Poses side by side</source>
+        <translation>Lagen nebeneinander</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>median mm</source>
+        <translation>Median mm</translation>
+    </message>
+    <message>
+        <source>95 % mm</source>
+        <translation>95 % mm</translation>
+    </message>
+    <message>
+        <source>covered %</source>
+        <translation>abgedeckt %</translation>
+    </message>
+    <message>
+        <source>Δ in plane mm</source>
+        <translation>Δ Bildebene mm</translation>
+    </message>
+    <message>
+        <source>Δ depth mm</source>
+        <translation>Δ Tiefe mm</translation>
+    </message>
+    <message>
+        <source>Δ turn °</source>
+        <translation>Δ Drehung °</translation>
+    </message>
+    <message>
+        <source>run ms</source>
+        <translation>Lauf ms</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Autor</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Export CSV …</source>
+        <translation>CSV exportieren …</translation>
+    </message>
+    <message>
+        <source>Writes the table with poses as matrices.</source>
+        <translation>Schreibt die Tabelle mit Lagen als Matrizen.</translation>
+    </message>
+    <message>
+        <source>Run several methods</source>
+        <translation>Mehrere Methoden laufen lassen</translation>
+    </message>
+    <message>
+        <source>each leaves its pose in the table; the case keeps its own</source>
+        <translation>jede hinterlässt ihre Lage in der Tabelle; der Fall behält seine</translation>
+    </message>
+    <message>
+        <source>The pose as it is</source>
+        <translation>Die jetzige Lage</translation>
+    </message>
+    <message>
+        <source>This fit was not trustworthy.</source>
+        <translation>Diese Einpassung war nicht vertrauenswürdig.</translation>
+    </message>
+    <message>
+        <source>Differences are told from “%1”, about the centre of the tree. Amber: not trustworthy.</source>
+        <translation>Unterschiede gegen „%1“, um die Mitte des Gefäßbaums. Gelb: nicht vertrauenswürdig.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PruneDialog</name>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Prune</source>
+        <translation>Ausdünnen</translation>
+    </message>
+    <message>
+        <source>Remove end branches that are</source>
+        <translation>Endäste entfernen, die</translation>
+    </message>
+    <message>
+        <source>shorter than</source>
+        <translation>kürzer sind als</translation>
+    </message>
+    <message>
+        <source>on average thinner than (radius)</source>
+        <translation>im Mittel dünner sind als (Radius)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Nothing would be left. Lower the limits.</source>
+        <translation>Nichts bliebe übrig. Grenzen senken.</translation>
+    </message>
+    <message>
+        <source>No branch goes.</source>
+        <translation>Kein Ast entfällt.</translation>
+    </message>
+    <message>
+        <source>1 branch goes.</source>
+        <translation>1 Ast entfällt.</translation>
+    </message>
+    <message>
+        <source>%1 branches go.</source>
+        <translation>%1 Äste entfallen.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::RecoveryDialog</name>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Recover unsaved work?</source>
+        <translation>Nicht Gespeichertes wiederherstellen?</translation>
+    </message>
+    <message>
+        <source>AngioPose ended unexpectedly. These cases had changes that were not saved; recovering opens the copy and leaves the saved case as it is.</source>
+        <translation>AngioPose wurde unerwartet beendet. Diese Fälle hatten ungespeicherte Änderungen; Wiederherstellen öffnet die Kopie und lässt den gespeicherten Fall, wie er ist.</translation>
+    </message>
+    <message>
+        <source>Decide later</source>
+        <translation>Später entscheiden</translation>
+    </message>
+    <message>
+        <source>Copies of unsaved work</source>
+        <translation>Kopien ungespeicherter Arbeit</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Fall</translation>
+    </message>
+    <message>
+        <source>Last copy</source>
+        <translation>Letzte Kopie</translation>
+    </message>
+    <message>
+        <source>Saved in</source>
+        <translation>Gespeichert in</translation>
+    </message>
+    <message>
+        <source>never saved</source>
+        <translation>nie gespeichert</translation>
     </message>
 </context>
 <context>
@@ -3587,14 +5590,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>The lock holds for your hand only: Register moves all six.</source>
-        <translation>Die Sperre gilt nur für die Hand: Registrieren bewegt alle sechs.</translation>
-    </message>
-    <message>
-        <source>The %1 locks hold for your hand only: Register moves all six.</source>
-        <translation>Die %1 Sperren gelten nur für die Hand: Registrieren bewegt alle sechs.</translation>
-    </message>
-    <message>
         <source>method</source>
         <translation>Methode</translation>
     </message>
@@ -3605,6 +5600,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Registering …</source>
         <translation>Registriert …</translation>
+    </message>
+    <message>
+        <source>Register keeps the locked degree of freedom.</source>
+        <translation>Registrieren hält den gesperrten Freiheitsgrad.</translation>
+    </message>
+    <message>
+        <source>Register keeps the %1 locked degrees of freedom.</source>
+        <translation>Registrieren hält die %1 gesperrten Freiheitsgrade.</translation>
     </message>
 </context>
 <context>
@@ -3807,6 +5810,169 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
+    <name>ui::SliceModel</name>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronar</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SliceView</name>
+    <message>
+        <source>x %1  y %2  z %3 mm</source>
+        <translation>x %1  y %2  z %3 mm</translation>
+    </message>
+    <message>
+        <source>No scan</source>
+        <translation>Kein CT</translation>
+    </message>
+    <message>
+        <source>%1 %2 / %3</source>
+        <translation>%1 %2 / %3</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außerhalb</translation>
+    </message>
+    <message>
+        <source>%1 HU</source>
+        <translation>%1 HE</translation>
+    </message>
+    <message>
+        <source>W %1 L %2</source>
+        <translation>W %1 L %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SlicesPage</name>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Back to the angiogram</source>
+        <translation>Zurück zum Angiogramm</translation>
+    </message>
+    <message>
+        <source>W %1 L %2 HU</source>
+        <translation>W %1 L %2 HE</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>From the values of this scan; right drag in a slice changes it by hand.</source>
+        <translation>Aus den Werten dieses CT; rechts ziehen in einer Schicht ändert von Hand.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SnapshotPanel</name>
+    <message>
+        <source>median %1 mm, 95 % %2 mm, covered %3 %</source>
+        <translation>Median %1 mm, 95 % %2 mm, abgedeckt %3 %</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>K keeps the pose; Y goes between two. Every run leaves its pose here.</source>
+        <translation>K behält die Lage; Y wechselt zwischen zweien. Jeder Lauf hinterlässt seine Lage hier.</translation>
+    </message>
+    <message>
+        <source>Compare …</source>
+        <translation>Vergleichen …</translation>
+    </message>
+    <message>
+        <source>Kept poses</source>
+        <translation>Behaltene Lagen</translation>
+    </message>
+    <message>
+        <source>Keep pose  K</source>
+        <translation>Lage behalten  K</translation>
+    </message>
+    <message>
+        <source>Keeps this pose with its numbers under a name (K).</source>
+        <translation>Behält diese Lage mit ihren Zahlen unter einem Namen (K).</translation>
+    </message>
+    <message>
+        <source>Poses and methods side by side, as a table (Shift+K).</source>
+        <translation>Lagen und Methoden nebeneinander als Tabelle (Umschalt+K).</translation>
+    </message>
+    <message>
+        <source>Runs (%1)</source>
+        <translation>Läufe (%1)</translation>
+    </message>
+    <message>
+        <source>median mm · Y: A ⇄ B</source>
+        <translation>Median mm · Y: A ⇄ B</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Restore	Return</source>
+        <translation>Wiederherstellen	Eingabe</translation>
+    </message>
+    <message>
+        <source>Use as A</source>
+        <translation>Als A</translation>
+    </message>
+    <message>
+        <source>Use as B</source>
+        <translation>Als B</translation>
+    </message>
+    <message>
+        <source>Rename	F2</source>
+        <translation>Umbenennen	F2</translation>
+    </message>
+    <message>
+        <source>Delete	Del</source>
+        <translation>Löschen	Entf</translation>
+    </message>
+    <message>
+        <source>Compare …	Shift+K</source>
+        <translation>Vergleichen …	Umschalt+K</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SolutionStrip</name>
+    <message>
+        <source>Solutions</source>
+        <translation>Lösungen</translation>
+    </message>
+    <message>
+        <source>J shows the next · Shift+J takes it</source>
+        <translation>J zeigt die nächste · Umschalt+J übernimmt</translation>
+    </message>
+    <message>
+        <source>Solutions of the run</source>
+        <translation>Lösungen des Laufs</translation>
+    </message>
+</context>
+<context>
     <name>ui::StepBar</name>
     <message>
         <source>Vessels</source>
@@ -3860,23 +6026,130 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <name>ui::Tour</name>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>Skip</source>
-        <translation type="unfinished"></translation>
+        <translation>Überspringen</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished"></translation>
+        <translation>Fertig</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TracingPanel</name>
+    <message>
+        <source>%1  %2  %3  %4</source>
+        <translation>%1  %2  %3  %4</translation>
+    </message>
+    <message>
+        <source>Trace vessels</source>
+        <translation>Gefäße erfassen</translation>
+    </message>
+    <message>
+        <source>Automatic threshold</source>
+        <translation>Automatische Schwelle</translation>
+    </message>
+    <message>
+        <source>HU</source>
+        <translation>HE</translation>
+    </message>
+    <message>
+        <source>Show in the slices what is above</source>
+        <translation>In den Schichten zeigen, was darüber liegt</translation>
+    </message>
+    <message>
+        <source>Seeds</source>
+        <translation>Startpunkte</translation>
+    </message>
+    <message>
+        <source>Then click vessels in a slice: only what is connected to a seed is traced.</source>
+        <translation>Dann Gefäße in einer Schicht anklicken: nur Verbundenes wird erfasst.</translation>
+    </message>
+    <message>
+        <source>Avoid</source>
+        <translation>Meiden</translation>
+    </message>
+    <message>
+        <source>Then click heart, veins or bone in a slice: what is reached from there on wider ways is left out.</source>
+        <translation>Dann Herz, Venen oder Knochen anklicken: was von dort auf weiteren Wegen erreicht wird, entfällt.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Erfassen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>The vessels begin at this value of the scan.</source>
+        <translation>Ab diesem Wert des CT beginnen die Gefäße.</translation>
+    </message>
+    <message>
+        <source>Seeds and places to avoid</source>
+        <translation>Startpunkte und zu meidende Stellen</translation>
+    </message>
+    <message>
+        <source>Shortest branch</source>
+        <translation>Kürzester Ast</translation>
+    </message>
+    <message>
+        <source>Branches that leave their parent's wall by less are removed.</source>
+        <translation>Äste, die weniger aus der Wand ihres Stammes ragen, entfallen.</translation>
+    </message>
+    <message>
+        <source>Thinnest branch</source>
+        <translation>Dünnster Ast</translation>
+    </message>
+    <message>
+        <source>Branches whose mean radius is smaller are removed.</source>
+        <translation>Äste mit kleinerem mittlerem Radius entfallen.</translation>
+    </message>
+    <message>
+        <source>Ends the tracing; the vessels stay as they were.</source>
+        <translation>Beendet das Erfassen; die Gefäße bleiben, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>+ seed %1</source>
+        <translation>+ Startpunkt %1</translation>
+    </message>
+    <message>
+        <source>× avoid %1</source>
+        <translation>× meiden %1</translation>
+    </message>
+    <message>
+        <source>Tracing …</source>
+        <translation>Erfassung …</translation>
+    </message>
+    <message>
+        <source>Click in a slice to place a point; Esc ends.</source>
+        <translation>In eine Schicht klicken setzt einen Punkt; Esc beendet.</translation>
+    </message>
+    <message>
+        <source>The traced vessels replace the tree; undo brings it back.</source>
+        <translation>Die erfassten Gefäße ersetzen den Gefäßbaum; Rückgängig bringt ihn zurück.</translation>
     </message>
 </context>
 <context>
@@ -3884,6 +6157,33 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>3-D view of vessel tree, X-ray source and detector</source>
         <translation>3-D-Ansicht von Gefäßbaum, Röntgenfokus und Detektor</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TrialBar</name>
+    <message>
+        <source>Abandon</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Ends the trial; the log says that it was abandoned.</source>
+        <translation>Beendet den Versuch; das Protokoll nennt ihn abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Done  Ctrl+Return</source>
+        <translation>Fertig  Strg+Eingabe</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Logs time and pose, and brings the numbers back (Ctrl+Return).</source>
+        <translation>Protokolliert Zeit und Lage und zeigt die Zahlen wieder (Strg+Eingabe).</translation>
+    </message>
+    <message>
+        <source>Blind trial of %1: lay the vessels onto the image. Numbers come back when you are done.</source>
+        <translation>Blindversuch von %1: die Gefäße auf das Bild legen. Die Zahlen erscheinen danach wieder.</translation>
     </message>
 </context>
 <context>
@@ -4067,7 +6367,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Schwingen, wo das Bild nichts verrät</translation>
     </message>
     <message>
-        <source>Show the run&apos;s other solutions</source>
+        <source>Show the run's other solutions</source>
         <translation>Andere Lösungen des Laufs zeigen</translation>
     </message>
     <message>
@@ -4248,99 +6548,374 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>move; on the ring roll; Esc takes it back, then ends the mode</source>
-        <translation type="unfinished"></translation>
+        <translation>schieben; am Ring drehen; Esc nimmt zurück, dann endet der Modus</translation>
     </message>
     <message>
         <source>Save picture of the window …</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild des Fensters speichern …</translation>
     </message>
     <message>
         <source>Copy picture of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild des Fensters kopieren</translation>
     </message>
     <message>
         <source>Radiology: left drag windows</source>
-        <translation type="unfinished"></translation>
+        <translation>Radiologie: links ziehen fenstert</translation>
     </message>
     <message>
         <source>3D Slicer: left only picks</source>
-        <translation type="unfinished"></translation>
+        <translation>3D Slicer: links wählt nur</translation>
     </message>
     <message>
         <source>Scroll: left drag runs the frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Blättern: links ziehen wechselt Bilder</translation>
     </message>
     <message>
         <source>Help on what the mouse points at</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe zu dem, worauf die Maus zeigt</translation>
     </message>
     <message>
         <source>Short tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurzer Rundgang</translation>
     </message>
     <message>
         <source>What a good fit looks like</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie eine gute Einpassung aussieht</translation>
     </message>
     <message>
         <source>Keys and mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten und Maus</translation>
     </message>
     <message>
         <source>Ctrl+wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg+Rad</translation>
     </message>
     <message>
         <source>right click</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechtsklick</translation>
     </message>
     <message>
         <source>menu of what can be done here</source>
-        <translation type="unfinished"></translation>
+        <translation>Menü mit dem, was hier möglich ist</translation>
     </message>
     <message>
         <source>left drag, arrows</source>
-        <translation type="unfinished"></translation>
+        <translation>links ziehen, Pfeile</translation>
     </message>
     <message>
         <source>turn</source>
-        <translation type="unfinished">Drehung</translation>
+        <translation>drehen</translation>
     </message>
     <message>
         <source>right drag, wheel, + −</source>
-        <translation type="unfinished"></translation>
+        <translation>rechts ziehen, Rad, + −</translation>
     </message>
     <message>
         <source>double click</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppelklick</translation>
     </message>
     <message>
         <source>everything in view again</source>
-        <translation type="unfinished"></translation>
+        <translation>wieder alles im Blick</translation>
     </message>
     <message>
         <source>nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts</translation>
     </message>
     <message>
         <source>Shift+left drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Umschalt+links ziehen</translation>
     </message>
     <message>
         <source>Ctrl+left drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg+links ziehen</translation>
     </message>
     <message>
         <source>right drag</source>
-        <translation type="unfinished"></translation>
+        <translation>rechts ziehen</translation>
     </message>
     <message>
         <source>Mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>Maus</translation>
     </message>
     <message>
         <source>On the 3-D view</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf der 3-D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Edit traced vessels</source>
+        <translation>Erkannte Gefäße bearbeiten</translation>
+    </message>
+    <message>
+        <source>Trace this frame again</source>
+        <translation>Dieses Bild neu erfassen</translation>
+    </message>
+    <message>
+        <source>Subtract mask, native</source>
+        <translation>Maske abziehen, nativ</translation>
+    </message>
+    <message>
+        <source>Move the mask by hand</source>
+        <translation>Maske von Hand verschieben</translation>
+    </message>
+    <message>
+        <source>This frame is the mask</source>
+        <translation>Dieses Bild ist die Maske</translation>
+    </message>
+    <message>
+        <source>Whole run in one picture</source>
+        <translation>Ganze Serie in einem Bild</translation>
+    </message>
+    <message>
+        <source>Click pairs of landmarks</source>
+        <translation>Landmarkenpaare klicken</translation>
+    </message>
+    <message>
+        <source>Place vessels by landmarks</source>
+        <translation>Gefäße nach Landmarken legen</translation>
+    </message>
+    <message>
+        <source>Auxiliary: draw a lasso</source>
+        <translation>Hilfsäste: Lasso ziehen</translation>
+    </message>
+    <message>
+        <source>Auxiliary: which branches …</source>
+        <translation>Hilfsäste: welche Äste …</translation>
+    </message>
+    <message>
+        <source>Trace the scan again</source>
+        <translation>CT neu erfassen</translation>
+    </message>
+    <message>
+        <source>Find a branch</source>
+        <translation>Ast suchen</translation>
+    </message>
+    <message>
+        <source>Rename branch</source>
+        <translation>Ast umbenennen</translation>
+    </message>
+    <message>
+        <source>Cut branch at the cross-hair</source>
+        <translation>Ast am Fadenkreuz trennen</translation>
+    </message>
+    <message>
+        <source>Join two branches</source>
+        <translation>Zwei Äste verbinden</translation>
+    </message>
+    <message>
+        <source>Smooth branches</source>
+        <translation>Äste glätten</translation>
+    </message>
+    <message>
+        <source>Root at the branch's end near the cross-hair</source>
+        <translation>Wurzel am Astende beim Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Hide or show branches</source>
+        <translation>Äste verbergen oder zeigen</translation>
+    </message>
+    <message>
+        <source>Show all branches</source>
+        <translation>Alle Äste zeigen</translation>
+    </message>
+    <message>
+        <source>Delete branches</source>
+        <translation>Äste löschen</translation>
+    </message>
+    <message>
+        <source>Delete branches and what leaves them</source>
+        <translation>Äste und ihre Abgänge löschen</translation>
+    </message>
+    <message>
+        <source>Prune short or thin branches …</source>
+        <translation>Kurze oder dünne Äste ausdünnen …</translation>
+    </message>
+    <message>
+        <source>Join the pieces at the next gap</source>
+        <translation>Stücke an der nächsten Lücke verbinden</translation>
+    </message>
+    <message>
+        <source>Keep this pose</source>
+        <translation>Diese Lage behalten</translation>
+    </message>
+    <message>
+        <source>Switch between poses A and B</source>
+        <translation>Zwischen Lage A und B wechseln</translation>
+    </message>
+    <message>
+        <source>Compare poses and methods …</source>
+        <translation>Lagen und Methoden vergleichen …</translation>
+    </message>
+    <message>
+        <source>Blind observer trial …</source>
+        <translation>Blinder Beobachterversuch …</translation>
+    </message>
+    <message>
+        <source>Trial done</source>
+        <translation>Versuch fertig</translation>
+    </message>
+    <message>
+        <source>Seen from the source (mirrored)</source>
+        <translation>Vom Fokus gesehen (gespiegelt)</translation>
+    </message>
+    <message>
+        <source>Opacification over time</source>
+        <translation>Kontrastfüllung über die Zeit</translation>
+    </message>
+    <message>
+        <source>3-D, axial, coronal, sagittal below the branches</source>
+        <translation>3-D, axial, koronar, sagittal unter den Ästen</translation>
+    </message>
+    <message>
+        <source>Slices instead of the angiogram</source>
+        <translation>Schichten statt Angiogramm</translation>
+    </message>
+    <message>
+        <source>Image alone, without the columns</source>
+        <translation>Bild allein, ohne die Spalten</translation>
+    </message>
+    <message>
+        <source>in 3-D or a slice, then in the image: one pair</source>
+        <translation>in 3-D oder einer Schicht, dann im Bild: ein Paar</translation>
+    </message>
+    <message>
+        <source>a node of the vessels to its place, or a cross elsewhere</source>
+        <translation>ein Gefäßknoten an seinen Ort, oder ein Kreuz anderswohin</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>place the vessels by the pairs</source>
+        <translation>die Gefäße nach den Paaren legen</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>remove the last pair</source>
+        <translation>das letzte Paar entfernen</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>click curves that are no vessels</source>
+        <translation>Kurven anklicken, die keine Gefäße sind</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>erase with a brush; [ ] its size</source>
+        <translation>mit dem Pinsel radieren; [ ] Größe</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>draw: Enter ends, Backspace takes a point back, Shift straight</source>
+        <translation>zeichnen: Eingabe beendet, Rücktaste nimmt zurück, Umschalt gerade</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>cut a curve</source>
+        <translation>Kurve trennen</translation>
+    </message>
+    <message>
+        <source>B L</source>
+        <translation>B L</translation>
+    </message>
+    <message>
+        <source>box or lasso around what counts; Ctrl: around what does not</source>
+        <translation>Rahmen oder Lasso um das, was zählt; Strg: um das Übrige</translation>
+    </message>
+    <message>
+        <source>✓ ✗</source>
+        <translation>✓ ✗</translation>
+    </message>
+    <message>
+        <source>dashed curves may be a catheter: keep or leave out</source>
+        <translation>gestrichelte Kurven sind vielleicht ein Katheter: behalten oder weglassen</translation>
+    </message>
+    <message>
+        <source>click, left drag, Ctrl+arrows</source>
+        <translation>klicken, links ziehen, Strg+Pfeile</translation>
+    </message>
+    <message>
+        <source>cross-hair, linked with all views</source>
+        <translation>Fadenkreuz, mit allen Ansichten verbunden</translation>
+    </message>
+    <message>
+        <source>picks the point at the cross-hair, as a click does</source>
+        <translation>wählt den Punkt am Fadenkreuz wie ein Klick</translation>
+    </message>
+    <message>
+        <source>wheel, ↑ ↓, PgUp PgDn</source>
+        <translation>Rad, ↑ ↓, Bild↑ Bild↓</translation>
+    </message>
+    <message>
+        <source>slices (Shift 10)</source>
+        <translation>Schichten (Umschalt 10)</translation>
+    </message>
+    <message>
+        <source>window and level; a right click opens the menu</source>
+        <translation>Fensterung; ein Rechtsklick öffnet das Menü</translation>
+    </message>
+    <message>
+        <source>middle drag, Ctrl+wheel</source>
+        <translation>Mitte ziehen, Strg+Rad</translation>
+    </message>
+    <message>
+        <source>pan and zoom</source>
+        <translation>verschieben und zoomen</translation>
+    </message>
+    <message>
+        <source>all slices large, and back</source>
+        <translation>alle Schichten groß, und zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Vessels</source>
+        <translation>&amp;Gefäße</translation>
+    </message>
+    <message>
+        <source>While clicking landmarks</source>
+        <translation>Beim Klicken von Landmarken</translation>
+    </message>
+    <message>
+        <source>While editing vessels</source>
+        <translation>Beim Bearbeiten der Gefäße</translation>
+    </message>
+    <message>
+        <source>On a slice</source>
+        <translation>In einer Schicht</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowPreset</name>
+    <message>
+        <source>CTA</source>
+        <translation>CTA</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Soft tissue</source>
+        <translation>Weichteile</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Lunge</translation>
     </message>
 </context>
 </TS>

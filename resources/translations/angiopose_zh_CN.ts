@@ -2,6 +2,92 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>app::AuxiliaryController</name>
+    <message>
+        <source>tilt</source>
+        <translation>倾斜</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>转动</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>滚转</translation>
+    </message>
+    <message>
+        <source>sideways</source>
+        <translation>左右</translation>
+    </message>
+    <message>
+        <source>up–down</source>
+        <translation>上下</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>No branch lies mostly inside the lasso.</source>
+        <translation>没有分支大部分位于套索内。</translation>
+    </message>
+    <message>
+        <source>This tree knows no generations.</source>
+        <translation>此血管树没有分级信息。</translation>
+    </message>
+    <message>
+        <source>No branch is that wide.</source>
+        <translation>没有这么粗的分支。</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen: the alternation takes the %1 nodes of the tree.</source>
+        <translation>未选择：交替使用血管树的 %1 个节点。</translation>
+    </message>
+    <message>
+        <source>Chosen: %1 (%2 mm, %3 % of the tree).</source>
+        <translation>已选：%1（%2 mm，占血管树 %3 %）。</translation>
+    </message>
+    <message>
+        <source>%1 The method chosen now does not alternate and takes all branches.</source>
+        <translation>%1 当前方法不交替，使用全部分支。</translation>
+    </message>
+    <message>
+        <source>%1 The option “Auxiliary points” of the method overrules this.</source>
+        <translation>%1 方法的“辅助点”选项优先。</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+</context>
+<context>
+    <name>app::BlindTrialController</name>
+    <message>
+        <source>A trial needs vessels, an angiogram and a start pose, and no registration running.</source>
+        <translation>试验需要血管、造影图像和初始位姿，且没有正在进行的配准。</translation>
+    </message>
+    <message>
+        <source>Blind trial</source>
+        <translation>盲法试验</translation>
+    </message>
+    <message>
+        <source>%1, blind</source>
+        <translation>%1，盲法</translation>
+    </message>
+    <message>
+        <source>Blind trial, seed %1, %2 s, %3 edits</source>
+        <translation>盲法试验，种子 %1，%2 s，%3 次编辑</translation>
+    </message>
+    <message>
+        <source>Keep a blind trial</source>
+        <translation>保留盲法试验</translation>
+    </message>
+</context>
+<context>
     <name>app::BranchController</name>
     <message>
         <source>Select a branch first: click it in the list or in a view.</source>
@@ -146,6 +232,41 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>%1 · AngioPose · not for clinical use</source>
         <translation>%1 · AngioPose · 不得用于临床</translation>
     </message>
+    <message>
+        <source>Vessels cannot be traced</source>
+        <translation>无法提取血管</translation>
+    </message>
+</context>
+<context>
+    <name>app::CurveController</name>
+    <message>
+        <source>At least one curve must stay: there would be nothing to register to.</source>
+        <translation>至少保留一条曲线：否则无从配准。</translation>
+    </message>
+    <message>
+        <source>Keep a suspect curve</source>
+        <translation>保留可疑曲线</translation>
+    </message>
+    <message>
+        <source>The edited curves of frame %1 gave way to these. Undo brings them back.</source>
+        <translation>第 %1 帧编辑过的曲线已被替换。撤销可恢复。</translation>
+    </message>
+    <message>
+        <source>Trace this frame again?</source>
+        <translation>重新提取此帧？</translation>
+    </message>
+    <message>
+        <source>Its edited or given curves are set aside. Undo brings them back.</source>
+        <translation>编辑过或给定的曲线将被搁置。撤销可恢复。</translation>
+    </message>
+    <message>
+        <source>Trace again</source>
+        <translation>重新提取</translation>
+    </message>
+    <message>
+        <source>Keep the curves</source>
+        <translation>保留曲线</translation>
+    </message>
 </context>
 <context>
     <name>app::ExportController</name>
@@ -198,63 +319,63 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <name>app::HelpController</name>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>帮助</translation>
     </message>
     <message>
         <source>Start here</source>
-        <translation type="unfinished"></translation>
+        <translation>从这里开始</translation>
     </message>
     <message>
         <source>Drop a case, or vessels and an angiogram, anywhere. “Open the sample case” works without own data.</source>
-        <translation type="unfinished"></translation>
+        <translation>将病例，或血管与造影图像，拖到任意处。“打开示例病例”无需自己的数据。</translation>
     </message>
     <message>
         <source>The way to a result</source>
-        <translation type="unfinished"></translation>
+        <translation>得到结果的步骤</translation>
     </message>
     <message>
         <source>Each step has a tick, or says in its tool tip what is missing. Click any of them, in any order.</source>
-        <translation type="unfinished"></translation>
+        <translation>每一步带有对勾，或在提示中说明缺少什么。可按任意顺序单击。</translation>
     </message>
     <message>
         <source>The vessel tree</source>
-        <translation type="unfinished"></translation>
+        <translation>血管树</translation>
     </message>
     <message>
         <source>Its branches with length and distance to the image. A takes a branch into the auxiliary set, X leaves it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>其分支及长度、到图像的距离。A 将分支放入辅助集，X 排除。</translation>
     </message>
     <message>
         <source>The angiogram</source>
-        <translation type="unfinished"></translation>
+        <translation>造影图像</translation>
     </message>
     <message>
         <source>The projected tree lies over it, coloured by distance. Wheel: frames. N: move the tree with arrows or mouse. H: hide it.</source>
-        <translation type="unfinished"></translation>
+        <translation>投影血管树叠加其上，按距离着色。滚轮：帧。N：用方向键或鼠标移动。H：隐藏。</translation>
     </message>
     <message>
         <source>Register</source>
-        <translation type="unfinished">配准</translation>
+        <translation>配准</translation>
     </message>
     <message>
         <source>R finds the pose. Stop keeps the best one so far, Ctrl+Z brings the old one back.</source>
-        <translation type="unfinished"></translation>
+        <translation>R 求位姿。停止保留目前最佳，Ctrl+Z 恢复原位姿。</translation>
     </message>
     <message>
         <source>Can it be trusted?</source>
-        <translation type="unfinished"></translation>
+        <translation>可信吗？</translation>
     </message>
     <message>
         <source>Numbers in mm, and sentences on what the image cannot tell. Shift+F1 shows good and bad fits.</source>
-        <translation type="unfinished"></translation>
+        <translation>毫米数值，以及图像无法确定之处的说明。Shift+F1 显示好与坏的配准。</translation>
     </message>
     <message>
         <source>Help is never far</source>
-        <translation type="unfinished"></translation>
+        <translation>随时有帮助</translation>
     </message>
     <message>
         <source>F1 explains what the mouse points at, ? lists and changes all keys. This tour is under Help.</source>
-        <translation type="unfinished"></translation>
+        <translation>F1 解释鼠标所指内容，? 列出并修改快捷键。本导览在“帮助”菜单中。</translation>
     </message>
 </context>
 <context>
@@ -288,7 +409,54 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <name>app::JudgementController</name>
     <message>
         <source>nothing to judge yet</source>
-        <translation type="unfinished">尚无可评估内容</translation>
+        <translation>尚无可评估内容</translation>
+    </message>
+</context>
+<context>
+    <name>app::LandmarkController</name>
+    <message>
+        <source>bifurcation %1</source>
+        <translation>分叉 %1</translation>
+    </message>
+    <message>
+        <source>end of %1</source>
+        <translation>%1 的末端</translation>
+    </message>
+    <message>
+        <source>on %1</source>
+        <translation>在 %1 上</translation>
+    </message>
+    <message>
+        <source>place beside the vessels</source>
+        <translation>血管旁的位置</translation>
+    </message>
+    <message>
+        <source>Fewer than four pairs: what they leave open stays as it is.</source>
+        <translation>少于四对：其未能确定的量保持不变。</translation>
+    </message>
+    <message>
+        <source>The pairs leave %1 px; for clicks off by 2 px: rotation ±%2°, depth ±%3 mm.</source>
+        <translation>点对残余 %1 px；若点击偏 2 px：旋转 ±%2°，深度 ±%3 mm。</translation>
+    </message>
+    <message>
+        <source>Move landmark %1</source>
+        <translation>移动标志点 %1</translation>
+    </message>
+    <message>
+        <source>Open the vessels first.</source>
+        <translation>请先打开血管。</translation>
+    </message>
+    <message>
+        <source>Add landmark</source>
+        <translation>添加标志点</translation>
+    </message>
+    <message>
+        <source>Remove landmark</source>
+        <translation>移除标志点</translation>
+    </message>
+    <message>
+        <source>Place vessels by landmarks</source>
+        <translation>按标志点放置血管</translation>
     </message>
 </context>
 <context>
@@ -352,16 +520,31 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Worst %1 of %2: %3 mm median · W next · 1 fits</source>
         <translation>最差第 %1 / %2：中位数 %3 mm · W 下一个 · 1 适合窗口</translation>
     </message>
+    <message>
+        <source>Seen from the source: only the view is mirrored</source>
+        <translation>从源方向看：仅视图镜像</translation>
+    </message>
+    <message>
+        <source>Seen from the detector</source>
+        <translation>从探测器方向看</translation>
+    </message>
 </context>
 <context>
     <name>app::Notices</name>
     <message>
         <source>Ready</source>
-        <translation type="unfinished">就绪</translation>
+        <translation>就绪</translation>
     </message>
     <message>
         <source>AngioPose %1</source>
-        <translation type="unfinished">AngioPose %1</translation>
+        <translation>AngioPose %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::OpacificationController</name>
+    <message>
+        <source>Opacification over time</source>
+        <translation>充盈随时间变化</translation>
     </message>
 </context>
 <context>
@@ -382,32 +565,67 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Open %1</source>
         <translation>打开 %1</translation>
     </message>
+    <message>
+        <source>A blind trial is under way. End it before opening another file.</source>
+        <translation>盲法试验进行中。打开其他文件前请结束。</translation>
+    </message>
+    <message>
+        <source>A blind trial was started meanwhile. Open the file again when it has ended.</source>
+        <translation>期间已开始盲法试验。请在结束后重新打开文件。</translation>
+    </message>
 </context>
 <context>
     <name>app::PictureController</name>
     <message>
         <source>The window is in the clipboard as a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>窗口图片已复制到剪贴板</translation>
     </message>
     <message>
         <source>Save picture of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>保存窗口图片</translation>
     </message>
     <message>
         <source>PNG pictures (*.png)</source>
-        <translation type="unfinished">PNG 图片 (*.png)</translation>
+        <translation>PNG 图片 (*.png)</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation type="unfinished">已写入：%1</translation>
+        <translation>已写入：%1</translation>
     </message>
     <message>
         <source>Could not save the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>无法保存图片</translation>
     </message>
     <message>
         <source>%1 could not be written. Choose another folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法写入 %1。请选择其他文件夹。</translation>
+    </message>
+</context>
+<context>
+    <name>app::PlotExport</name>
+    <message>
+        <source>Copy picture</source>
+        <translation>复制图片</translation>
+    </message>
+    <message>
+        <source>Export as SVG …</source>
+        <translation>导出为 SVG……</translation>
+    </message>
+    <message>
+        <source>Export as PNG …</source>
+        <translation>导出为 PNG……</translation>
+    </message>
+    <message>
+        <source>Export plot</source>
+        <translation>导出图表</translation>
+    </message>
+    <message>
+        <source>Drawings (*.svg)</source>
+        <translation>矢量图 (*.svg)</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG 图片 (*.png)</translation>
     </message>
 </context>
 <context>
@@ -432,6 +650,68 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>A registration is running. Stop it first.</source>
         <translation>配准正在进行。请先停止。</translation>
     </message>
+    <message>
+        <source>Change locks</source>
+        <translation>更改锁定</translation>
+    </message>
+</context>
+<context>
+    <name>app::PoseTableController</name>
+    <message>
+        <source>There are no poses to compare yet.</source>
+        <translation>尚无可比较的位姿。</translation>
+    </message>
+    <message>
+        <source>The pose as it is</source>
+        <translation>当前位姿</translation>
+    </message>
+    <message>
+        <source>The vessels of this frame are still being traced.</source>
+        <translation>此帧血管仍在提取。</translation>
+    </message>
+    <message>
+        <source>Starting …</source>
+        <translation>开始……</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Run several methods</source>
+        <translation>运行多种方法</translation>
+    </message>
+    <message>
+        <source>1 method done</source>
+        <translation>1 种方法已完成</translation>
+    </message>
+    <message>
+        <source>%1 methods done</source>
+        <translation>%1 种方法已完成</translation>
+    </message>
+    <message>
+        <source>Stopped. %1.</source>
+        <translation>已停止。%1。</translation>
+    </message>
+    <message>
+        <source>Export comparison</source>
+        <translation>导出比较</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>app::PoseTools</name>
+    <message>
+        <source>Logged: %1</source>
+        <translation>已记录：%1</translation>
+    </message>
+    <message>
+        <source>Blind trial</source>
+        <translation>盲法试验</translation>
+    </message>
 </context>
 <context>
     <name>app::RegistrationController</name>
@@ -446,6 +726,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Register (%1)</source>
         <translation>配准（%1）</translation>
+    </message>
+    <message>
+        <source>A blind trial is fitted by hand.</source>
+        <translation>盲法试验须手动配准。</translation>
     </message>
 </context>
 <context>
@@ -545,30 +829,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>病例 (*.angiopose)</translation>
     </message>
     <message>
-        <source>a case that was never saved</source>
-        <translation>从未保存的病例</translation>
-    </message>
-    <message>
-        <source>Recover unsaved work?</source>
-        <translation>恢复未保存的工作吗？</translation>
-    </message>
-    <message>
-        <source>AngioPose ended unexpectedly. There is a copy of %1 from %2.</source>
-        <translation>AngioPose 意外退出。有 %1 的副本，时间 %2。</translation>
-    </message>
-    <message>
-        <source>Recover</source>
-        <translation>恢复</translation>
-    </message>
-    <message>
-        <source>Delete the copy</source>
-        <translation>删除副本</translation>
-    </message>
-    <message>
-        <source>Decide later</source>
-        <translation>以后再定</translation>
-    </message>
-    <message>
         <source>All changes saved</source>
         <translation>所有更改已保存</translation>
     </message>
@@ -584,151 +844,229 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Unsaved changes</source>
         <translation>有未保存的更改</translation>
     </message>
+    <message>
+        <source>A blind trial is under way. End it before saving.</source>
+        <translation>盲法试验进行中。保存前请结束。</translation>
+    </message>
+    <message>
+        <source>Untitled case</source>
+        <translation>未命名病例</translation>
+    </message>
 </context>
 <context>
     <name>app::SeriesRows</name>
     <message>
         <source>Series %1</source>
-        <translation type="unfinished">序列 %1</translation>
+        <translation>序列 %1</translation>
     </message>
 </context>
 <context>
     <name>app::SessionController</name>
     <message>
         <source>Not for clinical use</source>
-        <translation type="unfinished">不得用于临床</translation>
+        <translation>不得用于临床</translation>
     </message>
     <message>
         <source>AngioPose is a research program. It is not a medical device: do not use it for diagnosis, treatment or navigation. Results can be wrong; one projection cannot tell everything about depth.</source>
-        <translation type="unfinished">AngioPose 是研究软件，不是医疗器械：不得用于诊断、治疗或导航。结果可能有误；单一投影无法完全确定深度。</translation>
+        <translation>AngioPose 是研究软件，不是医疗器械：不得用于诊断、治疗或导航。结果可能有误；单一投影无法完全确定深度。</translation>
     </message>
     <message>
         <source>I understand</source>
-        <translation type="unfinished">我已了解</translation>
+        <translation>我已了解</translation>
     </message>
     <message>
         <source>Ready</source>
-        <translation type="unfinished">就绪</translation>
+        <translation>就绪</translation>
     </message>
     <message>
         <source>Opened</source>
-        <translation type="unfinished">已打开</translation>
+        <translation>已打开</translation>
     </message>
     <message>
         <source>Could not open the file</source>
-        <translation type="unfinished">无法打开文件</translation>
+        <translation>无法打开文件</translation>
     </message>
     <message>
         <source>Could not open the files</source>
-        <translation type="unfinished">无法打开这些文件</translation>
+        <translation>无法打开这些文件</translation>
     </message>
     <message>
         <source>Could not save</source>
-        <translation type="unfinished">无法保存</translation>
+        <translation>无法保存</translation>
     </message>
     <message>
         <source>Saving …</source>
-        <translation type="unfinished">正在保存……</translation>
+        <translation>正在保存……</translation>
     </message>
     <message>
         <source>Saved</source>
-        <translation type="unfinished">已保存</translation>
+        <translation>已保存</translation>
     </message>
     <message>
         <source>Writing …</source>
-        <translation type="unfinished">正在写入……</translation>
+        <translation>正在写入……</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation type="unfinished">已写入：%1</translation>
+        <translation>已写入：%1</translation>
     </message>
     <message>
         <source>Could not export</source>
-        <translation type="unfinished">无法导出</translation>
+        <translation>无法导出</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished">打开</translation>
+        <translation>打开</translation>
     </message>
     <message>
         <source>Open DICOM folder</source>
-        <translation type="unfinished">打开 DICOM 文件夹</translation>
+        <translation>打开 DICOM 文件夹</translation>
     </message>
     <message>
         <source>Making the sample case …</source>
-        <translation type="unfinished">正在生成示例病例……</translation>
+        <translation>正在生成示例病例……</translation>
     </message>
     <message>
         <source>Could not make the sample case</source>
-        <translation type="unfinished">无法生成示例病例</translation>
+        <translation>无法生成示例病例</translation>
     </message>
     <message>
         <source>Save the open case first?</source>
-        <translation type="unfinished">先保存当前病例吗？</translation>
+        <translation>先保存当前病例吗？</translation>
     </message>
     <message>
         <source>“%1” has changes that are not saved.</source>
-        <translation type="unfinished">“%1”有未保存的更改。</translation>
+        <translation>“%1”有未保存的更改。</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished">保存</translation>
+        <translation>保存</translation>
     </message>
     <message>
         <source>Discard changes</source>
-        <translation type="unfinished">放弃更改</translation>
+        <translation>放弃更改</translation>
     </message>
     <message>
         <source>Keep the open case</source>
-        <translation type="unfinished">保留当前病例</translation>
+        <translation>保留当前病例</translation>
     </message>
     <message>
         <source>A registration is running</source>
-        <translation type="unfinished">配准正在进行</translation>
+        <translation>配准正在进行</translation>
     </message>
     <message>
         <source>Stop it and close? Changes of this case are lost unless they are saved.</source>
-        <translation type="unfinished">停止并关闭？未保存的更改将丢失。</translation>
+        <translation>停止并关闭？未保存的更改将丢失。</translation>
     </message>
     <message>
         <source>Save before closing?</source>
-        <translation type="unfinished">关闭前保存吗？</translation>
+        <translation>关闭前保存吗？</translation>
     </message>
     <message>
         <source>Stop, save and close</source>
-        <translation type="unfinished">停止、保存并关闭</translation>
+        <translation>停止、保存并关闭</translation>
     </message>
     <message>
         <source>Stop and close</source>
-        <translation type="unfinished">停止并关闭</translation>
+        <translation>停止并关闭</translation>
     </message>
     <message>
         <source>Keep running</source>
-        <translation type="unfinished">继续运行</translation>
+        <translation>继续运行</translation>
     </message>
     <message>
         <source>Save and close</source>
-        <translation type="unfinished">保存并关闭</translation>
+        <translation>保存并关闭</translation>
     </message>
     <message>
         <source>Close without saving</source>
-        <translation type="unfinished">不保存直接关闭</translation>
+        <translation>不保存直接关闭</translation>
     </message>
     <message>
         <source>Stay</source>
-        <translation type="unfinished">返回</translation>
+        <translation>返回</translation>
     </message>
     <message>
         <source>%1 (missing)</source>
-        <translation type="unfinished">%1（缺失）</translation>
+        <translation>%1（缺失）</translation>
+    </message>
+    <message>
+        <source>Not the same patient?</source>
+        <translation>不是同一患者？</translation>
+    </message>
+</context>
+<context>
+    <name>app::SnapshotController</name>
+    <message>
+        <source>Pose %1</source>
+        <translation>位姿 %1</translation>
+    </message>
+    <message>
+        <source>There is no pose to keep yet.</source>
+        <translation>尚无可保留的位姿。</translation>
+    </message>
+    <message>
+        <source>Keep %1</source>
+        <translation>保留 %1</translation>
+    </message>
+    <message>
+        <source>Kept as “%1” · Y compares</source>
+        <translation>已保留为“%1” · Y 比较</translation>
+    </message>
+    <message>
+        <source>“%1”: median %2 mm · Esc goes back</source>
+        <translation>“%1”：中位数 %2 mm · Esc 返回</translation>
+    </message>
+    <message>
+        <source>“%1” · Esc goes back</source>
+        <translation>“%1” · Esc 返回</translation>
+    </message>
+    <message>
+        <source>There is nothing to compare with yet: K keeps a pose, R leaves one.</source>
+        <translation>尚无可比较：K 保留位姿，R 也会留下一个。</translation>
+    </message>
+    <message>
+        <source>A: the pose as it is</source>
+        <translation>A：当前位姿</translation>
+    </message>
+    <message>
+        <source>Restore %1</source>
+        <translation>恢复 %1</translation>
+    </message>
+    <message>
+        <source>Describe a pose</source>
+        <translation>描述位姿</translation>
+    </message>
+    <message>
+        <source>Delete a pose</source>
+        <translation>删除位姿</translation>
+    </message>
+    <message>
+        <source>Delete %1 poses</source>
+        <translation>删除 %1 个位姿</translation>
+    </message>
+</context>
+<context>
+    <name>app::SolutionController</name>
+    <message>
+        <source>found</source>
+        <translation>所求</translation>
+    </message>
+    <message>
+        <source>The solution itself</source>
+        <translation>最优解本身</translation>
+    </message>
+    <message>
+        <source>%1 mm, %2°</source>
+        <translation>%1 mm，%2°</translation>
+    </message>
+    <message>
+        <source>Other solution %1, score %2: %3 mm aside, %4 mm in depth and %5° turned from the one found. Return takes it.</source>
+        <translation>其他解 %1，评分 %2：与所求解相差横向 %3 mm、深度 %4 mm、旋转 %5°。回车采用。</translation>
     </message>
 </context>
 <context>
     <name>app::StepStates</name>
-    <message>
-        <source>Open a centreline: VTP, VTK, CSV or SWC.</source>
-        <translation>打开中心线：VTP、VTK、CSV 或 SWC。</translation>
-    </message>
     <message>
         <source>1 branch</source>
         <translation>1 个分支</translation>
@@ -825,6 +1163,214 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>written</source>
         <translation>已写入</translation>
     </message>
+    <message>
+        <source>Open a CT angiogram, a segmentation, a surface or a centreline.</source>
+        <translation>打开 CT 血管造影、分割、表面或中心线。</translation>
+    </message>
+    <message>
+        <source>%1 pieces</source>
+        <translation>%1 段</translation>
+    </message>
+    <message>
+        <source>The vessels are in pieces. Below the branch list is how to join them.</source>
+        <translation>血管不连续。分支列表下方说明如何连接。</translation>
+    </message>
+    <message>
+        <source>another patient?</source>
+        <translation>另一患者？</translation>
+    </message>
+    <message>
+        <source>frame %1, edited</source>
+        <translation>第 %1 帧，已编辑</translation>
+    </message>
+    <message>
+        <source>The header gives no pixel spacing: %1. Type it, or press Enter in the field to confirm it.</source>
+        <translation>文件头无像素间距：%1。请输入，或在框内按回车确认。</translation>
+    </message>
+    <message>
+        <source>from landmarks</source>
+        <translation>来自标志点</translation>
+    </message>
+</context>
+<context>
+    <name>app::SubtractionController</name>
+    <message>
+        <source>Subtract mask</source>
+        <translation>减去蒙片</translation>
+    </message>
+    <message>
+        <source>Show native frames</source>
+        <translation>显示原始帧</translation>
+    </message>
+    <message>
+        <source>Whole run in one picture</source>
+        <translation>整个序列合成一幅</translation>
+    </message>
+    <message>
+        <source>One frame at a time</source>
+        <translation>逐帧显示</translation>
+    </message>
+    <message>
+        <source>Choose mask frames</source>
+        <translation>选择蒙片帧</translation>
+    </message>
+    <message>
+        <source>A registration is running. Stop it to edit.</source>
+        <translation>配准正在进行。请先停止再编辑。</translation>
+    </message>
+    <message>
+        <source>Open an angiogram first.</source>
+        <translation>请先打开造影图像。</translation>
+    </message>
+    <message>
+        <source>Move the mask</source>
+        <translation>移动蒙片</translation>
+    </message>
+</context>
+<context>
+    <name>app::TracingController</name>
+    <message>
+        <source>Tracing the vessels of the scan … %1 %</source>
+        <translation>正在提取扫描的血管…… %1 %</translation>
+    </message>
+    <message>
+        <source>Stopped: the vessels are as they were</source>
+        <translation>已停止：血管保持原样</translation>
+    </message>
+    <message>
+        <source>These vessels were not traced: open a scan, a segmentation or a surface.</source>
+        <translation>这些血管并非提取所得：请打开扫描、分割或表面。</translation>
+    </message>
+    <message>
+        <source>A registration is running. Stop it first.</source>
+        <translation>配准正在进行。请先停止。</translation>
+    </message>
+    <message>
+        <source>Tracing the vessels of the scan …</source>
+        <translation>正在提取扫描的血管……</translation>
+    </message>
+    <message>
+        <source>Trace vessels</source>
+        <translation>提取血管</translation>
+    </message>
+    <message>
+        <source>Traced: 1 branch.</source>
+        <translation>已提取：1 个分支。</translation>
+    </message>
+    <message>
+        <source>Traced: %1 branches.</source>
+        <translation>已提取：%1 个分支。</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+</context>
+<context>
+    <name>app::TreeActions</name>
+    <message>
+        <source>Select one branch: click it in the list or in a view.</source>
+        <translation>请选择一个分支：在列表或视图中单击。</translation>
+    </message>
+    <message>
+        <source>%1 pieces · gap %2 mm between %3 and %4</source>
+        <translation>%1 段 · %3 与 %4 之间间隙 %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 pieces, too far apart to belong together</source>
+        <translation>%1 段，相距过远，不属于一体</translation>
+    </message>
+    <message>
+        <source>Seed here</source>
+        <translation>在此放种子点</translation>
+    </message>
+    <message>
+        <source>Avoid this place</source>
+        <translation>避开此处</translation>
+    </message>
+</context>
+<context>
+    <name>app::TreeController</name>
+    <message>
+        <source>Select a branch first: click it in the list or in a view.</source>
+        <translation>请先选择一个分支：在列表或视图中单击。</translation>
+    </message>
+    <message>
+        <source>Select one branch: click it in the list or in a view.</source>
+        <translation>请选择一个分支：在列表或视图中单击。</translation>
+    </message>
+    <message>
+        <source>%1 branches</source>
+        <translation>%1 个分支</translation>
+    </message>
+    <message>
+        <source>At least one branch has to stay.</source>
+        <translation>至少须保留一个分支。</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>删除 %1</translation>
+    </message>
+    <message>
+        <source>Delete %1 and what leaves it</source>
+        <translation>删除 %1 及其分出的分支</translation>
+    </message>
+    <message>
+        <source>Click the place of the cut first, in a slice or on the branch in the 3-D view.</source>
+        <translation>请先在断层或三维视图的分支上单击切断位置。</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>切断 %1</translation>
+    </message>
+    <message>
+        <source>Select the two branches to join: Ctrl adds the second one.</source>
+        <translation>请选择要连接的两个分支：Ctrl 追加第二个。</translation>
+    </message>
+    <message>
+        <source>Join %1 and %2</source>
+        <translation>连接 %1 与 %2</translation>
+    </message>
+    <message>
+        <source>Smooth %1</source>
+        <translation>平滑 %1</translation>
+    </message>
+    <message>
+        <source>Root at %1</source>
+        <translation>以 %1 为根</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>显示 %1</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>隐藏 %1</translation>
+    </message>
+    <message>
+        <source>Show all branches</source>
+        <translation>显示所有分支</translation>
+    </message>
+    <message>
+        <source>No end branch is shorter or thinner than that.</source>
+        <translation>没有更短或更细的末端分支。</translation>
+    </message>
+    <message>
+        <source>Prune 1 branch</source>
+        <translation>修剪 1 个分支</translation>
+    </message>
+    <message>
+        <source>Prune %1 branches</source>
+        <translation>修剪 %1 个分支</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>重命名 %1</translation>
+    </message>
+    <message>
+        <source>Set generation of %1</source>
+        <translation>设置 %1 的级别</translation>
+    </message>
 </context>
 <context>
     <name>app::ViewSync</name>
@@ -908,7 +1454,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>所选分支（未选时为节点）、节点、最粗且不超过总长三分之一的分支，或随机点。</translation>
     </message>
     <message>
-        <source>Coarse search, then robust point-to-line refinement about the tree&apos;s centroid, with uncertainty.</source>
+        <source>Coarse search, then robust point-to-line refinement about the tree's centroid, with uncertainty.</source>
         <translation>先粗搜索，再绕血管树质心做稳健的点到线精配准，并给出不确定度。</translation>
     </message>
     <message>
@@ -948,7 +1494,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>最终阶段超过此距离的点几乎不计；图像噪声会使其变宽。</translation>
     </message>
     <message>
-        <source>Distance from which a point&apos;s pull stops growing.</source>
+        <source>Distance from which a point's pull stops growing.</source>
         <translation>超过此距离后单点拉力不再增大。</translation>
     </message>
     <message>
@@ -956,7 +1502,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>边缘尺度</translation>
     </message>
     <message>
-        <source>Edges found along the vessel walls&apos; normals, a pose chosen by RANSAC with gradient matching (Markelj 2008; re-implementation, parameters ours).</source>
+        <source>Edges found along the vessel walls' normals, a pose chosen by RANSAC with gradient matching (Markelj 2008; re-implementation, parameters ours).</source>
         <translation>沿血管壁法线寻找边缘，以 RANSAC 和梯度匹配选位姿（Markelj 2008；重新实现，参数自定）。</translation>
     </message>
     <message>
@@ -1000,7 +1546,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>GDCM 无法写入 DICOM 文件。请选择其他格式。</translation>
     </message>
     <message>
-        <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image&apos;s brightness (Aylward 2003; re-implementation, parameters ours).</source>
+        <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image's brightness (Aylward 2003; re-implementation, parameters ours).</source>
         <translation>对血管树与提取血管之间的平均核，或图像亮度做梯度上升（Aylward 2003；重新实现，参数自定）。</translation>
     </message>
     <message>
@@ -1016,7 +1562,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>搜索在垂直射线方向的范围。</translation>
     </message>
     <message>
-        <source>How far along the vessel walls&apos; normals edges are sought at first.</source>
+        <source>How far along the vessel walls' normals edges are sought at first.</source>
         <translation>最初沿血管壁法线寻找边缘的距离。</translation>
     </message>
     <message>
@@ -1100,7 +1646,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>到最近提取血管距离的 Huber 损失最小（Rivest-Hénault 2012；重新实现，参数自定）。</translation>
     </message>
     <message>
-        <source>Least squares on nearest pairs by OpenCV&apos;s SQPNP, repeated: what library parts make in an afternoon.</source>
+        <source>Least squares on nearest pairs by OpenCV's SQPNP, repeated: what library parts make in an afternoon.</source>
         <translation>用 OpenCV 的 SQPNP 对最近点对反复做最小二乘：用现成库一下午可拼成的方法。</translation>
     </message>
     <message>
@@ -1344,7 +1890,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>初始位姿沿射线方向的标准差。</translation>
     </message>
     <message>
-        <source>Standard deviation of the start pose&apos;s angles; holds what the image cannot tell.</source>
+        <source>Standard deviation of the start pose's angles; holds what the image cannot tell.</source>
         <translation>初始位姿角度的标准差；约束图像无法确定的量。</translation>
     </message>
     <message>
@@ -1584,7 +2130,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>表面未闭合（%1 条开放边、%2 条重叠边）：内部按多数判定。请检查结果或封闭孔洞。</translation>
     </message>
     <message>
-        <source>The traced vessels, or the brightness of the image at each vessel&apos;s own width.</source>
+        <source>The traced vessels, or the brightness of the image at each vessel's own width.</source>
         <translation>提取的血管，或按各血管宽度的图像亮度。</translation>
     </message>
     <message>
@@ -1648,7 +2194,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>尚无造影图像。请先打开图像。</translation>
     </message>
     <message>
-        <source>There is no method &apos;%1&apos;. Choose one of: %2.</source>
+        <source>There is no method '%1'. Choose one of: %2.</source>
         <translation>没有方法“%1”。可选：%2。</translation>
     </message>
     <message>
@@ -1692,7 +2238,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>旋转与平移平衡，或弧度与毫米直接并用（几乎不平移）。</translation>
     </message>
     <message>
-        <source>Vessel walls against image gradients, Powell&apos;s method (Mitrović 2013; re-implementation, parameters ours).</source>
+        <source>Vessel walls against image gradients, Powell's method (Mitrović 2013; re-implementation, parameters ours).</source>
         <translation>血管壁与图像梯度匹配，Powell 法（Mitrović 2013；重新实现，参数自定）。</translation>
     </message>
     <message>
@@ -1704,11 +2250,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>投影 %1 使用的血管树或分支与投影 1 不同。请统一。</translation>
     </message>
     <message>
-        <source>Width of the mixtures&apos; Gaussians at first.</source>
+        <source>Width of the mixtures' Gaussians at first.</source>
         <translation>高斯混合的初始宽度。</translation>
     </message>
     <message>
-        <source>Width of the mixtures&apos; Gaussians in the end.</source>
+        <source>Width of the mixtures' Gaussians in the end.</source>
         <translation>高斯混合的最终宽度。</translation>
     </message>
     <message>
@@ -1996,8 +2542,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>PLY 文件头损坏或截断。请重新导出。</translation>
     </message>
     <message>
-        <source>its PLY header is damaged: the element &quot;%1&quot; has no properties. Export it again.</source>
-        <translation>PLY 文件头损坏：元素 &quot;%1&quot; 没有属性。请重新导出。</translation>
+        <source>its PLY header is damaged: the element "%1" has no properties. Export it again.</source>
+        <translation>PLY 文件头损坏：元素 "%1" 没有属性。请重新导出。</translation>
     </message>
     <message>
         <source>its axes are %1° apart instead of 90°. Resample the volume to perpendicular axes.</source>
@@ -2096,16 +2642,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>层间距过于不均，无法组成体数据（%2 mm 内 %1 层）。请复制全部层面，或另选。</translation>
     </message>
     <message>
-        <source>its transform &quot;%1&quot; is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
-        <translation>变换 &quot;%1&quot; 非刚性或缺少参数。请导出刚性变换（affine、Euler3D 或 VersorRigid3D）。</translation>
+        <source>its transform "%1" is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
+        <translation>变换 "%1" 非刚性或缺少参数。请导出刚性变换（affine、Euler3D 或 VersorRigid3D）。</translation>
     </message>
     <message>
         <source>its triangles are damaged or cut short. Copy or export it again.</source>
         <translation>三角面损坏或截断。请重新复制或导出。</translation>
     </message>
     <message>
-        <source>its voxel type (&quot;%1&quot;) is not read. Save it as 16-bit or float.</source>
-        <translation>不支持体素类型（&quot;%1&quot;）。请存为 16 位或浮点。</translation>
+        <source>its voxel type ("%1") is not read. Save it as 16-bit or float.</source>
+        <translation>不支持体素类型（"%1"）。请存为 16 位或浮点。</translation>
     </message>
     <message>
         <source>its voxel type (NIfTI datatype %1) is not read. Save it as 16-bit or float.</source>
@@ -2168,16 +2714,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 行 id 重复。id 必须唯一。</translation>
     </message>
     <message>
-        <source>line %1, column %2: &quot;%3&quot; is not a finite number. Correct or remove the line.</source>
-        <translation>第 %1 行 %2 列：&quot;%3&quot; 不是有限数。请更正或删除该行。</translation>
+        <source>line %1, column %2: "%3" is not a finite number. Correct or remove the line.</source>
+        <translation>第 %1 行 %2 列："%3" 不是有限数。请更正或删除该行。</translation>
     </message>
     <message>
         <source>line %1: the branch must be a whole number. Correct the line.</source>
         <translation>第 %1 行：branch 必须为整数。请更正。</translation>
     </message>
     <message>
-        <source>method: &quot;%1&quot; is unknown. Use one of %2.</source>
-        <translation>method：&quot;%1&quot; 未知。可用：%2。</translation>
+        <source>method: "%1" is unknown. Use one of %2.</source>
+        <translation>method："%1" 未知。可用：%2。</translation>
     </message>
     <message>
         <source>missing</source>
@@ -2360,8 +2906,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>该序列超出未压缩 DICOM 文件容量。请写入较少帧。</translation>
     </message>
     <message>
-        <source>the section &quot;%1&quot; is damaged or cut short. Export it again.</source>
-        <translation>&quot;%1&quot; 部分损坏或截断。请重新导出。</translation>
+        <source>the section "%1" is damaged or cut short. Export it again.</source>
+        <translation>"%1" 部分损坏或截断。请重新导出。</translation>
     </message>
     <message>
         <source>the sequence %1 has no end</source>
@@ -2388,7 +2934,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>cameraFromPatient 左上 3 x 3 不是旋转（含缩放或剪切）。请给出以 mm 为单位的刚性位姿。</translation>
     </message>
     <message>
-        <source>the volume is larger than this computer&apos;s memory. Crop the scan to the vessels.</source>
+        <source>the volume is larger than this computer's memory. Crop the scan to the vessels.</source>
         <translation>体数据超过本机内存。请裁剪到血管范围。</translation>
     </message>
     <message>
@@ -2428,8 +2974,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此 DICOM 文件不含图像。请选择扫描。</translation>
     </message>
     <message>
-        <source>this JSON is not an AngioPose case (its format is not &quot;angiopose-case&quot;). Choose an .angiopose file.</source>
-        <translation>此 JSON 不是 AngioPose 病例（format 不是 &quot;angiopose-case&quot;）。请选择 .angiopose 文件。</translation>
+        <source>this JSON is not an AngioPose case (its format is not "angiopose-case"). Choose an .angiopose file.</source>
+        <translation>此 JSON 不是 AngioPose 病例（format 不是 "angiopose-case"）。请选择 .angiopose 文件。</translation>
     </message>
     <message>
         <source>this is %1, not a 2-D centreline. Choose a CSV table or a PNG mask.</source>
@@ -2940,7 +3486,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>有一段未与提取血管相连，已略去。若属于血管树，请在其中放种子点。</translation>
     </message>
     <message>
-        <source>Its two placements (qform and sform) differ; the qform, in the scanner&apos;s coordinates, is used.</source>
+        <source>Its two placements (qform and sform) differ; the qform, in the scanner's coordinates, is used.</source>
         <translation>两种定位（qform 与 sform）不一致；采用扫描仪坐标的 qform。</translation>
     </message>
     <message>
@@ -2952,12 +3498,376 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 层之后</translation>
     </message>
     <message>
-        <source>it declares %1&quot;, which cannot be. The file is damaged; export it again.</source>
-        <translation>声明 %1&quot;，不可能。文件损坏；请重新导出。</translation>
+        <source>it declares %1", which cannot be. The file is damaged; export it again.</source>
+        <translation>声明 %1"，不可能。文件损坏；请重新导出。</translation>
     </message>
     <message>
         <source>it holds %1 volumes (%2). Choose one by its series id; `info` lists them.</source>
         <translation>含 %1 个体数据（%2）。请按序列号选择；`info` 可列出。</translation>
+    </message>
+    <message>
+        <source> differ</source>
+        <translation>不同</translation>
+    </message>
+    <message>
+        <source> differs</source>
+        <translation>不同</translation>
+    </message>
+    <message>
+        <source>%1 The edited vessels are in the case; it opens without the file.</source>
+        <translation>%1 编辑后的血管已在病例中；无需该文件即可打开。</translation>
+    </message>
+    <message>
+        <source>%1 has moved and was found as %2. Save the case to remember.</source>
+        <translation>%1 已移动，找到为 %2。保存病例以记住。</translation>
+    </message>
+    <message>
+        <source>%1 solves for all six degrees of freedom at once and cannot keep one. Unlock them, or choose another method.</source>
+        <translation>%1 同时求解全部六个自由度，无法固定其中之一。请解锁或选择其他方法。</translation>
+    </message>
+    <message>
+        <source>%1, more than its active %2 x %3 mm. Check the pixel spacing.</source>
+        <translation>%1，超过有效范围 %2 x %3 mm。请检查像素间距。</translation>
+    </message>
+    <message>
+        <source>%1, more than the intensifier of %2 mm. Check the pixel spacing.</source>
+        <translation>%1，超过 %2 mm 的影像增强器。请检查像素间距。</translation>
+    </message>
+    <message>
+        <source>%1, the field of view is %2 x %3 mm: the image may be zoomed, cropped or resampled. Check the pixel spacing.</source>
+        <translation>%1，视野为 %2 x %3 mm：图像可能经过缩放、裁剪或重采样。请检查像素间距。</translation>
+    </message>
+    <message>
+        <source>%1: no detector of a C-arm is like that. Check the pixel spacing.</source>
+        <translation>%1：C 形臂没有这样的探测器。请检查像素间距。</translation>
+    </message>
+    <message>
+        <source>A detector pixel spacing of %1 mm lies outside 0.05 to 2 mm: check its unit.</source>
+        <translation>探测器像素间距 %1 mm 不在 0.05 至 2 mm 之间：请检查单位。</translation>
+    </message>
+    <message>
+        <source>A joint registration cannot keep single degrees of freedom. Unlock them first.</source>
+        <translation>联合配准无法固定单个自由度。请先解锁。</translation>
+    </message>
+    <message>
+        <source>A landmark is not a finite number. Remove it.</source>
+        <translation>有标志点不是有限数。请移除。</translation>
+    </message>
+    <message>
+        <source>A picture needs a vessel tree and an angiogram. Open both first.</source>
+        <translation>图片需要血管树和造影图像。请先打开两者。</translation>
+    </message>
+    <message>
+        <source>A source to detector distance (SID) of %1 mm is unlike a C-arm (500 to 2000 mm): check its unit.</source>
+        <translation>源到探测器距离（SID）%1 mm 不像 C 形臂（500 至 2000 mm）：请检查单位。</translation>
+    </message>
+    <message>
+        <source>All six degrees of freedom are locked: nothing is left to find. Unlock at least one.</source>
+        <translation>六个自由度均已锁定：无可求解。请至少解锁一个。</translation>
+    </message>
+    <message>
+        <source>CRA/CAU angle: type it, or place the vessels by landmarks.</source>
+        <translation>CRA/CAU 角：请输入，或按标志点放置血管。</translation>
+    </message>
+    <message>
+        <source>Detector Active Dimension(s)</source>
+        <translation>Detector Active Dimension(s)</translation>
+    </message>
+    <message>
+        <source>Detector Active Origin</source>
+        <translation>Detector Active Origin</translation>
+    </message>
+    <message>
+        <source>Detector Element Spacing</source>
+        <translation>Detector Element Spacing</translation>
+    </message>
+    <message>
+        <source>Detector Primary Angle</source>
+        <translation>Detector Primary Angle</translation>
+    </message>
+    <message>
+        <source>Detector Secondary Angle</source>
+        <translation>Detector Secondary Angle</translation>
+    </message>
+    <message>
+        <source>Detector pixel spacing: type it, or the width of the field of view on the detector divided by the columns.</source>
+        <translation>探测器像素间距：请输入，或用探测器上视野宽度除以列数。</translation>
+    </message>
+    <message>
+        <source>Distance Source to Detector</source>
+        <translation>Distance Source to Detector</translation>
+    </message>
+    <message>
+        <source>Distance Source to Isocenter</source>
+        <translation>Distance Source to Isocenter</translation>
+    </message>
+    <message>
+        <source>Distance Source to Patient</source>
+        <translation>Distance Source to Patient</translation>
+    </message>
+    <message>
+        <source>Estimated Radiographic Magnification Factor</source>
+        <translation>Estimated Radiographic Magnification Factor</translation>
+    </message>
+    <message>
+        <source>Field of View Dimension(s)</source>
+        <translation>Field of View Dimension(s)</translation>
+    </message>
+    <message>
+        <source>Field of View Horizontal Flip</source>
+        <translation>Field of View Horizontal Flip</translation>
+    </message>
+    <message>
+        <source>Field of View Origin</source>
+        <translation>Field of View Origin</translation>
+    </message>
+    <message>
+        <source>Field of View Rotation</source>
+        <translation>Field of View Rotation</translation>
+    </message>
+    <message>
+        <source>Field of View Shape</source>
+        <translation>Field of View Shape</translation>
+    </message>
+    <message>
+        <source>Imager Pixel Spacing</source>
+        <translation>Imager Pixel Spacing</translation>
+    </message>
+    <message>
+        <source>Intensifier Size</source>
+        <translation>Intensifier Size</translation>
+    </message>
+    <message>
+        <source>LAO/RAO angle: type it, or place the vessels by landmarks.</source>
+        <translation>LAO/RAO 角：请输入，或按标志点放置血管。</translation>
+    </message>
+    <message>
+        <source>Manufacturer's Model Name</source>
+        <translation>Manufacturer's Model Name</translation>
+    </message>
+    <message>
+        <source>No pose lays these landmarks onto their pixels. Check that each pair shows the same place.</source>
+        <translation>没有位姿能使这些标志点落到其像素上。请检查每对是否为同一位置。</translation>
+    </message>
+    <message>
+        <source>Not for clinical use</source>
+        <translation>不得用于临床</translation>
+    </message>
+    <message>
+        <source>Patient Orientation</source>
+        <translation>Patient Orientation</translation>
+    </message>
+    <message>
+        <source>Patient Position</source>
+        <translation>Patient Position</translation>
+    </message>
+    <message>
+        <source>Pixel Aspect Ratio</source>
+        <translation>Pixel Aspect Ratio</translation>
+    </message>
+    <message>
+        <source>Pixel Spacing</source>
+        <translation>Pixel Spacing</translation>
+    </message>
+    <message>
+        <source>Pixel Spacing (0028,0030) says %1 mm without a calibration, the detector's pixels are %2 mm: check which is meant.</source>
+        <translation>Pixel Spacing (0028,0030) 未校准为 %1 mm，探测器像素为 %2 mm：请核对。</translation>
+    </message>
+    <message>
+        <source>Pixel Spacing Calibration Type</source>
+        <translation>Pixel Spacing Calibration Type</translation>
+    </message>
+    <message>
+        <source>Pixels are %1 times as high as wide by their spacing, %2 times by the pixel aspect: check the pixel spacing.</source>
+        <translation>按间距像素高为宽的 %1 倍，按像素长宽比为 %2 倍：请检查像素间距。</translation>
+    </message>
+    <message>
+        <source>Positioner Isocenter Detector Rotation Angle</source>
+        <translation>Positioner Isocenter Detector Rotation Angle</translation>
+    </message>
+    <message>
+        <source>Positioner Isocenter Primary Angle</source>
+        <translation>Positioner Isocenter Primary Angle</translation>
+    </message>
+    <message>
+        <source>Positioner Isocenter Secondary Angle</source>
+        <translation>Positioner Isocenter Secondary Angle</translation>
+    </message>
+    <message>
+        <source>Positioner Motion</source>
+        <translation>Positioner Motion</translation>
+    </message>
+    <message>
+        <source>Positioner Primary Angle</source>
+        <translation>Positioner Primary Angle</translation>
+    </message>
+    <message>
+        <source>Positioner Primary Angle Increment</source>
+        <translation>Positioner Primary Angle Increment</translation>
+    </message>
+    <message>
+        <source>Positioner Secondary Angle</source>
+        <translation>Positioner Secondary Angle</translation>
+    </message>
+    <message>
+        <source>Positioner Secondary Angle Increment</source>
+        <translation>Positioner Secondary Angle Increment</translation>
+    </message>
+    <message>
+        <source>SID is %1 times SOD; angiograms are magnified 1.0 to 2.5 times. Check both distances.</source>
+        <translation>SID 为 SOD 的 %1 倍；造影放大率为 1.0 至 2.5。请检查两个距离。</translation>
+    </message>
+    <message>
+        <source>SOD (%1 mm) is not smaller than SID (%2 mm): the patient would lie behind the detector. Correct one of them.</source>
+        <translation>SOD（%1 mm）不小于 SID（%2 mm）：患者将位于探测器之后。请更正其一。</translation>
+    </message>
+    <message>
+        <source>Scan and angiogram seem to be of different patients (%1). Check that both are the right ones.</source>
+        <translation>CT 与造影图像似乎属于不同患者（%1）。请核对。</translation>
+    </message>
+    <message>
+        <source>Source to detector distance (SID): type it, usually 900 to 1200 mm.</source>
+        <translation>源到探测器距离（SID）：请输入，通常 900 至 1200 mm。</translation>
+    </message>
+    <message>
+        <source>Source to isocentre distance (SOD): type it, usually 700 to 800 mm.</source>
+        <translation>源到等中心距离（SOD）：请输入，通常 700 至 800 mm。</translation>
+    </message>
+    <message>
+        <source>Table Angle</source>
+        <translation>Table Angle</translation>
+    </message>
+    <message>
+        <source>Table Cradle Tilt Angle</source>
+        <translation>Table Cradle Tilt Angle</translation>
+    </message>
+    <message>
+        <source>Table Head Tilt Angle</source>
+        <translation>Table Head Tilt Angle</translation>
+    </message>
+    <message>
+        <source>Table Height</source>
+        <translation>Table Height</translation>
+    </message>
+    <message>
+        <source>Table Horizontal Rotation Angle</source>
+        <translation>Table Horizontal Rotation Angle</translation>
+    </message>
+    <message>
+        <source>Table Lateral Increment</source>
+        <translation>Table Lateral Increment</translation>
+    </message>
+    <message>
+        <source>Table Longitudinal Increment</source>
+        <translation>Table Longitudinal Increment</translation>
+    </message>
+    <message>
+        <source>Table Motion</source>
+        <translation>Table Motion</translation>
+    </message>
+    <message>
+        <source>Table Vertical Increment</source>
+        <translation>Table Vertical Increment</translation>
+    </message>
+    <message>
+        <source>Table X Position to Isocenter</source>
+        <translation>Table X Position to Isocenter</translation>
+    </message>
+    <message>
+        <source>Table Y Position to Isocenter</source>
+        <translation>Table Y Position to Isocenter</translation>
+    </message>
+    <message>
+        <source>Table Z Position to Isocenter</source>
+        <translation>Table Z Position to Isocenter</translation>
+    </message>
+    <message>
+        <source>The C-arm moved during this run, but the header gives %1 for its %2 frames: the angles are those of the first frame. Check them for the frame you use.</source>
+        <translation>采集中 C 形臂有移动，但文件头为 %2 帧只给出 %1：角度取自第一帧。请针对所用帧核对。</translation>
+    </message>
+    <message>
+        <source>The calibrated pixel spacing of %1 mm times SID/SOD is %2 mm, not the detector's %3 mm: the calibration or a distance is off.</source>
+        <translation>校准像素间距 %1 mm 乘以 SID/SOD 为 %2 mm，而非探测器的 %3 mm：校准或距离有误。</translation>
+    </message>
+    <message>
+        <source>The gantry turns during this run: frames show other views, not only motion. Register the frames one by one, or as views together.</source>
+        <translation>采集中机架旋转：各帧为不同投影而非仅有运动。请逐帧配准，或作为多投影联合配准。</translation>
+    </message>
+    <message>
+        <source>The image covers %1 x %2 mm of the detector by its pixel spacing</source>
+        <translation>按像素间距图像覆盖探测器 %1 x %2 mm</translation>
+    </message>
+    <message>
+        <source>The landmarks all lie in one place. Choose some farther apart.</source>
+        <translation>标志点都在同一处。请选择相距较远的。</translation>
+    </message>
+    <message>
+        <source>The landmarks lie on one line, so the turn about it stays open. Add one off that line.</source>
+        <translation>标志点共线，绕该线的旋转无法确定。请添加线外一点。</translation>
+    </message>
+    <message>
+        <source>The primary angle (LAO/RAO) lies outside ±180°. Correct it.</source>
+        <translation>主角度（LAO/RAO）超出 ±180°。请更正。</translation>
+    </message>
+    <message>
+        <source>The principal point (%1, %2 px) lies outside the image: right for a cropped image only.</source>
+        <translation>主点（%1，%2 px）在图像之外：仅对裁剪图像正确。</translation>
+    </message>
+    <message>
+        <source>The roll lies outside ±180°. Correct it.</source>
+        <translation>滚转超出 ±180°。请更正。</translation>
+    </message>
+    <message>
+        <source>The scan is of the patient's %1 side, the angiogram of the other. Check that both are the right ones.</source>
+        <translation>CT 为患者%1侧，造影为另一侧。请核对。</translation>
+    </message>
+    <message>
+        <source>The secondary angle (CRA/CAU) lies outside ±90°. Correct it.</source>
+        <translation>次角度（CRA/CAU）超出 ±90°。请更正。</translation>
+    </message>
+    <message>
+        <source>The subtraction was stopped.</source>
+        <translation>减影已停止。</translation>
+    </message>
+    <message>
+        <source>The vessels of this frame are given by a file, those of the others are not. Take the given centreline out of the case to trace every frame.</source>
+        <translation>此帧血管由文件给定，其他帧没有。请从病例中移除给定中心线以提取每一帧。</translation>
+    </message>
+    <message>
+        <source>There are no landmarks yet. Click a place on the vessels and the same place in the image.</source>
+        <translation>尚无标志点。请单击血管上的位置和图像中的同一位置。</translation>
+    </message>
+    <message>
+        <source>There is only one frame: nothing to follow. Open a run of several frames.</source>
+        <translation>只有一帧：无可跟踪。请打开多帧序列。</translation>
+    </message>
+    <message>
+        <source>Without angles a pose needs four landmarks; there are %1. Add landmarks, or type the angles: then one is enough.</source>
+        <translation>没有角度时需要四个标志点；现有 %1 个。请添加，或输入角度：此时一个即可。</translation>
+    </message>
+    <message>
+        <source>branch %1 is there twice.</source>
+        <translation>分支 %1 重复。</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>no angles</source>
+        <translation>没有角度</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>this is not a log of observer trials. Choose another name.</source>
+        <translation>这不是观察者试验记录。请换名。</translation>
+    </message>
+    <message>
+        <source>vessel.editedTree: %1 Remove the key to go back to the vessels as they were before the edits.</source>
+        <translation>vessel.editedTree：%1 删除该键可恢复编辑前的血管。</translation>
     </message>
 </context>
 <context>
@@ -2979,6 +3889,229 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
+    <name>ui::AngiogramPanel</name>
+    <message>
+        <source>%1 frames before each</source>
+        <translation>每帧之前 %1 帧</translation>
+    </message>
+    <message>
+        <source>none found: mark them below</source>
+        <translation>未找到：请在下方标记</translation>
+    </message>
+    <message>
+        <source>%1 (automatic)</source>
+        <translation>%1（自动）</translation>
+    </message>
+    <message>
+        <source>Angiogram</source>
+        <translation>造影</translation>
+    </message>
+    <message>
+        <source>Subtract mask  B</source>
+        <translation>减去蒙片  B</translation>
+    </message>
+    <message>
+        <source>Whole run in one picture</source>
+        <translation>整个序列合成一幅</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>Choose the frames before the contrast medium arrives</source>
+        <translation>选择对比剂到达前的帧</translation>
+    </message>
+    <message>
+        <source>Find the shift of each frame</source>
+        <translation>求每帧的位移</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>Move the mask with arrows or the mouse (Shift+B)</source>
+        <translation>用方向键或鼠标移动蒙片（Shift+B）</translation>
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation>默认值</translation>
+    </message>
+    <message>
+        <source>Trace as the program would by itself</source>
+        <translation>按程序默认方式提取</translation>
+    </message>
+    <message>
+        <source>Take away what the mask frames show as well: bones and organs (B)</source>
+        <translation>去除蒙片帧中同样可见的骨骼和器官（B）</translation>
+    </message>
+    <message>
+        <source>Every frame shows the darkest value of each pixel over the run (Shift+C)</source>
+        <translation>每帧显示各像素在序列中的最暗值（Shift+C）</translation>
+    </message>
+    <message>
+        <source>Subtract mask</source>
+        <translation>减去蒙片</translation>
+    </message>
+    <message>
+        <source>Show native frames</source>
+        <translation>显示原始帧</translation>
+    </message>
+    <message>
+        <source>One frame at a time</source>
+        <translation>逐帧显示</translation>
+    </message>
+    <message>
+        <source>Choose mask frames automatically</source>
+        <translation>自动选择蒙片帧</translation>
+    </message>
+    <message>
+        <source>Find the mask's shift</source>
+        <translation>求蒙片位移</translation>
+    </message>
+    <message>
+        <source>Mask shift to the right</source>
+        <translation>蒙片右移</translation>
+    </message>
+    <message>
+        <source>Mask shift down</source>
+        <translation>蒙片下移</translation>
+    </message>
+    <message>
+        <source>How far the mask moves to the right, px</source>
+        <translation>蒙片向右移动量，px</translation>
+    </message>
+    <message>
+        <source>How far the mask moves down, px</source>
+        <translation>蒙片向下移动量，px</translation>
+    </message>
+    <message>
+        <source>mask frames</source>
+        <translation>蒙片帧</translation>
+    </message>
+    <message>
+        <source>shift →  ↓</source>
+        <translation>位移 →  ↓</translation>
+    </message>
+    <message>
+        <source>Move the mask</source>
+        <translation>移动蒙片</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>线性</translation>
+    </message>
+    <message>
+        <source>logarithmic</source>
+        <translation>对数</translation>
+    </message>
+    <message>
+        <source>How stored values relate to the X-ray intensity (0028,1040)</source>
+        <translation>存储值与 X 线强度的关系（0028,1040）</translation>
+    </message>
+    <message>
+        <source>Pixel values</source>
+        <translation>像素值</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>暗</translation>
+    </message>
+    <message>
+        <source>bright</source>
+        <translation>亮</translation>
+    </message>
+    <message>
+        <source>Whether contrast medium is darker or brighter than the background</source>
+        <translation>对比剂比背景暗还是亮</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>血管</translation>
+    </message>
+    <message>
+        <source>Change the meaning of pixel values</source>
+        <translation>更改像素值含义</translation>
+    </message>
+    <message>
+        <source>Vessels are dark</source>
+        <translation>血管为暗</translation>
+    </message>
+    <message>
+        <source>Vessels are bright</source>
+        <translation>血管为亮</translation>
+    </message>
+    <message>
+        <source>pixel values</source>
+        <translation>像素值</translation>
+    </message>
+    <message>
+        <source>vessels</source>
+        <translation>血管</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>更改 %1</translation>
+    </message>
+    <message>
+        <source>shortest vessel</source>
+        <translation>最短血管</translation>
+    </message>
+    <message>
+        <source>Isolated pieces shorter than this are left out; spurs shorter than a third of it too</source>
+        <translation>短于此的孤立段略去；短于其三分之一的毛刺亦然</translation>
+    </message>
+    <message>
+        <source>sensitivity</source>
+        <translation>灵敏度</translation>
+    </message>
+    <message>
+        <source>Above 1: fainter vessels are traced as well</source>
+        <translation>大于 1：也提取较淡的血管</translation>
+    </message>
+    <message>
+        <source>widest radius</source>
+        <translation>最大半径</translation>
+    </message>
+    <message>
+        <source>Radius of the widest vessel looked for</source>
+        <translation>所寻最粗血管的半径</translation>
+    </message>
+    <message>
+        <source>Default tracing</source>
+        <translation>默认提取</translation>
+    </message>
+    <message>
+        <source>Edit vessels  E</source>
+        <translation>编辑血管  E</translation>
+    </message>
+    <message>
+        <source>Leave out, erase, draw and cut traced curves (E)</source>
+        <translation>排除、擦除、绘制和切断提取的曲线（E）</translation>
+    </message>
+    <message>
+        <source>Tracing</source>
+        <translation>提取</translation>
+    </message>
+    <message>
+        <source>subtracting …</source>
+        <translation>减影中……</translation>
+    </message>
+    <message>
+        <source>subtracted</source>
+        <translation>已减影</translation>
+    </message>
+    <message>
+        <source>composite</source>
+        <translation>合成</translation>
+    </message>
+    <message>
+        <source>native</source>
+        <translation>原始</translation>
+    </message>
+</context>
+<context>
     <name>ui::AngiogramView</name>
     <message>
         <source>Angiogram with the projected vessel tree</source>
@@ -2987,6 +4120,192 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>frame %1 of 0–%2</source>
         <translation>第 %1 帧（0–%2）</translation>
+    </message>
+    <message>
+        <source>Mirrored image, mirrored back by the view</source>
+        <translation>镜像图像，视图已还原</translation>
+    </message>
+    <message>
+        <source>Seen from the source: the view is mirrored</source>
+        <translation>从源方向看：视图镜像</translation>
+    </message>
+    <message>
+        <source>Mirrored image: as seen from the source</source>
+        <translation>镜像图像：如从源方向看</translation>
+    </message>
+</context>
+<context>
+    <name>ui::AuxiliaryDialog</name>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Up to generation</source>
+        <translation>至第几级</translation>
+    </message>
+    <message>
+        <source>Generation 0 begins at the root of the tree.</source>
+        <translation>第 0 级从血管树根部开始。</translation>
+    </message>
+    <message>
+        <source>At least this wide</source>
+        <translation>至少这么粗</translation>
+    </message>
+    <message>
+        <source>By the median radius of a branch.</source>
+        <translation>按分支半径中位数。</translation>
+    </message>
+    <message>
+        <source>Choose these</source>
+        <translation>选择这些</translation>
+    </message>
+    <message>
+        <source>Makes the suggested branches the auxiliary ones.</source>
+        <translation>将建议的分支设为辅助分支。</translation>
+    </message>
+    <message>
+        <source>Auxiliary branches</source>
+        <translation>辅助分支</translation>
+    </message>
+    <message>
+        <source>The alternating methods solve for these branches first, so choose what is filled, still and told apart well. One image tells a branch only across its course: which ones pin which step of the pose is computed here for the pose as it is.</source>
+        <translation>交替类方法先求解这些分支，请选充盈、静止且易分辨的。单幅图像只能确定分支垂直于走向的位置：此处按当前位姿计算各分支约束哪个自由度。</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>自由度</translation>
+    </message>
+    <message>
+        <source>all branches</source>
+        <translation>全部分支</translation>
+    </message>
+    <message>
+        <source>the chosen</source>
+        <translation>所选</translation>
+    </message>
+    <message>
+        <source>pinned best by</source>
+        <translation>最佳约束分支</translation>
+    </message>
+    <message>
+        <source>± is one standard deviation expected of traced vessels with usual noise.</source>
+        <translation>± 为通常噪声下预期的一个标准差。</translation>
+    </message>
+    <message>
+        <source>Last generation</source>
+        <translation>最后一级</translation>
+    </message>
+    <message>
+        <source>Smallest radius</source>
+        <translation>最小半径</translation>
+    </message>
+    <message>
+        <source>Lasso  Ctrl+L</source>
+        <translation>套索  Ctrl+L</translation>
+    </message>
+    <message>
+        <source>Draw around the branches on the image (Ctrl+L).</source>
+        <translation>在图像上圈选分支（Ctrl+L）。</translation>
+    </message>
+    <message>
+        <source>In view  V</source>
+        <translation>视野内  V</translation>
+    </message>
+    <message>
+        <source>The branches that lie wholly in the view (V).</source>
+        <translation>完全位于视野内的分支（V）。</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Without chosen branches the nodes of the tree are used.</source>
+        <translation>未选分支时使用血管树的节点。</translation>
+    </message>
+    <message>
+        <source>±%1 %2</source>
+        <translation>±%1 %2</translation>
+    </message>
+    <message>
+        <source>Vessels, camera and pose are needed for a suggestion.</source>
+        <translation>建议需要血管、相机和位姿。</translation>
+    </message>
+    <message>
+        <source>Suggested: %1. They tell nearly as much as all together.</source>
+        <translation>建议：%1。其信息量几乎等于全部分支。</translation>
+    </message>
+    <message>
+        <source>This tree knows no generations.</source>
+        <translation>此血管树没有分级信息。</translation>
+    </message>
+    <message>
+        <source>This tree knows no radii.</source>
+        <translation>此血管树没有半径信息。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::BlindTrialDialog</name>
+    <message>
+        <source>Seed</source>
+        <translation>种子</translation>
+    </message>
+    <message>
+        <source>Start shifted by up to</source>
+        <translation>初始平移上限</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Start turned by up to</source>
+        <translation>初始旋转上限</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Start trial</source>
+        <translation>开始试验</translation>
+    </message>
+    <message>
+        <source>Blind observer trial</source>
+        <translation>观察者盲法试验</translation>
+    </message>
+    <message>
+        <source>The vessels start at random around the pose as it is. Until Done all numbers, residual colours and earlier poses are out of sight; time and final pose go to the log, and the case stays as it is.</source>
+        <translation>血管从当前位姿附近的随机位置开始。完成前隐藏所有数值、残差颜色和先前位姿；时间和最终位姿写入记录，病例不变。</translation>
+    </message>
+    <message>
+        <source>Observer</source>
+        <translation>观察者</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>选择……</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Log of the trials</source>
+        <translation>试验记录</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Observer and log are needed.</source>
+        <translation>需要观察者和记录。</translation>
     </message>
 </context>
 <context>
@@ -3022,6 +4341,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>out</source>
         <translation>排除</translation>
     </message>
+    <message>
+        <source>g%1</source>
+        <translation>%1 级</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>隐藏</translation>
+    </message>
 </context>
 <context>
     <name>ui::BranchModel</name>
@@ -3040,6 +4367,18 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>median residual %1 mm</source>
         <translation>残差中位数 %1 mm</translation>
+    </message>
+    <message>
+        <source>radius %1 mm</source>
+        <translation>半径 %1 mm</translation>
+    </message>
+    <message>
+        <source>generation %1</source>
+        <translation>第 %1 级</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>隐藏</translation>
     </message>
 </context>
 <context>
@@ -3072,6 +4411,62 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>No auxiliary branches (use the nodes)</source>
         <translation>无辅助分支（使用节点）</translation>
     </message>
+    <message>
+        <source>as in the tree</source>
+        <translation>按血管树顺序</translation>
+    </message>
+    <message>
+        <source>by name</source>
+        <translation>按名称</translation>
+    </message>
+    <message>
+        <source>by length</source>
+        <translation>按长度</translation>
+    </message>
+    <message>
+        <source>by radius</source>
+        <translation>按半径</translation>
+    </message>
+    <message>
+        <source>by generation</source>
+        <translation>按级别</translation>
+    </message>
+    <message>
+        <source>by residual</source>
+        <translation>按残差</translation>
+    </message>
+    <message>
+        <source>Find a branch</source>
+        <translation>查找分支</translation>
+    </message>
+    <message>
+        <source>Order of the branches</source>
+        <translation>分支排序</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Closes the gap; undo opens it again (Ctrl+G).</source>
+        <translation>闭合间隙；可撤销（Ctrl+G）。</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>Selects both branches and moves the cross-hair to the gap.</source>
+        <translation>选中两个分支并将十字线移到间隙。</translation>
+    </message>
+    <message>
+        <source>Generation</source>
+        <translation>级别</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
 </context>
 <context>
     <name>ui::ConvergencePlot</name>
@@ -3082,6 +4477,147 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>shown after a run</source>
         <translation>配准后显示</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CornerViews</name>
+    <message>
+        <source>3-D</source>
+        <translation>三维</translation>
+    </message>
+    <message>
+        <source>All slices, large</source>
+        <translation>所有断层，放大</translation>
+    </message>
+    <message>
+        <source>All slices, large (M)</source>
+        <translation>所有断层，放大（M）</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CurveEditBar</name>
+    <message>
+        <source>Not a vessel</source>
+        <translation>非血管</translation>
+    </message>
+    <message>
+        <source>Click a curve to leave it out</source>
+        <translation>单击曲线以排除</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>擦除</translation>
+    </message>
+    <message>
+        <source>Brush over parts of curves</source>
+        <translation>涂抹曲线部分</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>绘制</translation>
+    </message>
+    <message>
+        <source>Click along a vessel: the line follows it</source>
+        <translation>沿血管单击：线条自动跟随</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>切断</translation>
+    </message>
+    <message>
+        <source>Click where a curve is to fall in two</source>
+        <translation>单击曲线断开处</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>矩形</translation>
+    </message>
+    <message>
+        <source>Keep what lies in a box; Ctrl: leave it out</source>
+        <translation>保留框内部分；Ctrl：排除</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Keep what lies in a lasso; Ctrl: leave it out</source>
+        <translation>保留套索内部分；Ctrl：排除</translation>
+    </message>
+    <message>
+        <source>Trace again</source>
+        <translation>重新提取</translation>
+    </message>
+    <message>
+        <source>Forget the edits of this frame and trace it automatically; undo brings them back</source>
+        <translation>放弃此帧编辑并自动提取；可撤销</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>%1 curves, %2 suspect</source>
+        <translation>%1 条曲线，%2 条可疑</translation>
+    </message>
+    <message>
+        <source>%1 curves</source>
+        <translation>%1 条曲线</translation>
+    </message>
+</context>
+<context>
+    <name>ui::EditCurvesTool</name>
+    <message>
+        <source>Mark as not a vessel</source>
+        <translation>标为非血管</translation>
+    </message>
+    <message>
+        <source>Edit vessels: tracing this frame …</source>
+        <translation>编辑血管：正在提取此帧……</translation>
+    </message>
+    <message>
+        <source>Erase: brush over curves, [ ] size of the brush, Esc ends</source>
+        <translation>擦除：涂抹曲线，[ ] 笔刷大小，Esc 结束</translation>
+    </message>
+    <message>
+        <source>Draw: click along the vessel, Enter ends, Backspace takes a point back, Shift straight</source>
+        <translation>绘制：沿血管单击，回车结束，退格撤一点，Shift 直线</translation>
+    </message>
+    <message>
+        <source>Cut: click where a curve is to fall in two, Esc ends</source>
+        <translation>切断：单击曲线断开处，Esc 结束</translation>
+    </message>
+    <message>
+        <source>Not a vessel: click a curve to leave it out, Esc ends</source>
+        <translation>非血管：单击曲线以排除，Esc 结束</translation>
+    </message>
+    <message>
+        <source>Box: drag around what counts, Ctrl around what does not, Esc ends</source>
+        <translation>框选：拖动框住有效部分，Ctrl 框住无效部分，Esc 结束</translation>
+    </message>
+    <message>
+        <source>Lasso: draw around what counts, Ctrl around what does not, Esc ends</source>
+        <translation>套索：圈住有效部分，Ctrl 圈住无效部分，Esc 结束</translation>
+    </message>
+    <message>
+        <source>Erase curves</source>
+        <translation>擦除曲线</translation>
+    </message>
+    <message>
+        <source>Restrict to a region</source>
+        <translation>限定区域</translation>
+    </message>
+    <message>
+        <source>Leave out a region</source>
+        <translation>排除区域</translation>
+    </message>
+    <message>
+        <source>Cut a curve</source>
+        <translation>切断曲线</translation>
+    </message>
+    <message>
+        <source>Draw a curve</source>
+        <translation>绘制曲线</translation>
     </message>
 </context>
 <context>
@@ -3146,12 +4682,24 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>各帧充盈度</translation>
     </message>
     <message>
-        <source>Frame %1, the fullest</source>
-        <translation>第 %1 帧，最充盈</translation>
-    </message>
-    <message>
         <source>Frame %1</source>
         <translation>第 %1 帧</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>the fullest</source>
+        <translation>最充盈</translation>
+    </message>
+    <message>
+        <source>mask</source>
+        <translation>蒙片</translation>
+    </message>
+    <message>
+        <source>Shift+drag marks mask frames, double click shows the curve</source>
+        <translation>Shift+拖动标记蒙片帧，双击显示曲线</translation>
     </message>
 </context>
 <context>
@@ -3175,10 +4723,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>pixel</source>
         <translation>像素</translation>
-    </message>
-    <message>
-        <source>Pixel pitch on the detector</source>
-        <translation>探测器像素间距</translation>
     </message>
     <message>
         <source>LAO / RAO</source>
@@ -3260,72 +4804,176 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>missing values</source>
         <translation>缺少数值</translation>
     </message>
+    <message>
+        <source>Roll, centre, isocentre</source>
+        <translation>滚转、中心、等中心</translation>
+    </message>
+    <message>
+        <source>What the header says</source>
+        <translation>文件头内容</translation>
+    </message>
+    <message>
+        <source>as from the detector</source>
+        <translation>如从探测器看</translation>
+    </message>
+    <message>
+        <source>Side that the image is shown from</source>
+        <translation>图像的观察侧</translation>
+    </message>
+    <message>
+        <source>Angiograms are shown as seen from the detector. A mirrored export shows left and right exchanged: the projection is mirrored with it, the vessels never are.</source>
+        <translation>造影图像按从探测器方向显示。镜像导出左右互换：投影随之镜像，血管绝不镜像。</translation>
+    </message>
+    <message>
+        <source>side of the image</source>
+        <translation>图像侧</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>%1 tags</source>
+        <translation>%1 个标签</translation>
+    </message>
+    <message>
+        <source>The header gives no pixel spacing; this one is derived. Press Enter in it to confirm, or type it.</source>
+        <translation>文件头无像素间距；此值为推算。在框内按回车确认，或输入。</translation>
+    </message>
+    <message>
+        <source>The image is taken as mirrored (%1): check that left and right are where they belong.</source>
+        <translation>图像视为镜像（%1）：请核对左右。</translation>
+    </message>
+    <message>
+        <source>The gantry turns during this run: at this frame by %1° LAO/RAO and %2° CRA/CAU since the first.</source>
+        <translation>采集中机架旋转：此帧相对第一帧 LAO/RAO %1°、CRA/CAU %2°。</translation>
+    </message>
+    <message>
+        <source>Pixel pitch on the detector. Enter confirms a derived one.</source>
+        <translation>探测器像素间距。回车确认推算值。</translation>
+    </message>
+    <message>
+        <source>field width</source>
+        <translation>视野宽度</translation>
+    </message>
+    <message>
+        <source>Width of the image on the detector: gives the pixel pitch</source>
+        <translation>图像在探测器上的宽度：由此得出像素间距</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>滚转</translation>
+    </message>
+    <message>
+        <source>The image is turned clockwise by this</source>
+        <translation>图像顺时针旋转的角度</translation>
+    </message>
+    <message>
+        <source>centre right</source>
+        <translation>中心右</translation>
+    </message>
+    <message>
+        <source>Column that the beam axis meets; 0 is the middle of the first</source>
+        <translation>中心射线所在列；0 为第一列中心</translation>
+    </message>
+    <message>
+        <source>centre down</source>
+        <translation>中心下</translation>
+    </message>
+    <message>
+        <source>Row that the beam axis meets; 0 is the middle of the first</source>
+        <translation>中心射线所在行；0 为第一行中心</translation>
+    </message>
+    <message>
+        <source>isocentre L</source>
+        <translation>等中心 L</translation>
+    </message>
+    <message>
+        <source>What the gantry turns about, in the vessels' coordinates: left</source>
+        <translation>机架旋转中心（血管坐标）：左</translation>
+    </message>
+    <message>
+        <source>isocentre P</source>
+        <translation>等中心 P</translation>
+    </message>
+    <message>
+        <source>What the gantry turns about, in the vessels' coordinates: posterior</source>
+        <translation>机架旋转中心（血管坐标）：后</translation>
+    </message>
+    <message>
+        <source>isocentre H</source>
+        <translation>等中心 H</translation>
+    </message>
+    <message>
+        <source>What the gantry turns about, in the vessels' coordinates: head</source>
+        <translation>机架旋转中心（血管坐标）：头</translation>
+    </message>
 </context>
 <context>
     <name>ui::GoodFit</name>
     <message>
-        <source>Good: everything lies</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Good: one branch unfilled</source>
-        <translation type="unfinished"></translation>
+        <translation>好：一个分支未充盈</translation>
     </message>
     <message>
         <source>Good: vessels have moved</source>
-        <translation type="unfinished"></translation>
+        <translation>好：血管有移动</translation>
     </message>
     <message>
         <source>Bad: shifted</source>
-        <translation type="unfinished"></translation>
+        <translation>坏：平移</translation>
     </message>
     <message>
         <source>Bad: turned</source>
-        <translation type="unfinished"></translation>
+        <translation>坏：旋转</translation>
     </message>
     <message>
         <source>Bad: wrong view angle</source>
-        <translation type="unfinished"></translation>
+        <translation>坏：投照角度错误</translation>
     </message>
     <message>
         <source>Lines run in the middle of their vessels, blue all along, into the side branches too.</source>
-        <translation type="unfinished"></translation>
+        <translation>线条位于血管中央，全程蓝色，侧支亦然。</translation>
     </message>
     <message>
         <source>Amber only where this frame shows no contrast; every filled vessel is blue.</source>
-        <translation type="unfinished"></translation>
+        <translation>仅此帧无对比剂处为琥珀色；充盈血管均为蓝色。</translation>
     </message>
     <message>
         <source>Small differences to both sides: beating and breathing. No rigid pose does better.</source>
-        <translation type="unfinished"></translation>
+        <translation>两侧均有小偏差：心跳与呼吸。没有更好的刚性位姿。</translation>
     </message>
     <message>
         <source>All lines miss to the same side. Register again, or nudge with the arrows.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有线条偏向同一侧。请重新配准或用方向键微调。</translation>
     </message>
     <message>
         <source>Fits in the middle and misses more and more outwards: turned in the image plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>中间吻合而向外偏差渐大：在图像平面内旋转。</translation>
     </message>
     <message>
         <source>The trunk fits, side branches point elsewhere: LAO/RAO or CRA/CAU are off.</source>
-        <translation type="unfinished"></translation>
+        <translation>主干吻合而侧支指向别处：LAO/RAO 或 CRA/CAU 有偏差。</translation>
     </message>
     <message>
         <source>What a good fit looks like</source>
-        <translation type="unfinished"></translation>
+        <translation>好的配准是什么样</translation>
     </message>
     <message>
         <source>Simulated vessels. Blue lies on a vessel, amber 2 mm off or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟血管。蓝色在血管上，琥珀色偏 2 mm 或以上。</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">关闭</translation>
+        <translation>关闭</translation>
     </message>
     <message>
         <source>drawing …</source>
-        <translation type="unfinished"></translation>
+        <translation>绘制中……</translation>
+    </message>
+    <message>
+        <source>Good: everything fits</source>
+        <translation>好：全部吻合</translation>
     </message>
 </context>
 <context>
@@ -3343,7 +4991,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <name>ui::HelpPage</name>
     <message>
         <source>Close</source>
-        <translation type="unfinished">关闭</translation>
+        <translation>关闭</translation>
     </message>
 </context>
 <context>
@@ -3385,43 +5033,123 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Keys and what they do</source>
-        <translation type="unfinished"></translation>
+        <translation>快捷键及其作用</translation>
     </message>
     <message>
         <source>Reset all keys</source>
-        <translation type="unfinished"></translation>
+        <translation>重置所有快捷键</translation>
     </message>
     <message>
         <source>Enter or double-click on a line takes a new key for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>在某行按回车或双击可设置新快捷键。</translation>
     </message>
     <message>
         <source>This key is fixed.</source>
-        <translation type="unfinished"></translation>
+        <translation>此快捷键固定。</translation>
     </message>
     <message>
         <source>Press the new key for “%1”. Esc keeps the old one, Delete leaves none.</source>
-        <translation type="unfinished"></translation>
+        <translation>请按“%1”的新快捷键。Esc 保留原键，Delete 清除。</translation>
     </message>
     <message>
         <source>The old key stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>保留原快捷键。</translation>
     </message>
     <message>
         <source>“%1” is needed elsewhere. Press another key.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”另有用途。请按其他键。</translation>
     </message>
     <message>
         <source>“%1” belongs to “%2”. Press it again to take it from there, or press another key.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”属于“%2”。再按一次可改用，或按其他键。</translation>
     </message>
     <message>
         <source>No key any more.</source>
-        <translation type="unfinished"></translation>
+        <translation>已清除快捷键。</translation>
     </message>
     <message>
         <source>The key is “%1” now.</source>
-        <translation type="unfinished"></translation>
+        <translation>快捷键现为“%1”。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::LandmarkPanel</name>
+    <message>
+        <source>Landmarks</source>
+        <translation>标志点</translation>
+    </message>
+    <message>
+        <source>Click pairs  L</source>
+        <translation>点选成对  L</translation>
+    </message>
+    <message>
+        <source>Place vessels</source>
+        <translation>放置血管</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Landmarks and how far each is off</source>
+        <translation>标志点及其偏差</translation>
+    </message>
+    <message>
+        <source>A place on the vessels in 3-D (or a slice), then the same place in the image: L</source>
+        <translation>先在三维（或断层）血管上，再在图像同一处：L</translation>
+    </message>
+    <message>
+        <source>Find the start pose from the pairs: Enter while clicking. Undo brings the old one back.</source>
+        <translation>由点对求初始位姿：点选时按回车。可撤销。</translation>
+    </message>
+    <message>
+        <source>Remove the chosen pairs: Delete</source>
+        <translation>移除所选点对：Delete</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>not in view</source>
+        <translation>不在视野内</translation>
+    </message>
+    <message>
+        <source>L pairs places by clicks</source>
+        <translation>L 点选成对</translation>
+    </message>
+    <message>
+        <source>%1 pairs</source>
+        <translation>%1 对</translation>
+    </message>
+</context>
+<context>
+    <name>ui::LandmarkTool</name>
+    <message>
+        <source>Landmarks: now click the same place in the image</source>
+        <translation>标志点：请在图像中单击同一位置</translation>
+    </message>
+    <message>
+        <source>Landmarks: now click the same place on the vessels in 3-D</source>
+        <translation>标志点：请在三维血管上单击同一位置</translation>
+    </message>
+    <message>
+        <source>Landmarks: click a place in 3-D and here, or drag a node to its place · Enter places the vessels</source>
+        <translation>标志点：在三维和此处单击，或将节点拖到其位置 · 回车放置血管</translation>
+    </message>
+</context>
+<context>
+    <name>ui::LassoTool</name>
+    <message>
+        <source>Lasso: draw around the auxiliary branches, Shift adds, Ctrl removes, Esc ends</source>
+        <translation>套索：圈选辅助分支，Shift 追加，Ctrl 移除，Esc 结束</translation>
+    </message>
+</context>
+<context>
+    <name>ui::MaskShiftTool</name>
+    <message>
+        <source>Mask: arrows or drag move it, Shift 1 px, Ctrl 0.05 px, Esc ends · right %1, down %2 px</source>
+        <translation>蒙片：方向键或拖动，Shift 1 px，Ctrl 0.05 px，Esc 结束 · 右 %1，下 %2 px</translation>
     </message>
 </context>
 <context>
@@ -3440,10 +5168,72 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
+    <name>ui::MissingInputs</name>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Where are the inputs?</source>
+        <translation>输入文件在哪里？</translation>
+    </message>
+    <message>
+        <source>“%1” refers to files that are not where they were, and a search beside it and among recent cases did not find them. The case itself is unharmed.</source>
+        <translation>“%1”引用的文件已不在原处，在其旁和最近病例中也未找到。病例本身完好。</translation>
+    </message>
+    <message>
+        <source>was in %1</source>
+        <translation>原在 %1</translation>
+    </message>
+    <message>
+        <source>Locate …</source>
+        <translation>查找……</translation>
+    </message>
+    <message>
+        <source>Locate %1</source>
+        <translation>查找 %1</translation>
+    </message>
+    <message>
+        <source>Search a folder …</source>
+        <translation>搜索文件夹……</translation>
+    </message>
+    <message>
+        <source>Looks in the folder and all below it, by name and by content.</source>
+        <translation>在文件夹及其子文件夹中按名称和内容查找。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>now %1</source>
+        <translation>现为 %1</translation>
+    </message>
+    <message>
+        <source>Search a folder</source>
+        <translation>搜索文件夹</translation>
+    </message>
+</context>
+<context>
     <name>ui::NudgeTool</name>
     <message>
         <source>Nudge: drag shifts, ring rolls, Ctrl is fine, Esc takes back</source>
         <translation>微调：拖动平移，圆环旋转，Ctrl 精细，Esc 取消</translation>
+    </message>
+</context>
+<context>
+    <name>ui::OpacificationPlot</name>
+    <message>
+        <source>Opacification over the frames</source>
+        <translation>各帧充盈曲线</translation>
+    </message>
+    <message>
+        <source>%1 · %2 s</source>
+        <translation>%1 · %2 s</translation>
+    </message>
+    <message>
+        <source>Only runs of several frames have a curve</source>
+        <translation>只有多帧序列才有曲线</translation>
     </message>
 </context>
 <context>
@@ -3520,16 +5310,229 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>锁定%1</translation>
     </message>
     <message>
-        <source>Lock against nudging, dragging and typing. Register still finds all six and says so.</source>
-        <translation>锁定后不能微调、拖动或输入。配准仍会求全部六个自由度并提示。</translation>
-    </message>
-    <message>
         <source>nudging · arrows · N ends</source>
         <translation>微调中 · 方向键 · N 结束</translation>
     </message>
     <message>
         <source>nudge N · fine Ctrl · coarse Shift</source>
         <translation>微调 N · 精细 Ctrl · 粗调 Shift</translation>
+    </message>
+    <message>
+        <source>Keep this value: nudging, dragging, typing and Register leave it as it is.</source>
+        <translation>保持此值：微调、拖动、输入和配准均不改变。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PoseTable</name>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Runs the ticked methods one after the other from the pose as it is.</source>
+        <translation>从当前位姿依次运行所勾选的方法。</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Stops the running method and skips the rest; what is finished stays.</source>
+        <translation>停止当前方法并跳过其余；已完成的保留。</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Moves the vessels there; undo takes it back.</source>
+        <translation>将血管移到该处；可撤销。</translation>
+    </message>
+    <message>
+        <source>Use as reference</source>
+        <translation>作为参考</translation>
+    </message>
+    <message>
+        <source>Differences are told from this pose.</source>
+        <translation>以此位姿计算差值。</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Removes the snapshots; undo brings them back.</source>
+        <translation>移除快照；可撤销。</translation>
+    </message>
+    <message>
+        <source>Compare poses</source>
+        <translation>比较位姿</translation>
+    </message>
+    <message>
+        <source>Poses side by side</source>
+        <translation>并列位姿</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>位姿</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>median mm</source>
+        <translation>中位数 mm</translation>
+    </message>
+    <message>
+        <source>95 % mm</source>
+        <translation>95 % mm</translation>
+    </message>
+    <message>
+        <source>covered %</source>
+        <translation>覆盖 %</translation>
+    </message>
+    <message>
+        <source>Δ in plane mm</source>
+        <translation>Δ 平面内 mm</translation>
+    </message>
+    <message>
+        <source>Δ depth mm</source>
+        <translation>Δ 深度 mm</translation>
+    </message>
+    <message>
+        <source>Δ turn °</source>
+        <translation>Δ 旋转 °</translation>
+    </message>
+    <message>
+        <source>run ms</source>
+        <translation>用时 ms</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>作者</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Export CSV …</source>
+        <translation>导出 CSV……</translation>
+    </message>
+    <message>
+        <source>Writes the table with poses as matrices.</source>
+        <translation>导出表格，位姿为矩阵。</translation>
+    </message>
+    <message>
+        <source>Run several methods</source>
+        <translation>运行多种方法</translation>
+    </message>
+    <message>
+        <source>each leaves its pose in the table; the case keeps its own</source>
+        <translation>各方法位姿留在表中；病例保持原位姿</translation>
+    </message>
+    <message>
+        <source>The pose as it is</source>
+        <translation>当前位姿</translation>
+    </message>
+    <message>
+        <source>This fit was not trustworthy.</source>
+        <translation>此配准不可信。</translation>
+    </message>
+    <message>
+        <source>Differences are told from “%1”, about the centre of the tree. Amber: not trustworthy.</source>
+        <translation>差值相对“%1”，绕血管树中心。琥珀色：不可信。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PruneDialog</name>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Prune</source>
+        <translation>修剪</translation>
+    </message>
+    <message>
+        <source>Remove end branches that are</source>
+        <translation>移除末端分支，条件为</translation>
+    </message>
+    <message>
+        <source>shorter than</source>
+        <translation>短于</translation>
+    </message>
+    <message>
+        <source>on average thinner than (radius)</source>
+        <translation>平均细于（半径）</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Nothing would be left. Lower the limits.</source>
+        <translation>将一无所剩。请降低限值。</translation>
+    </message>
+    <message>
+        <source>No branch goes.</source>
+        <translation>不移除分支。</translation>
+    </message>
+    <message>
+        <source>1 branch goes.</source>
+        <translation>移除 1 个分支。</translation>
+    </message>
+    <message>
+        <source>%1 branches go.</source>
+        <translation>移除 %1 个分支。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::RecoveryDialog</name>
+    <message>
+        <source>Recover</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Recover unsaved work?</source>
+        <translation>恢复未保存的工作吗？</translation>
+    </message>
+    <message>
+        <source>AngioPose ended unexpectedly. These cases had changes that were not saved; recovering opens the copy and leaves the saved case as it is.</source>
+        <translation>AngioPose 意外退出。这些病例有未保存的更改；恢复会打开副本，已保存的病例不变。</translation>
+    </message>
+    <message>
+        <source>Decide later</source>
+        <translation>以后再定</translation>
+    </message>
+    <message>
+        <source>Copies of unsaved work</source>
+        <translation>未保存工作的副本</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>病例</translation>
+    </message>
+    <message>
+        <source>Last copy</source>
+        <translation>最后副本</translation>
+    </message>
+    <message>
+        <source>Saved in</source>
+        <translation>保存于</translation>
+    </message>
+    <message>
+        <source>never saved</source>
+        <translation>从未保存</translation>
     </message>
 </context>
 <context>
@@ -3587,14 +5590,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>The lock holds for your hand only: Register moves all six.</source>
-        <translation>锁定只限手动：配准会移动全部六个自由度。</translation>
-    </message>
-    <message>
-        <source>The %1 locks hold for your hand only: Register moves all six.</source>
-        <translation>%1 个锁定只限手动：配准会移动全部六个自由度。</translation>
-    </message>
-    <message>
         <source>method</source>
         <translation>方法</translation>
     </message>
@@ -3605,6 +5600,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Registering …</source>
         <translation>配准中……</translation>
+    </message>
+    <message>
+        <source>Register keeps the locked degree of freedom.</source>
+        <translation>配准保持锁定的自由度。</translation>
+    </message>
+    <message>
+        <source>Register keeps the %1 locked degrees of freedom.</source>
+        <translation>配准保持 %1 个锁定的自由度。</translation>
     </message>
 </context>
 <context>
@@ -3806,6 +5809,169 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
+    <name>ui::SliceModel</name>
+    <message>
+        <source>Axial</source>
+        <translation>轴位</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>冠状位</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>矢状位</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SliceView</name>
+    <message>
+        <source>x %1  y %2  z %3 mm</source>
+        <translation>x %1  y %2  z %3 mm</translation>
+    </message>
+    <message>
+        <source>No scan</source>
+        <translation>无扫描</translation>
+    </message>
+    <message>
+        <source>%1 %2 / %3</source>
+        <translation>%1 %2 / %3</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>范围外</translation>
+    </message>
+    <message>
+        <source>%1 HU</source>
+        <translation>%1 HU</translation>
+    </message>
+    <message>
+        <source>W %1 L %2</source>
+        <translation>W %1 L %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SlicesPage</name>
+    <message>
+        <source>Window</source>
+        <translation>窗</translation>
+    </message>
+    <message>
+        <source>Back to the angiogram</source>
+        <translation>返回造影图像</translation>
+    </message>
+    <message>
+        <source>W %1 L %2 HU</source>
+        <translation>W %1 L %2 HU</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>From the values of this scan; right drag in a slice changes it by hand.</source>
+        <translation>取自此扫描的数值；在断层上右键拖动可手动调整。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SnapshotPanel</name>
+    <message>
+        <source>median %1 mm, 95 % %2 mm, covered %3 %</source>
+        <translation>中位数 %1 mm，95 % %2 mm，覆盖 %3 %</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>第 %1 帧</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>位姿</translation>
+    </message>
+    <message>
+        <source>K keeps the pose; Y goes between two. Every run leaves its pose here.</source>
+        <translation>K 保留位姿；Y 在两者间切换。每次配准的位姿都留在此处。</translation>
+    </message>
+    <message>
+        <source>Compare …</source>
+        <translation>比较……</translation>
+    </message>
+    <message>
+        <source>Kept poses</source>
+        <translation>保留的位姿</translation>
+    </message>
+    <message>
+        <source>Keep pose  K</source>
+        <translation>保留位姿  K</translation>
+    </message>
+    <message>
+        <source>Keeps this pose with its numbers under a name (K).</source>
+        <translation>以名称保留此位姿及其数值（K）。</translation>
+    </message>
+    <message>
+        <source>Poses and methods side by side, as a table (Shift+K).</source>
+        <translation>位姿和方法并列成表（Shift+K）。</translation>
+    </message>
+    <message>
+        <source>Runs (%1)</source>
+        <translation>配准（%1）</translation>
+    </message>
+    <message>
+        <source>median mm · Y: A ⇄ B</source>
+        <translation>中位数 mm · Y：A ⇄ B</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Restore	Return</source>
+        <translation>恢复	Return</translation>
+    </message>
+    <message>
+        <source>Use as A</source>
+        <translation>作为 A</translation>
+    </message>
+    <message>
+        <source>Use as B</source>
+        <translation>作为 B</translation>
+    </message>
+    <message>
+        <source>Rename	F2</source>
+        <translation>重命名	F2</translation>
+    </message>
+    <message>
+        <source>Delete	Del</source>
+        <translation>删除	Del</translation>
+    </message>
+    <message>
+        <source>Compare …	Shift+K</source>
+        <translation>比较……	Shift+K</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>手动</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SolutionStrip</name>
+    <message>
+        <source>Solutions</source>
+        <translation>解</translation>
+    </message>
+    <message>
+        <source>J shows the next · Shift+J takes it</source>
+        <translation>J 下一个 · Shift+J 采用</translation>
+    </message>
+    <message>
+        <source>Solutions of the run</source>
+        <translation>本次配准的解</translation>
+    </message>
+</context>
+<context>
     <name>ui::StepBar</name>
     <message>
         <source>Vessels</source>
@@ -3859,23 +6025,130 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <name>ui::Tour</name>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>上一步</translation>
     </message>
     <message>
         <source>Skip</source>
-        <translation type="unfinished"></translation>
+        <translation>跳过</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2</translation>
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished"></translation>
+        <translation>完成</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation type="unfinished"></translation>
+        <translation>下一步</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TracingPanel</name>
+    <message>
+        <source>%1  %2  %3  %4</source>
+        <translation>%1  %2  %3  %4</translation>
+    </message>
+    <message>
+        <source>Trace vessels</source>
+        <translation>提取血管</translation>
+    </message>
+    <message>
+        <source>Automatic threshold</source>
+        <translation>自动阈值</translation>
+    </message>
+    <message>
+        <source>HU</source>
+        <translation>HU</translation>
+    </message>
+    <message>
+        <source>Show in the slices what is above</source>
+        <translation>在断层中显示高于阈值的部分</translation>
+    </message>
+    <message>
+        <source>Seeds</source>
+        <translation>种子点</translation>
+    </message>
+    <message>
+        <source>Then click vessels in a slice: only what is connected to a seed is traced.</source>
+        <translation>然后在断层上单击血管：只提取与种子点相连的部分。</translation>
+    </message>
+    <message>
+        <source>Avoid</source>
+        <translation>避开</translation>
+    </message>
+    <message>
+        <source>Then click heart, veins or bone in a slice: what is reached from there on wider ways is left out.</source>
+        <translation>然后单击心脏、静脉或骨骼：从该处经较宽通路可达的部分略去。</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>提取</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>阈值</translation>
+    </message>
+    <message>
+        <source>The vessels begin at this value of the scan.</source>
+        <translation>血管从此扫描值开始。</translation>
+    </message>
+    <message>
+        <source>Seeds and places to avoid</source>
+        <translation>种子点和避开点</translation>
+    </message>
+    <message>
+        <source>Shortest branch</source>
+        <translation>最短分支</translation>
+    </message>
+    <message>
+        <source>Branches that leave their parent's wall by less are removed.</source>
+        <translation>超出母血管壁不足此值的分支移除。</translation>
+    </message>
+    <message>
+        <source>Thinnest branch</source>
+        <translation>最细分支</translation>
+    </message>
+    <message>
+        <source>Branches whose mean radius is smaller are removed.</source>
+        <translation>平均半径更小的分支移除。</translation>
+    </message>
+    <message>
+        <source>Ends the tracing; the vessels stay as they were.</source>
+        <translation>结束提取；血管保持原样。</translation>
+    </message>
+    <message>
+        <source>+ seed %1</source>
+        <translation>+ 种子点 %1</translation>
+    </message>
+    <message>
+        <source>× avoid %1</source>
+        <translation>× 避开 %1</translation>
+    </message>
+    <message>
+        <source>Tracing …</source>
+        <translation>提取中……</translation>
+    </message>
+    <message>
+        <source>Click in a slice to place a point; Esc ends.</source>
+        <translation>在断层上单击放点；Esc 结束。</translation>
+    </message>
+    <message>
+        <source>The traced vessels replace the tree; undo brings it back.</source>
+        <translation>提取的血管替换血管树；可撤销。</translation>
     </message>
 </context>
 <context>
@@ -3883,6 +6156,33 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>3-D view of vessel tree, X-ray source and detector</source>
         <translation>血管树、X 射线源和探测器的三维视图</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TrialBar</name>
+    <message>
+        <source>Abandon</source>
+        <translation>放弃</translation>
+    </message>
+    <message>
+        <source>Ends the trial; the log says that it was abandoned.</source>
+        <translation>结束试验；记录为放弃。</translation>
+    </message>
+    <message>
+        <source>Done  Ctrl+Return</source>
+        <translation>完成  Ctrl+Return</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Logs time and pose, and brings the numbers back (Ctrl+Return).</source>
+        <translation>记录时间和位姿，并恢复数值显示（Ctrl+Return）。</translation>
+    </message>
+    <message>
+        <source>Blind trial of %1: lay the vessels onto the image. Numbers come back when you are done.</source>
+        <translation>%1 的盲法试验：将血管对准图像。完成后恢复数值。</translation>
     </message>
 </context>
 <context>
@@ -4066,7 +6366,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>沿图像无法确定的方向摆动</translation>
     </message>
     <message>
-        <source>Show the run&apos;s other solutions</source>
+        <source>Show the run's other solutions</source>
         <translation>显示其他解</translation>
     </message>
     <message>
@@ -4247,99 +6547,374 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>move; on the ring roll; Esc takes it back, then ends the mode</source>
-        <translation type="unfinished"></translation>
+        <translation>平移；在圆环上旋转；Esc 取消，再按结束模式</translation>
     </message>
     <message>
         <source>Save picture of the window …</source>
-        <translation type="unfinished"></translation>
+        <translation>保存窗口图片……</translation>
     </message>
     <message>
         <source>Copy picture of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>复制窗口图片</translation>
     </message>
     <message>
         <source>Radiology: left drag windows</source>
-        <translation type="unfinished"></translation>
+        <translation>放射科：左键拖动调窗</translation>
     </message>
     <message>
         <source>3D Slicer: left only picks</source>
-        <translation type="unfinished"></translation>
+        <translation>3D Slicer：左键仅选择</translation>
     </message>
     <message>
         <source>Scroll: left drag runs the frames</source>
-        <translation type="unfinished"></translation>
+        <translation>滚动：左键拖动换帧</translation>
     </message>
     <message>
         <source>Help on what the mouse points at</source>
-        <translation type="unfinished"></translation>
+        <translation>鼠标所指内容的帮助</translation>
     </message>
     <message>
         <source>Short tour</source>
-        <translation type="unfinished"></translation>
+        <translation>简短导览</translation>
     </message>
     <message>
         <source>What a good fit looks like</source>
-        <translation type="unfinished"></translation>
+        <translation>好的配准是什么样</translation>
     </message>
     <message>
         <source>Keys and mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>快捷键与鼠标</translation>
     </message>
     <message>
         <source>Ctrl+wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+滚轮</translation>
     </message>
     <message>
         <source>right click</source>
-        <translation type="unfinished"></translation>
+        <translation>右键单击</translation>
     </message>
     <message>
         <source>menu of what can be done here</source>
-        <translation type="unfinished"></translation>
+        <translation>此处可用操作的菜单</translation>
     </message>
     <message>
         <source>left drag, arrows</source>
-        <translation type="unfinished"></translation>
+        <translation>左键拖动、方向键</translation>
     </message>
     <message>
         <source>turn</source>
-        <translation type="unfinished">转动</translation>
+        <translation>旋转</translation>
     </message>
     <message>
         <source>right drag, wheel, + −</source>
-        <translation type="unfinished"></translation>
+        <translation>右键拖动、滚轮、+ −</translation>
     </message>
     <message>
         <source>double click</source>
-        <translation type="unfinished"></translation>
+        <translation>双击</translation>
     </message>
     <message>
         <source>everything in view again</source>
-        <translation type="unfinished"></translation>
+        <translation>重新显示全部</translation>
     </message>
     <message>
         <source>nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>Shift+left drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+左键拖动</translation>
     </message>
     <message>
         <source>Ctrl+left drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+左键拖动</translation>
     </message>
     <message>
         <source>right drag</source>
-        <translation type="unfinished"></translation>
+        <translation>右键拖动</translation>
     </message>
     <message>
         <source>Mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>鼠标</translation>
     </message>
     <message>
         <source>On the 3-D view</source>
-        <translation type="unfinished"></translation>
+        <translation>在三维视图上</translation>
+    </message>
+    <message>
+        <source>Edit traced vessels</source>
+        <translation>编辑提取的血管</translation>
+    </message>
+    <message>
+        <source>Trace this frame again</source>
+        <translation>重新提取此帧</translation>
+    </message>
+    <message>
+        <source>Subtract mask, native</source>
+        <translation>减影、原始</translation>
+    </message>
+    <message>
+        <source>Move the mask by hand</source>
+        <translation>手动移动蒙片</translation>
+    </message>
+    <message>
+        <source>This frame is the mask</source>
+        <translation>以此帧为蒙片</translation>
+    </message>
+    <message>
+        <source>Whole run in one picture</source>
+        <translation>整个序列合成一幅</translation>
+    </message>
+    <message>
+        <source>Click pairs of landmarks</source>
+        <translation>点选标志点对</translation>
+    </message>
+    <message>
+        <source>Place vessels by landmarks</source>
+        <translation>按标志点放置血管</translation>
+    </message>
+    <message>
+        <source>Auxiliary: draw a lasso</source>
+        <translation>辅助：套索圈选</translation>
+    </message>
+    <message>
+        <source>Auxiliary: which branches …</source>
+        <translation>辅助：选择哪些分支……</translation>
+    </message>
+    <message>
+        <source>Trace the scan again</source>
+        <translation>重新提取扫描</translation>
+    </message>
+    <message>
+        <source>Find a branch</source>
+        <translation>查找分支</translation>
+    </message>
+    <message>
+        <source>Rename branch</source>
+        <translation>重命名分支</translation>
+    </message>
+    <message>
+        <source>Cut branch at the cross-hair</source>
+        <translation>在十字线处切断分支</translation>
+    </message>
+    <message>
+        <source>Join two branches</source>
+        <translation>连接两个分支</translation>
+    </message>
+    <message>
+        <source>Smooth branches</source>
+        <translation>平滑分支</translation>
+    </message>
+    <message>
+        <source>Root at the branch's end near the cross-hair</source>
+        <translation>以十字线附近分支端为根</translation>
+    </message>
+    <message>
+        <source>Hide or show branches</source>
+        <translation>隐藏或显示分支</translation>
+    </message>
+    <message>
+        <source>Show all branches</source>
+        <translation>显示所有分支</translation>
+    </message>
+    <message>
+        <source>Delete branches</source>
+        <translation>删除分支</translation>
+    </message>
+    <message>
+        <source>Delete branches and what leaves them</source>
+        <translation>删除分支及其分出部分</translation>
+    </message>
+    <message>
+        <source>Prune short or thin branches …</source>
+        <translation>修剪短或细的分支……</translation>
+    </message>
+    <message>
+        <source>Join the pieces at the next gap</source>
+        <translation>在下一间隙处连接</translation>
+    </message>
+    <message>
+        <source>Keep this pose</source>
+        <translation>保留此位姿</translation>
+    </message>
+    <message>
+        <source>Switch between poses A and B</source>
+        <translation>在位姿 A 与 B 间切换</translation>
+    </message>
+    <message>
+        <source>Compare poses and methods …</source>
+        <translation>比较位姿和方法……</translation>
+    </message>
+    <message>
+        <source>Blind observer trial …</source>
+        <translation>观察者盲法试验……</translation>
+    </message>
+    <message>
+        <source>Trial done</source>
+        <translation>试验完成</translation>
+    </message>
+    <message>
+        <source>Seen from the source (mirrored)</source>
+        <translation>从源方向看（镜像）</translation>
+    </message>
+    <message>
+        <source>Opacification over time</source>
+        <translation>充盈随时间变化</translation>
+    </message>
+    <message>
+        <source>3-D, axial, coronal, sagittal below the branches</source>
+        <translation>分支下方：三维、轴位、冠状、矢状</translation>
+    </message>
+    <message>
+        <source>Slices instead of the angiogram</source>
+        <translation>以断层代替造影图像</translation>
+    </message>
+    <message>
+        <source>Image alone, without the columns</source>
+        <translation>仅图像，不显示侧栏</translation>
+    </message>
+    <message>
+        <source>in 3-D or a slice, then in the image: one pair</source>
+        <translation>先在三维或断层，再在图像：一对</translation>
+    </message>
+    <message>
+        <source>a node of the vessels to its place, or a cross elsewhere</source>
+        <translation>将血管节点拖到其位置，或移动十字</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>回车</translation>
+    </message>
+    <message>
+        <source>place the vessels by the pairs</source>
+        <translation>按点对放置血管</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>remove the last pair</source>
+        <translation>移除最后一对</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>click curves that are no vessels</source>
+        <translation>单击非血管曲线</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>erase with a brush; [ ] its size</source>
+        <translation>用笔刷擦除；[ ] 大小</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>draw: Enter ends, Backspace takes a point back, Shift straight</source>
+        <translation>绘制：回车结束，退格撤一点，Shift 直线</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>cut a curve</source>
+        <translation>切断曲线</translation>
+    </message>
+    <message>
+        <source>B L</source>
+        <translation>B L</translation>
+    </message>
+    <message>
+        <source>box or lasso around what counts; Ctrl: around what does not</source>
+        <translation>框选或套索有效部分；Ctrl：无效部分</translation>
+    </message>
+    <message>
+        <source>✓ ✗</source>
+        <translation>✓ ✗</translation>
+    </message>
+    <message>
+        <source>dashed curves may be a catheter: keep or leave out</source>
+        <translation>虚线可能为导管：保留或排除</translation>
+    </message>
+    <message>
+        <source>click, left drag, Ctrl+arrows</source>
+        <translation>单击、左键拖动、Ctrl+方向键</translation>
+    </message>
+    <message>
+        <source>cross-hair, linked with all views</source>
+        <translation>十字线，与所有视图联动</translation>
+    </message>
+    <message>
+        <source>picks the point at the cross-hair, as a click does</source>
+        <translation>选取十字线处的点，同单击</translation>
+    </message>
+    <message>
+        <source>wheel, ↑ ↓, PgUp PgDn</source>
+        <translation>滚轮、↑ ↓、PgUp PgDn</translation>
+    </message>
+    <message>
+        <source>slices (Shift 10)</source>
+        <translation>层面（Shift 10）</translation>
+    </message>
+    <message>
+        <source>window and level; a right click opens the menu</source>
+        <translation>窗宽窗位；右键单击打开菜单</translation>
+    </message>
+    <message>
+        <source>middle drag, Ctrl+wheel</source>
+        <translation>中键拖动、Ctrl+滚轮</translation>
+    </message>
+    <message>
+        <source>pan and zoom</source>
+        <translation>平移和缩放</translation>
+    </message>
+    <message>
+        <source>all slices large, and back</source>
+        <translation>所有断层放大，再返回</translation>
+    </message>
+    <message>
+        <source>&amp;Vessels</source>
+        <translation>血管(&amp;G)</translation>
+    </message>
+    <message>
+        <source>While clicking landmarks</source>
+        <translation>点选标志点时</translation>
+    </message>
+    <message>
+        <source>While editing vessels</source>
+        <translation>编辑血管时</translation>
+    </message>
+    <message>
+        <source>On a slice</source>
+        <translation>在断层上</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowPreset</name>
+    <message>
+        <source>CTA</source>
+        <translation>CTA</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>骨窗</translation>
+    </message>
+    <message>
+        <source>Soft tissue</source>
+        <translation>软组织窗</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>肺窗</translation>
     </message>
 </context>
 </TS>

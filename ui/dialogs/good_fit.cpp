@@ -22,7 +22,7 @@ QString headingOf(FitExample example)
 {
     switch (example) {
         case FitExample::Right:
-            return GoodFit::tr("Good: everything lies");
+            return GoodFit::tr("Good: everything fits");
         case FitExample::Unfilled:
             return GoodFit::tr("Good: one branch unfilled");
         case FitExample::Deformed:

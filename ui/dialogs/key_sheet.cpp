@@ -35,6 +35,18 @@ bool isModifier(int key)
     return std::ranges::find(modifiers, key) != modifiers.end();
 }
 
+/// The key as shortcuts are written: "?" and not "Shift+?", and the keypad's digits like the others.
+QKeySequence keyOf(const QKeyEvent& event)
+{
+    Qt::KeyboardModifiers modifiers = event.modifiers() & ~Qt::KeypadModifier;
+    const bool isSign =
+        event.key() > Qt::Key_Space && event.key() < Qt::Key_AsciiTilde && !QChar(event.key()).isLetterOrNumber();
+    if (isSign) {
+        modifiers &= ~Qt::ShiftModifier;
+    }
+    return QKeySequence(QKeyCombination(modifiers, static_cast<Qt::Key>(event.key())));
+}
+
 /// Keys that move about in dialogs, hide the overlay or take back: no command may have them alone.
 bool isReserved(const QKeySequence& key)
 {
@@ -180,7 +192,7 @@ bool KeySheet::eventFilter(QObject* watched, QEvent* event)
     } else if (pressed->key() == Qt::Key_Delete) {
         take({});
     } else {
-        take(QKeySequence(pressed->keyCombination()));
+        take(keyOf(*pressed));
     }
     return true;
 }
