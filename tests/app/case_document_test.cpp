@@ -10,7 +10,10 @@ namespace {
 
 std::unique_ptr<QUndoCommand> showFrame(CaseDocument& document, int frame, int burst = separateEdit)
 {
-    return std::make_unique<ShowFrame>(document, ShowFrame::Values{frame}, QStringLiteral("Frame"), burst);
+    const core::RegistrationCase& current = document.current();
+    return std::make_unique<ShowFrame>(
+        document, ShowFrame::Values{frame, current.initialCameraFromPatient, current.cameraFromPatient, current.result},
+        QStringLiteral("Frame"), burst);
 }
 
 TEST(CaseDocument, GoesBackAndForth)

@@ -272,7 +272,8 @@ TEST_F(WindowSlices, ShowLabelsOfTheSameScan)
 
 TEST_F(WindowSlices, GoWithTheScan)
 {
-    w.controller.document().replace({}, {});
+    const core::RegistrationCase nothing;
+    w.controller.document().replace(nothing, {});
     EXPECT_FALSE(model().hasScan());
     EXPECT_FALSE(w.window.slicesPage().isVisible());
     EXPECT_FALSE(w.window.actions()[ui::Command::SlicesLarge]->isEnabled());

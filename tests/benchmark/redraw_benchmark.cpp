@@ -1,5 +1,6 @@
 // How long a pose edit takes until both views show it. Run it on a screen or under
 // xvfb-run -a -s "-screen 0 1920x1200x24".
+#include "core/geometry/pose_offset.h"
 #include "core/simulation/simulated_case.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tree_view.h"

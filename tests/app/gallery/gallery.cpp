@@ -39,13 +39,18 @@ void openSample(app::CaseController& controller)
     if (sample) {
         controller.open({sample.value()});
     }
-    QTest::qWaitFor([&controller] { return !controller.isLoading() && controller.judgement() != nullptr; }, patienceMs);
+    if (!QTest::qWaitFor([&controller] { return !controller.isLoading() && controller.judgement() != nullptr; },
+                         patienceMs)) {
+        qFatal("The sample case did not open.");
+    }
 }
 
 void runRegistration(app::CaseController& controller)
 {
     controller.registration().start();
-    QTest::qWaitFor([&controller] { return !controller.registration().isRunning(); }, patienceMs);
+    if (!QTest::qWaitFor([&controller] { return !controller.registration().isRunning(); }, patienceMs)) {
+        qFatal("The registration did not end.");
+    }
     QTest::qWait(300);
 }
 
@@ -72,7 +77,9 @@ void Gallery::run()
     app::CaseController controller(window);
     window.resize(1440, 900);
     window.show();
-    QTest::qWaitForWindowExposed(&window);
+    if (!QTest::qWaitForWindowExposed(&window)) {
+        qFatal("The window did not show.");
+    }
     showWindow(window, QStringLiteral("welcome"));
     openSample(controller);
     showWindow(window, QStringLiteral("start"));

@@ -16,15 +16,15 @@ TEST(TraceJob, FindsTheVesselsOfTheFrame)
 {
     const auto simulated = test::smallCase();
     TraceJob job;
-    SharedCenterline traced;
-    QObject::connect(&job, &TraceJob::finished, [&](const SharedCenterline& t) { traced = t; });
+    SharedTrace traced;
+    QObject::connect(&job, &TraceJob::finished, [&](const SharedTrace& t) { traced = t; });
     QSignalSpy finished(&job, &TraceJob::finished);
 
     job.start({std::make_shared<core::Angiogram>(simulated.angiogram), simulated.angiogram.suggestedFrame, {}});
 
     ASSERT_TRUE(finished.wait(patienceMs));
     ASSERT_TRUE(traced);
-    EXPECT_GT(traced->pointCount(), 50U);
+    EXPECT_GT(traced->centerline.pointCount(), 50U);
 }
 
 TEST(TraceJob, SaysWhyAnEvenFrameCannotBeTraced)

@@ -5,10 +5,14 @@
 #include "ui/words/language.h"
 
 #include <gtest/gtest.h>
+
 #include <QCoreApplication>
+#include <string_view>
 
 namespace ui {
 namespace {
+
+using namespace std::string_view_literals;
 
 /// Speaks a language for the length of a test.
 class Speaking {
@@ -48,14 +52,15 @@ TEST(ScanSentences, LeaveOutKeysUnitsAndCode)
 
 TEST(CoreText, LeavesEnglishAsItIs)
 {
-    EXPECT_EQ(coreText("The vessels fit better 2.4 mm aside."), QStringLiteral("The vessels fit better 2.4 mm aside."));
+    EXPECT_EQ(coreText("The vessels fit better 2.4 mm aside."sv),
+              QStringLiteral("The vessels fit better 2.4 mm aside."));
 }
 
 TEST(CoreText, FindsTheTemplateASentenceWasMadeOf)
 {
     const Speaking german("de");
 
-    EXPECT_EQ(coreText("The vessels fit better 2.4 mm aside."),
+    EXPECT_EQ(coreText("The vessels fit better 2.4 mm aside."sv),
               QStringLiteral("Die Gefäße passen 2.4 mm daneben besser."));
 }
 
@@ -67,10 +72,10 @@ TEST(CoreText, TranslatesWhatIsFilledInBehindFileNamesAndBetweenDots)
         coreText(core::cameraFromCArm({}, 512, 512).error().message),
         QStringLiteral("Der Abstand Fokus–Detektor (SID) fehlt oder ist nicht positiv. In der Geometrie des Falls "
                        "eintragen (der Bildheader nennt ihn nicht)."));
-    EXPECT_EQ(coreText("a.nii: its voxels are cut short. Copy or export it again."),
+    EXPECT_EQ(coreText("a.nii: its voxels are cut short. Copy or export it again."sv),
               QStringLiteral("a.nii: die Voxel sind unvollständig. Neu kopieren oder exportieren."));
-    EXPECT_EQ(coreText("SID 907 · SOD 720 mm (header)"), QStringLiteral("SID 907 · SOD 720 mm (Header)"));
-    EXPECT_EQ(coreText("The vessel tree has no branch 3. The vessel tree has no branch 4."),
+    EXPECT_EQ(coreText("SID 907 · SOD 720 mm (header)"sv), QStringLiteral("SID 907 · SOD 720 mm (Header)"));
+    EXPECT_EQ(coreText("The vessel tree has no branch 3. The vessel tree has no branch 4."sv),
               QStringLiteral("Der Gefäßbaum hat keinen Ast 3. Der Gefäßbaum hat keinen Ast 4."));
 }
 
@@ -78,7 +83,7 @@ TEST(CoreText, LeavesUnknownWordsAlone)
 {
     const Speaking chinese("zh_CN");
 
-    EXPECT_EQ(coreText("LAD proximal, 3 of 4"), QStringLiteral("LAD proximal, 3 of 4"));
+    EXPECT_EQ(coreText("LAD proximal, 3 of 4"sv), QStringLiteral("LAD proximal, 3 of 4"));
 }
 
 TEST(CoreText, KnowsEveryOptionAndMethodInEveryLanguage)
