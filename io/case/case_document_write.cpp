@@ -1,7 +1,7 @@
 #include "io/case/case_document.h"
 #include "io/case/option_values.h"
-#include "io/case/tree_values.h"
 #include "io/case/snapshot_json.h"
+#include "io/case/tree_values.h"
 #include "io/case/vessel_key.h"
 #include "io/support/json_text.h"
 #include "io/support/pose_matrix.h"

@@ -209,7 +209,8 @@ void GeometryPanel::showNotes()
         notes << coreText(contradiction);
     }
     if (state_.cArm.columnSpacingMm.origin == core::Origin::Derived && !state_.cameraOverride) {
-        notes << tr("The header gives no pixel spacing; this one is derived. Press Enter in it to confirm, or type it.");
+        notes << tr(
+            "The header gives no pixel spacing; this one is derived. Press Enter in it to confirm, or type it.");
     }
     if (state_.cArm.columnSpacingMm.origin == core::Origin::Derived && !state_.cameraOverride) {
         notes << tr(

@@ -28,8 +28,8 @@ double meanOf(const std::vector<double>& values)
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// Distance of every target point to the projected tree. The map is made at half the resolution: where a point is within
-/// two of its cells, as all that agree are, the nearest is found all the same.
+/// Distance of every target point to the projected tree. The map is made at half the resolution: where a point is
+/// within two of its cells, as all that agree are, the nearest is found all the same.
 std::vector<double> reverseDistancesPx(const RegistrationProblem& problem, const ProjectedTree& projected)
 {
     std::vector<Eigen::Vector2d> visible;
