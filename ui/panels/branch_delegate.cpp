@@ -86,33 +86,32 @@ QRect nameRectIn(const QStyleOptionViewItem& option, int right)
     return {left, option.rect.top(), right - left - generationWidth, option.rect.height()};
 }
 
-/// The name, and behind it the generation.
-void paintName(QPainter& painter, const QRect& area, const QFont& font, const QModelIndex& index)
+/// The name, and behind it the generation where that leaves the name whole.
+void paintName(QPainter& painter, QRect area, const QFont& font, const QModelIndex& index)
 {
     const Palette& tones = activePalette();
     const bool excluded = index.data(BranchModel::ExcludedRole).toBool();
     const bool hidden = index.data(BranchModel::HiddenRole).toBool();
     const int generation = index.data(BranchModel::GenerationRole).toInt();
+    const QString text = index.data(BranchModel::NameRole).toString();
     QFont name = font;
     name.setWeight(QFont::DemiBold);
     name.setStrikeOut(excluded);
     name.setItalic(hidden);
     painter.setFont(name);
     painter.setPen(toQColor(excluded || hidden ? tones.hint : tones.textStrong));
-    painter.drawText(
-        area, Qt::AlignLeft | Qt::AlignVCenter,
-        QFontMetrics(name).elidedText(index.data(BranchModel::NameRole).toString(), Qt::ElideRight, area.width()));
+    const bool hasGeneration = generation >= 0 && QFontMetrics(name).horizontalAdvance(text) <= area.width();
+    if (!hasGeneration) {
+        area.setWidth(area.width() + generationWidth - 4);
+    }
+    painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter,
+                     QFontMetrics(name).elidedText(text, Qt::ElideRight, area.width()));
     painter.setFont(font);
-    if (generation >= 0) {
+    if (hasGeneration) {
         const QRect behind(area.right(), area.top(), generationWidth - 4, area.height());
         painter.setPen(toQColor(tones.hint));
         painter.drawText(behind, Qt::AlignRight | Qt::AlignVCenter, BranchDelegate::tr("g%1").arg(generation));
     }
-}
-
-int lengthWidthOf(const QStyleOptionViewItem& option)
-{
-    return option.fontMetrics.horizontalAdvance(QStringLiteral("0000 mm"));
 }
 
 }   // namespace
@@ -135,7 +134,7 @@ void BranchDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
 
     const QRect pill = auxiliaryRect(row);
     const QString length = tr("%1 mm").arg(index.data(BranchModel::LengthRole).toDouble(), 0, 'f', 0);
-    const int lengthWidth = lengthWidthOf(option);
+    const int lengthWidth = option.fontMetrics.horizontalAdvance(length);
     const QRect lengthRect(pill.left() - lengthWidth - 10, row.top(), lengthWidth, row.height());
     const bool hidden = index.data(BranchModel::HiddenRole).toBool();
     const QRect nameRect = nameRectIn(option, lengthRect.left());
