@@ -157,7 +157,9 @@ bool TreeSamples::hasRadius() const
 
 Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const RegistrationOptions& options)
 {
-    const VesselTree tree = without(input.tree, input.excludedBranchIds);
+    const bool usesAll = input.excludedBranchIds.empty();
+    const VesselTree remaining = usesAll ? VesselTree() : without(input.tree, input.excludedBranchIds);
+    const VesselTree& tree = usesAll ? input.tree : remaining;
     if (std::string problem = findProblem(input, tree); !problem.empty()) {
         return Error{std::move(problem)};
     }

@@ -28,28 +28,25 @@ double meanOf(const std::vector<double>& values)
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// Distance of every target point to the projected tree. The map is made at half the resolution: where a point is
-/// within two of its cells, as all that agree are, the nearest is found all the same.
+/// Distance of every target point to the projected tree.
 std::vector<double> reverseDistancesPx(const RegistrationProblem& problem, const ProjectedTree& projected)
 {
     std::vector<Eigen::Vector2d> visible;
-    std::vector<Eigen::Vector2d> halved;
     std::vector<int> branch;
     for (std::size_t i = 0; i < projected.pointsPx.size(); ++i) {
         if (projected.pointsPx[i].allFinite()) {
             visible.push_back(projected.pointsPx[i]);
-            halved.emplace_back(0.5 * projected.pointsPx[i]);
             branch.push_back(problem.tree.branchIndex[i]);
         }
     }
     if (visible.empty()) {
         return std::vector<double>(problem.target.size(), imageDiagonalPx(problem.camera));
     }
-    const FeatureMap index(std::move(halved), problem.camera.width / 2 + 1, problem.camera.height / 2 + 1);
+    const FeatureMap index(std::move(visible), problem.camera.width, problem.camera.height);
     std::vector<double> distances;
     distances.reserve(problem.target.size());
     for (const Eigen::Vector2d& point : problem.target.points) {
-        distances.push_back(distanceToCurve({visible, branch}, index.nearestIndex(0.5 * point), point));
+        distances.push_back(distanceToCurve({index.points(), branch}, index.nearestIndex(point), point));
     }
     return distances;
 }

@@ -16,15 +16,15 @@ struct Row {
     std::int32_t* rowsAway;
 };
 
-/// Takes over what the row beside it knows, where that is nearer. Without branches: compilers make wide instructions
-/// of it.
+/// Takes over what the row beside it knows, where that is nearer. Masks instead of branches: compilers make wide
+/// instructions of it.
 void takeNearer(const Row& here, const Row& beside, std::size_t columns)
 {
     for (std::size_t k = 0; k < columns; ++k) {
         const std::int32_t away = beside.rowsAway[k] + 1;
-        const bool isNearer = away < here.rowsAway[k];
-        here.point[k] = isNearer ? beside.point[k] : here.point[k];
-        here.rowsAway[k] = isNearer ? away : here.rowsAway[k];
+        const std::int32_t taken = away < here.rowsAway[k] ? -1 : 0;
+        here.point[k] = (beside.point[k] & taken) | (here.point[k] & ~taken);
+        here.rowsAway[k] = (away & taken) | (here.rowsAway[k] & ~taken);
     }
 }
 
