@@ -104,6 +104,7 @@ TEST(SimulationProtocol, DisturbsAboutSourceOrCentroid)
         return sum / 40.0;
     };
     EXPECT_NEAR(meanStartPx("cam-2-5"), 77.0, 20.0);   // ALGORITHMS §4.2
+    EXPECT_NEAR(meanStartPx("cam-norm-2-5"), 48.0, 8.0);
     EXPECT_NEAR(meanStartPx("obj-2-5"), 17.0, 4.0);
 }
 
