@@ -135,9 +135,10 @@ QWidget* MainWindow::makeRightColumn()
     layout->addWidget(pose_);
     layout->addWidget(registration_);
     layout->addWidget(result_);
+    auto* verdict = static_cast<QVBoxLayout*>(result_->layout());   // poses belong to it: above the plots
+    verdict->insertWidget(verdict->indexOf(&result_->solutions()) + 1, snapshots_);
     layout->addWidget(landmarks_);
     layout->addWidget(angiogramPanel_);
-    layout->addWidget(snapshots_);
     layout->addWidget(geometry_);
     layout->addStretch(1);
     rightColumn_->setProperty("role", "column");

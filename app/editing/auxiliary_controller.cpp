@@ -198,6 +198,7 @@ void AuxiliaryController::request()
     } else {
         start();
     }
+    show();   // the choice at once, the numbers when they are known
 }
 
 void AuxiliaryController::start()
@@ -250,7 +251,8 @@ QString AuxiliaryController::previewWords() const
     double chosenMm = 0.0;
     for (const core::VesselBranch& branch : current.tree->branches) {
         lengthMm += branch.lengthMm();
-        chosenMm += branches_.marks().auxiliary.contains(branch.id) ? branch.lengthMm() : 0.0;
+        const auto& chosenIds = current.auxiliaryBranchIds;
+        chosenMm += std::ranges::find(chosenIds, branch.id) != chosenIds.end() ? branch.lengthMm() : 0.0;
     }
     const QString chosen = current.auxiliaryBranchIds.empty()
                                ? tr("Nothing is chosen: the alternation takes the %1 nodes of the tree.")

@@ -17,11 +17,12 @@ namespace {
 
 /// What would tell how good a pose is, show another one, or take the trial's state out of the program.
 constexpr std::array hiddenCommands{
-    ui::Command::Register,     ui::Command::WorstBranch,  ui::Command::Replay,   ui::Command::Swing,
-    ui::Command::NextSolution, ui::Command::TakeSolution, ui::Command::KeepPose, ui::Command::SwitchPoses,
-    ui::Command::ComparePoses, ui::Command::Save,         ui::Command::SaveAs,   ui::Command::ExportOverlay,
-    ui::Command::ExportResult, ui::Command::ExportPose,   ui::Command::Open,     ui::Command::OpenFolder,
-    ui::Command::OpenSample,   ui::Command::BlindTrial,   ui::Command::CopyPose};
+    ui::Command::Register,        ui::Command::WorstBranch,  ui::Command::Replay,   ui::Command::Swing,
+    ui::Command::NextSolution,    ui::Command::TakeSolution, ui::Command::KeepPose, ui::Command::SwitchPoses,
+    ui::Command::ComparePoses,    ui::Command::Save,         ui::Command::SaveAs,   ui::Command::ExportOverlay,
+    ui::Command::ExportResult,    ui::Command::ExportPose,   ui::Command::Open,     ui::Command::OpenFolder,
+    ui::Command::OpenSample,      ui::Command::BlindTrial,   ui::Command::CopyPose, ui::Command::Landmarks,
+    ui::Command::PlaceByLandmarks};
 
 std::uint64_t nextSeed(const std::vector<core::PoseSnapshot>& snapshots)
 {
@@ -140,6 +141,10 @@ void BlindTrialController::showRunning(bool running)
     window_.actions()[ui::Command::TrialDone]->setEnabled(running);
     window_.snapshots().setVisible(!running);
     window_.result().setVisible(!running);
+    if (running) {
+        window_.actions()[ui::Command::Landmarks]->setChecked(false);
+    }
+    window_.landmarks().setVisible(!running);   // it tells how far the pairs are apart
 }
 
 void BlindTrialController::log(const io::ObserverTrial& trial)

@@ -43,7 +43,7 @@ AuxiliaryDialog::AuxiliaryDialog(QWidget* parent)
     setObjectName(QStringLiteral("auxiliaryDialog"));
     setWindowTitle(tr("Auxiliary branches"));
     setAttribute(Qt::WA_DeleteOnClose);
-    resize(dialogWidth, sizeHint().height());
+    resize(dialogWidth, 1);   // as high as its words need, see showAdvice
     auto* words = wrapped("hint");
     words->setText(
         tr("The alternating methods solve for these branches first, so choose what is filled, still and told "
@@ -140,6 +140,10 @@ void AuxiliaryDialog::showAdvice(const AuxiliaryAdvice& advice)
     };
     enable(byGeneration_, generation_, advice.generations > 0, tr("This tree knows no generations."));
     enable(byRadius_, radius_, advice.largestRadiusMm.has_value(), tr("This tree knows no radii."));
+    layout()->activate();
+    if (const int needed = layout()->totalHeightForWidth(width()); needed > height()) {
+        resize(width(), needed);   // wrapped words do not tell their height by themselves
+    }
 }
 
 }   // namespace ui

@@ -22,6 +22,7 @@ constexpr int dialogHeight = 560;
 constexpr int idRole = Qt::UserRole;
 constexpr int orderRole = Qt::UserRole + 1;
 constexpr int methodColumns = 4;
+constexpr int rowSpacing = 10;
 
 enum Column { Name, Method, Median, P95, Covered, InPlane, Depth, Turn, Time, Author, When, Note, ColumnCount };
 
@@ -173,6 +174,7 @@ void PoseTable::fillRow(QTreeWidgetItem& item, const PoseRow& row, bool isRefere
 {
     const core::PoseSnapshot& snapshot = row.snapshot;
     item.setData(Name, idRole, snapshot.id);
+    item.setSizeHint(Name, {0, table_->fontMetrics().height() + rowSpacing});
     item.setText(Name, snapshot.id == 0 ? tr("The pose as it is") : QString::fromStdString(snapshot.name));
     item.setText(Method, methodWords(snapshot.method));
     const auto& metrics = snapshot.metrics;

@@ -1,0 +1,67 @@
+#include "tests/app/open_window.h"
+
+#include <QSplitter>
+
+namespace app {
+namespace {
+
+using test::OpenWindow;
+
+TEST(WindowLayout, ShowsTheImageAloneAndTheColumnsAgain)
+{
+    OpenWindow w;
+    w.openSample();
+    const int before = w.window.angiogramView().width();
+    w.press(Qt::Key_4);
+    QApplication::processEvents();
+    EXPECT_FALSE(w.window.branches().isVisible());
+    EXPECT_FALSE(w.window.result().isVisible());
+    EXPECT_GT(w.window.angiogramView().width(), before + 300);
+    w.press(Qt::Key_4);
+    QApplication::processEvents();
+    EXPECT_TRUE(w.window.branches().isVisible());
+    EXPECT_EQ(w.window.angiogramView().width(), before);
+}
+
+ui::Section* sectionNamed(ui::MainWindow& window, const QString& name)
+{
+    return window.findChild<ui::Section*>(name);
+}
+
+TEST(WindowLayout, RemembersWhatIsFolded)
+{
+    QByteArray layout;
+    {
+        OpenWindow w;
+        ui::Section* residuals = sectionNamed(w.window, QStringLiteral("Residuals"));
+        ASSERT_TRUE(residuals);
+        EXPECT_FALSE(residuals->isFolded());
+        residuals->setFolded(true);
+        layout = w.window.layoutState();
+    }
+    OpenWindow again;
+    again.window.restoreLayout(layout);
+    EXPECT_TRUE(sectionNamed(again.window, QStringLiteral("Residuals"))->isFolded());
+    EXPECT_FALSE(sectionNamed(again.window, QStringLiteral("Convergence"))->isFolded());
+    again.window.restoreLayout(QByteArray("nonsense"));   // leaves all as it is
+    EXPECT_TRUE(sectionNamed(again.window, QStringLiteral("Residuals"))->isFolded());
+}
+
+TEST(WindowLayout, RemembersTheBrightnessOfASeries)
+{
+    OpenWindow w;
+    w.openSample();
+    QApplication::processEvents();
+    const double automatic = w.window.angiogramView().shownRange().window();
+    w.press(Qt::Key_8);
+    ASSERT_NEAR(w.window.angiogramView().shownRange().window(), 0.5 * automatic, 1e-6 * automatic);
+
+    w.controller.document().replace({}, {});   // another day
+    w.openSample();
+    QApplication::processEvents();
+
+    EXPECT_NEAR(w.window.angiogramView().shownRange().window(), 0.5 * automatic, 1e-6 * automatic);
+}
+
+}   // namespace
+}   // namespace app
