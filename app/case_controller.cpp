@@ -65,6 +65,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       branches_(document_),
       pose_(document_),
       landmarks_(document_, window),
+      start_(document_, window),
       angiogram_({document_, target_, sync_, window, notices_}),
       registration_(document_, target_),
       session_(window, document_, target_, registration_, notices_),
@@ -213,6 +214,8 @@ void CaseController::connectReview()
 {
     connect(&landmarks_, &LandmarkController::refused, &notices_, &Notices::showNote);
     connect(&landmarks_, &LandmarkController::placed, &notices_, &Notices::showNote);
+    connect(&start_, &StartPoseController::refused, &notices_, &Notices::showNote);
+    connect(&start_, &StartPoseController::done, &notices_, &Notices::showNote);
     connect(&look_, &LookController::branchWanted, &branches_, [this](int branchId) { branches_.select({branchId}); });
     connect(&replay_, &ReplayController::solutionShown, &review_, &ReviewController::stopMotion);
     connect(&window_, &ui::MainWindow::escapePressed, &replay_, &ReplayController::showItself);

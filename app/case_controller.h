@@ -5,6 +5,7 @@
 #include "app/editing/branch_controller.h"
 #include "app/editing/landmark_controller.h"
 #include "app/editing/pose_controller.h"
+#include "app/editing/start_pose_controller.h"
 #include "app/editing/tracing_controller.h"
 #include "app/editing/tree_actions.h"
 #include "app/files/session_controller.h"
@@ -74,6 +75,7 @@ private:
     BranchController branches_;
     PoseController pose_;
     LandmarkController landmarks_;
+    StartPoseController start_;
     AngiogramController angiogram_;
     RegistrationController registration_;
     SessionController session_;

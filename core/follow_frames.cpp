@@ -10,7 +10,7 @@ Status checkCase(const RegistrationCase& registrationCase)
     if (!registrationCase.angiogram || registrationCase.angiogram->frameCount() < 2) {
         return Error{"There is only one frame: nothing to follow. Open a run of several frames."};
     }
-    if (registrationCase.givenTarget) {
+    if (registrationCase.givenTarget && !registrationCase.editedFrame) {
         return Error{
             "The vessels of this frame are given by a file, those of the others are not. Take the given "
             "centreline out of the case to trace every frame."};

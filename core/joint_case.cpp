@@ -10,17 +10,29 @@ Error inView(std::size_t index, const Error& error)
     return {"View " + std::to_string(index + 1) + ": " + error.message};
 }
 
-/// The view with the vessels of the first, and the isocentre that all views turn about.
 RegistrationCase withVesselsOf(const RegistrationCase& first, RegistrationCase view)
 {
     view.tree = first.tree;
     view.volume = first.volume;
     view.auxiliaryBranchIds = first.auxiliaryBranchIds;
     view.excludedBranchIds = first.excludedBranchIds;
-    if (first.cArm.isocentreInPatientMm.value) {
-        view.cArm.isocentreInPatientMm = first.cArm.isocentreInPatientMm;
-    }
     return view;
+}
+
+/// From camera to camera: a turn about the isocentre, on which both beams meet.
+Result<RigidTransform> viewFromFirst(const RegistrationCase& first, const RegistrationCase& view)
+{
+    const Eigen::Vector3d anyIsocentre = Eigen::Vector3d::Zero();   // the same for both, it cancels
+    const auto gantryOfFirst = cameraFromPatient(cArmOfFrame(first), anyIsocentre);
+    const auto gantry = cameraFromPatient(cArmOfFrame(view), anyIsocentre);
+    if (gantryOfFirst && gantry) {
+        return gantry.value() * gantryOfFirst.value().inverse();
+    }
+    const auto startOfFirst = startPoseOf(first);
+    const auto start = startPoseOf(view);
+    return startOfFirst && start ? Result<RigidTransform>(start.value() * startOfFirst.value().inverse())
+           : start               ? startOfFirst.error()
+                                 : start.error();
 }
 
 }   // namespace
@@ -30,18 +42,15 @@ Result<std::vector<RegistrationInput>> jointInputsOf(std::span<const Registratio
 {
     assert(views.size() == targets.size());
     std::vector<RegistrationInput> inputs;
-    RigidTransform firstStartInverse;
+    const RegistrationCase& first = views.front();
     for (std::size_t k = 0; k < views.size(); ++k) {
-        RegistrationCase view = withVesselsOf(views.front(), views[k]);
-        const auto start = startPoseOf(view);
-        if (!start) {
-            return inView(k, start.error());
-        }
-        if (k == 0) {
-            firstStartInverse = start.value().inverse();
-        }
+        RegistrationCase view = withVesselsOf(first, views[k]);
         if (k > 0) {
-            view.cameraFromPatient = start.value() * firstStartInverse * views.front().cameraFromPatient;
+            const auto fromFirst = viewFromFirst(first, view);
+            if (!fromFirst) {
+                return inView(k, fromFirst.error());
+            }
+            view.cameraFromPatient = fromFirst.value() * first.cameraFromPatient;
         }
         auto input = registrationInputOf(view, targets[k]);
         if (!input) {

@@ -13,6 +13,7 @@
 #include <QScrollArea>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QVBoxLayout>
 
 namespace ui {
@@ -93,6 +94,11 @@ MainWindow::MainWindow(QWidget* parent)
     setMinimumSize(900, 560);
     resize(1440, 900);
     connectSlices();
+    connect(actions()[Command::Landmarks], &QAction::toggled, this, [this](bool on) {
+        if (on) {   // once the list has unfolded
+            QTimer::singleShot(0, this, [this] { rightColumn_->ensureWidgetVisible(landmarks_); });
+        }
+    });
     angiogramView_->setFocus();
     qApp->installEventFilter(this);
 }

@@ -56,6 +56,8 @@ enum class Command {
     MendGap,
     Landmarks,
     PlaceByLandmarks,
+    StartFromAngles,
+    StartHere,
     Register,
     Stop,
     Fit,

@@ -90,6 +90,7 @@ std::unique_ptr<QUndoCommand> joinInputs(CaseDocument& document, const Registrat
                                                            wanted.cameraOverride,
                                                            wanted.hasInitialPose,
                                                            wanted.cameraFromPatient,
+                                                           wanted.landmarks,
                                                            wanted.result},
                                         text);
 }

@@ -67,7 +67,7 @@ using JoinInputs =
               &RegistrationCase::treatment, &RegistrationCase::frame, &RegistrationCase::targetFile,
               &RegistrationCase::givenTarget, &RegistrationCase::editedFrame, &RegistrationCase::acceptedCurveIds,
               &RegistrationCase::cArm, &RegistrationCase::cameraOverride, &RegistrationCase::hasInitialPose,
-              &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
+              &RegistrationCase::cameraFromPatient, &RegistrationCase::landmarks, &RegistrationCase::result>;
 
 /// The edit that makes the document's case like `wanted`, geometry only.
 std::unique_ptr<QUndoCommand> changeGeometry(CaseDocument& document, const RegistrationCase& wanted,

@@ -97,6 +97,7 @@ core::RegistrationCase withInputs(core::RegistrationCase base, const LoadedInput
     if (inputs.tree || inputs.angiogram) {
         base.result.reset();
         base.hasInitialPose = false;
+        base.landmarks.clear();   // of other vessels, or in another image
         goToStart(base);
     }
     if (base.title.empty()) {

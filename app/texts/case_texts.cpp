@@ -118,7 +118,7 @@ ui::CornerTexts cornerTexts(const core::RegistrationCase& registrationCase, Iden
         texts.topLeft = identity == Identity::Shown ? patientLines(study) : std::vector<std::string>{"identity hidden"};
         texts.topRight = studyLines(study, identity);
     }
-    addLine(texts.bottomRight, anglesLine(registrationCase.cArm));
+    addLine(texts.bottomRight, anglesLine(core::cArmOfFrame(registrationCase)));
     addLine(texts.bottomRight, distancesLine(registrationCase.cArm));
     addLine(texts.bottomRight, pixelScaleText(registrationCase));
     return texts;

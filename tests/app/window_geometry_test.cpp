@@ -160,6 +160,25 @@ TEST(WindowLandmarks, NodesAreDrawnToTheirPlaceMovedAndRemoved)
     EXPECT_EQ(w.window.angiogramView().tool(), nullptr);
 }
 
+TEST(WindowStartPose, ComesFromHandOrAnglesInOneStepEach)
+{
+    OpenWindow w;
+    w.openSample();
+    const core::RigidTransform start = w.current().cameraFromPatient;
+    w.press(Qt::Key_N);
+    w.press(Qt::Key_Right, Qt::ShiftModifier);
+    w.press(Qt::Key_Backspace, Qt::ShiftModifier);
+    EXPECT_NEAR(w.controller.pose().currentOffset()->rightMm, 0.0, 1e-9);   // here is the start now
+    EXPECT_GT(test::distance(w.current().initialCameraFromPatient, start), 1.0);
+
+    w.press(Qt::Key_Backspace, Qt::ControlModifier);
+    EXPECT_FALSE(w.current().hasInitialPose);
+    EXPECT_LT(test::distance(w.current().cameraFromPatient, core::startPoseOf(w.current()).value()), 1e-12);
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_TRUE(w.current().hasInitialPose);
+    EXPECT_EQ(w.history().index(), 2);
+}
+
 TEST(WindowLandmarks, ComeBackWithTheCase)
 {
     test::TemporaryFolder folder;

@@ -46,17 +46,35 @@ TEST(JointInputs, PutTheOtherViewWhereTheGantrysTurnLeads)
     EXPECT_EQ(inputs.value()[0].initialCameraFromPatient.matrix(), views[0].cameraFromPatient.matrix());
 }
 
-TEST(JointInputs, TurnAllViewsAboutTheIsocentreOfTheFirst)
+TEST(JointInputs, TakeTheGantryForTheGeometryEvenWhereTheVesselsHaveTheirOwnAxes)
 {
-    std::vector<RegistrationCase> views{viewAt(0.0, 0.0), viewAt(90.0, 0.0)};
-    const Eigen::Vector3d isocentre(100.0, 50.0, 650.0);
-    views[0].cArm.isocentreInPatientMm = {isocentre, Origin::User, ""};
-    views[0].cameraFromPatient = startPoseOf(views[0]).value();
+    std::vector<RegistrationCase> views{viewAt(-30.0, 0.0), viewAt(45.0, 20.0)};
+    const RigidTransform between = startPoseOf(views[1]).value() * startPoseOf(views[0]).value().inverse();
+    const RigidTransform ownAxes{expSo3({0.3, -1.1, 0.7}), {40.0, -5.0, 300.0}};
+    for (RegistrationCase& view : views) {
+        view.hasInitialPose = true;   // where somebody guessed the vessels to be
+        view.initialCameraFromPatient = startPoseOf(viewAt(3.0, 4.0)).value() * ownAxes;
+        view.cameraFromPatient = view.initialCameraFromPatient;
+    }
     const auto inputs = jointInputsOf(views, targets);
     ASSERT_TRUE(inputs);
-    for (const RegistrationInput& input : inputs.value()) {
-        EXPECT_LT((input.initialCameraFromPatient * isocentre - Eigen::Vector3d(0, 0, 750)).norm(), 1e-9);
+    const RigidTransform found =
+        inputs.value()[1].initialCameraFromPatient * inputs.value()[0].initialCameraFromPatient.inverse();
+    EXPECT_LT((found.matrix() - between.matrix()).norm(), 1e-9);
+}
+
+TEST(JointInputs, TakeTheStartPosesWhereAnglesAreMissing)
+{
+    std::vector<RegistrationCase> views{viewAt(-30.0, 0.0), viewAt(45.0, 20.0)};
+    for (RegistrationCase& view : views) {
+        view.initialCameraFromPatient = startPoseOf(view).value();
+        view.hasInitialPose = true;
+        view.cArm.primaryAngleDeg = {};
     }
+    const auto inputs = jointInputsOf(views, targets);
+    ASSERT_TRUE(inputs) << inputs.error().message;
+    EXPECT_LT((inputs.value()[1].initialCameraFromPatient.matrix() - views[1].initialCameraFromPatient.matrix()).norm(),
+              1e-9);
 }
 
 TEST(JointInputs, NameTheViewThatLacksSomething)

@@ -265,6 +265,8 @@ void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotation
     const double besideScale = annotations.scaleMaximumPx > 0.0 ? scaleBar(size).top() - 56.0 : 0.5 * size.height();
     letter({0.5 * size.width(), below}, annotations.sides.top);
     if (!annotations.sideMark.isEmpty()) {
+        const double width = QFontMetricsF(painter.font()).horizontalAdvance(annotations.sideMark) + 16.0;
+        painter.fillRect(QRectF(0.5 * (size.width() - width), below + 10.0, width, 18.0), colorOf(tones().canvas, 0.6));
         drawShadowedText(painter, QRectF(0.0, below + 10.0, size.width(), 18.0), Qt::AlignCenter, annotations.sideMark,
                          colorOf(tones().attention));
     }

@@ -111,6 +111,8 @@ const std::vector<Press>& presses()
                                          {Key_Return},
                                          {Key_Delete},
                                          {Key_Q},
+                                         {Key_Backspace, Qt::ShiftModifier},
+                                         {Key_Backspace, Qt::ControlModifier},
                                          {Key_K},
                                          {Key_Y},
                                          {Key_Y},

@@ -43,7 +43,7 @@ QString LandmarkTool::caption() const
     if (marks_.pendingPixel) {
         return tr("Landmarks: now click the same place on the vessels in 3-D");
     }
-    return tr("Landmarks: click a place in 3-D and here, or drag a node to its place · Enter places the vessels");
+    return tr("Landmarks: click in 3-D and here, or drag a node · Enter places");
 }
 
 std::optional<QPointF> LandmarkTool::projected(const Eigen::Vector3d& pointInPatient) const
@@ -187,10 +187,10 @@ void LandmarkTool::paint(QPainter& painter) const
     } else if (marks_.pendingPixel || marks_.pendingPointInPatient) {
         paintPair(painter, next, marks_.pendingPixel, marks_.pendingPointInPatient);
     }
-    painter.setPen(QPen(toQColor(tones().label), 1.0));
+    painter.setPen(QPen(toQColor(tones().textStrong), 1.4));
     for (const Eigen::Vector3d& node : marks_.nodesInPatient) {
         if (const auto place = projected(node)) {
-            painter.drawEllipse(*place, 2.5, 2.5);
+            painter.drawEllipse(*place, 3.5, 3.5);
         }
     }
     painter.restore();

@@ -1,0 +1,48 @@
+#include "app/editing/start_pose_controller.h"
+
+#include "app/document/edit_case.h"
+#include "ui/main_window.h"
+
+namespace app {
+
+StartPoseController::StartPoseController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
+    : QObject(parent), document_(document)
+{
+    ui::WindowActions& actions = window.actions();
+    connect(actions[ui::Command::StartFromAngles], &QAction::triggered, this, &StartPoseController::startFromAngles);
+    connect(actions[ui::Command::StartHere], &QAction::triggered, this, &StartPoseController::startHere);
+}
+
+void StartPoseController::startFromAngles()
+{
+    core::RegistrationCase wanted = document_.current();
+    wanted.hasInitialPose = false;
+    const auto start = core::startPoseOf(wanted);
+    if (!start) {
+        emit refused(QString::fromStdString(start.error().message));
+        return;
+    }
+    const bool isDone = document_.push(std::make_unique<PlaceVessels>(
+        document_, PlaceVessels::Values{false, wanted.initialCameraFromPatient, start.value(), std::nullopt},
+        tr("Start pose from angles")));
+    if (isDone) {
+        emit done(tr("Start pose from the angles, the isocentre in the vessels"));
+    }
+}
+
+void StartPoseController::startHere()
+{
+    const core::RegistrationCase& current = document_.current();
+    if (!current.tree || !core::cameraOf(current)) {
+        emit refused(tr("Vessels, angiogram and geometry come first."));
+        return;
+    }
+    const core::RigidTransform pose = current.cameraFromPatient;
+    const bool isDone = document_.push(std::make_unique<PlaceVessels>(
+        document_, PlaceVessels::Values{true, pose, pose, std::nullopt}, tr("Start pose by hand")));
+    if (isDone) {
+        emit done(tr("The pose as it is has become the start pose"));
+    }
+}
+
+}   // namespace app

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "app/document/case_document.h"
+
+namespace ui {
+class MainWindow;
+}
+
+namespace app {
+
+/// Where a registration starts from: the angles, or the pose as it has been moved by hand. One step of undo each.
+class StartPoseController : public QObject {
+    Q_OBJECT
+public:
+    StartPoseController(CaseDocument& document, ui::MainWindow& window, QObject* parent = nullptr);
+
+    void startFromAngles();
+    void startHere();
+
+signals:
+    void refused(const QString& reason);
+    void done(const QString& note);
+
+private:
+    CaseDocument& document_;
+};
+
+}   // namespace app
