@@ -1,6 +1,7 @@
 #include "core/tracing/vesselness.h"
 
 #include "core/imaging/image_filters.h"
+#include "core/support/parallel_for.h"
 #include "core/support/wide_vectors.h"
 
 #include <Eigen/Core>
@@ -26,6 +27,7 @@ constexpr float slopeWeight = 0.85F;
 // Where the ridge goes on to one side only, as at blobs, it counts less by this share of the difference.
 constexpr float oneSidedPenalty = 0.5F;
 constexpr int rowsPerStrip = 32;
+constexpr int mostThreads = 2;   // more wait for memory
 
 /// Scale-normalised first and second Gaussian derivatives of some rows of an image.
 struct Derivatives {
@@ -154,30 +156,61 @@ void raiseToLineMean(float* strongest, int width, const std::array<const float*,
     }
 }
 
-/// Raises `best` to the largest line mean over all directions at one scale. Works in strips of rows that fit the cache.
-void raiseToRidges(const ImageF& image, double sigmaPx, ImageF& best)
-{
-    const ImageF smooth = blurred(image, sigmaPx);
-    const int margin = static_cast<int>(std::ceil(lineReachPx(sigmaPx))) + 1;
-    const ImageF strip(image.width, rowsPerStrip + 2 * margin);
-    Derivatives d{strip, strip, strip, strip, strip};
-    ImageF ridges(image.width + 2 * margin, strip.height);
-    for (int top = 0; top < image.height; top += rowsPerStrip) {
-        const int rowCount = std::min(rowsPerStrip, image.height - top);
-        differentiate(smooth, top - margin, sigmaPx, d);
+/// What one thread needs to work on strips of rows; a strip fits the cache.
+class StripWorker {
+public:
+    StripWorker(const ImageF& smooth, double sigmaPx)
+        : smooth_(smooth),
+          sigmaPx_(sigmaPx),
+          margin_(static_cast<int>(std::ceil(lineReachPx(sigmaPx))) + 1),
+          ridges_(smooth.width + 2 * margin_, rowsPerStrip + 2 * margin_)
+    {
+        const ImageF strip(smooth.width, ridges_.height);
+        d_ = {strip, strip, strip, strip, strip};
+    }
+
+    /// Raises the rows from `top` on.
+    void raise(int top, ImageF& best)
+    {
+        const int rowCount = std::min(rowsPerStrip, smooth_.height - top);
+        differentiate(smooth_, top - margin_, sigmaPx_, d_);
         for (int k = 0; k < directionCount; ++k) {
             const double angle = std::numbers::pi * k / directionCount;
-            fillRidges(d, angle, margin, ridges);
-            const LineTaps taps = lineTaps(angle, lineReachPx(sigmaPx));
+            fillRidges(d_, angle, margin_, ridges_);
+            const LineTaps taps = lineTaps(angle, lineReachPx(sigmaPx_));
             for (int row = 0; row < rowCount; ++row) {
                 std::array<const float*, tapCount> rows{};
                 for (std::size_t i = 0; i < tapCount; ++i) {
-                    rows[i] = &ridges.at(margin + taps.dx[i], margin + row + taps.dy[i]);
+                    rows[i] = &ridges_.at(margin_ + taps.dx[i], margin_ + row + taps.dy[i]);
                 }
-                raiseToLineMean(&best.at(0, top + row), image.width, rows, taps.weights);
+                raiseToLineMean(&best.at(0, top + row), smooth_.width, rows, taps.weights);
             }
         }
     }
+
+private:
+    const ImageF& smooth_;
+    double sigmaPx_;
+    int margin_;
+    ImageF ridges_;
+    Derivatives d_;
+};
+
+/// Raises `best` to the largest line mean over all directions at one scale; every row comes out the same whoever works
+/// on it.
+void raiseToRidges(const ImageF& image, double sigmaPx, ImageF& best)
+{
+    const ImageF smooth = blurred(image, sigmaPx);
+    const int workers = std::min(mostThreads, threadCount(0));
+    parallelFor(
+        static_cast<std::size_t>(workers), workers,
+        [&](std::size_t number) {
+            StripWorker worker(smooth, sigmaPx);
+            for (int top = static_cast<int>(number) * rowsPerStrip; top < image.height; top += workers * rowsPerStrip) {
+                worker.raise(top, best);
+            }
+        },
+        [](double) { return true; });
 }
 
 std::vector<double> scalesFor(double minRadiusPx, double maxRadiusPx)
