@@ -22,6 +22,9 @@ constexpr double mostFill = 1.6;   ///< brighter: bone, metal, contrast before i
 constexpr double mostUneven = 0.18;   ///< standard deviation within a core
 constexpr double mostBrightMl = 0.1;   ///< of pieces brighter than blood: calcifications are smaller
 constexpr int coreReach = 2;   ///< voxels from a core to its wall
+constexpr int cortexReach = 2;   ///< voxels from marrow to the shell of its bone
+constexpr double mostBoneWall = 0.3;   ///< of a vessel's wall
+constexpr double leastCoreShare = 0.2;   ///< of a piece that may lie in bright walls all the same: a stented vessel
 
 class Segmenter {
 public:
@@ -42,6 +45,9 @@ public:
         markTubes(volume_, order_, level_, leastTubeFill, flags_, bits, threads_, progress);
         VoxelMask lumen(order_.geometry);
         eachSlice(progress, [&](int k) { choose(lumen, k); });
+        if (!progress.isStopped()) {
+            dropMarrow(lumen);
+        }
         return lumen;
     }
 
@@ -147,6 +153,52 @@ private:
                 }
             }
         }
+    }
+
+    void dropMarrow(VoxelMask& lumen) const
+    {
+        for (const VoxelPiece& piece : piecesOf(lumen)) {
+            if (isMarrow(piece, lumen)) {
+                for (const std::uint32_t voxel : piece) {
+                    lumen.voxels[voxel] = 0;
+                }
+            }
+        }
+    }
+
+    /// Marrow can be as bright as blood, but is uneven and lies in a shell of bone.
+    bool isMarrow(const VoxelPiece& piece, const VoxelMask& lumen) const
+    {
+        std::size_t cores = 0;
+        std::size_t wall = 0;
+        std::size_t boneWall = 0;
+        for (const std::uint32_t voxel : piece) {
+            const auto at = static_cast<std::ptrdiff_t>(voxel);
+            const int i = static_cast<int>(at % size_.x());
+            const int j = static_cast<int>(at / size_.x() % size_.y());
+            const int k = static_cast<int>(at / size_.x() / size_.y());
+            cores += lumen.voxels[voxel] > 1 ? 1 : 0;
+            if (isWall(lumen, {i, j, k})) {
+                ++wall;
+                boneWall += isNear(i, j, k, cortexReach, tooBright) ? 1 : 0;
+            }
+        }
+        return static_cast<double>(boneWall) > mostBoneWall * static_cast<double>(wall) &&
+               static_cast<double>(cores) < leastCoreShare * static_cast<double>(piece.size());
+    }
+
+    static bool isWall(const VoxelMask& lumen, const Eigen::Vector3i& voxel)
+    {
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const int step : {-1, 1}) {
+                Eigen::Vector3i next = voxel;
+                next[axis] += step;
+                if (lumen.geometry.contains(next) && lumen.at(next.x(), next.y(), next.z()) == 0) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     const Volume& volume_;

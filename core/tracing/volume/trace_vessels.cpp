@@ -205,6 +205,12 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
     if (progress.isStopped()) {
         return stopped();
     }
+    if (std::none_of(candidates.voxels.begin(), candidates.voxels.end(),
+                     [](std::uint8_t voxel) { return voxel != 0; })) {
+        return Error{
+            "Besides bone, nothing in the scan is as bright as blood with contrast medium. Choose a CT angiogram, or "
+            "give the threshold at which the vessels begin."};
+    }
     auto chosen = chosenLumen(std::move(candidates), options, progress);
     if (!chosen) {
         return chosen.error();

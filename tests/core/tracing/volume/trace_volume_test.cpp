@@ -150,6 +150,43 @@ TEST(TraceVolume, RefusesWhatShowsNoContrast)
     EXPECT_NE(traced.error().message.find("threshold"), std::string::npos);
 }
 
+/// A long bone along z whose uneven marrow is as bright as weak contrast medium.
+void addBone(Volume& volume)
+{
+    const core::VolumeGeometry& grid = volume.geometry;
+    const std::vector<Tube> bone{{{6, 0, -26}, {6, 0, 26}, 9.0}};
+    for (int k = 0; k < grid.size.z(); ++k) {
+        for (int j = 0; j < grid.size.y(); ++j) {
+            for (int i = 0; i < grid.size.x(); ++i) {
+                const double wall = test::distanceToWall(bone, grid.patientFromVoxel() * Eigen::Vector3d(i, j, k));
+                const int marrow = 230 + 80 * ((7 * i + 13 * j + 5 * k) % 3 - 1);
+                if (wall < 0.0) {
+                    volume.at(i, j, k) = static_cast<std::int16_t>(wall > -3.5 ? 900 : marrow);
+                }
+            }
+        }
+    }
+}
+
+TEST(TraceVolume, NeverTracesBone)
+{
+    const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {56, 48, 60}, {1.0, 1.0, 1.0});
+    Volume bone = tubesInTissue(grid, {{{90, 0, 0}, {91, 0, 0}, 1.0}});
+    addBone(bone);
+    const auto none = core::traceVessels(bone);
+    ASSERT_FALSE(none);
+    EXPECT_NE(none.error().message.find("threshold"), std::string::npos) << none.error().message;
+    Volume both = tubesInTissue(grid, {{{-14, 0, -26}, {-14, 2, 26}, 4.0}});
+    addBone(both);
+    const auto vessel = core::traceVessels(both);
+    ASSERT_TRUE(vessel) << vessel.error().message;
+    for (const core::VesselBranch& branch : vessel.value().tree.branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            EXPECT_LT(point.x(), -10.0);
+        }
+    }
+}
+
 TEST(TraceVolume, StopsAtOnceInEachStage)
 {
     for (const std::string_view stage : {"blood", "vessels", "thinning", "branches"}) {
