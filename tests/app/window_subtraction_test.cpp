@@ -6,6 +6,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QWheelEvent>
 
 namespace app {
 namespace {
@@ -20,6 +21,9 @@ protected:
         ASSERT_GT(w.current().angiogram->frameCount(), 3);
         stored = w.current().angiogram;
         w.window.angiogramPanel().setFolded(false);
+        // The strip takes clicks once the run is measured.
+        ASSERT_TRUE(
+            QTest::qWaitFor([this] { return bars().cursor().shape() == Qt::PointingHandCursor; }, test::patienceMs));
     }
 
     bool waitForRun()
@@ -147,6 +151,18 @@ TEST_F(WindowSubtraction, PolarityIsCorrectedAsAStep)
     EXPECT_EQ(w.current().angiogram->polarity, core::Polarity::VesselsBright);
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(w.current().angiogram->polarity, core::Polarity::VesselsDark);
+}
+
+TEST_F(WindowSubtraction, ScrollingPastAChoiceDoesNotChangeIt)
+{
+    for (QComboBox* box : w.window.angiogramPanel().findChildren<QComboBox*>()) {
+        const QPointF middle = QRectF(box->rect()).center();
+        QWheelEvent wheel(middle, box->mapToGlobal(middle), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(box, &wheel);
+    }
+    EXPECT_TRUE(waitForRun());
+    EXPECT_EQ(w.history().count(), 0);
 }
 
 TEST_F(WindowSubtraction, SurvivesSavingAndReopening)

@@ -5,12 +5,18 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QPushButton>
-#include <QSignalBlocker>
+#include <QWheelEvent>
 
 #include <cmath>
 
 namespace ui {
 namespace {
+
+/// The wheel scrolls the column; it must not change the case on its way.
+class CalmChoice : public QComboBox {
+protected:
+    void wheelEvent(QWheelEvent* event) override { event->ignore(); }
+};
 
 QPushButton* quietButton(const QString& text, const QString& help)
 {
@@ -64,8 +70,8 @@ AngiogramPanel::AngiogramPanel(QWidget* parent)
       down_(new NumberField(shiftFormat())),
       automaticShift_(quietButton(tr("Automatic"), tr("Find the shift of each frame"))),
       byHand_(quietButton(tr("By hand"), tr("Move the mask with arrows or the mouse (Shift+B)"))),
-      relation_(new QComboBox),
-      vessels_(new QComboBox),
+      relation_(new CalmChoice),
+      vessels_(new CalmChoice),
       defaults_(quietButton(tr("Defaults"), tr("Trace as the program would by itself")))
 {
     buildSubtraction();
@@ -122,13 +128,16 @@ void AngiogramPanel::buildSubtraction()
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(2, 1);
     grid->addWidget(roleLabel("label", tr("mask frames")), 0, 0);
-    grid->addWidget(masks_, 0, 1, 1, 2);
-    grid->addWidget(automaticMasks_, 0, 3);
+    grid->addWidget(masks_, 0, 1);
+    grid->addWidget(automaticMasks_, 0, 2);
     grid->addWidget(roleLabel("label", tr("shift →  ↓")), 1, 0);
     grid->addWidget(right_, 1, 1);
     grid->addWidget(down_, 1, 2);
-    grid->addWidget(automaticShift_, 1, 3);
-    grid->addWidget(byHand_, 2, 3);
+    grid->addWidget(automaticShift_, 2, 1);
+    grid->addWidget(byHand_, 2, 2);
+    for (NumberField* field : {right_, down_}) {
+        field->setMinimumWidth(64);
+    }
     auto* checks = new QVBoxLayout;
     checks->addWidget(subtract_);
     checks->addWidget(composite_);
@@ -144,6 +153,8 @@ void AngiogramPanel::editShift()
 
 void AngiogramPanel::buildPixels()
 {
+    relation_->setFocusPolicy(Qt::StrongFocus);
+    vessels_->setFocusPolicy(Qt::StrongFocus);
     relation_->addItems({tr("linear"), tr("logarithmic")});
     relation_->setToolTip(tr("How stored values relate to the X-ray intensity (0028,1040)"));
     relation_->setAccessibleName(tr("Pixel values"));
@@ -220,10 +231,10 @@ void AngiogramPanel::buildTracing()
     connect(byHand, &QPushButton::clicked, this, &AngiogramPanel::editingRequested);
     auto* heading = new QHBoxLayout;
     heading->addWidget(roleLabel("heading", tr("Tracing")), 1);
-    heading->addWidget(byHand);
     heading->addWidget(defaults_);
     contentLayout()->addLayout(heading);
     contentLayout()->addLayout(grid);
+    contentLayout()->addWidget(byHand);
 }
 
 void AngiogramPanel::showRun(const RunState& state)

@@ -45,9 +45,8 @@ CurveEditBar::CurveEditBar(QWidget* parent)
 {
     setProperty("role", "imageBar");
     setAttribute(Qt::WA_StyledBackground);
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(8, 6, 8, 6);
-    layout->setSpacing(4);
+    auto* edits = new QHBoxLayout;
+    edits->setSpacing(4);
     for (const EditRow& row : editRows) {
         auto* button = new QToolButton;
         button->setText(withKey(tr(row.text), QString::fromLatin1(row.key)));
@@ -59,20 +58,25 @@ CurveEditBar::CurveEditBar(QWidget* parent)
             showEdit(row.edit);
             emit editChosen(row.edit);
         });
-        layout->addWidget(button);
+        edits->addWidget(button);
         buttons_[row.edit] = button;
     }
-    layout->addSpacing(8);
-    layout->addWidget(count_);
-    layout->addSpacing(8);
     traceAgain_->setToolTip(tr("Forget the edits of this frame and trace it automatically; undo brings them back"));
     traceAgain_->setProperty("role", "quiet");
     connect(traceAgain_, &QPushButton::clicked, this, &CurveEditBar::traceAgainRequested);
-    layout->addWidget(traceAgain_);
     auto* done = new QPushButton(withKey(tr("Done"), QStringLiteral("Esc")));
     done->setAccessibleName(tr("Done"));
     connect(done, &QPushButton::clicked, this, &CurveEditBar::doneRequested);
-    layout->addWidget(done);
+    auto* rest = new QHBoxLayout;
+    rest->setContentsMargins(4, 0, 0, 0);
+    rest->addWidget(count_, 1);
+    rest->addWidget(traceAgain_);
+    rest->addWidget(done);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 6, 8, 6);
+    layout->setSpacing(4);
+    layout->addLayout(edits);
+    layout->addLayout(rest);
     showEdit(CurveEdit::Remove);
     setEdited(false);
 }

@@ -29,6 +29,7 @@ QWidget[role="header"] { background: @title@; }
 QWidget[role="stepBar"], QWidget[role="column"], QWidget[role="strip"] { background: @panel@; }
 QWidget[role="canvas"] { background: @canvas@; }
 QFrame[role="imageBar"] { background: @panel@; border: 1px solid @line@; border-radius: 6px; }
+QFrame[role="imageBar"] QToolButton, QFrame[role="imageBar"] QPushButton { padding: 3px 8px; }
 QFrame[role="imageBar"] QLabel { background: transparent; border: none; }
 QWidget[role="welcome"] { background: @field@; }
 QScrollArea[role="column"], QScrollArea[role="column"] > QWidget > QWidget { border: none; background: @panel@; }

@@ -249,8 +249,11 @@ void paintMode(QPainter& painter, const QSizeF& size, const ModeLabel& mode)
     painter.fillRect(QRectF(0.0, 0.0, border, size.height()), tone);
     painter.fillRect(QRectF(size.width() - border, 0.0, border, size.height()), tone);
     painter.setFont(sized(painter.font(), 11));
-    drawShadowedText(painter, QRectF(0.0, 8.0, size.width(), 16.0), Qt::AlignHCenter | Qt::AlignVCenter, mode.text,
-                     tone);
+    const QRectF line(0.0, 8.0, size.width(), 16.0);
+    const double width = QFontMetricsF(painter.font()).horizontalAdvance(mode.text) + 16.0;
+    painter.fillRect(QRectF(0.5 * (size.width() - width), line.top() - 2.0, width, line.height() + 4.0),
+                     colorOf(tones().canvas, 0.65));
+    drawShadowedText(painter, line, Qt::AlignHCenter | Qt::AlignVCenter, mode.text, tone);
 }
 
 /// Letters in the middle of each edge: the side of the patient that lies there.
