@@ -174,7 +174,7 @@ void PoseTable::fillRow(QTreeWidgetItem& item, const PoseRow& row, bool isRefere
 {
     const core::PoseSnapshot& snapshot = row.snapshot;
     item.setData(Name, idRole, snapshot.id);
-    item.setSizeHint(Name, {0, table_->fontMetrics().height() + rowSpacing});
+    item.setSizeHint(Note, {0, table_->fontMetrics().height() + rowSpacing});   // the one that stretches
     item.setText(Name, snapshot.id == 0 ? tr("The pose as it is") : QString::fromStdString(snapshot.name));
     item.setText(Method, methodWords(snapshot.method));
     const auto& metrics = snapshot.metrics;
