@@ -25,10 +25,10 @@ Notices::Notices(ui::MainWindow& window, std::function<bool()> isBusy, QObject* 
 void Notices::showNote(const QString& note)
 {
     if (isBusy_()) {
-        window_.strip().showStatus(note);
+        window_.strip().showStatus(ui::coreText(note));
         return;
     }
-    window_.strip().showIdle(note);
+    window_.strip().showIdle(ui::coreText(note));
     noteTimer_.start(6s);
 }
 

@@ -285,7 +285,8 @@ QString translated(const char* text)
 
 QList<QKeySequence> shortcutsOf(const ActionRow& row)
 {
-    return QKeySequence::listFromString(QString::fromLatin1(row.keys));
+    const QString keys = QString::fromLatin1(row.keys);
+    return keys.isEmpty() ? QList<QKeySequence>() : QKeySequence::listFromString(keys);
 }
 
 /// "Copy pose as matrix" → "copy-pose-as-matrix": the command's name in the settings, the same in every language.

@@ -6,6 +6,7 @@
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/bind_tool.h"
 #include "ui/views/tree_view.h"
+#include "ui/words/core_texts.h"
 
 #include <algorithm>
 #include <limits>
@@ -222,7 +223,7 @@ void LandmarkController::showState()
         state.errorPx = core::landmarkErrorsPx(current.landmarks, camera.value(), current.cameraFromPatient);
         const auto pose = core::poseFromLandmarks(current.landmarks, camera.value(), poseBefore());
         state.isEnough = static_cast<bool>(pose);
-        state.verdict = pose ? verdictOf(pose.value()) : QString::fromStdString(pose.error().message);
+        state.verdict = pose ? verdictOf(pose.value()) : ui::coreText(pose.error().message);
     }
     window_.landmarks().showLandmarks(state);
 }

@@ -14,6 +14,12 @@ QString settingOf(const QAction* action)
     return QStringLiteral("keys/%1").arg(action->objectName());
 }
 
+/// As stored: separated by "; ", nothing where there is no key.
+QList<QKeySequence> keysOf(const QString& stored)
+{
+    return stored.isEmpty() ? QList<QKeySequence>() : QKeySequence::listFromString(stored);
+}
+
 }   // namespace
 
 ShortcutController::ShortcutController(ui::MainWindow& window, QObject* parent) : QObject(parent), window_(window)
@@ -37,7 +43,7 @@ void ShortcutController::readStored()
     const QSettings stored;
     for (const auto& [action, keys] : usual_) {
         const QVariant chosen = stored.value(settingOf(action));
-        action->setShortcuts(chosen.isValid() ? QKeySequence::listFromString(chosen.toString()) : keys);
+        action->setShortcuts(chosen.isValid() ? keysOf(chosen.toString()) : keys);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "app/review/snapshot_texts.h"
 #include "io/snapshot_table.h"
 #include "ui/main_window.h"
+#include "ui/words/core_texts.h"
 
 #include <algorithm>
 #include <utility>
@@ -127,7 +128,7 @@ void PoseTableController::run(const std::vector<std::string>& methodIds)
     }
     auto input = core::registrationInputOf(current, *target_.current());
     if (!input) {
-        table_->showIdle(QString::fromStdString(input.error().message));
+        table_->showIdle(ui::coreText(input.error().message));
         return;
     }
     origin_ = {document_.state().caseNumber, current.tree, current.angiogram, current.frame};

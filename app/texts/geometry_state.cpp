@@ -1,6 +1,7 @@
 #include "app/texts/geometry_state.h"
 
 #include "core/geometry/geometry_checks.h"
+#include "ui/words/core_texts.h"
 
 #include <QStringList>
 
@@ -20,10 +21,9 @@ QString missingIn(const core::RegistrationCase& current)
     }
     QStringList lines;
     for (const std::string& sentence : core::findMissing(current.cArm)) {
-        lines << QString::fromStdString(sentence);
+        lines << ui::coreText(sentence);
     }
-    return lines.isEmpty() && isCameraMissing ? QString::fromStdString(camera.error().message)
-                                              : lines.join(QLatin1Char('\n'));
+    return lines.isEmpty() && isCameraMissing ? ui::coreText(camera.error().message) : lines.join(QLatin1Char('\n'));
 }
 
 }   // namespace

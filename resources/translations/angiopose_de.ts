@@ -1454,7 +1454,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gewählte Äste (Knoten, wo keiner gewählt ist), Knoten, die weitesten Äste bis zu einem Drittel der Länge, oder zufällige Punkte.</translation>
     </message>
     <message>
-        <source>Coarse search, then robust point-to-line refinement about the tree's centroid, with uncertainty.</source>
+        <source>Coarse search, then robust point-to-line refinement about the tree&apos;s centroid, with uncertainty.</source>
         <translation>Grobe Suche, dann robuste Punkt-Linien-Verfeinerung um den Schwerpunkt, mit Unsicherheit.</translation>
     </message>
     <message>
@@ -1494,7 +1494,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Abstand, ab dem ein Punkt am Ende kaum zählt; Bildrauschen kann ihn weiten.</translation>
     </message>
     <message>
-        <source>Distance from which a point's pull stops growing.</source>
+        <source>Distance from which a point&apos;s pull stops growing.</source>
         <translation>Abstand, ab dem der Zug eines Punkts nicht mehr wächst.</translation>
     </message>
     <message>
@@ -1502,7 +1502,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Kantenskala</translation>
     </message>
     <message>
-        <source>Edges found along the vessel walls' normals, a pose chosen by RANSAC with gradient matching (Markelj 2008; re-implementation, parameters ours).</source>
+        <source>Edges found along the vessel walls&apos; normals, a pose chosen by RANSAC with gradient matching (Markelj 2008; re-implementation, parameters ours).</source>
         <translation>Kanten längs der Normalen der Gefäßwände, Lage durch RANSAC mit Gradientenvergleich (Markelj 2008; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
@@ -1546,7 +1546,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>GDCM konnte die DICOM-Datei nicht schreiben. Anderes Format wählen.</translation>
     </message>
     <message>
-        <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image's brightness (Aylward 2003; re-implementation, parameters ours).</source>
+        <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image&apos;s brightness (Aylward 2003; re-implementation, parameters ours).</source>
         <translation>Gradientenaufstieg des mittleren Kerns zwischen Gefäßbaum und erkannten Gefäßen, oder der Bildhelligkeit (Aylward 2003; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
@@ -1562,7 +1562,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Wie weit die Suche quer zum Strahl reicht.</translation>
     </message>
     <message>
-        <source>How far along the vessel walls' normals edges are sought at first.</source>
+        <source>How far along the vessel walls&apos; normals edges are sought at first.</source>
         <translation>Wie weit anfangs längs der Normalen der Gefäßwände gesucht wird.</translation>
     </message>
     <message>
@@ -1646,7 +1646,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Kleinster Huber-Verlust der Abstände zum nächsten erkannten Gefäß (Rivest-Hénault 2012; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Least squares on nearest pairs by OpenCV's SQPNP, repeated: what library parts make in an afternoon.</source>
+        <source>Least squares on nearest pairs by OpenCV&apos;s SQPNP, repeated: what library parts make in an afternoon.</source>
         <translation>Kleinste Quadrate auf nächsten Paaren mit OpenCVs SQPNP, wiederholt: was Bibliotheksteile an einem Nachmittag ergeben.</translation>
     </message>
     <message>
@@ -1778,10 +1778,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gewicht des Priors</translation>
     </message>
     <message>
-        <source>Processor threads; never changes the result.</source>
-        <translation>Prozessor-Threads; ändern nie das Ergebnis.</translation>
-    </message>
-    <message>
         <source>Pull to the start</source>
         <translation>Zug zum Start</translation>
     </message>
@@ -1834,18 +1830,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>SID / (0018,1114) Vergrößerung %1</translation>
     </message>
     <message>
-        <source>SID is more than three times SOD: the magnification is implausible.</source>
-        <translation>SID ist mehr als das Dreifache von SOD: die Vergrößerung ist unplausibel.</translation>
-    </message>
-    <message>
-        <source>SOD is not smaller than SID: the patient would lie behind the detector.</source>
-        <translation>SOD ist nicht kleiner als SID: der Patient läge hinter dem Detektor.</translation>
-    </message>
-    <message>
-        <source>Scan and angiogram seem to be of different patients (%1 differ). Check that both are the right ones.</source>
-        <translation>CT und Angiogramm scheinen von verschiedenen Patienten zu sein (verschieden: %1). Prüfen, ob beide stimmen.</translation>
-    </message>
-    <message>
         <source>Scans and surfaces (%1 *.dcm)</source>
         <translation>CT-Daten und Oberflächen (%1 *.dcm)</translation>
     </message>
@@ -1894,7 +1878,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Standardabweichung der Startlage längs des Strahls.</translation>
     </message>
     <message>
-        <source>Standard deviation of the start pose's angles; holds what the image cannot tell.</source>
+        <source>Standard deviation of the start pose&apos;s angles; holds what the image cannot tell.</source>
         <translation>Standardabweichung der Winkel der Startlage; hält, was das Bild nicht verrät.</translation>
     </message>
     <message>
@@ -1938,10 +1922,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die 2-D-Mittellinie ist leer: im Bild wurde kein Gefäß gefunden. Anderes Bild oder höhere Empfindlichkeit wählen, oder eine Mittelliniendatei angeben.</translation>
     </message>
     <message>
-        <source>The C-arm moved during this run: the angles are those of the first frame.</source>
-        <translation>Der C-Bogen hat sich während der Serie bewegt: die Winkel sind die des ersten Bildes.</translation>
-    </message>
-    <message>
         <source>The angiogram frame has pixels that are not a number (NaN or infinite). Choose another frame, or export the image again.</source>
         <translation>Das Angiogrammbild hat Pixel, die keine Zahl sind (NaN oder unendlich). Anderes Bild wählen oder neu exportieren.</translation>
     </message>
@@ -1964,10 +1944,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>The detector pixel spacing</source>
         <translation>Die Pixelgröße des Detektors</translation>
-    </message>
-    <message>
-        <source>The detector pixel spacing lies outside 0.05 to 2 mm.</source>
-        <translation>Die Pixelgröße des Detektors liegt außerhalb 0.05 bis 2 mm.</translation>
     </message>
     <message>
         <source>The distance source to detector (SID)</source>
@@ -2046,10 +2022,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Bild lässt die Lage um etwa %1 unsicher.</translation>
     </message>
     <message>
-        <source>The imager pixel spacing (%1 mm) does not fit the field of view (%2 mm per pixel): the image may be zoomed or resampled. Check the pixel spacing.</source>
-        <translation>Die Imager Pixel Spacing (%1 mm) passt nicht zum Bildfeld (%2 mm je Pixel): das Bild ist vielleicht gezoomt oder umgerechnet. Die Pixelgröße prüfen.</translation>
-    </message>
-    <message>
         <source>The option %1 is out of range. Give a number from %2 to %3.</source>
         <translation>Die Option %1 liegt außerhalb des Bereichs. Eine Zahl von %2 bis %3 angeben.</translation>
     </message>
@@ -2060,10 +2032,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>The positioner angles (LAO/RAO, CRA/CAU) are missing. Enter them in the geometry of the case.</source>
         <translation>Die Durchleuchtungswinkel (LAO/RAO, CRA/CAU) fehlen. In der Geometrie des Falls eintragen.</translation>
-    </message>
-    <message>
-        <source>The primary angle lies outside ±180°.</source>
-        <translation>Der Primärwinkel liegt außerhalb ±180°.</translation>
     </message>
     <message>
         <source>The principal point cx, cy must be finite.</source>
@@ -2084,10 +2052,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>The run shows contrast medium from its first frame on, so no frame serves as mask. Name the mask frames, or trace without subtraction.</source>
         <translation>Die Serie zeigt vom ersten Bild an Kontrastmittel, kein Bild taugt als Maske. Maskenbilder nennen oder ohne Subtraktion erkennen.</translation>
-    </message>
-    <message>
-        <source>The secondary angle lies outside ±90°.</source>
-        <translation>Der Sekundärwinkel liegt außerhalb ±90°.</translation>
     </message>
     <message>
         <source>The seed %1 mm (LPS) lies in no vessel. Place it inside one, or lower the threshold.</source>
@@ -2134,7 +2098,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Oberfläche ist nicht geschlossen (%1 offene und %2 mehrfache Kanten): ihr Inneres entscheidet die Mehrheit. Ergebnis prüfen oder Löcher schließen.</translation>
     </message>
     <message>
-        <source>The traced vessels, or the brightness of the image at each vessel's own width.</source>
+        <source>The traced vessels, or the brightness of the image at each vessel&apos;s own width.</source>
         <translation>Die erkannten Gefäße, oder die Bildhelligkeit in der Breite jedes Gefäßes.</translation>
     </message>
     <message>
@@ -2198,7 +2162,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Noch kein Angiogramm. Zuerst ein Bild öffnen.</translation>
     </message>
     <message>
-        <source>There is no method '%1'. Choose one of: %2.</source>
+        <source>There is no method &apos;%1&apos;. Choose one of: %2.</source>
         <translation>Es gibt keine Methode „%1“. Wählbar: %2.</translation>
     </message>
     <message>
@@ -2216,10 +2180,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>This is %1, not X-ray angiography: it has no C-arm geometry.</source>
         <translation>Das ist %1, keine Röntgenangiographie: ohne C-Bogen-Geometrie.</translation>
-    </message>
-    <message>
-        <source>Threads</source>
-        <translation>Threads</translation>
     </message>
     <message>
         <source>Tracing was stopped; nothing was kept.</source>
@@ -2242,7 +2202,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Drehung und Verschiebung ausgewogen, oder Bogenmaß neben Millimetern, was kaum verschiebt.</translation>
     </message>
     <message>
-        <source>Vessel walls against image gradients, Powell's method (Mitrović 2013; re-implementation, parameters ours).</source>
+        <source>Vessel walls against image gradients, Powell&apos;s method (Mitrović 2013; re-implementation, parameters ours).</source>
         <translation>Gefäßwände gegen Bildgradienten, Powell-Verfahren (Mitrović 2013; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
@@ -2254,11 +2214,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Projektion %1 verwendet einen anderen Gefäßbaum oder andere Äste als Projektion 1. Allen dasselbe geben.</translation>
     </message>
     <message>
-        <source>Width of the mixtures' Gaussians at first.</source>
+        <source>Width of the mixtures&apos; Gaussians at first.</source>
         <translation>Anfängliche Breite der Gauß-Mischungen.</translation>
     </message>
     <message>
-        <source>Width of the mixtures' Gaussians in the end.</source>
+        <source>Width of the mixtures&apos; Gaussians in the end.</source>
         <translation>Breite der Gauß-Mischungen am Ende.</translation>
     </message>
     <message>
@@ -2546,8 +2506,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der PLY-Header ist beschädigt oder unvollständig. Neu exportieren.</translation>
     </message>
     <message>
-        <source>its PLY header is damaged: the element "%1" has no properties. Export it again.</source>
-        <translation>der PLY-Header ist beschädigt: das Element "%1" hat keine Eigenschaften. Neu exportieren.</translation>
+        <source>its PLY header is damaged: the element &quot;%1&quot; has no properties. Export it again.</source>
+        <translation>der PLY-Header ist beschädigt: das Element &quot;%1&quot; hat keine Eigenschaften. Neu exportieren.</translation>
     </message>
     <message>
         <source>its axes are %1° apart instead of 90°. Resample the volume to perpendicular axes.</source>
@@ -2646,16 +2606,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Schichten liegen zu ungleich für ein Volumen (%1 auf %2 mm). Alle Schichten der Serie kopieren oder eine andere wählen.</translation>
     </message>
     <message>
-        <source>its transform "%1" is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
-        <translation>die Transformation "%1" ist nicht starr oder hat zu wenig Parameter. Eine starre exportieren (affine, Euler3D oder VersorRigid3D).</translation>
+        <source>its transform &quot;%1&quot; is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
+        <translation>die Transformation &quot;%1&quot; ist nicht starr oder hat zu wenig Parameter. Eine starre exportieren (affine, Euler3D oder VersorRigid3D).</translation>
     </message>
     <message>
         <source>its triangles are damaged or cut short. Copy or export it again.</source>
         <translation>die Dreiecke sind beschädigt oder unvollständig. Neu kopieren oder exportieren.</translation>
     </message>
     <message>
-        <source>its voxel type ("%1") is not read. Save it as 16-bit or float.</source>
-        <translation>der Voxeltyp ("%1") wird nicht gelesen. Als 16 Bit oder float speichern.</translation>
+        <source>its voxel type (&quot;%1&quot;) is not read. Save it as 16-bit or float.</source>
+        <translation>der Voxeltyp (&quot;%1&quot;) wird nicht gelesen. Als 16 Bit oder float speichern.</translation>
     </message>
     <message>
         <source>its voxel type (NIfTI datatype %1) is not read. Save it as 16-bit or float.</source>
@@ -2718,16 +2678,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zeile %1 wiederholt eine id. Jede id muss einmalig sein.</translation>
     </message>
     <message>
-        <source>line %1, column %2: "%3" is not a finite number. Correct or remove the line.</source>
-        <translation>Zeile %1, Spalte %2: "%3" ist keine endliche Zahl. Berichtigen oder entfernen.</translation>
+        <source>line %1, column %2: &quot;%3&quot; is not a finite number. Correct or remove the line.</source>
+        <translation>Zeile %1, Spalte %2: &quot;%3&quot; ist keine endliche Zahl. Berichtigen oder entfernen.</translation>
     </message>
     <message>
         <source>line %1: the branch must be a whole number. Correct the line.</source>
         <translation>Zeile %1: branch muss eine ganze Zahl sein. Berichtigen.</translation>
     </message>
     <message>
-        <source>method: "%1" is unknown. Use one of %2.</source>
-        <translation>method: "%1" ist unbekannt. Möglich: %2.</translation>
+        <source>method: &quot;%1&quot; is unknown. Use one of %2.</source>
+        <translation>method: &quot;%1&quot; ist unbekannt. Möglich: %2.</translation>
     </message>
     <message>
         <source>missing</source>
@@ -2910,8 +2870,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Serie ist zu groß für eine unkomprimierte DICOM-Datei. Weniger Bilder schreiben.</translation>
     </message>
     <message>
-        <source>the section "%1" is damaged or cut short. Export it again.</source>
-        <translation>der Abschnitt "%1" ist beschädigt oder unvollständig. Neu exportieren.</translation>
+        <source>the section &quot;%1&quot; is damaged or cut short. Export it again.</source>
+        <translation>der Abschnitt &quot;%1&quot; ist beschädigt oder unvollständig. Neu exportieren.</translation>
     </message>
     <message>
         <source>the sequence %1 has no end</source>
@@ -2938,7 +2898,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die linken oberen 3 x 3 von cameraFromPatient sind keine Drehung (Skalierung oder Scherung). Eine starre Lage in mm angeben.</translation>
     </message>
     <message>
-        <source>the volume is larger than this computer's memory. Crop the scan to the vessels.</source>
+        <source>the volume is larger than this computer&apos;s memory. Crop the scan to the vessels.</source>
         <translation>das Volumen ist größer als der Speicher dieses Rechners. Den Scan auf die Gefäße zuschneiden.</translation>
     </message>
     <message>
@@ -2978,8 +2938,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>diese DICOM-Datei enthält kein Bild. Einen Scan wählen.</translation>
     </message>
     <message>
-        <source>this JSON is not an AngioPose case (its format is not "angiopose-case"). Choose an .angiopose file.</source>
-        <translation>dieses JSON ist kein AngioPose-Fall (sein format ist nicht "angiopose-case"). Eine .angiopose-Datei wählen.</translation>
+        <source>this JSON is not an AngioPose case (its format is not &quot;angiopose-case&quot;). Choose an .angiopose file.</source>
+        <translation>dieses JSON ist kein AngioPose-Fall (sein format ist nicht &quot;angiopose-case&quot;). Eine .angiopose-Datei wählen.</translation>
     </message>
     <message>
         <source>this is %1, not a 2-D centreline. Choose a CSV table or a PNG mask.</source>
@@ -3490,7 +3450,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ein Stück ohne Verbindung zu den erkannten Gefäßen wurde ausgelassen. Einen Startpunkt hineinsetzen, wenn es zum Baum gehört.</translation>
     </message>
     <message>
-        <source>Its two placements (qform and sform) differ; the qform, in the scanner's coordinates, is used.</source>
+        <source>Its two placements (qform and sform) differ; the qform, in the scanner&apos;s coordinates, is used.</source>
         <translation>Ihre zwei Lageangaben (qform und sform) weichen ab; die qform in Gerätekoordinaten gilt.</translation>
     </message>
     <message>
@@ -3502,8 +3462,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>nach Schicht %1</translation>
     </message>
     <message>
-        <source>it declares %1", which cannot be. The file is damaged; export it again.</source>
-        <translation>nennt %1", was nicht sein kann. Die Datei ist beschädigt; neu exportieren.</translation>
+        <source>it declares %1&quot;, which cannot be. The file is damaged; export it again.</source>
+        <translation>nennt %1&quot;, was nicht sein kann. Die Datei ist beschädigt; neu exportieren.</translation>
     </message>
     <message>
         <source>it holds %1 volumes (%2). Choose one by its series id; `info` lists them.</source>
@@ -3646,16 +3606,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Winkel LAO/RAO: eintragen, oder die Gefäße nach Landmarken legen.</translation>
     </message>
     <message>
-        <source>Manufacturer's Model Name</source>
-        <translation>Manufacturer's Model Name</translation>
+        <source>Manufacturer&apos;s Model Name</source>
+        <translation>Manufacturer&apos;s Model Name</translation>
     </message>
     <message>
         <source>No pose lays these landmarks onto their pixels. Check that each pair shows the same place.</source>
         <translation>Keine Lage legt diese Landmarken auf ihre Pixel. Prüfen, ob jedes Paar dieselbe Stelle zeigt.</translation>
-    </message>
-    <message>
-        <source>Not for clinical use</source>
-        <translation>Nicht für den klinischen Einsatz</translation>
     </message>
     <message>
         <source>Patient Orientation</source>
@@ -3674,7 +3630,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Pixel Spacing</translation>
     </message>
     <message>
-        <source>Pixel Spacing (0028,0030) says %1 mm without a calibration, the detector's pixels are %2 mm: check which is meant.</source>
+        <source>Pixel Spacing (0028,0030) says %1 mm without a calibration, the detector&apos;s pixels are %2 mm: check which is meant.</source>
         <translation>Pixel Spacing (0028,0030) nennt ohne Kalibrierung %1 mm, die Detektorpixel messen %2 mm: prüfen, was gemeint ist.</translation>
     </message>
     <message>
@@ -3790,7 +3746,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der C-Bogen hat sich bewegt, der Header nennt aber %1 für %2 Bilder: die Winkel sind die des ersten Bildes. Für das benutzte Bild prüfen.</translation>
     </message>
     <message>
-        <source>The calibrated pixel spacing of %1 mm times SID/SOD is %2 mm, not the detector's %3 mm: the calibration or a distance is off.</source>
+        <source>The calibrated pixel spacing of %1 mm times SID/SOD is %2 mm, not the detector&apos;s %3 mm: the calibration or a distance is off.</source>
         <translation>Die kalibrierte Pixelgröße von %1 mm mal SID/SOD ergibt %2 mm, nicht die %3 mm des Detektors: Kalibrierung oder Abstand stimmt nicht.</translation>
     </message>
     <message>
@@ -3822,7 +3778,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Rollen liegt außerhalb ±180°. Berichtigen.</translation>
     </message>
     <message>
-        <source>The scan is of the patient's %1 side, the angiogram of the other. Check that both are the right ones.</source>
+        <source>The scan is of the patient&apos;s %1 side, the angiogram of the other. Check that both are the right ones.</source>
         <translation>Das CT zeigt die Seite %1 des Patienten, das Angiogramm die andere. Prüfen, ob beide stimmen.</translation>
     </message>
     <message>
@@ -3971,7 +3927,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Maskenbilder automatisch wählen</translation>
     </message>
     <message>
-        <source>Find the mask's shift</source>
+        <source>Find the mask&apos;s shift</source>
         <translation>Verschiebung der Maske finden</translation>
     </message>
     <message>
@@ -4893,7 +4849,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Isozentrum L</translation>
     </message>
     <message>
-        <source>What the gantry turns about, in the vessels' coordinates: left</source>
+        <source>What the gantry turns about, in the vessels&apos; coordinates: left</source>
         <translation>Drehpunkt des C-Bogens in Gefäßkoordinaten: links</translation>
     </message>
     <message>
@@ -4901,7 +4857,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Isozentrum P</translation>
     </message>
     <message>
-        <source>What the gantry turns about, in the vessels' coordinates: posterior</source>
+        <source>What the gantry turns about, in the vessels&apos; coordinates: posterior</source>
         <translation>Drehpunkt des C-Bogens in Gefäßkoordinaten: hinten</translation>
     </message>
     <message>
@@ -4909,16 +4865,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Isozentrum H</translation>
     </message>
     <message>
-        <source>What the gantry turns about, in the vessels' coordinates: head</source>
+        <source>What the gantry turns about, in the vessels&apos; coordinates: head</source>
         <translation>Drehpunkt des C-Bogens in Gefäßkoordinaten: Kopf</translation>
     </message>
 </context>
 <context>
     <name>ui::GoodFit</name>
-    <message>
-        <source>Good: one branch unfilled</source>
-        <translation>Gut: ein Ast ungefüllt</translation>
-    </message>
     <message>
         <source>Good: vessels have moved</source>
         <translation>Gut: Gefäße haben sich bewegt</translation>
@@ -4978,6 +4930,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Good: everything fits</source>
         <translation>Gut: alles passt</translation>
+    </message>
+    <message>
+        <source>Good: branches unfilled</source>
+        <translation>Gut: Äste ungefüllt</translation>
     </message>
 </context>
 <context>
@@ -6120,7 +6076,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Kürzester Ast</translation>
     </message>
     <message>
-        <source>Branches that leave their parent's wall by less are removed.</source>
+        <source>Branches that leave their parent&apos;s wall by less are removed.</source>
         <translation>Äste, die weniger aus der Wand ihres Stammes ragen, entfallen.</translation>
     </message>
     <message>
@@ -6371,7 +6327,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Schwingen, wo das Bild nichts verrät</translation>
     </message>
     <message>
-        <source>Show the run's other solutions</source>
+        <source>Show the run&apos;s other solutions</source>
         <translation>Andere Lösungen des Laufs zeigen</translation>
     </message>
     <message>
@@ -6711,7 +6667,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Äste glätten</translation>
     </message>
     <message>
-        <source>Root at the branch's end near the cross-hair</source>
+        <source>Root at the branch&apos;s end near the cross-hair</source>
         <translation>Wurzel am Astende beim Fadenkreuz</translation>
     </message>
     <message>

@@ -1454,7 +1454,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>所选分支（未选时为节点）、节点、最粗且不超过总长三分之一的分支，或随机点。</translation>
     </message>
     <message>
-        <source>Coarse search, then robust point-to-line refinement about the tree's centroid, with uncertainty.</source>
+        <source>Coarse search, then robust point-to-line refinement about the tree&apos;s centroid, with uncertainty.</source>
         <translation>先粗搜索，再绕血管树质心做稳健的点到线精配准，并给出不确定度。</translation>
     </message>
     <message>
@@ -1494,7 +1494,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>最终阶段超过此距离的点几乎不计；图像噪声会使其变宽。</translation>
     </message>
     <message>
-        <source>Distance from which a point's pull stops growing.</source>
+        <source>Distance from which a point&apos;s pull stops growing.</source>
         <translation>超过此距离后单点拉力不再增大。</translation>
     </message>
     <message>
@@ -1502,7 +1502,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>边缘尺度</translation>
     </message>
     <message>
-        <source>Edges found along the vessel walls' normals, a pose chosen by RANSAC with gradient matching (Markelj 2008; re-implementation, parameters ours).</source>
+        <source>Edges found along the vessel walls&apos; normals, a pose chosen by RANSAC with gradient matching (Markelj 2008; re-implementation, parameters ours).</source>
         <translation>沿血管壁法线寻找边缘，以 RANSAC 和梯度匹配选位姿（Markelj 2008；重新实现，参数自定）。</translation>
     </message>
     <message>
@@ -1546,7 +1546,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>GDCM 无法写入 DICOM 文件。请选择其他格式。</translation>
     </message>
     <message>
-        <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image's brightness (Aylward 2003; re-implementation, parameters ours).</source>
+        <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image&apos;s brightness (Aylward 2003; re-implementation, parameters ours).</source>
         <translation>对血管树与提取血管之间的平均核，或图像亮度做梯度上升（Aylward 2003；重新实现，参数自定）。</translation>
     </message>
     <message>
@@ -1562,7 +1562,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>搜索在垂直射线方向的范围。</translation>
     </message>
     <message>
-        <source>How far along the vessel walls' normals edges are sought at first.</source>
+        <source>How far along the vessel walls&apos; normals edges are sought at first.</source>
         <translation>最初沿血管壁法线寻找边缘的距离。</translation>
     </message>
     <message>
@@ -1646,7 +1646,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>到最近提取血管距离的 Huber 损失最小（Rivest-Hénault 2012；重新实现，参数自定）。</translation>
     </message>
     <message>
-        <source>Least squares on nearest pairs by OpenCV's SQPNP, repeated: what library parts make in an afternoon.</source>
+        <source>Least squares on nearest pairs by OpenCV&apos;s SQPNP, repeated: what library parts make in an afternoon.</source>
         <translation>用 OpenCV 的 SQPNP 对最近点对反复做最小二乘：用现成库一下午可拼成的方法。</translation>
     </message>
     <message>
@@ -1778,10 +1778,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>先验权重</translation>
     </message>
     <message>
-        <source>Processor threads; never changes the result.</source>
-        <translation>处理器线程数；不影响结果。</translation>
-    </message>
-    <message>
         <source>Pull to the start</source>
         <translation>向初始的拉力</translation>
     </message>
@@ -1834,18 +1830,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>SID / (0018,1114) 放大率 %1</translation>
     </message>
     <message>
-        <source>SID is more than three times SOD: the magnification is implausible.</source>
-        <translation>SID 超过 SOD 的三倍：放大率不合理。</translation>
-    </message>
-    <message>
-        <source>SOD is not smaller than SID: the patient would lie behind the detector.</source>
-        <translation>SOD 不小于 SID：患者将位于探测器之后。</translation>
-    </message>
-    <message>
-        <source>Scan and angiogram seem to be of different patients (%1 differ). Check that both are the right ones.</source>
-        <translation>CT 与造影图像似乎属于不同患者（%1不同）。请核对。</translation>
-    </message>
-    <message>
         <source>Scans and surfaces (%1 *.dcm)</source>
         <translation>CT 数据和表面 (%1 *.dcm)</translation>
     </message>
@@ -1894,7 +1878,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>初始位姿沿射线方向的标准差。</translation>
     </message>
     <message>
-        <source>Standard deviation of the start pose's angles; holds what the image cannot tell.</source>
+        <source>Standard deviation of the start pose&apos;s angles; holds what the image cannot tell.</source>
         <translation>初始位姿角度的标准差；约束图像无法确定的量。</translation>
     </message>
     <message>
@@ -1938,10 +1922,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>二维中心线为空：图像中未发现血管。请换帧、提高灵敏度，或提供中心线文件。</translation>
     </message>
     <message>
-        <source>The C-arm moved during this run: the angles are those of the first frame.</source>
-        <translation>采集中 C 形臂有移动：角度取自第一帧。</translation>
-    </message>
-    <message>
         <source>The angiogram frame has pixels that are not a number (NaN or infinite). Choose another frame, or export the image again.</source>
         <translation>此帧有非数值像素（NaN 或无穷）。请换帧或重新导出图像。</translation>
     </message>
@@ -1964,10 +1944,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>The detector pixel spacing</source>
         <translation>探测器像素间距</translation>
-    </message>
-    <message>
-        <source>The detector pixel spacing lies outside 0.05 to 2 mm.</source>
-        <translation>探测器像素间距不在 0.05 至 2 mm 之间。</translation>
     </message>
     <message>
         <source>The distance source to detector (SID)</source>
@@ -2046,10 +2022,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>图像使位姿仍有约 %1 的不确定。</translation>
     </message>
     <message>
-        <source>The imager pixel spacing (%1 mm) does not fit the field of view (%2 mm per pixel): the image may be zoomed or resampled. Check the pixel spacing.</source>
-        <translation>成像器像素间距（%1 mm）与视野（每像素 %2 mm）不符：图像可能经过缩放或重采样。请核对像素间距。</translation>
-    </message>
-    <message>
         <source>The option %1 is out of range. Give a number from %2 to %3.</source>
         <translation>选项 %1 超出范围。请给出 %2 至 %3 之间的数。</translation>
     </message>
@@ -2060,10 +2032,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>The positioner angles (LAO/RAO, CRA/CAU) are missing. Enter them in the geometry of the case.</source>
         <translation>缺少投照角度（LAO/RAO、CRA/CAU）。请在病例几何中输入。</translation>
-    </message>
-    <message>
-        <source>The primary angle lies outside ±180°.</source>
-        <translation>主角度超出 ±180°。</translation>
     </message>
     <message>
         <source>The principal point cx, cy must be finite.</source>
@@ -2084,10 +2052,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>The run shows contrast medium from its first frame on, so no frame serves as mask. Name the mask frames, or trace without subtraction.</source>
         <translation>该序列从第一帧起即有对比剂，无法作蒙片。请指定蒙片帧，或不减影提取。</translation>
-    </message>
-    <message>
-        <source>The secondary angle lies outside ±90°.</source>
-        <translation>次角度超出 ±90°。</translation>
     </message>
     <message>
         <source>The seed %1 mm (LPS) lies in no vessel. Place it inside one, or lower the threshold.</source>
@@ -2134,7 +2098,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>表面未闭合（%1 条开放边、%2 条重叠边）：内部按多数判定。请检查结果或封闭孔洞。</translation>
     </message>
     <message>
-        <source>The traced vessels, or the brightness of the image at each vessel's own width.</source>
+        <source>The traced vessels, or the brightness of the image at each vessel&apos;s own width.</source>
         <translation>提取的血管，或按各血管宽度的图像亮度。</translation>
     </message>
     <message>
@@ -2198,7 +2162,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>尚无造影图像。请先打开图像。</translation>
     </message>
     <message>
-        <source>There is no method '%1'. Choose one of: %2.</source>
+        <source>There is no method &apos;%1&apos;. Choose one of: %2.</source>
         <translation>没有方法“%1”。可选：%2。</translation>
     </message>
     <message>
@@ -2216,10 +2180,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>This is %1, not X-ray angiography: it has no C-arm geometry.</source>
         <translation>这是%1，不是 X 线血管造影：没有 C 形臂几何。</translation>
-    </message>
-    <message>
-        <source>Threads</source>
-        <translation>线程</translation>
     </message>
     <message>
         <source>Tracing was stopped; nothing was kept.</source>
@@ -2242,7 +2202,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>旋转与平移平衡，或弧度与毫米直接并用（几乎不平移）。</translation>
     </message>
     <message>
-        <source>Vessel walls against image gradients, Powell's method (Mitrović 2013; re-implementation, parameters ours).</source>
+        <source>Vessel walls against image gradients, Powell&apos;s method (Mitrović 2013; re-implementation, parameters ours).</source>
         <translation>血管壁与图像梯度匹配，Powell 法（Mitrović 2013；重新实现，参数自定）。</translation>
     </message>
     <message>
@@ -2254,11 +2214,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>投影 %1 使用的血管树或分支与投影 1 不同。请统一。</translation>
     </message>
     <message>
-        <source>Width of the mixtures' Gaussians at first.</source>
+        <source>Width of the mixtures&apos; Gaussians at first.</source>
         <translation>高斯混合的初始宽度。</translation>
     </message>
     <message>
-        <source>Width of the mixtures' Gaussians in the end.</source>
+        <source>Width of the mixtures&apos; Gaussians in the end.</source>
         <translation>高斯混合的最终宽度。</translation>
     </message>
     <message>
@@ -2546,8 +2506,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>PLY 文件头损坏或截断。请重新导出。</translation>
     </message>
     <message>
-        <source>its PLY header is damaged: the element "%1" has no properties. Export it again.</source>
-        <translation>PLY 文件头损坏：元素 "%1" 没有属性。请重新导出。</translation>
+        <source>its PLY header is damaged: the element &quot;%1&quot; has no properties. Export it again.</source>
+        <translation>PLY 文件头损坏：元素 &quot;%1&quot; 没有属性。请重新导出。</translation>
     </message>
     <message>
         <source>its axes are %1° apart instead of 90°. Resample the volume to perpendicular axes.</source>
@@ -2646,16 +2606,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>层间距过于不均，无法组成体数据（%2 mm 内 %1 层）。请复制全部层面，或另选。</translation>
     </message>
     <message>
-        <source>its transform "%1" is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
-        <translation>变换 "%1" 非刚性或缺少参数。请导出刚性变换（affine、Euler3D 或 VersorRigid3D）。</translation>
+        <source>its transform &quot;%1&quot; is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
+        <translation>变换 &quot;%1&quot; 非刚性或缺少参数。请导出刚性变换（affine、Euler3D 或 VersorRigid3D）。</translation>
     </message>
     <message>
         <source>its triangles are damaged or cut short. Copy or export it again.</source>
         <translation>三角面损坏或截断。请重新复制或导出。</translation>
     </message>
     <message>
-        <source>its voxel type ("%1") is not read. Save it as 16-bit or float.</source>
-        <translation>不支持体素类型（"%1"）。请存为 16 位或浮点。</translation>
+        <source>its voxel type (&quot;%1&quot;) is not read. Save it as 16-bit or float.</source>
+        <translation>不支持体素类型（&quot;%1&quot;）。请存为 16 位或浮点。</translation>
     </message>
     <message>
         <source>its voxel type (NIfTI datatype %1) is not read. Save it as 16-bit or float.</source>
@@ -2718,16 +2678,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 行 id 重复。id 必须唯一。</translation>
     </message>
     <message>
-        <source>line %1, column %2: "%3" is not a finite number. Correct or remove the line.</source>
-        <translation>第 %1 行 %2 列："%3" 不是有限数。请更正或删除该行。</translation>
+        <source>line %1, column %2: &quot;%3&quot; is not a finite number. Correct or remove the line.</source>
+        <translation>第 %1 行 %2 列：&quot;%3&quot; 不是有限数。请更正或删除该行。</translation>
     </message>
     <message>
         <source>line %1: the branch must be a whole number. Correct the line.</source>
         <translation>第 %1 行：branch 必须为整数。请更正。</translation>
     </message>
     <message>
-        <source>method: "%1" is unknown. Use one of %2.</source>
-        <translation>method："%1" 未知。可用：%2。</translation>
+        <source>method: &quot;%1&quot; is unknown. Use one of %2.</source>
+        <translation>method：&quot;%1&quot; 未知。可用：%2。</translation>
     </message>
     <message>
         <source>missing</source>
@@ -2910,8 +2870,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>该序列超出未压缩 DICOM 文件容量。请写入较少帧。</translation>
     </message>
     <message>
-        <source>the section "%1" is damaged or cut short. Export it again.</source>
-        <translation>"%1" 部分损坏或截断。请重新导出。</translation>
+        <source>the section &quot;%1&quot; is damaged or cut short. Export it again.</source>
+        <translation>&quot;%1&quot; 部分损坏或截断。请重新导出。</translation>
     </message>
     <message>
         <source>the sequence %1 has no end</source>
@@ -2938,7 +2898,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>cameraFromPatient 左上 3 x 3 不是旋转（含缩放或剪切）。请给出以 mm 为单位的刚性位姿。</translation>
     </message>
     <message>
-        <source>the volume is larger than this computer's memory. Crop the scan to the vessels.</source>
+        <source>the volume is larger than this computer&apos;s memory. Crop the scan to the vessels.</source>
         <translation>体数据超过本机内存。请裁剪到血管范围。</translation>
     </message>
     <message>
@@ -2978,8 +2938,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此 DICOM 文件不含图像。请选择扫描。</translation>
     </message>
     <message>
-        <source>this JSON is not an AngioPose case (its format is not "angiopose-case"). Choose an .angiopose file.</source>
-        <translation>此 JSON 不是 AngioPose 病例（format 不是 "angiopose-case"）。请选择 .angiopose 文件。</translation>
+        <source>this JSON is not an AngioPose case (its format is not &quot;angiopose-case&quot;). Choose an .angiopose file.</source>
+        <translation>此 JSON 不是 AngioPose 病例（format 不是 &quot;angiopose-case&quot;）。请选择 .angiopose 文件。</translation>
     </message>
     <message>
         <source>this is %1, not a 2-D centreline. Choose a CSV table or a PNG mask.</source>
@@ -3490,7 +3450,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>有一段未与提取血管相连，已略去。若属于血管树，请在其中放种子点。</translation>
     </message>
     <message>
-        <source>Its two placements (qform and sform) differ; the qform, in the scanner's coordinates, is used.</source>
+        <source>Its two placements (qform and sform) differ; the qform, in the scanner&apos;s coordinates, is used.</source>
         <translation>两种定位（qform 与 sform）不一致；采用扫描仪坐标的 qform。</translation>
     </message>
     <message>
@@ -3502,8 +3462,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 层之后</translation>
     </message>
     <message>
-        <source>it declares %1", which cannot be. The file is damaged; export it again.</source>
-        <translation>声明 %1"，不可能。文件损坏；请重新导出。</translation>
+        <source>it declares %1&quot;, which cannot be. The file is damaged; export it again.</source>
+        <translation>声明 %1&quot;，不可能。文件损坏；请重新导出。</translation>
     </message>
     <message>
         <source>it holds %1 volumes (%2). Choose one by its series id; `info` lists them.</source>
@@ -3646,16 +3606,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>LAO/RAO 角：请输入，或按标志点放置血管。</translation>
     </message>
     <message>
-        <source>Manufacturer's Model Name</source>
-        <translation>Manufacturer's Model Name</translation>
+        <source>Manufacturer&apos;s Model Name</source>
+        <translation>Manufacturer&apos;s Model Name</translation>
     </message>
     <message>
         <source>No pose lays these landmarks onto their pixels. Check that each pair shows the same place.</source>
         <translation>没有位姿能使这些标志点落到其像素上。请检查每对是否为同一位置。</translation>
-    </message>
-    <message>
-        <source>Not for clinical use</source>
-        <translation>不得用于临床</translation>
     </message>
     <message>
         <source>Patient Orientation</source>
@@ -3674,7 +3630,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>Pixel Spacing</translation>
     </message>
     <message>
-        <source>Pixel Spacing (0028,0030) says %1 mm without a calibration, the detector's pixels are %2 mm: check which is meant.</source>
+        <source>Pixel Spacing (0028,0030) says %1 mm without a calibration, the detector&apos;s pixels are %2 mm: check which is meant.</source>
         <translation>Pixel Spacing (0028,0030) 未校准为 %1 mm，探测器像素为 %2 mm：请核对。</translation>
     </message>
     <message>
@@ -3790,7 +3746,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>采集中 C 形臂有移动，但文件头为 %2 帧只给出 %1：角度取自第一帧。请针对所用帧核对。</translation>
     </message>
     <message>
-        <source>The calibrated pixel spacing of %1 mm times SID/SOD is %2 mm, not the detector's %3 mm: the calibration or a distance is off.</source>
+        <source>The calibrated pixel spacing of %1 mm times SID/SOD is %2 mm, not the detector&apos;s %3 mm: the calibration or a distance is off.</source>
         <translation>校准像素间距 %1 mm 乘以 SID/SOD 为 %2 mm，而非探测器的 %3 mm：校准或距离有误。</translation>
     </message>
     <message>
@@ -3822,7 +3778,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>滚转超出 ±180°。请更正。</translation>
     </message>
     <message>
-        <source>The scan is of the patient's %1 side, the angiogram of the other. Check that both are the right ones.</source>
+        <source>The scan is of the patient&apos;s %1 side, the angiogram of the other. Check that both are the right ones.</source>
         <translation>CT 为患者%1侧，造影为另一侧。请核对。</translation>
     </message>
     <message>
@@ -3971,7 +3927,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>自动选择蒙片帧</translation>
     </message>
     <message>
-        <source>Find the mask's shift</source>
+        <source>Find the mask&apos;s shift</source>
         <translation>求蒙片位移</translation>
     </message>
     <message>
@@ -4893,7 +4849,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>等中心 L</translation>
     </message>
     <message>
-        <source>What the gantry turns about, in the vessels' coordinates: left</source>
+        <source>What the gantry turns about, in the vessels&apos; coordinates: left</source>
         <translation>机架旋转中心（血管坐标）：左</translation>
     </message>
     <message>
@@ -4901,7 +4857,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>等中心 P</translation>
     </message>
     <message>
-        <source>What the gantry turns about, in the vessels' coordinates: posterior</source>
+        <source>What the gantry turns about, in the vessels&apos; coordinates: posterior</source>
         <translation>机架旋转中心（血管坐标）：后</translation>
     </message>
     <message>
@@ -4909,16 +4865,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>等中心 H</translation>
     </message>
     <message>
-        <source>What the gantry turns about, in the vessels' coordinates: head</source>
+        <source>What the gantry turns about, in the vessels&apos; coordinates: head</source>
         <translation>机架旋转中心（血管坐标）：头</translation>
     </message>
 </context>
 <context>
     <name>ui::GoodFit</name>
-    <message>
-        <source>Good: one branch unfilled</source>
-        <translation>好：一个分支未充盈</translation>
-    </message>
     <message>
         <source>Good: vessels have moved</source>
         <translation>好：血管有移动</translation>
@@ -4978,6 +4930,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Good: everything fits</source>
         <translation>好：全部吻合</translation>
+    </message>
+    <message>
+        <source>Good: branches unfilled</source>
+        <translation>好：部分分支未充盈</translation>
     </message>
 </context>
 <context>
@@ -6119,7 +6075,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>最短分支</translation>
     </message>
     <message>
-        <source>Branches that leave their parent's wall by less are removed.</source>
+        <source>Branches that leave their parent&apos;s wall by less are removed.</source>
         <translation>超出母血管壁不足此值的分支移除。</translation>
     </message>
     <message>
@@ -6370,7 +6326,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>沿图像无法确定的方向摆动</translation>
     </message>
     <message>
-        <source>Show the run's other solutions</source>
+        <source>Show the run&apos;s other solutions</source>
         <translation>显示其他解</translation>
     </message>
     <message>
@@ -6710,7 +6666,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>平滑分支</translation>
     </message>
     <message>
-        <source>Root at the branch's end near the cross-hair</source>
+        <source>Root at the branch&apos;s end near the cross-hair</source>
         <translation>以十字线附近分支端为根</translation>
     </message>
     <message>

@@ -24,7 +24,7 @@ QString headingOf(FitExample example)
         case FitExample::Right:
             return GoodFit::tr("Good: everything fits");
         case FitExample::Unfilled:
-            return GoodFit::tr("Good: one branch unfilled");
+            return GoodFit::tr("Good: branches unfilled");
         case FitExample::Deformed:
             return GoodFit::tr("Good: vessels have moved");
         case FitExample::Shifted:

@@ -183,7 +183,7 @@ void GeometryPanel::showShownFrom()
     const auto& mirrored = state_.cArm.mirrored;
     shownFrom_->setCurrentIndex(mirrored.value.value_or(false) ? 1 : 0);
     shownFromOrigin_->setText(originWord(mirrored.value ? mirrored.origin : core::Origin::Assumed));
-    shownFromOrigin_->setToolTip(QString::fromStdString(mirrored.basis));
+    shownFromOrigin_->setToolTip(coreText(mirrored.basis));
 }
 
 void GeometryPanel::showHeader()

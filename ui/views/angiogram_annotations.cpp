@@ -118,8 +118,20 @@ QStringList toLines(const std::vector<std::string>& texts)
     return lines;
 }
 
-/// Draws a corner block and gives back the room it took.
-QRectF paintCorner(QPainter& painter, const QSizeF& size, Corner corner, const QStringList& lines, const Ground& ground)
+/// The block, moved towards the middle where the opposite corner has taken its place.
+QRectF clearOf(const QRectF& taken, QRectF block, Corner corner)
+{
+    constexpr double gap = 6.0;
+    if (taken.adjusted(-gap, -gap, gap, gap).intersects(block)) {
+        block.translate(0.0,
+                        isBottom(corner) ? taken.top() - gap - block.bottom() : taken.bottom() + gap - block.top());
+    }
+    return block;
+}
+
+/// Draws a corner block and gives back the room it took; `taken` is that of the corner beside it.
+QRectF paintCorner(QPainter& painter, const QSizeF& size, Corner corner, const QStringList& lines, const Ground& ground,
+                   const QRectF& taken = {})
 {
     if (lines.isEmpty()) {
         return {};
@@ -129,7 +141,7 @@ QRectF paintCorner(QPainter& painter, const QSizeF& size, Corner corner, const Q
     const QStringList folded{isBottom(corner) ? lines.back() : lines.front()};
     const std::array<std::pair<QStringList, QFont>, 3> choices{{{lines, full}, {lines, small}, {folded, small}}};
     for (const auto& [shown, font] : choices) {
-        const QRectF block = blockRect(size, corner, shown, font);
+        const QRectF block = clearOf(taken, blockRect(size, corner, shown, font), corner);
         const bool coversPicture = ground.hasPicture(block);
         if (ground.hasVessels(block) || (coversPicture && font == full)) {
             continue;
@@ -285,10 +297,11 @@ void paintAnnotations(QPainter& painter, const QSizeF& size, const AngiogramAnno
 {
     const Ground ground(viewport, scene);
     const CornerTexts& texts = annotations.texts;
-    paintCorner(painter, size, Corner::TopLeft, toLines(texts.topLeft), ground);
-    paintCorner(painter, size, Corner::TopRight, toLines(texts.topRight), ground);
-    paintCorner(painter, size, Corner::BottomRight, toLines(texts.bottomRight), ground);
-    const QRectF below = paintCorner(painter, size, Corner::BottomLeft, ownLines(annotations, viewport.zoom()), ground);
+    const QRectF topLeft = paintCorner(painter, size, Corner::TopLeft, toLines(texts.topLeft), ground);
+    paintCorner(painter, size, Corner::TopRight, toLines(texts.topRight), ground, topLeft);
+    const QRectF beside = paintCorner(painter, size, Corner::BottomRight, toLines(texts.bottomRight), ground);
+    const QRectF below =
+        paintCorner(painter, size, Corner::BottomLeft, ownLines(annotations, viewport.zoom()), ground, beside);
     if (annotations.mmPerImagePx > 0.0) {
         paintRuler(painter, size, below, viewport.zoom() / annotations.mmPerImagePx);
     }

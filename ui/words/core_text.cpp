@@ -96,6 +96,29 @@ std::optional<QString> translatedSentence(const QString& text)
     return std::nullopt;
 }
 
+/// A list of sentences, each of them known.
+std::optional<QString> translatedSentences(const QString& text)
+{
+    const qsizetype place = text.indexOf(QLatin1String(". "));
+    if (place < 0) {
+        return translatedSentence(text);
+    }
+    const auto first = translatedSentence(text.left(place + 1));
+    const auto rest = first ? translatedSentences(text.mid(place + 2)) : std::nullopt;
+    return rest ? std::optional(*first + QLatin1Char(' ') + *rest) : std::nullopt;
+}
+
+/// "720 mm (header)": a known word in brackets at the end.
+std::optional<QString> translatedBracket(const QString& text)
+{
+    const qsizetype open = text.lastIndexOf(QLatin1Char('('));
+    if (open < 0 || !text.endsWith(QLatin1Char(')'))) {
+        return std::nullopt;
+    }
+    const auto word = translatedSentence(text.mid(open + 1, text.size() - open - 2));
+    return word ? std::optional(text.left(open + 1) + *word + QLatin1Char(')')) : std::nullopt;
+}
+
 /// Both sides of the first separator at which one of them is known.
 std::optional<QString> translatedParts(const QString& text, const QString& separator)
 {
@@ -103,7 +126,7 @@ std::optional<QString> translatedParts(const QString& text, const QString& separ
         const qsizetype next = place + separator.size();
         const QString before = text.left(place + (separator.startsWith(QLatin1Char('.')) ? 1 : 0));
         const QString after = text.mid(next);
-        if (translatedSentence(before) || translatedSentence(after)) {
+        if (translatedSentence(before) || translatedSentence(after) || translatedBracket(after)) {
             return coreText(before) + text.mid(before.size(), next - before.size()) + coreText(after);
         }
     }
@@ -119,15 +142,17 @@ QString coreText(std::string_view text)
 
 QString coreText(const QString& text)
 {
-    if (auto sentence = translatedSentence(text)) {
-        return *sentence;
+    for (const auto translate : {translatedSentences, translatedSentence}) {
+        if (auto sentence = translate(text)) {
+            return *sentence;
+        }
     }
     for (const char* separator : {". ", ": ", " · "}) {
         if (auto parts = translatedParts(text, QString::fromUtf8(separator))) {
             return *parts;
         }
     }
-    return text;
+    return translatedBracket(text).value_or(text);
 }
 
 }   // namespace ui
