@@ -1066,6 +1066,29 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
+    <name>app::StartPoseController</name>
+    <message>
+        <source>Start pose from angles</source>
+        <translation>Startlage aus Winkeln</translation>
+    </message>
+    <message>
+        <source>Start pose from the angles, the isocentre in the vessels</source>
+        <translation>Startlage aus den Winkeln, Isozentrum in den Gefäßen</translation>
+    </message>
+    <message>
+        <source>Vessels, angiogram and geometry come first.</source>
+        <translation>Zuerst Gefäße, Angiogramm und Geometrie.</translation>
+    </message>
+    <message>
+        <source>Start pose by hand</source>
+        <translation>Startlage von Hand</translation>
+    </message>
+    <message>
+        <source>The pose as it is has become the start pose</source>
+        <translation>Die jetzige Lage ist nun die Startlage</translation>
+    </message>
+</context>
+<context>
     <name>app::StepStates</name>
     <message>
         <source>1 branch</source>
@@ -5094,8 +5117,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Landmarken: jetzt dieselbe Stelle an den Gefäßen in 3-D anklicken</translation>
     </message>
     <message>
-        <source>Landmarks: click a place in 3-D and here, or drag a node to its place · Enter places the vessels</source>
-        <translation>Landmarken: Stelle in 3-D und hier anklicken, oder einen Knoten an seinen Ort ziehen · Eingabe legt die Gefäße</translation>
+        <source>Landmarks: click in 3-D and here, or drag a node · Enter places</source>
+        <translation>Landmarken: in 3-D und hier klicken, oder Knoten ziehen · Eingabe legt</translation>
     </message>
 </context>
 <context>
@@ -6857,6 +6880,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>On a slice</source>
         <translation>In einer Schicht</translation>
+    </message>
+    <message>
+        <source>Start pose from the angles</source>
+        <translation>Startlage aus den Winkeln</translation>
+    </message>
+    <message>
+        <source>This pose is the start pose</source>
+        <translation>Diese Lage ist die Startlage</translation>
     </message>
 </context>
 <context>

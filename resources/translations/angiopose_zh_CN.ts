@@ -1066,6 +1066,29 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
+    <name>app::StartPoseController</name>
+    <message>
+        <source>Start pose from angles</source>
+        <translation>由角度得初始位姿</translation>
+    </message>
+    <message>
+        <source>Start pose from the angles, the isocentre in the vessels</source>
+        <translation>由角度得初始位姿，等中心在血管内</translation>
+    </message>
+    <message>
+        <source>Vessels, angiogram and geometry come first.</source>
+        <translation>请先提供血管、造影图像和几何参数。</translation>
+    </message>
+    <message>
+        <source>Start pose by hand</source>
+        <translation>手动初始位姿</translation>
+    </message>
+    <message>
+        <source>The pose as it is has become the start pose</source>
+        <translation>当前位姿已设为初始位姿</translation>
+    </message>
+</context>
+<context>
     <name>app::StepStates</name>
     <message>
         <source>1 branch</source>
@@ -5094,8 +5117,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>标志点：请在三维血管上单击同一位置</translation>
     </message>
     <message>
-        <source>Landmarks: click a place in 3-D and here, or drag a node to its place · Enter places the vessels</source>
-        <translation>标志点：在三维和此处单击，或将节点拖到其位置 · 回车放置血管</translation>
+        <source>Landmarks: click in 3-D and here, or drag a node · Enter places</source>
+        <translation>标志点：在三维和此处单击，或拖动节点 · 回车放置</translation>
     </message>
 </context>
 <context>
@@ -6856,6 +6879,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>On a slice</source>
         <translation>在断层上</translation>
+    </message>
+    <message>
+        <source>Start pose from the angles</source>
+        <translation>由角度得初始位姿</translation>
+    </message>
+    <message>
+        <source>This pose is the start pose</source>
+        <translation>以此位姿为初始位姿</translation>
     </message>
 </context>
 <context>

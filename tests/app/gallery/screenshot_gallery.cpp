@@ -1,14 +1,31 @@
 #include "app/settings.h"
+#include "tests/app/gallery/clipped_texts.h"
 #include "tests/app/gallery/gallery.h"
 #include "ui/words/language.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QDir>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QThreadPool>
 
 #include <cstdio>
+
+namespace {
+
+/// The eye that looks for words without room must see them: a button as wide as half its word.
+bool seesClippedWords()
+{
+    QWidget page;
+    page.resize(200, 60);
+    QPushButton button(QStringLiteral("Wirklich lange Aufschrift"), &page);
+    button.setGeometry(0, 0, button.sizeHint().width() / 2, 30);
+    page.show();
+    return test::clippedTexts(page).size() == 1;
+}
+
+}   // namespace
 
 // Pictures of every panel and of the whole window, in all languages and themes, at the scale of QT_SCALE_FACTOR; and a
 // test: fails when words have no room or a panel is empty.
@@ -43,6 +60,9 @@ int main(int argc, char** argv)
         return value.isEmpty() ? all : QStringList{value};
     };
     QStringList problems;
+    if (!seesClippedWords()) {
+        problems << QStringLiteral("A button too narrow for its word was not noticed");
+    }
     int pictures = 0;
     for (const QString& language : chosen("language", ui::languages())) {
         for (const QString& theme : chosen("theme", {QStringLiteral("dark"), QStringLiteral("light")})) {
