@@ -1733,10 +1733,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Nachbarn</translation>
     </message>
     <message>
-        <source>Besides bone, nothing in the scan is as bright as blood with contrast medium. Choose a CT angiogram, or give the threshold at which the vessels begin.</source>
-        <translation>Außer Knochen ist im Scan nichts so hell wie Blut mit Kontrastmittel. Eine CT-Angiographie wählen oder die Schwelle angeben, ab der die Gefäße beginnen.</translation>
-    </message>
-    <message>
         <source>No contrast-filled blood stands out in the volume. If it shows vessels, give the threshold at which they begin.</source>
         <translation>Im Volumen hebt sich kein kontrastiertes Blut ab. Falls Gefäße zu sehen sind, die Schwelle angeben, ab der sie beginnen.</translation>
     </message>
@@ -3851,6 +3847,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>vessel.editedTree: %1 Remove the key to go back to the vessels as they were before the edits.</source>
         <translation>vessel.editedTree: %1 Den Schlüssel entfernen, um zu den unbearbeiteten Gefäßen zurückzukehren.</translation>
+    </message>
+    <message>
+        <source>Besides bone, nothing in the scan is as bright as blood with contrast medium. Choose a CT angiogram, or give the threshold at which the vessels begin.</source>
+        <translation>Außer Knochen ist im CT nichts so hell wie kontrastiertes Blut. Eine CT-Angiographie wählen, oder die Schwelle angeben, ab der die Gefäße beginnen.</translation>
     </message>
 </context>
 <context>

@@ -1733,10 +1733,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>邻点</translation>
     </message>
     <message>
-        <source>Besides bone, nothing in the scan is as bright as blood with contrast medium. Choose a CT angiogram, or give the threshold at which the vessels begin.</source>
-        <translation>除骨骼外，扫描中没有像含对比剂血液那样亮的部分。请选择 CT 血管造影，或给出血管开始的阈值。</translation>
-    </message>
-    <message>
         <source>No contrast-filled blood stands out in the volume. If it shows vessels, give the threshold at which they begin.</source>
         <translation>体数据中未见明显对比剂充盈。若其中有血管，请给出血管起始阈值。</translation>
     </message>
@@ -3851,6 +3847,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>vessel.editedTree: %1 Remove the key to go back to the vessels as they were before the edits.</source>
         <translation>vessel.editedTree：%1 删除该键可恢复编辑前的血管。</translation>
+    </message>
+    <message>
+        <source>Besides bone, nothing in the scan is as bright as blood with contrast medium. Choose a CT angiogram, or give the threshold at which the vessels begin.</source>
+        <translation>除骨骼外，扫描中没有与对比剂充盈血液同亮的部分。请选择 CT 血管造影，或给出血管起始阈值。</translation>
     </message>
 </context>
 <context>
