@@ -9,7 +9,7 @@ namespace {
 
 constexpr int snapReachPx = 4;
 constexpr double snapFalloffPx = 6.0;   // a much stronger vessel may lie this much farther from the pointer
-constexpr std::size_t settledPerCall = 250000;
+constexpr std::size_t settledPerCall = 120000;   // about 11 ms: the window must not wait longer
 constexpr double dearest = 240.0;
 constexpr std::uint32_t unreached = std::numeric_limits<std::uint32_t>::max();
 

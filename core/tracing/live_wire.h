@@ -11,7 +11,7 @@ namespace core {
 
 /// Draws along vessels by hand (intelligent scissors, Mortensen & Barrett 1998): from an anchor, the path of least cost
 /// to wherever the pointer is, cheap on vessels. The search from the anchor goes on from call to call, as far as each
-/// needs, so that a moving pointer mostly looks up; one call settles a quarter of a million pixels at most.
+/// needs, so that a moving pointer mostly looks up; one call settles 120 000 pixels at most.
 class LiveWire {
 public:
     /// `vesselness` 0…1, as `traceAngiogram` gives it.
