@@ -7,14 +7,16 @@ namespace {
 
 constexpr double toleranceScalePx = 2.0;   // ALGORITHMS §6.8: hypotheses are compared at this scale
 constexpr std::size_t pointStride = 2;
+constexpr std::size_t mostPoints = 4000;
 constexpr int cellPx = 3;
 
 }   // namespace
 
 AgreementScore::AgreementScore(const RegistrationProblem& problem, const TargetLines& target)
-    : points_(alignmentPoints(problem.tree, pointStride)),
+    : points_(alignmentPoints(problem.tree, std::max(pointStride, strideFor(problem.tree.size(), mostPoints)))),
       camera_(problem.camera),
       target_(&target),
+      lineStride_(strideFor(target.lines().size(), mostPoints)),
       all_(points_, camera_, target),
       columns_(camera_.width / cellPx + 1),
       rows_(camera_.height / cellPx + 1)
@@ -35,8 +37,7 @@ double AgreementScore::of(const CentroidPose& pose)
 double AgreementScore::treeShare(const CentroidPose& pose)
 {
     const auto share = [&](const Alignment& alignment) {
-        alignment.look(pose, toleranceScalePx, agreement_);
-        const double missing = agreement_.loss / (2.0 * toleranceScalePx * toleranceScalePx);
+        const double missing = alignment.loss(pose, toleranceScalePx) / (2.0 * toleranceScalePx * toleranceScalePx);
         return 1.0 - missing / static_cast<double>(alignment.size());
     };
     return chosen_ ? 0.5 * (share(all_) + share(*chosen_)) : share(all_);
@@ -61,12 +62,15 @@ double AgreementScore::coveredTargetShare(const CentroidPose& pose)
         }
     }
     std::size_t hits = 0;
-    for (const TargetLines::Line& line : target_->lines()) {
+    const auto& lines = target_->lines();
+    for (std::size_t i = 0; i < lines.size(); i += lineStride_) {
+        const TargetLines::Line& line = lines[i];
         const int column = std::clamp(static_cast<int>(line.x / cellPx), 0, columns_ - 1);
         const int row = std::clamp(static_cast<int>(line.y / cellPx), 0, rows_ - 1);
         hits += covered_[static_cast<std::size_t>(row * columns_ + column)];
     }
-    return static_cast<double>(hits) / static_cast<double>(target_->lines().size());
+    const std::size_t asked = (lines.size() + lineStride_ - 1) / lineStride_;
+    return static_cast<double>(hits) / static_cast<double>(asked);
 }
 
 }   // namespace core

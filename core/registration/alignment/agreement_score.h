@@ -24,9 +24,9 @@ private:
     std::vector<AlignmentPoint> points_;
     ProjectionCamera camera_;
     const TargetLines* target_;
+    std::size_t lineStride_;   ///< of the lines asked whether they are covered
     Alignment all_;
     std::optional<Alignment> chosen_;
-    Agreement agreement_;
     std::vector<std::uint8_t> covered_;   ///< cells near a projected point
     int columns_ = 0;
     int rows_ = 0;

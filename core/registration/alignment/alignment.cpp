@@ -10,6 +10,12 @@ namespace {
 constexpr double endOnShare = 0.3;   // shorter projected tangents say nothing about direction (§6.3)
 constexpr double agreeingGate = 0.5;   // within 33°
 constexpr double cutOff = 4.0;   // beyond 4 ℓ a Welsch weight is below 4e-4: nothing
+constexpr std::size_t mostTelling = 20000;
+
+AlignmentPoint alignmentPoint(const TreeSamples& tree, std::size_t i)
+{
+    return {tree.points[i] - tree.centroid, tree.tangents[i], tree.branchIndex[i]};
+}
 
 }   // namespace
 
@@ -128,6 +134,20 @@ void Alignment::look(const CentroidPose& pose, double scalePx, Agreement& agreem
     agreement.loss = 2.0 * scalePx * scalePx * costShare;
 }
 
+double Alignment::loss(const CentroidPose& pose, double scalePx) const
+{
+    const double perSquaredScale = -0.5 / (scalePx * scalePx);
+    double costShare = 0.0;
+    Match found;
+    for (const AlignmentPoint& point : points_) {
+        const double visibility = visibility_[static_cast<std::size_t>(point.branchIndex)];
+        const bool isMatched = match(point, pose, cutOff * scalePx, found);
+        const double weight = isMatched ? found.gate * std::exp(perSquaredScale * found.squaredDistance) : 0.0;
+        costShare += visibility * visibility * (1.0 - weight);
+    }
+    return 2.0 * scalePx * scalePx * costShare;
+}
+
 void Alignment::collectRows(const CentroidPose& pose, double scalePx, std::vector<ResidualRow>& rows) const
 {
     rows.clear();
@@ -181,11 +201,17 @@ std::size_t strideFor(std::size_t count, std::size_t wanted)
 
 std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, std::size_t stride)
 {
-    std::vector<int> numbers;
+    std::vector<AlignmentPoint> points;
+    points.reserve(tree.size() / stride + 1);
     for (std::size_t i = stride / 2; i < tree.size(); i += stride) {
-        numbers.push_back(static_cast<int>(i));
+        points.push_back(alignmentPoint(tree, i));
     }
-    return alignmentPoints(tree, numbers);
+    return points;
+}
+
+std::vector<AlignmentPoint> tellingPoints(const TreeSamples& tree)
+{
+    return alignmentPoints(tree, strideFor(tree.size(), mostTelling));
 }
 
 std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, const std::vector<int>& numbers)
@@ -193,8 +219,7 @@ std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, const std::
     std::vector<AlignmentPoint> points;
     points.reserve(numbers.size());
     for (const int number : numbers) {
-        const auto i = static_cast<std::size_t>(number);
-        points.push_back({tree.points[i] - tree.centroid, tree.tangents[i], tree.branchIndex[i]});
+        points.push_back(alignmentPoint(tree, static_cast<std::size_t>(number)));
     }
     return points;
 }

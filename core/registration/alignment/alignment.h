@@ -41,6 +41,9 @@ public:
     /// The same into an agreement that is reused: nothing is allocated after the first time.
     void look(const CentroidPose& pose, double scalePx, Agreement& agreement) const;
 
+    /// The loss alone.
+    double loss(const CentroidPose& pose, double scalePx) const;
+
     /// What `look` sums up, point by point.
     void collectRows(const CentroidPose& pose, double scalePx, std::vector<ResidualRow>& rows) const;
 
@@ -56,6 +59,14 @@ public:
 
     std::size_t size() const { return points_.size(); }
 
+    /// What a refinement writes to, kept from one to the next: its steps allocate nothing.
+    struct Buffers {
+        Agreement current;
+        Agreement trial;
+        std::vector<double> residuals;
+    };
+    Buffers& buffers() { return buffers_; }
+
 private:
     struct Match;
     bool match(const AlignmentPoint& point, const CentroidPose& pose, double limitPx, Match& match) const;
@@ -66,6 +77,7 @@ private:
     const TargetLines* target_;
     std::vector<double> visibility_;   ///< per branch, 0…1
     std::vector<double> pointCount_;   ///< per branch, at least 1
+    Buffers buffers_;
 };
 
 /// The last scale of a refinement is this many standard deviations of the residuals (ALGORITHMS §6.5).
@@ -82,6 +94,9 @@ std::size_t strideFor(std::size_t count, std::size_t wanted);
 
 /// Every `stride`-th tree point.
 std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, std::size_t stride = 1);
+
+/// All tree points, or of very many as many as can tell something: neighbours share what displaces them.
+std::vector<AlignmentPoint> tellingPoints(const TreeSamples& tree);
 
 /// The tree points with these numbers.
 std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, const std::vector<int>& numbers);

@@ -32,7 +32,7 @@ RefinementResult FinalRefinement::refine(const CentroidPose& pose, const Refinem
         return result;
     }
     if (!all_) {
-        all_.emplace(alignmentPoints(problem_.tree), problem_.camera, target_);
+        all_.emplace(tellingPoints(problem_.tree), problem_.camera, target_);
     }
     all_->resetVisibility();
     const double startScalePx = std::max(result.scalePx, options_.finalScalePx);

@@ -7,8 +7,8 @@
 
 namespace core {
 
-/// From a roughly refined pose to the answer: few points until the noise shows, then all of them, then what the data
-/// allow beyond that (exact partners, or tolerance of the tree's shape errors).
+/// From a roughly refined pose to the answer: few points until the noise shows, then all that can tell more, then what
+/// the data allow beyond that (exact partners, or tolerance of the tree's shape errors).
 class FinalRefinement {
 public:
     FinalRefinement(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior,

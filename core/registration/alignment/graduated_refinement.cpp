@@ -14,17 +14,21 @@ constexpr double madToStd = 1.4826;
 class Refinement {
 public:
     Refinement(Alignment& alignment, const StartPrior& prior, const CentroidPose& start, double scalePx)
-        : alignment_(alignment), prior_(prior), pose_(start)
+        : alignment_(alignment),
+          prior_(prior),
+          pose_(start),
+          scalePx_(scalePx),
+          current_(alignment.buffers().current),
+          trial_(alignment.buffers().trial),
+          residuals_(alignment.buffers().residuals)
     {
-        setScale(scalePx);
+        lookAt(pose_, current_);
     }
 
     void setScale(double scalePx)
     {
         scalePx_ = scalePx;
-        if (!current_.branchWeight.empty()) {
-            alignment_.setVisibility(current_);
-        }
+        alignment_.setVisibility(current_);
         lookAt(pose_, current_);
         damping_.reset();
     }
@@ -77,11 +81,11 @@ private:
     Alignment& alignment_;
     const StartPrior& prior_;
     CentroidPose pose_;
-    double scalePx_ = 1.0;
-    Agreement current_;
-    Agreement trial_;
+    double scalePx_;
     Damping damping_;
-    std::vector<double> residuals_;
+    Agreement& current_;
+    Agreement& trial_;
+    std::vector<double>& residuals_;
 };
 
 }   // namespace

@@ -16,7 +16,7 @@ namespace {
 Matrix6d imageInformation(const RegistrationProblem& problem, const TargetLines& target, const CentroidPose& pose,
                           const StartPrior& prior)
 {
-    const Alignment alignment(alignmentPoints(problem.tree), problem.camera, target);
+    const Alignment alignment(tellingPoints(problem.tree), problem.camera, target);
     return tolerantInformation(alignment, prior, pose).hessian;
 }
 

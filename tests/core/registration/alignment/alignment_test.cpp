@@ -90,6 +90,15 @@ TEST_F(AlignmentTest, GoingBehindTheSourceCostsTheMost)
     EXPECT_EQ(alignment.look(behind, 3.0).equations.hessian, Matrix6d::Zero());
 }
 
+TEST_F(AlignmentTest, TheLossAloneIsTheLossOfALook)
+{
+    for (const double scalePx : {1.0, 5.0}) {
+        const Agreement look = alignment.look(beside, scalePx);
+        EXPECT_NEAR(alignment.loss(beside, scalePx), look.loss, 1e-9 * look.loss);
+        alignment.setVisibility(look);
+    }
+}
+
 TEST_F(AlignmentTest, VesselsAcrossTheTreeDoNotPull)
 {
     // The whole tree rolled by a right angle: what still touches a vessel by chance crosses it.
