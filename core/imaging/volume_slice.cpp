@@ -1,5 +1,7 @@
 #include "core/imaging/volume_slice.h"
 
+#include "core/support/parallel_for.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -91,6 +93,23 @@ Eigen::Vector3i rounded(const Eigen::Vector3d& voxel)
     return voxel.array().round().cast<int>();
 }
 
+/// Calls `work(row)` for every row, bands of them at the same time: a slice across the stored order is all waiting for
+/// memory.
+template <class Work>
+void forBands(int rows, const Work& work)
+{
+    constexpr int bandRows = 32;
+    constexpr int mostThreads = 4;
+    const auto bands = static_cast<std::size_t>((rows + bandRows - 1) / bandRows);
+    const auto workBand = [&](std::size_t band) {
+        const int first = static_cast<int>(band) * bandRows;
+        for (int row = first; row < std::min(first + bandRows, rows); ++row) {
+            work(row);
+        }
+    };
+    parallelFor(bands, std::min(mostThreads, threadCount(0)), workBand, [](double) { return true; });
+}
+
 /// Calls `take(pixel, voxel)` for every pixel that lies in a voxel.
 template <class Take>
 void forNearest(const VolumeGeometry& geometry, const VoxelWalk& walk, const SliceGrid& grid, const Take& take)
@@ -120,13 +139,13 @@ void forEven(const VolumeGeometry& geometry, const VoxelWalk& walk, const SliceG
     for (int column = 0; column < grid.width; ++column) {
         columns[static_cast<std::size_t>(column)] = stored(column, 0) - stored(0, 0);
     }
-    std::size_t pixel = 0;
-    for (int row = 0; row < grid.height; ++row) {
+    forBands(grid.height, [&](int row) {
         const std::ptrdiff_t start = stored(0, row);
+        auto pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width);
         for (const std::ptrdiff_t column : columns) {
             take(pixel++, static_cast<std::size_t>(start + column));
         }
-    }
+    });
 }
 
 /// True when the grid is one that `sliceThrough` made for this very geometry.
@@ -222,12 +241,12 @@ std::vector<float> sliceValues(const Volume& volume, const SliceGrid& grid)
         });
         return values;
     }
-    std::size_t pixel = 0;
-    for (int row = 0; row < grid.height; ++row) {
+    forBands(grid.height, [&](int row) {
+        auto pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width);
         for (int column = 0; column < grid.width; ++column, ++pixel) {
             values[pixel] = interpolated(volume, walk.at(column, row));
         }
-    }
+    });
     return values;
 }
 

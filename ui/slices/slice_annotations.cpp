@@ -38,7 +38,7 @@ QChar sideOf(const Eigen::Vector3d& direction)
 void drawOutlined(QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& color)
 {
     painter.setPen(toQColor(tones().canvas, 0.85));
-    for (const QPointF& shift : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
+    for (const QPointF& shift : {QPointF(1, 1), QPointF(-1, -1)}) {
         painter.drawText(box.translated(shift), flags, text);
     }
     painter.setPen(color);

@@ -1,12 +1,18 @@
 #include "ui/slices/slice_picture.h"
 
+#include "core/support/parallel_for.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ui {
 namespace {
+
+constexpr int bandRows = 64;   // painted at a time, several at the same time
+constexpr int mostThreads = 4;
 
 /// For each pixel of a line on the screen: between which two pixels of the slice it lies.
 struct Station {
@@ -70,6 +76,21 @@ void mixRows(const SliceContent& content, const Station& row, std::vector<float>
     }
 }
 
+/// Of the columns and of the rows of the screen.
+std::pair<std::vector<Station>, std::vector<Station>> screenStations(const core::SliceGrid& grid,
+                                                                     const ImageViewport& viewport,
+                                                                     const QSize& deviceSize, double devicePxPerPx)
+{
+    const double unitMm = unitMmOf(grid);
+    const double perColumn = unitMm / grid.columnStep.norm();
+    const double perRow = unitMm / grid.rowStep.norm();
+    const double half = 0.5 / devicePxPerPx;
+    const Eigen::Vector2d first = viewport.imageFromWidget({half, half});
+    const double step = 1.0 / (viewport.zoom() * devicePxPerPx);
+    return {stationsAlong(deviceSize.width(), grid.width, first.x() * perColumn, step * perColumn),
+            stationsAlong(deviceSize.height(), grid.height, first.y() * perRow, step * perRow)};
+}
+
 struct RowPainter {
     const std::vector<Station>& columns;
     const ToneTable& tones;
@@ -97,6 +118,18 @@ struct RowPainter {
     }
 };
 
+void paintRow(const SliceContent& content, const Station& row, const RowPainter& painter, std::vector<float>& mixed,
+              QRgb* pixels)
+{
+    const bool hasValues = !content.values.empty();
+    if (hasValues) {
+        mixRows(content, row, mixed);
+    }
+    const std::size_t nearest = static_cast<std::size_t>(row.nearest) * static_cast<std::size_t>(content.grid.width);
+    painter.paint(hasValues ? mixed.data() : nullptr, content.lumen.empty() ? nullptr : content.lumen.data() + nearest,
+                  pixels);
+}
+
 }   // namespace
 
 double unitMmOf(const core::SliceGrid& grid)
@@ -113,36 +146,31 @@ QImage slicePicture(const SliceContent& content, const GreyWindow& window, const
     if (grid.width == 0 || deviceSize.isEmpty()) {
         return picture;
     }
-    const double unitMm = unitMmOf(grid);
-    const double perColumn = unitMm / grid.columnStep.norm();
-    const double perRow = unitMm / grid.rowStep.norm();
-    const double half = 0.5 / devicePxPerPx;
-    const Eigen::Vector2d first = viewport.imageFromWidget({half, half});
-    const double step = 1.0 / (viewport.zoom() * devicePxPerPx);
-    const auto columns = stationsAlong(deviceSize.width(), grid.width, first.x() * perColumn, step * perColumn);
-    const auto rows = stationsAlong(deviceSize.height(), grid.height, first.y() * perRow, step * perRow);
-
+    const auto stations = screenStations(grid, viewport, deviceSize, devicePxPerPx);
+    const std::vector<Station>& rows = stations.second;
+    auto* pixels = reinterpret_cast<QRgb*>(picture.bits());
+    const std::ptrdiff_t pixelsPerLine = picture.bytesPerLine() / static_cast<qsizetype>(sizeof(QRgb));
+    const auto bands = static_cast<std::size_t>((deviceSize.height() + bandRows - 1) / bandRows);
     const ToneTable tones(tints);
     const double width = std::max(window.width, 1e-3);
-    const RowPainter painter{columns, tones, static_cast<float>(255.0 / width),
+    const RowPainter painter{stations.first, tones, static_cast<float>(255.0 / width),
                              static_cast<float>(127.5 - 255.0 * window.level / width),
                              static_cast<float>(tints.previewFrom.value_or(std::numeric_limits<double>::infinity()))};
-    const bool hasValues = !content.values.empty();
-    std::vector<float> mixed(static_cast<std::size_t>(grid.width));
-    for (int y = 0; y < deviceSize.height(); ++y) {
-        const Station& row = rows[static_cast<std::size_t>(y)];
-        if (row.low < 0) {
-            continue;
+    const auto paintRows = [&](int from, int to) {
+        std::vector<float> mixed(static_cast<std::size_t>(grid.width));
+        for (int y = from; y < to; ++y) {
+            if (rows[static_cast<std::size_t>(y)].low >= 0) {
+                paintRow(content, rows[static_cast<std::size_t>(y)], painter, mixed, pixels + y * pixelsPerLine);
+            }
         }
-        if (hasValues) {
-            mixRows(content, row, mixed);
-        }
-        const std::uint8_t* lumen =
-            content.lumen.empty()
-                ? nullptr
-                : content.lumen.data() + static_cast<std::size_t>(row.nearest) * static_cast<std::size_t>(grid.width);
-        painter.paint(hasValues ? mixed.data() : nullptr, lumen, reinterpret_cast<QRgb*>(picture.scanLine(y)));
-    }
+    };
+    core::parallelFor(
+        bands, std::min(mostThreads, core::threadCount(0)),
+        [&](std::size_t band) {
+            const int from = static_cast<int>(band) * bandRows;
+            paintRows(from, std::min(from + bandRows, deviceSize.height()));
+        },
+        [](double) { return true; });
     return picture;
 }
 
