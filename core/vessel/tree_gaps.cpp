@@ -13,6 +13,20 @@ namespace {
 
 constexpr std::size_t stretch = 5;   ///< points that tell an end's direction
 
+/// From a point to the curve of a branch, between its points too: these may lie far apart.
+double distanceTo(const VesselBranch& branch, const Eigen::Vector3d& point)
+{
+    const auto& points = branch.pointsInPatient;
+    double nearest = (points.front() - point).norm();
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const Eigen::Vector3d way = points[i] - points[i - 1];
+        const double length = way.squaredNorm();
+        const double share = length > 0.0 ? std::clamp((point - points[i - 1]).dot(way) / length, 0.0, 1.0) : 0.0;
+        nearest = std::min(nearest, (points[i - 1] + share * way - point).norm());
+    }
+    return nearest;
+}
+
 /// For each branch the representative of the piece it belongs to.
 std::vector<std::size_t> piecesOf(const VesselTree& tree)
 {
@@ -20,10 +34,8 @@ std::vector<std::size_t> piecesOf(const VesselTree& tree)
     std::vector<std::size_t> piece(count);
     std::iota(piece.begin(), piece.end(), 0);
     const auto touches = [](const VesselBranch& branch, const VesselBranch& other) {
-        return std::any_of(other.pointsInPatient.begin(), other.pointsInPatient.end(), [&](const auto& point) {
-            return (point - branch.pointsInPatient.front()).norm() <= touchingMm ||
-                   (point - branch.pointsInPatient.back()).norm() <= touchingMm;
-        });
+        return distanceTo(other, branch.pointsInPatient.front()) <= touchingMm ||
+               distanceTo(other, branch.pointsInPatient.back()) <= touchingMm;
     };
     for (std::size_t a = 0; a < count; ++a) {
         for (std::size_t b = 0; b < count; ++b) {

@@ -8,6 +8,17 @@
 #include <QPushButton>
 
 namespace ui {
+namespace {
+
+/// What is typed so far, or the number before while it is none.
+double numberIn(const QLineEdit& field, double before)
+{
+    bool isNumber = false;
+    const double number = field.text().replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&isNumber);
+    return isNumber && number >= 0.0 ? number : before;
+}
+
+}   // namespace
 
 PruneDialog::PruneDialog(std::function<int(const PruneLimits&)> countGone, QWidget* parent)
     : QDialog(parent),
@@ -45,21 +56,19 @@ PruneDialog::PruneDialog(std::function<int(const PruneLimits&)> countGone, QWidg
         emit pruneRequested(limits_);
         accept();
     });
-    connect(length_, &NumberField::edited, this, [this](double value) {
-        limits_.minLengthMm = value;
-        showCount();
-    });
-    connect(radius_, &NumberField::edited, this, [this](double value) {
-        limits_.minRadiusMm = value;
-        showCount();
-    });
-    length_->showValue(limits_.minLengthMm);
-    radius_->showValue(limits_.minRadiusMm);
+    for (NumberField* field : {length_, radius_}) {   // the count follows the typing
+        connect(field, &QLineEdit::textChanged, this, &PruneDialog::showCount);
+    }
+    const PruneLimits start;
+    length_->showValue(start.minLengthMm);
+    radius_->showValue(start.minRadiusMm);
     showCount();
 }
 
 void PruneDialog::showCount()
 {
+    limits_.minLengthMm = numberIn(*length_, limits_.minLengthMm);
+    limits_.minRadiusMm = numberIn(*radius_, limits_.minRadiusMm);
     const int gone = countGone_(limits_);
     count_->setText(gone < 0    ? tr("Nothing would be left. Lower the limits.")
                     : gone == 0 ? tr("No branch goes.")

@@ -3,6 +3,7 @@
 #include "ui/panels/branch_model.h"
 #include "ui/theme/active_theme.h"
 
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -115,6 +116,15 @@ void paintName(QPainter& painter, QRect area, const QFont& font, const QModelInd
 }
 
 }   // namespace
+
+void BranchDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const
+{
+    // Marks and residuals change while a name is being typed: that must not bring the old name back.
+    const auto* field = qobject_cast<QLineEdit*>(editor);
+    if (!field || !field->isModified()) {
+        QStyledItemDelegate::setEditorData(editor, index);
+    }
+}
 
 void BranchDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex&) const
 {

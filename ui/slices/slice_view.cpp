@@ -104,7 +104,7 @@ void SliceView::drawPicture()
     }
     const Palette& tones = ui::palette(ThemeMode::Dark);
     const bool isAlone = content_.values.empty();
-    const SliceTints tints{tones.accent, tones.attention, isAlone ? 0.6 : 0.35, model_.previewFrom()};
+    const SliceTints tints{tones.accent, tones.attention, isAlone ? 0.6 : 0.28, model_.previewFrom()};
     picture_ = slicePicture(content_, model_.window(), tints, viewport_, deviceSize, ratio);
     picture_.setDevicePixelRatio(ratio);
     isPictureStale_ = false;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 // Mouse and keys in a slice.
 
@@ -195,20 +196,20 @@ std::optional<int> SliceView::branchAt(const QPointF& position) const
         return std::nullopt;
     }
     const double reach = visibleDistanceMm(content_.grid);
+    const double pxPerMm = viewport_.zoom() / unitMmOf(content_.grid);
     std::optional<int> nearest;
-    double distance = pickTolerancePx;
+    double least = std::numeric_limits<double>::infinity();
     for (const core::VesselBranch& branch : tree->branches) {
         if (model_.marks().hidden.contains(branch.id)) {
             continue;
         }
         for (const Eigen::Vector3d& point : branch.pointsInPatient) {
-            if (std::abs(content_.grid.distanceMm(point)) > reach) {
-                continue;
-            }
+            const double beforeMm = content_.grid.distanceMm(point);
             const QPointF way = widgetFromPatient(point) - position;
-            const double here = std::hypot(way.x(), way.y());
-            if (here < distance) {
-                distance = here;
+            const double asidePx = std::hypot(way.x(), way.y());
+            const double farPx = std::hypot(asidePx, beforeMm * pxPerMm);   // one in the slice before one behind it
+            if (std::abs(beforeMm) <= reach && asidePx < pickTolerancePx && farPx < least) {
+                least = farPx;
                 nearest = branch.id;
             }
         }
