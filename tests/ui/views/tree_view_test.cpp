@@ -9,6 +9,8 @@
 
 namespace {
 
+constexpr int patienceMs = 20000;
+
 core::VesselTree straightVessel()
 {
     core::VesselTree tree;
@@ -43,7 +45,15 @@ protected:
         view_->show();
         EXPECT_TRUE(QTest::qWaitForWindowExposed(view_.get()));
     }
-    void settle() { QTest::qWait(500); }
+    /// Until the view has drawn, and has had nothing more to draw for half a second.
+    void settle()
+    {
+        EXPECT_TRUE(QTest::qWaitFor([this] { return view_->renderCount() > 0; }, patienceMs));
+        for (int seen = -1; seen != view_->renderCount();) {
+            seen = view_->renderCount();
+            QTest::qWait(500);
+        }
+    }
 
     std::unique_ptr<ui::TreeView> view_ = std::make_unique<ui::TreeView>();
 };
@@ -66,6 +76,7 @@ TEST_F(TreeViewTest, ManyChangesMakeOneRedrawAndOneMoreWhenAtRest)
     for (int i = 0; i < 20; ++i) {
         view_->requestRender();
     }
+    EXPECT_TRUE(QTest::qWaitFor([this, before] { return view_->renderCount() >= before + 2; }, patienceMs));
     settle();
     EXPECT_EQ(view_->renderCount() - before, 2);
 }
@@ -80,8 +91,7 @@ TEST_F(TreeViewTest, DrawsNothingWhileHidden)
     EXPECT_EQ(view_->renderCount(), before);
     view_->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(view_.get()));
-    settle();
-    EXPECT_GT(view_->renderCount(), before);
+    EXPECT_TRUE(QTest::qWaitFor([this, before] { return view_->renderCount() > before; }, patienceMs));
 }
 
 TEST_F(TreeViewTest, MovesToAnotherWindow)
