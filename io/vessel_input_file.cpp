@@ -4,6 +4,7 @@
 #include "io/dicom/dicom_file.h"
 #include "io/dicom_series.h"
 #include "io/file_hash.h"
+#include "io/series/dicom_segmentation.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/surface_file.h"
@@ -147,7 +148,7 @@ core::Result<VesselInputKind> vesselInputKindOf(const std::string& path)
         return summary.value().isDeclaredLabels ? VesselInputKind::Segmentation : VesselInputKind::Volume;
     }
     if (isVolumeFile(path) || looksLikeDicom(content)) {
-        return VesselInputKind::Volume;
+        return isDicomSegmentation(path) ? VesselInputKind::Segmentation : VesselInputKind::Volume;
     }
     if (extension == ".stl" || extension == ".ply" || extension == ".obj" || content.starts_with("ply")) {
         return VesselInputKind::Surface;

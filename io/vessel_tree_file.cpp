@@ -79,6 +79,9 @@ core::Status writeVesselTree(const core::VesselTree& tree, const std::string& pa
     if (extension == ".vtp") {
         return writeAtomically(path, vtpText(tree));
     }
+    if (extension == ".swc") {
+        return writeAtomically(path, swcText(tree));
+    }
     if (path.ends_with(".mrk.json")) {
         return writeAtomically(path, markupsText(tree));
     }

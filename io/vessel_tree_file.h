@@ -17,7 +17,7 @@ struct VesselTreeReadOptions {
 /// remedy.
 core::Result<core::VesselTree> readVesselTree(const std::string& path, const VesselTreeReadOptions& options = {});
 
-/// Writes VTP, CSV or Slicer curves (.mrk.json, without radii), by extension, atomically.
+/// Writes VTP, CSV, SWC or Slicer curves (.mrk.json, without radii), by extension, atomically.
 core::Status writeVesselTree(const core::VesselTree& tree, const std::string& path);
 
 }   // namespace io

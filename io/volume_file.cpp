@@ -2,6 +2,7 @@
 
 #include "io/dicom/dicom_file.h"
 #include "io/dicom_series.h"
+#include "io/series/dicom_segmentation.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/volume/open_stored.h"
@@ -122,6 +123,9 @@ core::Result<LoadedVolume> readVolume(const std::string& path, const std::string
 
 core::Result<core::LabelVolume> readLabels(const std::string& path, const ReadObserver& observe)
 {
+    if (isDicomFile(path)) {
+        return readDicomSegmentation(path, observe);
+    }
     const auto stored = openStored(path);
     return stored ? readLabelVoxels(stored.value(), observe) : stored.error();
 }

@@ -43,7 +43,7 @@ core::Result<VolumeSummary> describeVolume(const std::string& path);
 core::Result<LoadedVolume> readVolume(const std::string& path, const std::string& seriesId = {},
                                       const ReadObserver& observe = {});
 
-/// A label image: NIfTI, NRRD or MetaImage.
+/// A label image: NIfTI, NRRD, MetaImage, or a DICOM segmentation (labels are segment numbers).
 core::Result<core::LabelVolume> readLabels(const std::string& path, const ReadObserver& observe = {});
 
 /// True for volumes whose values are labels: whole numbers from 0, mostly background, the rest in pieces of one value.

@@ -139,7 +139,7 @@ Status toVolume(const ConvertArguments& arguments)
 Status convert(const ConvertArguments& arguments)
 {
     const std::string& out = arguments.outputPath;
-    if (endsWith(out, {".mrk.json", ".vtp", ".csv"})) {
+    if (endsWith(out, {".mrk.json", ".vtp", ".csv", ".swc"})) {
         return toCurves(arguments);
     }
     if (endsWith(out, {".nii", ".nii.gz", ".nrrd", ".mha"})) {
@@ -155,7 +155,7 @@ Status convert(const ConvertArguments& arguments)
         return convertAngiogram(arguments);
     }
     return core::Error{out +
-                       ": the extension is none that is written. Centrelines: .vtp, .csv, .mrk.json; volumes: "
+                       ": the extension is none that is written. Centrelines: .vtp, .csv, .swc, .mrk.json; volumes: "
                        ".nii, .nii.gz, .nrrd, .mha; surfaces: .stl; poses: .json, .tfm; X-ray runs: .dcm."};
 }
 

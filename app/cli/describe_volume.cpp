@@ -1,6 +1,7 @@
 #include "app/cli/describe_volume.h"
 
 #include "io/dicom_series.h"
+#include "io/series/dicom_segmentation.h"
 #include "io/surface_file.h"
 #include "io/volume_file.h"
 
@@ -107,6 +108,23 @@ core::Result<Json> dicomVolumeJson(const std::string& path)
 {
     const auto series = io::seriesOfFile(path);
     return series ? core::Result<Json>(seriesJson(series.value())) : series.error();
+}
+
+core::Result<Json> segmentationJson(const std::string& path)
+{
+    const auto labels = io::readDicomSegmentation(path);
+    if (!labels) {
+        return labels.error();
+    }
+    const auto named = io::listSegments(path);
+    Json segments = Json::array();
+    for (const io::DicomSegment& segment : named ? named.value() : std::vector<io::DicomSegment>{}) {
+        segments.push_back({{"label", segment.number}, {"name", segment.name}});
+    }
+    return Json{{"kind", "segmentation"},
+                {"format", "DICOM segmentation"},
+                {"segments", segments},
+                {"geometry", geometryJson(labels.value().geometry)}};
 }
 
 core::Result<Json> surfaceJson(const std::string& path)

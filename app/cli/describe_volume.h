@@ -11,6 +11,7 @@ namespace app {
 core::Result<nlohmann::ordered_json> folderJson(const std::string& path);
 core::Result<nlohmann::ordered_json> volumeJson(const std::string& path);
 core::Result<nlohmann::ordered_json> dicomVolumeJson(const std::string& path);
+core::Result<nlohmann::ordered_json> segmentationJson(const std::string& path);
 core::Result<nlohmann::ordered_json> surfaceJson(const std::string& path);
 
 }   // namespace app

@@ -7,6 +7,7 @@
 #include "io/case_file.h"
 #include "io/centerline2d_file.h"
 #include "io/pose_file.h"
+#include "io/series/dicom_segmentation.h"
 #include "io/series/slice_record.h"
 #include "io/vessel_tree_file.h"
 #include "io/volume_file.h"
@@ -126,6 +127,9 @@ core::Result<Json> curvesOrSurfaceJson(const std::string& path, const std::strin
 /// DICOM: X-ray runs are angiograms, everything that lies in the patient a volume.
 core::Result<Json> imageJson(const std::string& path)
 {
+    if (io::isDicomSegmentation(path)) {
+        return segmentationJson(path);
+    }
     const auto angiogram = io::readAngiogram(path);
     if (const auto slices = io::readSliceRecords(path); slices && !slices.value().slices.empty()) {
         if (slices.value().slices.front().position && slices.value().modality != "XA") {

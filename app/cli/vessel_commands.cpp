@@ -55,14 +55,15 @@ void addTraceVessel(CLI::App& app, int& exitCode)
     auto root = std::make_shared<std::vector<Eigen::Vector3d>>();
     command
         ->add_option("VOLUME", arguments->inputPath,
-                     "DICOM folder or slice, NIfTI, NRRD, MetaImage; also a label image or a surface")
+                     "DICOM folder or slice, NIfTI, NRRD, MetaImage; also a label image, DICOM SEG or a surface")
         ->required();
-    command->add_option("--output", arguments->outputPath, "Tree to write: .vtp, .csv or .mrk.json")->required();
+    command->add_option("--output", arguments->outputPath, "Tree to write: .vtp, .csv, .swc or .mrk.json")->required();
     command->add_option("--mask", arguments->maskPath, "Lumen to write as a label image, e.g. .nii.gz");
     command->add_option("--series", arguments->seriesId, "Which series of a DICOM folder; `info FOLDER` lists them");
     command->add_option("--threshold", arguments->tracing.threshold, "The lumen begins here (HU; default: found)");
     addPoints(command, "--seed", arguments->tracing.seedsInPatient,
-              "x,y,z (LPS mm): trace what is connected to it; may be repeated");
+              "x,y,z (LPS mm): trace what is connected to it; one in the widest vessel also parts the vessels from the "
+              "heart and from veins they touch; may be repeated");
     addPoints(command, "--avoid", arguments->tracing.avoidInPatient,
               "x,y,z (LPS mm) in the heart, a vein or bone; may be repeated");
     addPoints(command, "--root", *root, "x,y,z (LPS mm): the tree begins at the end nearest to it");
@@ -93,9 +94,10 @@ void addConvert(CLI::App& app, int& exitCode)
     auto arguments = std::make_shared<ConvertArguments>();
     command->add_option("IN", arguments->inputPath, "Any file that AngioPose reads, or a DICOM folder")->required();
     command
-        ->add_option("OUT", arguments->outputPath,
-                     "Centrelines: .vtp .csv .mrk.json; volumes: .nii .nii.gz .nrrd .mha; surfaces: .stl; poses: .json "
-                     ".tfm; X-ray runs: .dcm")
+        ->add_option(
+            "OUT", arguments->outputPath,
+            "Centrelines: .vtp .csv .swc .mrk.json; volumes: .nii .nii.gz .nrrd .mha; surfaces: .stl; poses: .json "
+            ".tfm; X-ray runs: .dcm")
         ->required();
     command->add_option("--series", arguments->seriesId, "Which series of a DICOM folder; `info FOLDER` lists them");
     command->add_option("--unit-mm", arguments->unitMm, "Length of one unit of a surface or SWC file, mm")

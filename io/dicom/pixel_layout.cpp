@@ -71,7 +71,8 @@ core::Result<PixelLayout> pixelLayoutOf(const DicomFile& file, const std::string
         layout.bitsAllocated = 32;
     }
     layout.photometric = data.text(0x00280004);
-    if (layout.photometric.empty()) {
+    const bool isOnlyColoured = layout.photometric == "PALETTE COLOR" && data.text(0x00080060) == "SEG";
+    if (layout.photometric.empty() || isOnlyColoured) {   // the values of a label map are its labels
         layout.photometric = layout.samples == 3 ? "RGB" : "MONOCHROME2";
     }
     if (layout.rows <= 0 || layout.columns <= 0 || layout.frames <= 0) {
@@ -82,10 +83,6 @@ core::Result<PixelLayout> pixelLayoutOf(const DicomFile& file, const std::string
         return fileError(path, "it declares " + std::to_string(layout.frames) + " frames of " +
                                    std::to_string(layout.columns) + " x " + std::to_string(layout.rows) +
                                    " pixels, more than this program holds. Export fewer frames.");
-    }
-    if (layout.rows < 8 || layout.columns < 8) {
-        return fileError(path, "it is only " + std::to_string(layout.columns) + " x " + std::to_string(layout.rows) +
-                                   " pixels. Choose the angiogram at its full size.");
     }
     if (const std::string unsupported = layout.isFloat ? "" : findUnsupported(layout); !unsupported.empty()) {
         return fileError(path, unsupported);

@@ -6,6 +6,7 @@
 #include "io/dicom/dicom_text.h"
 #include "io/dicom/frame_source.h"
 #include "io/dicom/gantry_tags.h"
+#include "io/support/file_error.h"
 
 #include <algorithm>
 
@@ -104,6 +105,18 @@ void describe(const DicomFile& file, const PixelLayout& layout, Angiogram& angio
     }
 }
 
+/// Nothing can be traced in a picture of a few pixels.
+core::Result<PixelLayout> runLayout(const DicomFile& file, const std::string& path)
+{
+    auto layout = pixelLayoutOf(file, path);
+    if (layout && (layout.value().rows < 8 || layout.value().columns < 8)) {
+        return fileError(path, "it is only " + std::to_string(layout.value().columns) + " x " +
+                                   std::to_string(layout.value().rows) +
+                                   " pixels. Choose the angiogram at its full size.");
+    }
+    return layout;
+}
+
 }   // namespace
 
 core::Result<core::Angiogram> readDicomAngiogram(std::string_view content, const std::string& path)
@@ -113,7 +126,7 @@ core::Result<core::Angiogram> readDicomAngiogram(std::string_view content, const
         return parsed.error();
     }
     const DicomFile& file = parsed.value();
-    const auto layout = pixelLayoutOf(file, path);
+    const auto layout = runLayout(file, path);
     if (!layout) {
         return layout.error();
     }

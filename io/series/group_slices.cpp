@@ -1,5 +1,6 @@
 #include "io/series/group_slices.h"
 
+#include "io/series/dicom_segmentation.h"
 #include "io/series/split_phases.h"
 
 #include <algorithm>
@@ -10,8 +11,6 @@
 
 namespace io {
 namespace {
-
-constexpr std::string_view segmentationClass = "1.2.840.10008.5.1.4.1.1.66.4";
 
 bool isProjection(const DicomImages& file)
 {
@@ -100,7 +99,7 @@ void keepFirstPerPlace(DicomSeries& series)
 std::string findSeriesProblem(const DicomSeries& series, const DicomImages& head)
 {
     const SliceRecord& first = series.slices.front();
-    if (head.sopClassUid == segmentationClass) {
+    if (isSegmentationClass(head.sopClassUid)) {
         return "it is a DICOM segmentation. Export it as a NIfTI or NRRD label image.";
     }
     if (!first.position || !first.axes) {

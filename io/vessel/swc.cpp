@@ -3,7 +3,9 @@
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <unordered_map>
 
 namespace io {
@@ -27,6 +29,91 @@ std::optional<SwcRow> parseRow(std::string_view line)
     }
     return row;
 }
+
+constexpr double touchMm = 1.5;   // as nodes join branches (core/vessel/vessel_tree.h)
+
+/// Where a branch end can hang: the nearest row that is written.
+struct Hook {
+    int row = -1;
+    double distanceMm = std::numeric_limits<double>::max();
+
+    void consider(int candidate, double distance)
+    {
+        if (distance < distanceMm) {
+            *this = {candidate, distance};
+        }
+    }
+};
+
+/// A branch to be written.
+struct PendingBranch {
+    core::VesselBranch branch;
+    Hook front;
+    Hook back;
+
+    double distanceMm() const { return std::min(front.distanceMm, back.distanceMm); }
+
+    void turnAround()
+    {
+        std::reverse(branch.pointsInPatient.begin(), branch.pointsInPatient.end());
+        std::reverse(branch.radiusMm.begin(), branch.radiusMm.end());
+        std::swap(front, back);
+    }
+};
+
+class SwcWriter {
+public:
+    explicit SwcWriter(const core::VesselTree& tree)
+    {
+        for (const core::VesselBranch& branch : tree.branches) {
+            pending_.push_back({branch, {}, {}});
+            pending_.back().branch.radiusMm.resize(branch.pointsInPatient.size(), 0.0);
+        }
+    }
+
+    /// Branches that touch what is written come first, in the order of the tree.
+    std::string run()
+    {
+        while (!pending_.empty()) {
+            auto next = std::find_if(pending_.begin(), pending_.end(),
+                                     [](const PendingBranch& branch) { return branch.distanceMm() <= touchMm; });
+            next = next == pending_.end() ? pending_.begin() : next;
+            PendingBranch branch = std::move(*next);
+            pending_.erase(next);
+            write(std::move(branch));
+        }
+        return std::move(text_);
+    }
+
+private:
+    void write(PendingBranch branch)
+    {
+        if (branch.back.distanceMm < branch.front.distanceMm && branch.back.distanceMm <= touchMm) {
+            branch.turnAround();
+        }
+        const bool isSamePoint = branch.front.distanceMm == 0.0;
+        int parent = branch.front.distanceMm <= touchMm ? branch.front.row : -1;
+        for (std::size_t i = isSamePoint ? 1 : 0; i < branch.branch.pointsInPatient.size(); ++i) {
+            parent = addRow(branch.branch.pointsInPatient[i], branch.branch.radiusMm[i], parent);
+        }
+    }
+
+    int addRow(const Eigen::Vector3d& point, double radiusMm, int parent)
+    {
+        ++rows_;
+        text_ += std::to_string(rows_) + " 0 " + toText(point.x()) + " " + toText(point.y()) + " " + toText(point.z()) +
+                 " " + toText(radiusMm) + " " + std::to_string(parent) + "\n";
+        for (PendingBranch& branch : pending_) {
+            branch.front.consider(rows_, (branch.branch.pointsInPatient.front() - point).norm());
+            branch.back.consider(rows_, (branch.branch.pointsInPatient.back() - point).norm());
+        }
+        return rows_;
+    }
+
+    std::vector<PendingBranch> pending_;
+    std::string text_ = "# id type x y z radius parent; mm, patient LPS\n";
+    int rows_ = 0;
+};
 
 }   // namespace
 
@@ -69,6 +156,11 @@ core::Result<LineSet> parseSwc(std::string_view text, double unitMm, const std::
         set.lines.push_back({parent->second, i});
     }
     return set;
+}
+
+std::string swcText(const core::VesselTree& tree)
+{
+    return SwcWriter(tree).run();
 }
 
 }   // namespace io

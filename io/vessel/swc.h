@@ -2,11 +2,17 @@
 
 #include "io/vessel/line_set.h"
 
+#include <string>
 #include <string_view>
 
 namespace io {
 
 /// SWC rows `id type x y z radius parent` as segments between points; lengths times `unitMm`.
 core::Result<LineSet> parseSwc(std::string_view text, double unitMm, const std::string& path);
+
+/// A tree as SWC rows, in mm, type 0 (undefined). SWC knows parents only: a branch whose first or last point lies
+/// within 1.5 mm of what is written before it hangs there, others are roots; ids and names are lost. Unknown radii are
+/// 0.
+std::string swcText(const core::VesselTree& tree);
 
 }   // namespace io

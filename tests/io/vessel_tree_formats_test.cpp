@@ -3,6 +3,7 @@
 #include "tests/support/test_data.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -126,6 +127,45 @@ TEST(ReadVesselTree, ReadsSwcInItsUnit)
     EXPECT_NEAR(tree.value().branches[0].lengthMm(), 1.0, 1e-12);
     EXPECT_NEAR(tree.value().branches[0].radiusMm[0], 0.5, 1e-12);
     EXPECT_NE(errorOf(folder.write("orphan.swc", "1 2 0 0 0 1 9\n")).find("parent"), std::string::npos);
+}
+
+TEST(WriteVesselTree, SwcKeepsPointsRadiiAndForks)
+{
+    const test::ScratchFolder folder;
+    core::VesselTree tree;
+    tree.branches.push_back({1, "", {{0.1, 0.0, 0.0}, {10.0, 0.0, 0.0}, {20.0, 0.3, 0.0}}, {3.0, 2.5, 2.0}});
+    tree.branches.push_back({2, "", {{10.0, 30.0, 0.0}, {10.0, 15.0, 1.0 / 3.0}, {10.0, 0.0, 0.0}}, {1.0, 1.1, 2.5}});
+    tree.branches.push_back({3, "", {{10.0, 16.0, 0.3}, {10.0, 16.0, 9.0}}, {1.0, 0.9}});   // touches branch 2
+    tree.branches.push_back({4, "", {{90.0, 0.0, 0.0}, {99.0, 0.0, 0.0}}, {1.0, 1.0}});   // stands alone
+    const std::string path = folder.path("tree.swc");
+    ASSERT_TRUE(io::writeVesselTree(tree, path));
+    const core::VesselTree read = readOrFail(path);
+    EXPECT_EQ(read.branches.size(), 6u);   // parted at the two forks
+    EXPECT_EQ(read.pointCount(), 2u + 2u + 2u + 2u + 3u + 2u);
+    const auto has = [&](const Eigen::Vector3d& point, double radius) {
+        for (const core::VesselBranch& branch : read.branches) {
+            for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
+                if (branch.pointsInPatient[i] == point && branch.radiusMm[i] == radius) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    };
+    EXPECT_TRUE(has({10.0, 15.0, 1.0 / 3.0}, 1.1));
+    EXPECT_TRUE(has({20.0, 0.3, 0.0}, 2.0));
+    const auto nodes = core::findNodes(read);
+    EXPECT_EQ(std::count_if(nodes.begin(), nodes.end(), [](const auto& node) { return node.isBifurcation(); }), 2);
+}
+
+TEST(WriteVesselTree, SwcWithoutRadii)
+{
+    const test::ScratchFolder folder;
+    core::VesselTree tree;
+    tree.branches.push_back({1, "", {{0.0, 0.0, 0.0}, {5.0, 0.0, 0.0}}, {}});
+    const std::string path = folder.path("tree.swc");
+    ASSERT_TRUE(io::writeVesselTree(tree, path));
+    EXPECT_EQ(readOrFail(path).branches.size(), 1u);
 }
 
 TEST(ReadVesselTree, CountsSharedTrunksOnce)

@@ -28,9 +28,33 @@ public:
     {
         head(group, element, "OW");
         bytes_ += std::string(2, '\0');
-        const auto size = static_cast<std::uint32_t>(2 * values.size());
-        bytes_.append(reinterpret_cast<const char*>(&size), 4);
-        bytes_.append(reinterpret_cast<const char*>(values.data()), size);
+        size(2 * values.size());
+        bytes_.append(reinterpret_cast<const char*>(values.data()), 2 * values.size());
+    }
+    void bytes(std::uint16_t group, std::uint16_t element, std::string value)
+    {
+        value += value.size() % 2 == 1 ? std::string(1, '\0') : "";
+        head(group, element, "OB");
+        bytes_ += std::string(2, '\0');
+        size(value.size());
+        bytes_ += value;
+    }
+    /// A sequence of items, each the content of its own elements.
+    void sequence(std::uint16_t group, std::uint16_t element, const std::vector<std::string>& items)
+    {
+        std::size_t length = 0;
+        for (const std::string& item : items) {
+            length += 8 + item.size();
+        }
+        head(group, element, "SQ");
+        bytes_ += std::string(2, '\0');
+        size(length);
+        for (const std::string& item : items) {
+            number(std::uint16_t{0xfffe});
+            number(std::uint16_t{0xe000});
+            size(item.size());
+            bytes_ += item;
+        }
     }
     const std::string& content() const { return bytes_; }
 
@@ -40,6 +64,11 @@ private:
         number(group);
         number(element);
         bytes_ += vr;
+    }
+    void size(std::size_t value)
+    {
+        const auto length = static_cast<std::uint32_t>(value);
+        bytes_.append(reinterpret_cast<const char*>(&length), 4);
     }
     void number(std::uint16_t value) { bytes_.append(reinterpret_cast<const char*>(&value), 2); }
 

@@ -1,0 +1,243 @@
+#include "io/series/dicom_segmentation.h"
+
+#include "io/dicom/dicom_elements.h"
+#include "io/dicom/dicom_text.h"
+#include "io/dicom/frame_source.h"
+#include "io/dicom/open_dicom.h"
+#include "io/series/segmentation_grid.h"
+#include "io/support/file_error.h"
+
+#include <algorithm>
+
+namespace io {
+namespace {
+
+constexpr std::string_view segmentationClass = "1.2.840.10008.5.1.4.1.1.66.4";
+constexpr std::string_view labelMapClass = "1.2.840.10008.5.1.4.1.1.66.7";
+constexpr DicomTag sharedGroupsTag = 0x52009229;
+constexpr DicomTag perFrameGroupsTag = 0x52009230;
+constexpr DicomTag identificationTag = 0x0062000a;
+constexpr DicomTag segmentNumberTag = 0x0062000b;
+constexpr std::string_view noLabels = "it is a DICOM segmentation. Export it as a NIfTI or NRRD label image.";
+constexpr std::string_view cutShort = "its voxels are cut short. Copy or export it again.";
+constexpr std::size_t maxPixels = std::size_t{1} << 31;
+
+/// A 16-bit number, also where no VR says that it is one.
+std::optional<int> shortNumber(const DicomDataset& data, DicomTag tag)
+{
+    const DicomElement* element = data.find(tag);
+    if (element != nullptr && element->vr == std::array<char, 2>{'U', 'N'} && element->value.size() == 2) {
+        return readUint16(element->value, element->encoding);
+    }
+    return data.integer(tag);
+}
+
+std::optional<int> segmentIn(const std::vector<DicomDataset>& groups, std::size_t index)
+{
+    if (index >= groups.size()) {
+        return std::nullopt;
+    }
+    const std::vector<DicomDataset> items = groups[index].items(identificationTag);
+    return items.empty() ? std::nullopt : shortNumber(items.front(), segmentNumberTag);
+}
+
+/// Segment number of each frame; empty when a frame does not say.
+std::vector<int> segmentOfFrames(const DicomDataset& data, std::size_t frameCount)
+{
+    const std::vector<DicomDataset> shared = data.items(sharedGroupsTag);
+    const std::vector<DicomDataset> perFrame = data.items(perFrameGroupsTag);
+    std::vector<int> segments;
+    for (std::size_t k = 0; k < frameCount; ++k) {
+        const std::optional<int> own = segmentIn(perFrame, k);
+        const std::optional<int> segment = own ? own : segmentIn(shared, 0);
+        if (!segment || *segment < 1 || *segment > 65535) {
+            return {};
+        }
+        segments.push_back(*segment);
+    }
+    return segments;
+}
+
+/// Bits of all frames one after the other, the first in the lowest bit of a byte (PS3.5 8.1.1).
+class BitFrames {
+public:
+    BitFrames(const DicomElement& pixels, std::size_t pixelsPerFrame)
+        : bytes_(pixels.value), pixelsPerFrame_(pixelsPerFrame)
+    {
+    }
+
+    bool holds(std::size_t frames) const { return bytes_.size() * 8 >= frames * pixelsPerFrame_; }
+
+    bool isSet(std::size_t frame, std::size_t pixel) const
+    {
+        const std::size_t bit = frame * pixelsPerFrame_ + pixel;
+        return (static_cast<unsigned char>(bytes_[bit / 8]) >> (bit % 8) & 1U) != 0;
+    }
+
+private:
+    std::string_view bytes_;
+    std::size_t pixelsPerFrame_;
+};
+
+/// A parsed segmentation with its frames.
+struct Segmentation {
+    InputBytes bytes;
+    DicomFile file;
+    std::vector<SliceRecord> frames;
+    std::vector<int> segments;   ///< of each frame; empty for label maps
+    SegmentationGrid grid;
+};
+
+void mark(std::uint16_t& voxel, int segment)
+{
+    voxel = voxel == 0 ? static_cast<std::uint16_t>(segment) : std::min(voxel, static_cast<std::uint16_t>(segment));
+}
+
+std::size_t firstVoxel(const Segmentation& segmentation, std::size_t frame)
+{
+    return segmentation.grid.geometry.index(0, 0, segmentation.grid.layers[frame]);
+}
+
+core::Result<core::LabelVolume> bitLabels(const Segmentation& segmentation, const std::string& path,
+                                          const ReadObserver& observe)
+{
+    const DicomElement* pixels = segmentation.file.dataset.find(pixelDataTag);
+    const SliceRecord& first = segmentation.frames.front();
+    const auto perFrame = static_cast<std::size_t>(first.size.x()) * static_cast<std::size_t>(first.size.y());
+    if (pixels == nullptr || pixels->hasUndefinedLength) {
+        return fileError(path, noLabels);
+    }
+    const BitFrames bits(*pixels, perFrame);
+    if (!bits.holds(segmentation.frames.size())) {
+        return fileError(path, cutShort);
+    }
+    core::LabelVolume labels(segmentation.grid.geometry);
+    for (std::size_t k = 0; k < segmentation.frames.size(); ++k) {
+        if (isStopWished(observe, static_cast<double>(k) / static_cast<double>(segmentation.frames.size()))) {
+            return stoppedReading(path);
+        }
+        const std::size_t start = firstVoxel(segmentation, k);
+        for (std::size_t p = 0; p < perFrame; ++p) {
+            if (bits.isSet(k, p)) {
+                mark(labels.voxels[start + p], segmentation.segments[k]);
+            }
+        }
+    }
+    return labels;
+}
+
+core::Result<core::LabelVolume> byteLabels(const Segmentation& segmentation, const std::string& path,
+                                           const ReadObserver& observe)
+{
+    const auto layout = pixelLayoutOf(segmentation.file, path, maxPixels);
+    if (!layout) {
+        return layout.error();
+    }
+    const auto reader = FrameReader::open(segmentation.file, layout.value(), path);
+    if (!reader) {
+        return reader.error();
+    }
+    const bool isLabelMap = segmentation.segments.empty();
+    const double largest = shortNumber(segmentation.file.dataset, 0x0062000e).value_or(255);
+    const auto least = static_cast<float>(0.5 * largest);
+    core::LabelVolume labels(segmentation.grid.geometry);
+    for (std::size_t k = 0; k < segmentation.frames.size(); ++k) {
+        if (isStopWished(observe, static_cast<double>(k) / static_cast<double>(segmentation.frames.size()))) {
+            return stoppedReading(path);
+        }
+        const auto frame = reader.value().frame(static_cast<int>(k));
+        if (!frame) {
+            return frame.error();
+        }
+        const std::size_t start = firstVoxel(segmentation, k);
+        const std::vector<float>& pixels = frame.value().pixels;
+        for (std::size_t p = 0; p < pixels.size(); ++p) {
+            if (isLabelMap && pixels[p] > 0.0F) {
+                mark(labels.voxels[start + p], static_cast<int>(pixels[p]));
+            } else if (!isLabelMap && pixels[p] >= least && pixels[p] > 0.0F) {
+                mark(labels.voxels[start + p], segmentation.segments[k]);
+            }
+        }
+    }
+    return labels;
+}
+
+core::Result<Segmentation> openSegmentation(const std::string& path)
+{
+    auto bytes = openDicom(path);
+    if (!bytes) {
+        return bytes.error();
+    }
+    Segmentation segmentation;
+    segmentation.bytes = std::move(bytes).value();
+    auto parsed = parseDicom(segmentation.bytes.view(), path);
+    if (!parsed) {
+        return parsed.error();
+    }
+    segmentation.file = std::move(parsed).value();
+    auto images = readSliceRecords(path);
+    if (!images) {
+        return images.error();
+    }
+    segmentation.frames = std::move(images).value().slices;
+    if (segmentation.frames.empty() || !segmentation.file.damage.empty()) {
+        return fileError(path, cutShort);
+    }
+    const DicomDataset& data = segmentation.file.dataset;
+    if (data.text(0x00080016) != labelMapClass) {
+        segmentation.segments = segmentOfFrames(data, segmentation.frames.size());
+        if (segmentation.segments.empty()) {
+            return fileError(path, noLabels);
+        }
+    }
+    auto grid = segmentationGrid(segmentation.frames, data, path);
+    if (!grid) {
+        return grid.error();
+    }
+    segmentation.grid = std::move(grid).value();
+    return segmentation;
+}
+
+}   // namespace
+
+bool isSegmentationClass(std::string_view sopClassUid)
+{
+    return sopClassUid == segmentationClass || sopClassUid == labelMapClass;
+}
+
+bool isDicomSegmentation(const std::string& path)
+{
+    const auto input = openDicom(path);
+    const auto parsed = input ? parseDicom(input.value().view(), path) : core::Result<DicomFile>(input.error());
+    return parsed && isSegmentationClass(parsed.value().dataset.text(0x00080016));
+}
+
+core::Result<std::vector<DicomSegment>> listSegments(const std::string& path)
+{
+    const auto input = openDicom(path);
+    if (!input) {
+        return input.error();
+    }
+    const auto parsed = parseDicom(input.value().view(), path);
+    if (!parsed) {
+        return parsed.error();
+    }
+    std::vector<DicomSegment> segments;
+    for (const DicomDataset& item : parsed.value().dataset.items(0x00620002)) {
+        segments.push_back({shortNumber(item, 0x00620004).value_or(0), utf8Text(item, 0x00620005)});
+    }
+    return segments;
+}
+
+core::Result<core::LabelVolume> readDicomSegmentation(const std::string& path, const ReadObserver& observe)
+{
+    const auto segmentation = openSegmentation(path);
+    if (!segmentation) {
+        return segmentation.error();
+    }
+    const int bitsAllocated = segmentation.value().file.dataset.integer(0x00280100).value_or(8);
+    return bitsAllocated == 1 ? bitLabels(segmentation.value(), path, observe)
+                              : byteLabels(segmentation.value(), path, observe);
+}
+
+}   // namespace io

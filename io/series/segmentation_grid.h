@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/imaging/volume.h"
+#include "core/support/result.h"
+#include "io/dicom/dicom_dataset.h"
+#include "io/series/slice_record.h"
+
+#include <string>
+#include <vector>
+
+namespace io {
+
+/// The grid on which the frames of a segmentation lie. Several frames may share a layer; layers without any are empty.
+struct SegmentationGrid {
+    core::VolumeGeometry geometry;
+    std::vector<int> layers;   ///< of each frame
+};
+
+/// The smallest grid that holds all frames. Fails when they do not say where they lie, or lie on none.
+core::Result<SegmentationGrid> segmentationGrid(const std::vector<SliceRecord>& frames, const DicomDataset& data,
+                                                const std::string& path);
+
+}   // namespace io
