@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/actions/window_actions.h"
 #include "ui/panels/angiogram_panel.h"
 #include "ui/panels/bottom_strip.h"
 #include "ui/panels/branch_panel.h"
@@ -15,7 +16,6 @@
 #include "ui/panels/welcome_page.h"
 #include "ui/slices/slice_model.h"
 #include "ui/slices/tracing_panel.h"
-#include "ui/window_actions.h"
 
 #include <QMainWindow>
 

@@ -6204,7 +6204,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>ui::WindowActions</name>
+    <name>ui::CommandTable</name>
     <message>
         <source>Open …</source>
         <translation>Öffnen …</translation>
@@ -6402,90 +6402,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Über AngioPose</translation>
     </message>
     <message>
-        <source>← → ↑ ↓</source>
-        <translation>← → ↑ ↓</translation>
-    </message>
-    <message>
-        <source>move by 1 mm (Shift 10 mm, Ctrl 0.1 mm)</source>
-        <translation>schieben um 1 mm (Umschalt 10 mm, Strg 0.1 mm)</translation>
-    </message>
-    <message>
-        <source>PgUp PgDn</source>
-        <translation>Bild↑ Bild↓</translation>
-    </message>
-    <message>
-        <source>move away from or to the source</source>
-        <translation>vom Fokus weg oder zu ihm hin</translation>
-    </message>
-    <message>
-        <source>, .</source>
-        <translation>, .</translation>
-    </message>
-    <message>
-        <source>roll by 1°</source>
-        <translation>rollen um 1°</translation>
-    </message>
-    <message>
-        <source>Alt+arrows</source>
-        <translation>Alt+Pfeile</translation>
-    </message>
-    <message>
-        <source>turn LAO/RAO and CRA/CAU by 1°</source>
-        <translation>LAO/RAO und CRA/CAU um 1° drehen</translation>
-    </message>
-    <message>
-        <source>drag</source>
-        <translation>ziehen</translation>
-    </message>
-    <message>
-        <source>left drag</source>
-        <translation>links ziehen</translation>
-    </message>
-    <message>
-        <source>window and level</source>
-        <translation>Fensterung</translation>
-    </message>
-    <message>
-        <source>middle drag</source>
-        <translation>Mitte ziehen</translation>
-    </message>
-    <message>
-        <source>pan</source>
-        <translation>verschieben</translation>
-    </message>
-    <message>
-        <source>zoom</source>
-        <translation>zoomen</translation>
-    </message>
-    <message>
-        <source>wheel, ↑ ↓, Home, End</source>
-        <translation>Rad, ↑ ↓, Pos1, Ende</translation>
-    </message>
-    <message>
-        <source>frames</source>
-        <translation>Bilder</translation>
-    </message>
-    <message>
-        <source>H (hold)</source>
-        <translation>H (halten)</translation>
-    </message>
-    <message>
-        <source>hide the overlay</source>
-        <translation>Überlagerung verbergen</translation>
-    </message>
-    <message>
-        <source>click</source>
-        <translation>klicken</translation>
-    </message>
-    <message>
-        <source>pick a branch (Ctrl adds)</source>
-        <translation>Ast wählen (Strg fügt hinzu)</translation>
-    </message>
-    <message>
-        <source>Open recent</source>
-        <translation>Zuletzt geöffnet</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
     </message>
@@ -6510,28 +6426,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Farbschema</translation>
     </message>
     <message>
-        <source>In the whole window</source>
-        <translation>Im ganzen Fenster</translation>
-    </message>
-    <message>
-        <source>In nudge mode</source>
-        <translation>Im Justiermodus</translation>
-    </message>
-    <message>
-        <source>On the angiogram</source>
-        <translation>Auf dem Angiogramm</translation>
-    </message>
-    <message>
         <source>Language of the desktop</source>
         <translation>Sprache des Desktops</translation>
     </message>
     <message>
         <source>Language</source>
         <translation>Sprache</translation>
-    </message>
-    <message>
-        <source>move; on the ring roll; Esc takes it back, then ends the mode</source>
-        <translation>schieben; am Ring drehen; Esc nimmt zurück, dann endet der Modus</translation>
     </message>
     <message>
         <source>Save picture of the window …</source>
@@ -6570,60 +6470,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Tasten und Maus</translation>
     </message>
     <message>
-        <source>Ctrl+wheel</source>
-        <translation>Strg+Rad</translation>
-    </message>
-    <message>
-        <source>right click</source>
-        <translation>Rechtsklick</translation>
-    </message>
-    <message>
-        <source>menu of what can be done here</source>
-        <translation>Menü mit dem, was hier möglich ist</translation>
-    </message>
-    <message>
-        <source>left drag, arrows</source>
-        <translation>links ziehen, Pfeile</translation>
-    </message>
-    <message>
-        <source>turn</source>
-        <translation>drehen</translation>
-    </message>
-    <message>
-        <source>right drag, wheel, + −</source>
-        <translation>rechts ziehen, Rad, + −</translation>
-    </message>
-    <message>
-        <source>double click</source>
-        <translation>Doppelklick</translation>
-    </message>
-    <message>
-        <source>everything in view again</source>
-        <translation>wieder alles im Blick</translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation>nichts</translation>
-    </message>
-    <message>
-        <source>Shift+left drag</source>
-        <translation>Umschalt+links ziehen</translation>
-    </message>
-    <message>
-        <source>Ctrl+left drag</source>
-        <translation>Strg+links ziehen</translation>
-    </message>
-    <message>
-        <source>right drag</source>
-        <translation>rechts ziehen</translation>
-    </message>
-    <message>
         <source>Mouse</source>
         <translation>Maus</translation>
-    </message>
-    <message>
-        <source>On the 3-D view</source>
-        <translation>Auf der 3-D-Ansicht</translation>
     </message>
     <message>
         <source>Edit traced vessels</source>
@@ -6758,6 +6606,173 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Bild allein, ohne die Spalten</translation>
     </message>
     <message>
+        <source>Ve&amp;ssels</source>
+        <translation>&amp;Gefäße</translation>
+    </message>
+    <message>
+        <source>Start pose from the angles</source>
+        <translation>Startlage aus den Winkeln</translation>
+    </message>
+    <message>
+        <source>This pose is the start pose</source>
+        <translation>Diese Lage ist die Startlage</translation>
+    </message>
+    <message>
+        <source>&amp;Angiogram</source>
+        <translation>A&amp;ngiogramm</translation>
+    </message>
+    <message>
+        <source>&amp;Pose</source>
+        <translation>&amp;Lage</translation>
+    </message>
+</context>
+<context>
+    <name>ui::KeyNotes</name>
+    <message>
+        <source>← → ↑ ↓</source>
+        <translation>← → ↑ ↓</translation>
+    </message>
+    <message>
+        <source>move by 1 mm (Shift 10 mm, Ctrl 0.1 mm)</source>
+        <translation>schieben um 1 mm (Umschalt 10 mm, Strg 0.1 mm)</translation>
+    </message>
+    <message>
+        <source>PgUp PgDn</source>
+        <translation>Bild↑ Bild↓</translation>
+    </message>
+    <message>
+        <source>move away from or to the source</source>
+        <translation>vom Fokus weg oder zu ihm hin</translation>
+    </message>
+    <message>
+        <source>, .</source>
+        <translation>, .</translation>
+    </message>
+    <message>
+        <source>roll by 1°</source>
+        <translation>rollen um 1°</translation>
+    </message>
+    <message>
+        <source>Alt+arrows</source>
+        <translation>Alt+Pfeile</translation>
+    </message>
+    <message>
+        <source>turn LAO/RAO and CRA/CAU by 1°</source>
+        <translation>LAO/RAO und CRA/CAU um 1° drehen</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>ziehen</translation>
+    </message>
+    <message>
+        <source>left drag</source>
+        <translation>links ziehen</translation>
+    </message>
+    <message>
+        <source>window and level</source>
+        <translation>Fensterung</translation>
+    </message>
+    <message>
+        <source>middle drag</source>
+        <translation>Mitte ziehen</translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation>verschieben</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>zoomen</translation>
+    </message>
+    <message>
+        <source>wheel, ↑ ↓, Home, End</source>
+        <translation>Rad, ↑ ↓, Pos1, Ende</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>H (hold)</source>
+        <translation>H (halten)</translation>
+    </message>
+    <message>
+        <source>hide the overlay</source>
+        <translation>Überlagerung verbergen</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>klicken</translation>
+    </message>
+    <message>
+        <source>pick a branch (Ctrl adds)</source>
+        <translation>Ast wählen (Strg fügt hinzu)</translation>
+    </message>
+    <message>
+        <source>In nudge mode</source>
+        <translation>Im Justiermodus</translation>
+    </message>
+    <message>
+        <source>On the angiogram</source>
+        <translation>Auf dem Angiogramm</translation>
+    </message>
+    <message>
+        <source>move; on the ring roll; Esc takes it back, then ends the mode</source>
+        <translation>schieben; am Ring drehen; Esc nimmt zurück, dann endet der Modus</translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel</source>
+        <translation>Strg+Rad</translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation>Rechtsklick</translation>
+    </message>
+    <message>
+        <source>menu of what can be done here</source>
+        <translation>Menü mit dem, was hier möglich ist</translation>
+    </message>
+    <message>
+        <source>left drag, arrows</source>
+        <translation>links ziehen, Pfeile</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>drehen</translation>
+    </message>
+    <message>
+        <source>right drag, wheel, + −</source>
+        <translation>rechts ziehen, Rad, + −</translation>
+    </message>
+    <message>
+        <source>double click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>everything in view again</source>
+        <translation>wieder alles im Blick</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>Shift+left drag</source>
+        <translation>Umschalt+links ziehen</translation>
+    </message>
+    <message>
+        <source>Ctrl+left drag</source>
+        <translation>Strg+links ziehen</translation>
+    </message>
+    <message>
+        <source>right drag</source>
+        <translation>rechts ziehen</translation>
+    </message>
+    <message>
+        <source>On the 3-D view</source>
+        <translation>Auf der 3-D-Ansicht</translation>
+    </message>
+    <message>
         <source>in 3-D or a slice, then in the image: one pair</source>
         <translation>in 3-D oder einer Schicht, dann im Bild: ein Paar</translation>
     </message>
@@ -6866,10 +6881,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>alle Schichten groß, und zurück</translation>
     </message>
     <message>
-        <source>&amp;Vessels</source>
-        <translation>&amp;Gefäße</translation>
-    </message>
-    <message>
         <source>While clicking landmarks</source>
         <translation>Beim Klicken von Landmarken</translation>
     </message>
@@ -6881,13 +6892,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>On a slice</source>
         <translation>In einer Schicht</translation>
     </message>
+</context>
+<context>
+    <name>ui::WindowActions</name>
     <message>
-        <source>Start pose from the angles</source>
-        <translation>Startlage aus den Winkeln</translation>
+        <source>Open recent</source>
+        <translation>Zuletzt geöffnet</translation>
     </message>
     <message>
-        <source>This pose is the start pose</source>
-        <translation>Diese Lage ist die Startlage</translation>
+        <source>In the whole window</source>
+        <translation>Im ganzen Fenster</translation>
     </message>
 </context>
 <context>

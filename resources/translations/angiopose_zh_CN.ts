@@ -6203,7 +6203,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>ui::WindowActions</name>
+    <name>ui::CommandTable</name>
     <message>
         <source>Open …</source>
         <translation>打开……</translation>
@@ -6401,90 +6401,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>关于 AngioPose</translation>
     </message>
     <message>
-        <source>← → ↑ ↓</source>
-        <translation>← → ↑ ↓</translation>
-    </message>
-    <message>
-        <source>move by 1 mm (Shift 10 mm, Ctrl 0.1 mm)</source>
-        <translation>平移 1 mm（Shift 10 mm，Ctrl 0.1 mm）</translation>
-    </message>
-    <message>
-        <source>PgUp PgDn</source>
-        <translation>PgUp PgDn</translation>
-    </message>
-    <message>
-        <source>move away from or to the source</source>
-        <translation>远离或靠近射线源</translation>
-    </message>
-    <message>
-        <source>, .</source>
-        <translation>, .</translation>
-    </message>
-    <message>
-        <source>roll by 1°</source>
-        <translation>滚转 1°</translation>
-    </message>
-    <message>
-        <source>Alt+arrows</source>
-        <translation>Alt+方向键</translation>
-    </message>
-    <message>
-        <source>turn LAO/RAO and CRA/CAU by 1°</source>
-        <translation>转动 LAO/RAO 和 CRA/CAU 1°</translation>
-    </message>
-    <message>
-        <source>drag</source>
-        <translation>拖动</translation>
-    </message>
-    <message>
-        <source>left drag</source>
-        <translation>左键拖动</translation>
-    </message>
-    <message>
-        <source>window and level</source>
-        <translation>窗宽窗位</translation>
-    </message>
-    <message>
-        <source>middle drag</source>
-        <translation>中键拖动</translation>
-    </message>
-    <message>
-        <source>pan</source>
-        <translation>平移图像</translation>
-    </message>
-    <message>
-        <source>zoom</source>
-        <translation>缩放</translation>
-    </message>
-    <message>
-        <source>wheel, ↑ ↓, Home, End</source>
-        <translation>滚轮、↑ ↓、Home、End</translation>
-    </message>
-    <message>
-        <source>frames</source>
-        <translation>帧</translation>
-    </message>
-    <message>
-        <source>H (hold)</source>
-        <translation>H（按住）</translation>
-    </message>
-    <message>
-        <source>hide the overlay</source>
-        <translation>隐藏叠加图</translation>
-    </message>
-    <message>
-        <source>click</source>
-        <translation>单击</translation>
-    </message>
-    <message>
-        <source>pick a branch (Ctrl adds)</source>
-        <translation>选择分支（Ctrl 追加）</translation>
-    </message>
-    <message>
-        <source>Open recent</source>
-        <translation>最近打开</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>文件(&amp;F)</translation>
     </message>
@@ -6509,28 +6425,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>主题</translation>
     </message>
     <message>
-        <source>In the whole window</source>
-        <translation>整个窗口</translation>
-    </message>
-    <message>
-        <source>In nudge mode</source>
-        <translation>微调模式下</translation>
-    </message>
-    <message>
-        <source>On the angiogram</source>
-        <translation>在造影图像上</translation>
-    </message>
-    <message>
         <source>Language of the desktop</source>
         <translation>桌面语言</translation>
     </message>
     <message>
         <source>Language</source>
         <translation>语言</translation>
-    </message>
-    <message>
-        <source>move; on the ring roll; Esc takes it back, then ends the mode</source>
-        <translation>平移；在圆环上旋转；Esc 取消，再按结束模式</translation>
     </message>
     <message>
         <source>Save picture of the window …</source>
@@ -6569,60 +6469,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>快捷键与鼠标</translation>
     </message>
     <message>
-        <source>Ctrl+wheel</source>
-        <translation>Ctrl+滚轮</translation>
-    </message>
-    <message>
-        <source>right click</source>
-        <translation>右键单击</translation>
-    </message>
-    <message>
-        <source>menu of what can be done here</source>
-        <translation>此处可用操作的菜单</translation>
-    </message>
-    <message>
-        <source>left drag, arrows</source>
-        <translation>左键拖动、方向键</translation>
-    </message>
-    <message>
-        <source>turn</source>
-        <translation>旋转</translation>
-    </message>
-    <message>
-        <source>right drag, wheel, + −</source>
-        <translation>右键拖动、滚轮、+ −</translation>
-    </message>
-    <message>
-        <source>double click</source>
-        <translation>双击</translation>
-    </message>
-    <message>
-        <source>everything in view again</source>
-        <translation>重新显示全部</translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation>无</translation>
-    </message>
-    <message>
-        <source>Shift+left drag</source>
-        <translation>Shift+左键拖动</translation>
-    </message>
-    <message>
-        <source>Ctrl+left drag</source>
-        <translation>Ctrl+左键拖动</translation>
-    </message>
-    <message>
-        <source>right drag</source>
-        <translation>右键拖动</translation>
-    </message>
-    <message>
         <source>Mouse</source>
         <translation>鼠标</translation>
-    </message>
-    <message>
-        <source>On the 3-D view</source>
-        <translation>在三维视图上</translation>
     </message>
     <message>
         <source>Edit traced vessels</source>
@@ -6757,6 +6605,173 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>仅图像，不显示侧栏</translation>
     </message>
     <message>
+        <source>Ve&amp;ssels</source>
+        <translation>血管(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Start pose from the angles</source>
+        <translation>由角度得初始位姿</translation>
+    </message>
+    <message>
+        <source>This pose is the start pose</source>
+        <translation>以此位姿为初始位姿</translation>
+    </message>
+    <message>
+        <source>&amp;Angiogram</source>
+        <translation>造影(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Pose</source>
+        <translation>位姿(&amp;P)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::KeyNotes</name>
+    <message>
+        <source>← → ↑ ↓</source>
+        <translation>← → ↑ ↓</translation>
+    </message>
+    <message>
+        <source>move by 1 mm (Shift 10 mm, Ctrl 0.1 mm)</source>
+        <translation>平移 1 mm（Shift 10 mm，Ctrl 0.1 mm）</translation>
+    </message>
+    <message>
+        <source>PgUp PgDn</source>
+        <translation>PgUp PgDn</translation>
+    </message>
+    <message>
+        <source>move away from or to the source</source>
+        <translation>远离或靠近射线源</translation>
+    </message>
+    <message>
+        <source>, .</source>
+        <translation>, .</translation>
+    </message>
+    <message>
+        <source>roll by 1°</source>
+        <translation>滚转 1°</translation>
+    </message>
+    <message>
+        <source>Alt+arrows</source>
+        <translation>Alt+方向键</translation>
+    </message>
+    <message>
+        <source>turn LAO/RAO and CRA/CAU by 1°</source>
+        <translation>转动 LAO/RAO 和 CRA/CAU 1°</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>拖动</translation>
+    </message>
+    <message>
+        <source>left drag</source>
+        <translation>左键拖动</translation>
+    </message>
+    <message>
+        <source>window and level</source>
+        <translation>窗宽窗位</translation>
+    </message>
+    <message>
+        <source>middle drag</source>
+        <translation>中键拖动</translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation>平移图像</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>wheel, ↑ ↓, Home, End</source>
+        <translation>滚轮、↑ ↓、Home、End</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>H (hold)</source>
+        <translation>H（按住）</translation>
+    </message>
+    <message>
+        <source>hide the overlay</source>
+        <translation>隐藏叠加图</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>单击</translation>
+    </message>
+    <message>
+        <source>pick a branch (Ctrl adds)</source>
+        <translation>选择分支（Ctrl 追加）</translation>
+    </message>
+    <message>
+        <source>In nudge mode</source>
+        <translation>微调模式下</translation>
+    </message>
+    <message>
+        <source>On the angiogram</source>
+        <translation>在造影图像上</translation>
+    </message>
+    <message>
+        <source>move; on the ring roll; Esc takes it back, then ends the mode</source>
+        <translation>平移；在圆环上旋转；Esc 取消，再按结束模式</translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel</source>
+        <translation>Ctrl+滚轮</translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation>右键单击</translation>
+    </message>
+    <message>
+        <source>menu of what can be done here</source>
+        <translation>此处可用操作的菜单</translation>
+    </message>
+    <message>
+        <source>left drag, arrows</source>
+        <translation>左键拖动、方向键</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>right drag, wheel, + −</source>
+        <translation>右键拖动、滚轮、+ −</translation>
+    </message>
+    <message>
+        <source>double click</source>
+        <translation>双击</translation>
+    </message>
+    <message>
+        <source>everything in view again</source>
+        <translation>重新显示全部</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Shift+left drag</source>
+        <translation>Shift+左键拖动</translation>
+    </message>
+    <message>
+        <source>Ctrl+left drag</source>
+        <translation>Ctrl+左键拖动</translation>
+    </message>
+    <message>
+        <source>right drag</source>
+        <translation>右键拖动</translation>
+    </message>
+    <message>
+        <source>On the 3-D view</source>
+        <translation>在三维视图上</translation>
+    </message>
+    <message>
         <source>in 3-D or a slice, then in the image: one pair</source>
         <translation>先在三维或断层，再在图像：一对</translation>
     </message>
@@ -6865,10 +6880,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>所有断层放大，再返回</translation>
     </message>
     <message>
-        <source>&amp;Vessels</source>
-        <translation>血管(&amp;G)</translation>
-    </message>
-    <message>
         <source>While clicking landmarks</source>
         <translation>点选标志点时</translation>
     </message>
@@ -6880,13 +6891,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>On a slice</source>
         <translation>在断层上</translation>
     </message>
+</context>
+<context>
+    <name>ui::WindowActions</name>
     <message>
-        <source>Start pose from the angles</source>
-        <translation>由角度得初始位姿</translation>
+        <source>Open recent</source>
+        <translation>最近打开</translation>
     </message>
     <message>
-        <source>This pose is the start pose</source>
-        <translation>以此位姿为初始位姿</translation>
+        <source>In the whole window</source>
+        <translation>整个窗口</translation>
     </message>
 </context>
 <context>

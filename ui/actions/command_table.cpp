@@ -1,0 +1,199 @@
+#include "ui/actions/command_table.h"
+
+#include <array>
+
+namespace ui {
+
+std::span<const CommandRow> CommandTable::fileCommands()
+{
+    static constexpr CommandRow rows[]{
+        {Command::Open, QT_TR_NOOP("Open …"), "Ctrl+O"},
+        {Command::OpenFolder, QT_TR_NOOP("Open DICOM folder …"), "Ctrl+Shift+O"},
+        {Command::OpenSample, QT_TR_NOOP("Open sample case")},
+        {Command::Save, QT_TR_NOOP("Save"), "Ctrl+S", StartsGroup},
+        {Command::SaveAs, QT_TR_NOOP("Save as …"), "Ctrl+Shift+S"},
+        {Command::ExportOverlay, QT_TR_NOOP("Export overlay …"), "Ctrl+E", StartsGroup},
+        {Command::ExportResult, QT_TR_NOOP("Export result …")},
+        {Command::ExportPose, QT_TR_NOOP("Export pose …")},
+        {Command::ExportTrace, QT_TR_NOOP("Export traced vessels …")},
+        {Command::SaveWindow, QT_TR_NOOP("Save picture of the window …"), "F12"},
+        {Command::Close, QT_TR_NOOP("Quit"), "Ctrl+Q", StartsGroup},
+    };
+    return rows;
+}
+
+std::span<const CommandRow> CommandTable::editCommands()
+{
+    static constexpr CommandRow rows[]{
+        {Command::Undo, QT_TR_NOOP("Undo"), "Ctrl+Z", Repeats},
+        {Command::Redo, QT_TR_NOOP("Redo"), "Ctrl+Shift+Z; Ctrl+Y", Repeats},
+        {Command::CopyPose, QT_TR_NOOP("Copy pose as matrix"), "Ctrl+C", StartsGroup},
+        {Command::CopyWindow, QT_TR_NOOP("Copy picture of the window"), "Ctrl+Shift+C"},
+    };
+    return rows;
+}
+
+std::span<const CommandRow> CommandTable::vesselsCommands()
+{
+    static constexpr CommandRow rows[]{
+        {Command::TraceScan, QT_TR_NOOP("Trace the scan again"), "Ctrl+T"},
+        {Command::FindBranch, QT_TR_NOOP("Find a branch"), "Ctrl+F", StartsGroup},
+        {Command::SelectAll, QT_TR_NOOP("Select all branches"), "Ctrl+A"},
+        {Command::RenameBranch, QT_TR_NOOP("Rename branch"), "F2"},
+        {Command::CutBranch, QT_TR_NOOP("Cut branch at the cross-hair"), "Ctrl+K"},
+        {Command::JoinBranches, QT_TR_NOOP("Join two branches"), "Ctrl+J"},
+        {Command::SmoothBranches, QT_TR_NOOP("Smooth branches"), "Ctrl+M"},
+        {Command::RootAtBranch, QT_TR_NOOP("Root at the branch's end near the cross-hair"), "Ctrl+Home"},
+        {Command::HideBranches, QT_TR_NOOP("Hide or show branches"), "Shift+H", StartsGroup},
+        {Command::ShowAllBranches, QT_TR_NOOP("Show all branches"), "Ctrl+Shift+H"},
+        {Command::DeleteBranches, QT_TR_NOOP("Delete branches"), "Delete", StartsGroup},
+        {Command::DeleteSubtrees, QT_TR_NOOP("Delete branches and what leaves them"), "Shift+Delete"},
+        {Command::PruneTree, QT_TR_NOOP("Prune short or thin branches …"), "Ctrl+P"},
+        {Command::MendGap, QT_TR_NOOP("Join the pieces at the next gap"), "Ctrl+G"},
+    };
+    return rows;
+}
+
+std::span<const CommandRow> CommandTable::angiogramCommands()
+{
+    static constexpr CommandRow rows[]{
+        {Command::EditVessels, QT_TR_NOOP("Edit traced vessels"), "E", Switch},
+        {Command::TraceAgain, QT_TR_NOOP("Trace this frame again")},
+        {Command::Subtract, QT_TR_NOOP("Subtract mask, native"), "B", Switch | StartsGroup},
+        {Command::ShiftMask, QT_TR_NOOP("Move the mask by hand"), "Shift+B", Switch},
+        {Command::MaskHere, QT_TR_NOOP("This frame is the mask"), "Ctrl+B"},
+        {Command::Composite, QT_TR_NOOP("Whole run in one picture"), "Shift+C", Switch},
+        {Command::Cine, QT_TR_NOOP("Play frames"), "C", Switch | StartsGroup},
+        {Command::Opacification, QT_TR_NOOP("Opacification over time"), "G"},
+    };
+    return rows;
+}
+
+std::span<const CommandRow> CommandTable::poseCommands()
+{
+    static constexpr CommandRow rows[]{
+        {Command::Nudge, QT_TR_NOOP("Nudge mode"), "N", Switch},
+        {Command::ResetPose, QT_TR_NOOP("Back to start pose"), "Backspace"},
+        {Command::StartHere, QT_TR_NOOP("This pose is the start pose"), "Shift+Backspace"},
+        {Command::StartFromAngles, QT_TR_NOOP("Start pose from the angles"), "Ctrl+Backspace"},
+        {Command::Landmarks, QT_TR_NOOP("Click pairs of landmarks"), "L", Switch | StartsGroup},
+        {Command::PlaceByLandmarks, QT_TR_NOOP("Place vessels by landmarks"), "Shift+L"},
+        {Command::KeepPose, QT_TR_NOOP("Keep this pose"), "K", StartsGroup},
+        {Command::SwitchPoses, QT_TR_NOOP("Switch between poses A and B"), "Y"},
+        {Command::ComparePoses, QT_TR_NOOP("Compare poses and methods …"), "Shift+K"},
+    };
+    return rows;
+}
+
+std::span<const CommandRow> CommandTable::registrationCommands()
+{
+    static constexpr CommandRow rows[]{
+        {Command::Register, QT_TR_NOOP("Register"), "R"},
+        {Command::Stop, QT_TR_NOOP("Stop and keep the best pose"), "Shift+R"},
+        {Command::NextSolution, QT_TR_NOOP("Show the run's other solutions"), "J", StartsGroup},
+        {Command::TakeSolution, QT_TR_NOOP("Take the solution shown"), "Shift+J"},
+        {Command::ToggleAuxiliary, QT_TR_NOOP("Selected branches auxiliary on or off"), "A", StartsGroup},
+        {Command::AuxiliaryInView, QT_TR_NOOP("Auxiliary: the branches in view"), "V"},
+        {Command::AuxiliaryWide, QT_TR_NOOP("Auxiliary: the wider half"), "Shift+V"},
+        {Command::Lasso, QT_TR_NOOP("Auxiliary: draw a lasso"), "Ctrl+L", Switch},
+        {Command::AuxiliaryAdvice, QT_TR_NOOP("Auxiliary: which branches …"), "Shift+A"},
+        {Command::ToggleExcluded, QT_TR_NOOP("Exclude or include selected branches"), "X"},
+        {Command::BlindTrial, QT_TR_NOOP("Blind observer trial …"), "", StartsGroup},
+        {Command::TrialDone, QT_TR_NOOP("Trial done"), "Ctrl+Return"},
+    };
+    return rows;
+}
+
+std::span<const CommandRow> CommandTable::viewCommands()
+{
+    static constexpr CommandRow rows[]{
+        {Command::Fit, QT_TR_NOOP("Fit the image to the window"), "1"},
+        {Command::AutoWindow, QT_TR_NOOP("Automatic brightness"), "0"},
+        {Command::Invert, QT_TR_NOOP("Invert grey values"), "I", Switch},
+        {Command::FullRange, QT_TR_NOOP("Brightness: every grey value"), "9"},
+        {Command::MoreContrast, QT_TR_NOOP("More contrast"), "8", Repeats},
+        {Command::LessContrast, QT_TR_NOOP("Less contrast"), "7", Repeats},
+        {Command::FromSource, QT_TR_NOOP("Seen from the source (mirrored)"), "Q", Switch},
+        {Command::Outline, QT_TR_NOOP("Vessels: centreline, outline, tube"), "O", StartsGroup},
+        {Command::DepthCue, QT_TR_NOOP("Near vessels bright, far ones dim"), "D", Switch},
+        {Command::ShowTrace, QT_TR_NOOP("Show traced vessels"), "T", Switch},
+        {Command::LessOpacity, QT_TR_NOOP("Overlay fainter"), "[", Repeats},
+        {Command::MoreOpacity, QT_TR_NOOP("Overlay stronger"), "]", Repeats},
+        {Command::Swipe, QT_TR_NOOP("Swipe, lens, off"), "S"},
+        {Command::WorstBranch, QT_TR_NOOP("Zoom to the worst branch, the next"), "W"},
+        {Command::Flicker, QT_TR_NOOP("Flicker start pose and pose"), "F", Switch | StartsGroup},
+        {Command::Replay, QT_TR_NOOP("Replay the last run"), "P", Switch},
+        {Command::Swing, QT_TR_NOOP("Swing along what the image cannot tell"), "U", Switch},
+        {Command::HideIdentity, QT_TR_NOOP("Hide patient identity"), "Shift+P", Switch | StartsGroup},
+        {Command::ResetTreeView, QT_TR_NOOP("Reset 3-D view"), "3", StartsGroup},
+        {Command::NextCornerView, QT_TR_NOOP("3-D, axial, coronal, sagittal below the branches"), "2"},
+        {Command::SlicesLarge, QT_TR_NOOP("Slices instead of the angiogram"), "M", Switch},
+        {Command::ImageOnly, QT_TR_NOOP("Image alone, without the columns"), "4", Switch},
+        {Command::FullScreen, QT_TR_NOOP("Full screen"), "F11", Switch},
+        {Command::ReduceMotion, QT_TR_NOOP("Reduce motion"), "", Switch},
+    };
+    return rows;
+}
+
+std::span<const CommandRow> CommandTable::themeCommands()
+{
+    static constexpr CommandRow rows[]{
+        {Command::ThemeDark, QT_TR_NOOP("Dark"), "", Switch},
+        {Command::ThemeLight, QT_TR_NOOP("Light"), "", Switch},
+        {Command::ThemeSystem, QT_TR_NOOP("As the desktop"), "", Switch},
+    };
+    return rows;
+}
+
+std::span<const CommandRow> CommandTable::languageCommands()
+{
+    static constexpr CommandRow rows[]{
+        {Command::LanguageSystem, QT_TR_NOOP("Language of the desktop"), "", Switch},
+        {Command::LanguageEnglish, "English", "", Switch},
+        {Command::LanguageGerman, "Deutsch", "", Switch},
+        {Command::LanguageChinese, "简体中文", "", Switch},
+    };
+    return rows;
+}
+
+std::span<const CommandRow> CommandTable::mouseCommands()
+{
+    static constexpr CommandRow rows[]{
+        {Command::MouseRadiology, QT_TR_NOOP("Radiology: left drag windows"), "", Switch},
+        {Command::MouseSlicer, QT_TR_NOOP("3D Slicer: left only picks"), "", Switch},
+        {Command::MouseScroll, QT_TR_NOOP("Scroll: left drag runs the frames"), "", Switch},
+    };
+    return rows;
+}
+
+std::span<const CommandRow> CommandTable::helpCommands()
+{
+    static constexpr CommandRow rows[]{
+        {Command::PanelHelp, QT_TR_NOOP("Help on what the mouse points at"), "F1"},
+        {Command::Tour, QT_TR_NOOP("Short tour")},
+        {Command::GoodFit, QT_TR_NOOP("What a good fit looks like"), "Shift+F1"},
+        {Command::Keys, QT_TR_NOOP("Keys and mouse"), "?; Ctrl+F1", StartsGroup},
+        {Command::About, QT_TR_NOOP("About AngioPose")},
+    };
+    return rows;
+}
+
+std::span<const MenuRows> CommandTable::menus()
+{
+    static const std::array table{
+        MenuRows{Menu::File, QT_TR_NOOP("&File"), fileCommands()},
+        MenuRows{Menu::Edit, QT_TR_NOOP("&Edit"), editCommands()},
+        MenuRows{Menu::Vessels, QT_TR_NOOP("Ve&ssels"), vesselsCommands()},
+        MenuRows{Menu::Angiogram, QT_TR_NOOP("&Angiogram"), angiogramCommands()},
+        MenuRows{Menu::Pose, QT_TR_NOOP("&Pose"), poseCommands()},
+        MenuRows{Menu::Registration, QT_TR_NOOP("&Registration"), registrationCommands()},
+        MenuRows{Menu::View, QT_TR_NOOP("&View"), viewCommands()},
+        MenuRows{Menu::Theme, QT_TR_NOOP("Theme"), themeCommands()},
+        MenuRows{Menu::Language, QT_TR_NOOP("Language"), languageCommands()},
+        MenuRows{Menu::Mouse, QT_TR_NOOP("Mouse"), mouseCommands()},
+        MenuRows{Menu::Help, QT_TR_NOOP("&Help"), helpCommands()},
+    };
+    return table;
+}
+
+}   // namespace ui

@@ -1,0 +1,97 @@
+#include "ui/actions/window_actions.h"
+
+#include "ui/actions/key_notes.h"
+
+#include <QActionGroup>
+#include <QMenu>
+#include <QMenuBar>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace ui {
+namespace {
+
+constexpr std::array choices{Menu::Theme, Menu::Language, Menu::Mouse};   ///< one of each is on; they lie in View
+
+bool isChoice(Menu menu)
+{
+    return std::ranges::find(choices, menu) != choices.end();
+}
+
+QList<QKeySequence> shortcutsOf(const CommandRow& row)
+{
+    const QString keys = QString::fromLatin1(row.keys);
+    return keys.isEmpty() ? QList<QKeySequence>() : QKeySequence::listFromString(keys);
+}
+
+/// "Copy pose as matrix" → "copy-pose-as-matrix": the command's name in the settings, the same in every language.
+QString slugOf(const char* text)
+{
+    static const QRegularExpression rest(QStringLiteral("[^a-z0-9]+"));
+    return QString::fromUtf8(text).toLower().replace(rest, QStringLiteral("-"));
+}
+
+}   // namespace
+
+WindowActions::WindowActions(QWidget* window) : QObject(window), recent_(new QMenu(tr("Open recent"), window))
+{
+    for (const MenuRows& menu : CommandTable::menus()) {
+        auto* group = isChoice(menu.menu) ? new QActionGroup(this) : nullptr;
+        for (const CommandRow& row : menu.commands) {
+            addCommand(row, window);
+            if (group) {
+                group->addAction(actions_.at(row.command));
+            }
+        }
+    }
+}
+
+void WindowActions::addCommand(const CommandRow& row, QWidget* window)
+{
+    auto* action = new QAction(CommandTable::tr(row.text), this);
+    action->setObjectName(slugOf(row.text));
+    action->setCheckable(row.traits & CommandTable::Switch);
+    action->setAutoRepeat(row.traits & CommandTable::Repeats);
+    action->setShortcuts(shortcutsOf(row));
+    window->addAction(action);
+    actions_[row.command] = action;
+}
+
+void WindowActions::fillMenus(QMenuBar* menuBar)
+{
+    std::map<Menu, QMenu*> menus;
+    for (const MenuRows& rows : CommandTable::menus()) {
+        const QString title = CommandTable::tr(rows.title);
+        QMenu* menu = isChoice(rows.menu) ? menus.at(Menu::View)->addMenu(title) : menuBar->addMenu(title);
+        menus[rows.menu] = menu;
+        for (const CommandRow& row : rows.commands) {
+            if (row.traits & CommandTable::StartsGroup) {
+                menu->addSeparator();
+            }
+            menu->addAction(actions_.at(row.command));
+            if (row.command == Command::OpenSample) {
+                menu->addMenu(recent_);
+            }
+        }
+    }
+}
+
+std::vector<KeyLine> WindowActions::keySheet(const MousePreset& mouse) const
+{
+    std::vector<KeyLine> lines;
+    for (const MenuRows& menu : CommandTable::menus()) {
+        for (const CommandRow& row : menu.commands) {
+            QAction* action = actions_.at(row.command);
+            lines.push_back({tr("In the whole window"),
+                             QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText),
+                             CommandTable::tr(row.text), action});
+        }
+    }
+    std::ranges::move(keyNotes(mouse), std::back_inserter(lines));
+    return lines;
+}
+
+}   // namespace ui

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "ui/actions/command_table.h"
+#include "ui/dialogs/key_sheet.h"
+#include "ui/views/mouse_preset.h"
+
+#include <QAction>
+#include <QObject>
+
+#include <map>
+#include <vector>
+
+class QMenu;
+class QMenuBar;
+class QWidget;
+
+namespace ui {
+
+/// The window's named actions with their keys, made from the table that also feeds menus and key sheet.
+class WindowActions : public QObject {
+    Q_OBJECT
+public:
+    explicit WindowActions(QWidget* window);
+
+    QAction* operator[](Command command) const { return actions_.at(command); }
+    QMenu* recentMenu() const { return recent_; }
+    void fillMenus(QMenuBar* menuBar);
+    /// Every command with its key, the keys that are fixed, and what the mouse does.
+    std::vector<KeyLine> keySheet(const MousePreset& mouse) const;
+
+private:
+    void addCommand(const CommandRow& row, QWidget* window);
+
+    std::map<Command, QAction*> actions_;
+    QMenu* recent_;
+};
+
+}   // namespace ui
