@@ -3,16 +3,22 @@
 #include "app/document/case_document.h"
 #include "app/editing/angiogram_controller.h"
 #include "app/editing/branch_controller.h"
+#include "app/editing/branch_picking.h"
+#include "app/editing/geometry_controller.h"
+#include "app/editing/history_controller.h"
 #include "app/editing/landmark_controller.h"
 #include "app/editing/pose_controller.h"
+#include "app/editing/pose_gestures.h"
 #include "app/editing/start_pose_controller.h"
 #include "app/editing/tracing_controller.h"
 #include "app/editing/tree_actions.h"
 #include "app/files/session_controller.h"
+#include "app/files/title_controller.h"
 #include "app/habits/habits.h"
 #include "app/help/help_controller.h"
 #include "app/notices.h"
 #include "app/registration/registration_controller.h"
+#include "app/registration/run_controller.h"
 #include "app/registration/target_provider.h"
 #include "app/review/judgement_controller.h"
 #include "app/review/look_controller.h"
@@ -21,9 +27,8 @@
 #include "app/review/review_controller.h"
 #include "app/review/slice_controller.h"
 #include "app/review/view_sync.h"
+#include "app/step_controller.h"
 #include "ui/main_window.h"
-
-#include <QTimer>
 
 namespace app {
 
@@ -51,46 +56,41 @@ public:
     const SharedJudgement& judgement() const { return judgement_.current(); }
 
 private:
-    void connectEditing();
-    void connectBranches();
-    void connectPose();
+    void connectNotes();
+    void connectTracing();
     void connectReview();
-    void connectGeometry();
-    void connectRegistration();
-    void connectHelp();
-    void goToStep(ui::Step step);
     void followDocument();
     void followTarget();
-    void showProgress(const core::IterationReport& report);
-    void showFinished(const core::RegistrationResult& result);
-    void setRunning(bool running);
-    void showTitle();
-    void showSteps();
 
     ui::MainWindow& window_;
     Notices notices_;
     CaseDocument document_;
     TargetProvider target_;
     ViewSync sync_;
+    HistoryController history_;
     BranchController branches_;
+    BranchPicking picking_;
     PoseController pose_;
     LandmarkController landmarks_;
     StartPoseController start_;
+    GeometryController geometry_;
     AngiogramController angiogram_;
     RegistrationController registration_;
     SessionController session_;
+    TitleController title_;
     ReviewController review_;
     LookController look_;
     ReplayController replay_;
     JudgementController judgement_;
+    PoseGestures gestures_;
+    RunController run_;
     SliceController slices_;
     TracingController tracing_;
     TreeActions treeActions_;
+    StepController steps_;
     PoseTools poses_;
     Habits habits_;
     HelpController help_;
-    QTimer clock_;   ///< keeps "Autosaved 12 s ago" true
-    bool exported_ = false;
 };
 
 }   // namespace app

@@ -2,6 +2,7 @@
 
 #include "app/help/fit_examples.h"
 #include "app/settings.h"
+#include "ui/dialogs/message_dialog.h"
 #include "ui/help/help_page.h"
 #include "ui/help/tour.h"
 #include "ui/main_window.h"
@@ -20,6 +21,7 @@ HelpController::HelpController(ui::MainWindow& window, QObject* parent) : QObjec
     connect(actions[ui::Command::PanelHelp], &QAction::triggered, this, &HelpController::showPage);
     connect(actions[ui::Command::Tour], &QAction::triggered, this, &HelpController::startTour);
     connect(actions[ui::Command::GoodFit], &QAction::triggered, this, &HelpController::showGoodFit);
+    connect(actions[ui::Command::About], &QAction::triggered, this, &HelpController::showAbout);
 }
 
 /// The widget under the mouse; with the mouse elsewhere, the one that has the keys.
@@ -93,6 +95,16 @@ void HelpController::fillGoodFit(int index)
                           goodFit_->showProblem(ui::coreText(path.error().message));
                       }
                   });
+}
+
+void HelpController::showAbout()
+{
+    ui::MessageDialog::show({tr("AngioPose %1").arg(QCoreApplication::applicationVersion()),
+                             tr("Finds where a 3-D vessel tree lies in a 2-D angiogram, without correspondences.\n\n"
+                                "Not for clinical use: AngioPose is a research program, not a medical device.\n\n"
+                                "Apache License 2.0. Built on Qt, VTK, ITK, OpenCV, NLopt, Eigen and nanoflann."),
+                             {}},
+                            &window_);
 }
 
 }   // namespace app

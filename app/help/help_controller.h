@@ -26,6 +26,7 @@ private:
     void startTour();
     void showGoodFit();
     void fillGoodFit(int index);
+    void showAbout();
 
     ui::MainWindow& window_;
     QPointer<ui::Tour> tour_;

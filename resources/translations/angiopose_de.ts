@@ -127,11 +127,7 @@
     </message>
 </context>
 <context>
-    <name>app::CaseController</name>
-    <message>
-        <source>Ready</source>
-        <translation>Bereit</translation>
-    </message>
+    <name>app::HistoryController</name>
     <message>
         <source>Undo: %1</source>
         <translation>Rückgängig: %1</translation>
@@ -148,10 +144,43 @@
         <source>Redo</source>
         <translation>Wiederholen</translation>
     </message>
+</context>
+<context>
+    <name>app::TitleController</name>
     <message>
-        <source>A registration is running. Stop it to edit.</source>
-        <translation>Eine Registrierung läuft. Zum Bearbeiten anhalten.</translation>
+        <source>%1 frames</source>
+        <translation>%1 Bilder</translation>
     </message>
+    <message>
+        <source>1 frame</source>
+        <translation>1 Bild</translation>
+    </message>
+    <message>
+        <source>Untitled case</source>
+        <translation>Unbenannter Fall</translation>
+    </message>
+    <message>
+        <source>AngioPose · not for clinical use</source>
+        <translation>AngioPose · nicht für den klinischen Einsatz</translation>
+    </message>
+    <message>
+        <source>%1 · AngioPose · not for clinical use</source>
+        <translation>%1 · AngioPose · nicht für den klinischen Einsatz</translation>
+    </message>
+</context>
+<context>
+    <name>app::GeometryController</name>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>Use distances and spacing</source>
+        <translation>Abstände und Pixelgröße verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>app::PoseGestures</name>
     <message>
         <source>Nudge mode: arrows move, drag moves or rolls, N ends</source>
         <translation>Justiermodus: Pfeile schieben, Ziehen schiebt oder dreht, N beendet</translation>
@@ -164,13 +193,12 @@
         <source>Copied: camera from patient, 4 × 4, mm</source>
         <translation>Kopiert: Kamera aus Patient, 4 × 4, mm</translation>
     </message>
+</context>
+<context>
+    <name>app::RunController</name>
     <message>
-        <source>Change %1</source>
-        <translation>%1 ändern</translation>
-    </message>
-    <message>
-        <source>Use distances and spacing</source>
-        <translation>Abstände und Pixelgröße verwenden</translation>
+        <source>Ready</source>
+        <translation>Bereit</translation>
     </message>
     <message>
         <source>Change option “%1”</source>
@@ -196,41 +224,12 @@
         <source>Registered: median %1 mm</source>
         <translation>Registriert: Median %1 mm</translation>
     </message>
+</context>
+<context>
+    <name>app::CaseController</name>
     <message>
-        <source>AngioPose %1</source>
-        <translation>AngioPose %1</translation>
-    </message>
-    <message>
-        <source>Finds where a 3-D vessel tree lies in a 2-D angiogram, without correspondences.
-
-Not for clinical use: AngioPose is a research program, not a medical device.
-
-Apache License 2.0. Built on Qt, VTK, ITK, OpenCV, NLopt, Eigen and nanoflann.</source>
-        <translation>Findet, wo ein 3-D-Gefäßbaum in einem 2-D-Angiogramm liegt, ohne Korrespondenzen.
-
-Nicht für den klinischen Einsatz: AngioPose ist ein Forschungsprogramm, kein Medizinprodukt.
-
-Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.</translation>
-    </message>
-    <message>
-        <source>%1 frames</source>
-        <translation>%1 Bilder</translation>
-    </message>
-    <message>
-        <source>1 frame</source>
-        <translation>1 Bild</translation>
-    </message>
-    <message>
-        <source>Untitled case</source>
-        <translation>Unbenannter Fall</translation>
-    </message>
-    <message>
-        <source>AngioPose · not for clinical use</source>
-        <translation>AngioPose · nicht für den klinischen Einsatz</translation>
-    </message>
-    <message>
-        <source>%1 · AngioPose · not for clinical use</source>
-        <translation>%1 · AngioPose · nicht für den klinischen Einsatz</translation>
+        <source>A registration is running. Stop it to edit.</source>
+        <translation>Eine Registrierung läuft. Zum Bearbeiten anhalten.</translation>
     </message>
     <message>
         <source>Vessels cannot be traced</source>
@@ -317,6 +316,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 </context>
 <context>
     <name>app::HelpController</name>
+    <message>
+        <source>AngioPose %1</source>
+        <translation>AngioPose %1</translation>
+    </message>
+    <message>
+        <source>Finds where a 3-D vessel tree lies in a 2-D angiogram, without correspondences.
+
+Not for clinical use: AngioPose is a research program, not a medical device.
+
+Apache License 2.0. Built on Qt, VTK, ITK, OpenCV, NLopt, Eigen and nanoflann.</source>
+        <translation>Findet, wo ein 3-D-Gefäßbaum in einem 2-D-Angiogramm liegt, ohne Korrespondenzen.
+
+Nicht für den klinischen Einsatz: AngioPose ist ein Forschungsprogramm, kein Medizinprodukt.
+
+Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.</translation>
+    </message>
     <message>
         <source>Help</source>
         <translation>Hilfe</translation>

@@ -127,11 +127,7 @@
     </message>
 </context>
 <context>
-    <name>app::CaseController</name>
-    <message>
-        <source>Ready</source>
-        <translation>就绪</translation>
-    </message>
+    <name>app::HistoryController</name>
     <message>
         <source>Undo: %1</source>
         <translation>撤销：%1</translation>
@@ -148,10 +144,43 @@
         <source>Redo</source>
         <translation>重做</translation>
     </message>
+</context>
+<context>
+    <name>app::TitleController</name>
     <message>
-        <source>A registration is running. Stop it to edit.</source>
-        <translation>配准正在进行。请先停止再编辑。</translation>
+        <source>%1 frames</source>
+        <translation>%1 帧</translation>
     </message>
+    <message>
+        <source>1 frame</source>
+        <translation>1 帧</translation>
+    </message>
+    <message>
+        <source>Untitled case</source>
+        <translation>未命名病例</translation>
+    </message>
+    <message>
+        <source>AngioPose · not for clinical use</source>
+        <translation>AngioPose · 不得用于临床</translation>
+    </message>
+    <message>
+        <source>%1 · AngioPose · not for clinical use</source>
+        <translation>%1 · AngioPose · 不得用于临床</translation>
+    </message>
+</context>
+<context>
+    <name>app::GeometryController</name>
+    <message>
+        <source>Change %1</source>
+        <translation>更改 %1</translation>
+    </message>
+    <message>
+        <source>Use distances and spacing</source>
+        <translation>使用距离和像素间距</translation>
+    </message>
+</context>
+<context>
+    <name>app::PoseGestures</name>
     <message>
         <source>Nudge mode: arrows move, drag moves or rolls, N ends</source>
         <translation>微调模式：方向键平移，拖动平移或旋转，N 结束</translation>
@@ -164,13 +193,12 @@
         <source>Copied: camera from patient, 4 × 4, mm</source>
         <translation>已复制：患者到相机的 4 × 4 矩阵（mm）</translation>
     </message>
+</context>
+<context>
+    <name>app::RunController</name>
     <message>
-        <source>Change %1</source>
-        <translation>更改 %1</translation>
-    </message>
-    <message>
-        <source>Use distances and spacing</source>
-        <translation>使用距离和像素间距</translation>
+        <source>Ready</source>
+        <translation>就绪</translation>
     </message>
     <message>
         <source>Change option “%1”</source>
@@ -196,41 +224,12 @@
         <source>Registered: median %1 mm</source>
         <translation>配准完成：中位数 %1 mm</translation>
     </message>
+</context>
+<context>
+    <name>app::CaseController</name>
     <message>
-        <source>AngioPose %1</source>
-        <translation>AngioPose %1</translation>
-    </message>
-    <message>
-        <source>Finds where a 3-D vessel tree lies in a 2-D angiogram, without correspondences.
-
-Not for clinical use: AngioPose is a research program, not a medical device.
-
-Apache License 2.0. Built on Qt, VTK, ITK, OpenCV, NLopt, Eigen and nanoflann.</source>
-        <translation>无需对应点即可求出三维血管树在二维造影图像中的位姿。
-
-不得用于临床：AngioPose 是研究软件，不是医疗器械。
-
-Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanoflann。</translation>
-    </message>
-    <message>
-        <source>%1 frames</source>
-        <translation>%1 帧</translation>
-    </message>
-    <message>
-        <source>1 frame</source>
-        <translation>1 帧</translation>
-    </message>
-    <message>
-        <source>Untitled case</source>
-        <translation>未命名病例</translation>
-    </message>
-    <message>
-        <source>AngioPose · not for clinical use</source>
-        <translation>AngioPose · 不得用于临床</translation>
-    </message>
-    <message>
-        <source>%1 · AngioPose · not for clinical use</source>
-        <translation>%1 · AngioPose · 不得用于临床</translation>
+        <source>A registration is running. Stop it to edit.</source>
+        <translation>配准正在进行。请先停止再编辑。</translation>
     </message>
     <message>
         <source>Vessels cannot be traced</source>
@@ -317,6 +316,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 </context>
 <context>
     <name>app::HelpController</name>
+    <message>
+        <source>AngioPose %1</source>
+        <translation>AngioPose %1</translation>
+    </message>
+    <message>
+        <source>Finds where a 3-D vessel tree lies in a 2-D angiogram, without correspondences.
+
+Not for clinical use: AngioPose is a research program, not a medical device.
+
+Apache License 2.0. Built on Qt, VTK, ITK, OpenCV, NLopt, Eigen and nanoflann.</source>
+        <translation>无需对应点即可求出三维血管树在二维造影图像中的位姿。
+
+不得用于临床：AngioPose 是研究软件，不是医疗器械。
+
+Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanoflann。</translation>
+    </message>
     <message>
         <source>Help</source>
         <translation>帮助</translation>

@@ -1,0 +1,69 @@
+#include "app/editing/branch_picking.h"
+
+#include "ui/main_window.h"
+#include "ui/views/angiogram_view.h"
+#include "ui/views/tree_view.h"
+
+namespace app {
+
+BranchPicking::BranchPicking(const CaseDocument& document, BranchController& branches, ViewSync& sync,
+                             ui::MainWindow& window, QObject* parent)
+    : QObject(parent), document_(document), branches_(branches), window_(window)
+{
+    connect(&branches, &BranchController::marksChanged, this, [&branches, &sync] { sync.showMarks(branches.marks()); });
+    connectList();
+    connectViews();
+    connectCommands();
+}
+
+void BranchPicking::connectList()
+{
+    const ui::BranchPanel& panel = window_.branches();
+    connect(&panel, &ui::BranchPanel::hovered, &branches_, &BranchController::hover);
+    connect(&panel, &ui::BranchPanel::selectionEdited, &branches_, &BranchController::select);
+    connect(&panel, &ui::BranchPanel::auxiliaryToggled, &branches_, &BranchController::toggleAuxiliary);
+    connect(&panel, &ui::BranchPanel::excludedToggled, &branches_, &BranchController::toggleExcluded);
+    connect(&panel, &ui::BranchPanel::onlyTheseAuxiliary, &branches_, &BranchController::setAuxiliary);
+    connect(&panel, &ui::BranchPanel::auxiliaryCleared, this, [this] { branches_.setAuxiliary({}); });
+}
+
+void BranchPicking::connectViews()
+{
+    const auto selectNone = [this] { branches_.select({}); };
+    const ui::AngiogramView& image = window_.angiogramView();
+    connect(&image, &ui::AngiogramView::branchHovered, &branches_, &BranchController::hover);
+    connect(&image, &ui::AngiogramView::branchClicked, &branches_, &BranchController::click);
+    connect(&image, &ui::AngiogramView::backgroundClicked, this, selectNone);
+    const ui::TreeView& tree = window_.treeView();
+    connect(&tree, &ui::TreeView::branchHovered, &branches_, &BranchController::hover);
+    connect(&tree, &ui::TreeView::branchClicked, &branches_, &BranchController::click);
+    connect(&tree, &ui::TreeView::backgroundClicked, this, selectNone);
+}
+
+void BranchPicking::connectCommands()
+{
+    const ui::WindowActions& actions = window_.actions();
+    connect(actions[ui::Command::ToggleAuxiliary], &QAction::triggered, this,
+            [this] { branches_.toggleAuxiliary(branches_.marks().selected); });
+    connect(actions[ui::Command::ToggleExcluded], &QAction::triggered, this,
+            [this] { branches_.toggleExcluded(branches_.marks().selected); });
+    connect(actions[ui::Command::AuxiliaryWide], &QAction::triggered, &branches_, &BranchController::setAuxiliaryWide);
+    connect(actions[ui::Command::AuxiliaryInView], &QAction::triggered, this,
+            &BranchPicking::makeAuxiliaryWhatIsInView);
+    connect(actions[ui::Command::SelectAll], &QAction::triggered, &branches_, &BranchController::selectAll);
+}
+
+void BranchPicking::makeAuxiliaryWhatIsInView()
+{
+    std::map<int, ui::ViewRect> extents;
+    if (const auto& tree = document_.current().tree) {
+        for (const core::VesselBranch& branch : tree->branches) {
+            if (const auto extent = window_.angiogramView().scene().extentOf(branch.id)) {
+                extents[branch.id] = *extent;
+            }
+        }
+    }
+    branches_.setAuxiliaryInside(extents, window_.angiogramView().visiblePart());
+}
+
+}   // namespace app

@@ -1,0 +1,36 @@
+#include "app/editing/geometry_controller.h"
+
+#include "app/document/edit_case.h"
+#include "app/files/assemble_case.h"
+#include "app/texts/geometry_state.h"
+#include "ui/main_window.h"
+
+namespace app {
+
+GeometryController::GeometryController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
+    : QObject(parent), document_(document), window_(window)
+{
+    const ui::GeometryPanel& panel = window.geometryPanel();
+    connect(&panel, &ui::GeometryPanel::edited, this, &GeometryController::change);
+    connect(&panel, &ui::GeometryPanel::cameraOverrideDropped, this, &GeometryController::dropCameraOverride);
+}
+
+void GeometryController::show()
+{
+    window_.geometryPanel().showGeometry(geometryState(document_.current()));
+}
+
+void GeometryController::change(const core::CArm& cArm, const QString& what)
+{
+    document_.push(changeGeometry(document_, withGeometry(document_.current(), cArm), tr("Change %1").arg(what)));
+}
+
+void GeometryController::dropCameraOverride()
+{
+    core::RegistrationCase wanted = document_.current();
+    wanted.cameraOverride.reset();
+    wanted.result.reset();
+    document_.push(changeGeometry(document_, wanted, tr("Use distances and spacing")));
+}
+
+}   // namespace app

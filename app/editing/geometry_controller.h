@@ -1,0 +1,29 @@
+#pragma once
+
+#include "app/document/case_document.h"
+
+#include <QObject>
+
+namespace ui {
+class MainWindow;
+}
+
+namespace app {
+
+/// The geometry panel: shows the case's values with their origins, turns edits into undoable changes.
+class GeometryController : public QObject {
+    Q_OBJECT
+public:
+    GeometryController(CaseDocument& document, ui::MainWindow& window, QObject* parent = nullptr);
+
+    void show();
+
+private:
+    void change(const core::CArm& cArm, const QString& what);
+    void dropCameraOverride();
+
+    CaseDocument& document_;
+    ui::MainWindow& window_;
+};
+
+}   // namespace app

@@ -1,0 +1,31 @@
+#include "app/editing/history_controller.h"
+
+#include "ui/main_window.h"
+
+namespace app {
+
+HistoryController::HistoryController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
+    : QObject(parent), document_(document), window_(window)
+{
+    const ui::WindowActions& actions = window.actions();
+    connect(actions[ui::Command::Undo], &QAction::triggered, &document_, &CaseDocument::undo);
+    connect(actions[ui::Command::Redo], &QAction::triggered, &document_, &CaseDocument::redo);
+    connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &HistoryController::show);
+    connect(&document_, &CaseDocument::stateChanged, this, &HistoryController::show);
+    show();
+}
+
+void HistoryController::show()
+{
+    const QUndoStack& stack = document_.undoStack();
+    QAction* undo = window_.actions()[ui::Command::Undo];
+    QAction* redo = window_.actions()[ui::Command::Redo];
+    const bool canUndo = document_.canUndo();
+    undo->setEnabled(canUndo);
+    redo->setEnabled(stack.canRedo());
+    undo->setText(canUndo ? tr("Undo: %1").arg(stack.undoText()) : tr("Undo"));
+    redo->setText(stack.canRedo() ? tr("Redo: %1").arg(stack.redoText()) : tr("Redo"));
+    window_.strip().showUndoState(canUndo ? undo->text() : QString());
+}
+
+}   // namespace app

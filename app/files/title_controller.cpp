@@ -1,0 +1,58 @@
+#include "app/files/title_controller.h"
+
+#include "ui/main_window.h"
+
+namespace app {
+
+using namespace std::chrono_literals;
+
+TitleController::TitleController(CaseDocument& document, SaveController& saving, ui::MainWindow& window,
+                                 QObject* parent)
+    : QObject(parent), document_(document), saving_(saving), window_(window)
+{
+    connect(&document_, &CaseDocument::changed, this, &TitleController::show);
+    connect(&document_, &CaseDocument::stateChanged, this, &TitleController::show);
+    connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &TitleController::show);
+    connect(&document_.undoStack(), &QUndoStack::cleanChanged, this, &TitleController::show);
+    clock_.setInterval(5s);
+    connect(&clock_, &QTimer::timeout, this, &TitleController::showSaveState);
+    clock_.start();
+    show();
+}
+
+void TitleController::show()
+{
+    const QString name = QString::fromStdString(document_.current().title);
+    const QString star = document_.isModified() ? QStringLiteral("*") : QString();
+    const QString shown = document_.isEmpty() ? QString() : (name.isEmpty() ? tr("Untitled case") : name) + star;
+    window_.setWindowTitle(shown.isEmpty() ? tr("AngioPose · not for clinical use")
+                                           : tr("%1 · AngioPose · not for clinical use").arg(shown));
+    window_.header().showTitle(shown);
+    window_.header().showStudy(studyLine());
+    showSaveState();
+}
+
+void TitleController::showSaveState()
+{
+    window_.strip().showSaveState(saving_.saveState());
+}
+
+QString TitleController::studyLine() const
+{
+    const core::RegistrationCase& current = document_.current();
+    if (!current.angiogram) {
+        return {};
+    }
+    const core::StudyIdentity& identity = current.angiogram->identity;
+    QStringList parts;
+    for (const std::string& part : {identity.studyDate, identity.modality}) {
+        if (!part.empty()) {
+            parts << QString::fromStdString(part);
+        }
+    }
+    const int count = current.angiogram->frameCount();
+    parts << (count > 1 ? tr("%1 frames").arg(count) : tr("1 frame"));
+    return parts.join(QStringLiteral(" · "));
+}
+
+}   // namespace app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/files/save_controller.h"
+
+#include <QObject>
+#include <QTimer>
+
+namespace ui {
+class MainWindow;
+}
+
+namespace app {
+
+/// Says which case is open, of which study, and what of it is saved: title bar, header and strip.
+class TitleController : public QObject {
+    Q_OBJECT
+public:
+    TitleController(CaseDocument& document, SaveController& saving, ui::MainWindow& window, QObject* parent = nullptr);
+
+private:
+    void show();
+    void showSaveState();
+    QString studyLine() const;
+
+    CaseDocument& document_;
+    SaveController& saving_;
+    ui::MainWindow& window_;
+    QTimer clock_;   ///< keeps "Autosaved 12 s ago" true
+};
+
+}   // namespace app

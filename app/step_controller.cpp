@@ -1,0 +1,46 @@
+#include "app/step_controller.h"
+
+#include "app/step_states.h"
+#include "ui/main_window.h"
+#include "ui/words/core_texts.h"
+
+namespace app {
+
+StepController::StepController(const Parts& parts, QObject* parent) : QObject(parent), on_(parts)
+{
+    connect(&on_.document, &CaseDocument::changed, this, [this] { exported_ = false; });
+    connect(&on_.session, &SessionController::exported, this, [this] {
+        exported_ = true;
+        show();
+    });
+    connect(&on_.tree, &TreeActions::adviceChanged, this, &StepController::show);
+    connect(&on_.registration, &RegistrationController::runningChanged, this, &StepController::show);
+    connect(&on_.window.steps(), &ui::StepBar::stepClicked, this, &StepController::goTo);
+}
+
+void StepController::show()
+{
+    StepFacts facts;
+    facts.targetProblem = ui::coreText(on_.target.problem());
+    facts.isTracing = on_.target.isTracing();
+    facts.isRunning = on_.registration.isRunning();
+    facts.poseEdited = on_.pose.isMovedFromStart();
+    facts.exported = exported_;
+    facts.treePieces = on_.tree.advice().pieceCount();
+    on_.window.steps().showStates(stepStates(on_.document.current(), facts));
+}
+
+/// A step whose input is missing asks for it.
+void StepController::goTo(ui::Step step)
+{
+    const core::RegistrationCase& current = on_.document.current();
+    const bool asks =
+        (step == ui::Step::Vessels && !current.tree) || (step == ui::Step::Angiogram && !current.angiogram);
+    if (asks && !on_.session.isLoading()) {
+        on_.window.actions()[ui::Command::Open]->trigger();
+    } else {
+        on_.window.focusStep(step);
+    }
+}
+
+}   // namespace app

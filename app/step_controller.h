@@ -1,0 +1,44 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/editing/pose_controller.h"
+#include "app/editing/tree_actions.h"
+#include "app/files/session_controller.h"
+#include "app/registration/registration_controller.h"
+#include "app/registration/target_provider.h"
+#include "ui/panels/step_bar.h"
+
+#include <QObject>
+
+namespace ui {
+class MainWindow;
+}
+
+namespace app {
+
+/// The step bar: what of the way to a result is done, and where a click on a step leads.
+class StepController : public QObject {
+    Q_OBJECT
+public:
+    /// What the steps tell about.
+    struct Parts {
+        CaseDocument& document;
+        TargetProvider& target;
+        const PoseController& pose;
+        RegistrationController& registration;
+        TreeActions& tree;
+        SessionController& session;
+        ui::MainWindow& window;
+    };
+    explicit StepController(const Parts& parts, QObject* parent = nullptr);
+
+    void show();
+
+private:
+    void goTo(ui::Step step);
+
+    Parts on_;
+    bool exported_ = false;   ///< the case as it is
+};
+
+}   // namespace app
