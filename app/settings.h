@@ -23,6 +23,7 @@ struct Setting {
 /// Every preference that outlives a session. Poses and options belong to the case, not here.
 namespace settings {
 inline const Setting<QString> lastFolder{"files/lastFolder", {}};
+inline const Setting<QString> saveFolder{"files/saveFolder", {}};   ///< of exports and new cases
 inline const Setting<QStringList> recentCases{"files/recentCases", {}};
 inline const Setting<QByteArray> windowLayout{"window/layout", {}};
 inline const Setting<QString> theme{"window/theme", QStringLiteral("dark")};   ///< dark, light or system

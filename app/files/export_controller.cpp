@@ -1,5 +1,6 @@
 #include "app/files/export_controller.h"
 
+#include "app/files/save_folder.h"
 #include "app/settings.h"
 #include "app/texts/overlay_picture.h"
 #include "io/centerline2d_file.h"
@@ -10,7 +11,6 @@
 #include "ui/views/angiogram_view.h"
 #include "ui/words/core_texts.h"
 
-#include <QDir>
 #include <QFileDialog>
 
 #include <cmath>
@@ -27,7 +27,7 @@ void ExportController::askFile(const FileQuestion& question, const Write& write)
 {
     const QString base = document_.path().isEmpty() ? QString::fromStdString(document_.current().title)
                                                     : QFileInfo(document_.path()).completeBaseName();
-    const QString suggested = QDir(settings::lastFolder.read()).filePath(base + QLatin1Char('.') + question.suffix);
+    const QString suggested = suggestedPath(document_.path(), base + QLatin1Char('.') + question.suffix);
     auto* dialog = new QFileDialog(&window_, question.title, suggested, question.filter);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
@@ -48,6 +48,7 @@ void ExportController::writeFile(const QString& path, const Write& write)
         },
         [this](const core::Result<QString>& written) {
             if (written) {
+                rememberSaveFolder(written.value());
                 emit exported(written.value());
             } else {
                 emit failed(ui::coreText(written.error().message));

@@ -1,13 +1,14 @@
 #include "app/files/save_controller.h"
 
 #include "app/files/recent_cases.h"
+#include "app/files/save_folder.h"
 #include "app/settings.h"
 #include "io/case_file.h"
 #include "ui/dialogs/recovery_dialog.h"
 #include "ui/words/core_texts.h"
 
-#include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QLocale>
 #include <QWidget>
 
@@ -17,14 +18,14 @@
 namespace app {
 namespace {
 
-QString suggestedPath(const CaseDocument& document)
+QString suggestedCasePath(const CaseDocument& document)
 {
     if (!document.path().isEmpty()) {
         return document.path();
     }
     const QString title = QString::fromStdString(document.current().title);
     const QString name = title.isEmpty() ? QStringLiteral("case") : title;
-    return QDir(settings::lastFolder.read()).filePath(name + QStringLiteral(".angiopose"));
+    return suggestedPath({}, name + QStringLiteral(".angiopose"));
 }
 
 }   // namespace
@@ -46,7 +47,7 @@ void SaveController::save(std::function<void()> whenSaved)
 
 void SaveController::saveAs(std::function<void()> whenSaved)
 {
-    auto* dialog = new QFileDialog(&window_, tr("Save case"), suggestedPath(document_), tr("Cases (*.angiopose)"));
+    auto* dialog = new QFileDialog(&window_, tr("Save case"), suggestedCasePath(document_), tr("Cases (*.angiopose)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("angiopose"));

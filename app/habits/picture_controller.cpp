@@ -1,12 +1,12 @@
 #include "app/habits/picture_controller.h"
 
-#include "app/settings.h"
+#include "app/files/save_folder.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
 
 #include <QClipboard>
-#include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QGuiApplication>
 #include <QPixmap>
 
@@ -27,13 +27,14 @@ void PictureController::copy()
 void PictureController::askFile()
 {
     const QPixmap picture = window_.grab();   // before the dialog covers it
-    const QString suggested = QDir(settings::lastFolder.read()).filePath(QStringLiteral("angiopose.png"));
+    const QString suggested = suggestedPath({}, QStringLiteral("angiopose.png"));
     auto* dialog = new QFileDialog(&window_, tr("Save picture of the window"), suggested, tr("PNG pictures (*.png)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("png"));
     connect(dialog, &QFileDialog::fileSelected, this, [this, picture](const QString& path) {
         if (picture.save(path, "PNG")) {
+            rememberSaveFolder(path);
             window_.strip().showStatus(tr("Written: %1").arg(QFileInfo(path).fileName()));
         } else {
             ui::MessageDialog::show(

@@ -1,13 +1,12 @@
 #include "app/review/blind_trial_controller.h"
 
 #include "app/document/edit_case.h"
+#include "app/files/save_folder.h"
 #include "app/review/snapshot_texts.h"
 #include "app/settings.h"
 #include "core/simulation/simulated_case.h"
 #include "core/support/random.h"
 #include "ui/main_window.h"
-
-#include <QDir>
 
 #include <algorithm>
 #include <array>
@@ -57,7 +56,7 @@ void BlindTrialController::ask()
     suggested.rangeDeg = settings::trialRangeDeg.read();
     suggested.logPath = settings::trialLog.read();
     if (suggested.logPath.isEmpty()) {
-        suggested.logPath = QDir(settings::lastFolder.read()).filePath(QStringLiteral("observer-trials.csv"));
+        suggested.logPath = suggestedPath(document_.path(), QStringLiteral("observer-trials.csv"));
     }
     auto* dialog = new ui::BlindTrialDialog(suggested, &window_);
     connect(dialog, &ui::BlindTrialDialog::startRequested, this, &BlindTrialController::start);

@@ -25,7 +25,11 @@ protected:
         settings::lastFolder.write(folder.path());
         w.controller.begin({});
     }
-    void TearDown() override { settings::lastFolder.write({}); }
+    void TearDown() override
+    {
+        settings::lastFolder.write({});
+        settings::saveFolder.write({});
+    }
 
     void click(QWidget* widget)
     {
