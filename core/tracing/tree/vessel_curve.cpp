@@ -12,6 +12,8 @@ namespace {
 constexpr int centringRounds = 3;
 constexpr double stationarySteps = 4.0;   ///< λ of the first smoothing, which only takes the voxel steps away
 constexpr double firmWeight = 50.0;
+constexpr int holdingRounds = 3;
+constexpr double leastShareOfWay = 0.5;   ///< of the blood on the way it was found on; less: it has left the lumen
 constexpr double radiusStiffness = 3.0;   ///< of that of the curve: widths change more slowly than ways
 
 VesselCurve evenly(const VesselCurve& curve, double spacingMm)
@@ -87,19 +89,50 @@ void leaveParent(VesselCurve& curve, std::size_t inside, const VesselCurve& pare
     }
 }
 
+/// Points that a smooth curve may go through, and how firmly it is held there.
+struct Anchors {
+    std::vector<Eigen::Vector3d> pointsMm;
+    std::vector<double> weights;
+};
+
+/// The spline through the anchors. Where it would leave the lumen, as in bends sharper than it is made for, it is held
+/// to the way it was found on.
+std::vector<Eigen::Vector3d> smoothInLumen(Anchors& anchors, double stiffness, std::size_t inside,
+                                           const std::vector<Eigen::Vector3d>& way, const BloodFill& fill)
+{
+    std::vector<Eigen::Vector3d> points = smoothed(anchors.pointsMm, anchors.weights, stiffness);
+    for (int round = 0; round < holdingRounds; ++round) {
+        bool isHeld = false;
+        for (std::size_t i = inside; i < points.size(); ++i) {
+            const Eigen::Vector3d& found = way[nearestPoint(way, points[i])];
+            if (fill(points[i]) < leastShareOfWay * std::min(1.0, fill(found))) {
+                anchors.pointsMm[i] = found;
+                anchors.weights[i] = firmWeight;
+                isHeld = true;
+            }
+        }
+        if (!isHeld) {
+            break;
+        }
+        points = smoothed(anchors.pointsMm, anchors.weights, stiffness);
+    }
+    return points;
+}
+
 /// One round: every point to the centre of its section, then smoothed by how far the sections can be trusted.
-void centre(VesselCurve& curve, std::size_t inside, const BloodFill& fill, double stepMm)
+void centre(VesselCurve& curve, std::size_t inside, const std::vector<Eigen::Vector3d>& way, const BloodFill& fill,
+            double stepMm)
 {
     const std::size_t count = curve.pointsMm.size();
     const std::vector<Eigen::Vector3d> tangents = polylineTangents<3>(curve.pointsMm, 3);
-    std::vector<Eigen::Vector3d> centres = curve.pointsMm;
-    std::vector<double> weights(count, 0.05);
+    Anchors anchors{curve.pointsMm, std::vector<double>(count, 0.05)};
+    std::vector<double>& weights = anchors.weights;
     std::vector<double> radii = curve.radiusMm;
     for (std::size_t i = inside; i < count; ++i) {
         const CrossSection section = crossSection({curve.pointsMm[i], tangents[i], curve.radiusMm[i], stepMm}, fill);
         const double farthest = 0.7 * curve.radiusMm[i] + stepMm;
         if (section.trust > 0.0 && (section.centreMm - curve.pointsMm[i]).norm() < farthest) {
-            centres[i] = section.centreMm;
+            anchors.pointsMm[i] = section.centreMm;
             radii[i] = section.radiusMm;
             weights[i] = section.trust;
         }
@@ -107,7 +140,7 @@ void centre(VesselCurve& curve, std::size_t inside, const BloodFill& fill, doubl
     if (inside > 0) {
         weights.front() = firmWeight;
     }
-    curve.pointsMm = smoothed(centres, weights, stiffness(curve, stepMm));
+    curve.pointsMm = smoothInLumen(anchors, stiffness(curve, stepMm), inside, way, fill);
     weights.front() = std::min(weights.front(), 0.05 + (inside > 0 ? 0.0 : 1.0));
     curve.radiusMm = smoothed(radii, weights, radiusStiffness * stiffness(curve, stepMm));
     for (double& radius : curve.radiusMm) {
@@ -186,12 +219,13 @@ VesselCurve vesselCurve(const BranchPath& path, const VesselCurve* parent, const
     curve = evenly(curve, settings.voxelMm);
     const double stepMm =
         polylineLength<3>(curve.pointsMm) / static_cast<double>(std::max<std::size_t>(1, curve.pointsMm.size() - 1));
+    const std::vector<Eigen::Vector3d> way = curve.pointsMm;
     for (int round = 0; round < centringRounds && curve.pointsMm.size() > 2; ++round) {
         const std::size_t inside = parent != nullptr ? pointsWithin(*parent, curve.pointsMm) : 0;
         if (parent != nullptr) {
             leaveParent(curve, inside, *parent);
         }
-        centre(curve, inside, fill, std::max(stepMm, 0.5 * settings.voxelMm));
+        centre(curve, inside, way, fill, std::max(stepMm, 0.5 * settings.voxelMm));
         dropBeyondRim(curve, settings);
     }
     return evenly(curve, settings.pointSpacingMm);

@@ -1,21 +1,17 @@
 #pragma once
 
-#include "core/imaging/volume.h"
 #include "core/tracing/volume/distance_map.h"
-#include "core/tracing/volume/tracing_progress.h"
+#include "core/tracing/volume/necks.h"
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <vector>
 
 namespace core {
 
-/// Voxels that belong to no vessel of the seeds (LPS mm), though the lumen connects them: vessels taper or stay as
-/// they are, so what is reached from every seed only through a neck much narrower than itself has leaked (a vein, a
-/// chamber that touches the vessel's wall), and what is much wider than the widest vessel at a seed is a chamber.
-/// Ordered; empty when no seed lies in a vessel wide enough to tell, or when stopped.
-std::vector<std::uint32_t> voxelsBeyondNecks(const VoxelMask& mask, const DistanceMap& distances,
-                                             const std::vector<Eigen::Vector3d>& seedsInPatient,
-                                             TracingProgress& progress);
+/// Voxels that belong to no vessel of the seeds, though the lumen connects them: vessels taper or stay as they are, so
+/// what is reached from every seed only through a neck much narrower than itself has leaked (a vein, a chamber that
+/// touches the vessel's wall), and what is much wider than the widest vessel at a seed is a chamber. Ordered; empty
+/// when no seed lies in a vessel wide enough to tell.
+std::vector<std::uint32_t> voxelsBeyondNecks(const DistanceMap& distances, const Necks& necks);
 
 }   // namespace core

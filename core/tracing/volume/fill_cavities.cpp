@@ -59,7 +59,7 @@ void fillCavities(VoxelMask& mask)
     }
 }
 
-void fillHoles(VoxelMask& mask)
+void fillHoles(VoxelMask& mask, const HoleFilter& isHole)
 {
     const Eigen::Vector3i& size = mask.geometry.size;
     const auto strideY = static_cast<std::ptrdiff_t>(size.x());
@@ -80,7 +80,7 @@ void fillHoles(VoxelMask& mask)
                         }
                     }
                 }
-                if (set >= mostOfTheNeighbours) {
+                if (set >= mostOfTheNeighbours && (!isHole || isHole(i, j, k))) {
                     found.push_back(mask.geometry.index(i, j, k));
                 }
             }

@@ -1,8 +1,10 @@
 #include "core/tracing/volume/split_by_seeds.h"
 
+#include "core/support/parallel_for.h"
 #include "core/tracing/volume/chambers.h"
 #include "core/tracing/volume/chosen_pieces.h"
 #include "core/tracing/volume/distance_map.h"
+#include "core/tracing/volume/necks.h"
 
 #include <algorithm>
 #include <array>
@@ -29,19 +31,24 @@ class Flood {
 public:
     Flood(VoxelMask& mask, const DistanceMap& distances) : mask_(mask), distances_(distances) {}
 
+    /// Places off a vessel's middle stand for it: else a wider neighbour would be there first.
     void start(const std::vector<Eigen::Vector3d>& placesInPatient, std::uint8_t label)
     {
         for (const Eigen::Vector3d& place : placesInPatient) {
             if (const auto voxel = voxelNear(mask_, place)) {
-                push(*voxel, label);
+                start(wayToMiddle(*voxel, distances_), label);
             }
         }
     }
 
+    /// Markers are flooded at once, where nothing is yet.
     void start(const std::vector<std::uint32_t>& voxels, std::uint8_t label)
     {
         for (const std::uint32_t voxel : voxels) {
-            push(voxel, label);
+            if (mask_.voxels[voxel] == unreached) {
+                mask_.voxels[voxel] = label;
+                pushNeighbours(voxel, label);
+            }
         }
     }
 
@@ -57,7 +64,7 @@ public:
             if ((turn_ & 0xFFFU) == 0 && !progress.advance(0.5)) {
                 return;
             }
-            pushNeighbours(shore);
+            pushNeighbours(shore.voxel, shore.label);
         }
     }
 
@@ -67,10 +74,10 @@ private:
         shores_.push({distances_.units[voxel], turn_++, voxel, label});
     }
 
-    void pushNeighbours(const Shore& shore)
+    void pushNeighbours(std::uint32_t from, std::uint8_t label)
     {
         const Eigen::Vector3i& size = mask_.geometry.size;
-        const auto at = static_cast<std::int64_t>(shore.voxel);
+        const auto at = static_cast<std::int64_t>(from);
         const Eigen::Vector3i voxel(static_cast<int>(at % size.x()), static_cast<int>(at / size.x() % size.y()),
                                     static_cast<int>(at / (static_cast<std::int64_t>(size.x()) * size.y())));
         for (int z = -1; z <= 1; ++z) {
@@ -78,8 +85,7 @@ private:
                 for (int x = -1; x <= 1; ++x) {
                     const Eigen::Vector3i next = voxel + Eigen::Vector3i(x, y, z);
                     if (mask_.geometry.contains(next) && mask_.at(next.x(), next.y(), next.z()) == unreached) {
-                        push(static_cast<std::uint32_t>(mask_.geometry.index(next.x(), next.y(), next.z())),
-                             shore.label);
+                        push(static_cast<std::uint32_t>(mask_.geometry.index(next.x(), next.y(), next.z())), label);
                     }
                 }
             }
@@ -94,17 +100,24 @@ private:
 
 }   // namespace
 
-void splitBySeeds(VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient,
-                  const std::vector<Eigen::Vector3d>& avoidInPatient, int threads, TracingProgress& progress)
+void splitBySeeds(VoxelMask& mask, const VesselTracingOptions& options, const VoxelFill& fill,
+                  TracingProgress& progress)
 {
     for (std::uint8_t& voxel : mask.voxels) {
         voxel = voxel != 0 ? unreached : 0;
     }
-    const DistanceMap distances = distanceMap(mask, threads, progress);
+    const DistanceMap distances = distanceMap(mask, threadCount(options.threads), progress);
+    const Necks necks = necksOf(mask, distances, options.seedsInPatient, progress);
+    if (progress.isStopped()) {
+        return;
+    }
     Flood flood(mask, distances);
-    flood.start(seedsInPatient, vessel);
-    flood.start(avoidInPatient, other);
-    flood.start(voxelsBeyondNecks(mask, distances, seedsInPatient, progress), other);
+    flood.start(options.seedsInPatient, vessel);
+    flood.start(options.avoidInPatient, other);
+    flood.start(voxelsBeyondNecks(distances, necks), other);
+    if (fill) {
+        flood.start(voxelsOfOtherBlood(distances, necks.units, fill), other);
+    }
     flood.run(progress);
     for (std::uint8_t& voxel : mask.voxels) {
         voxel = voxel == vessel ? 1 : 0;

@@ -19,6 +19,7 @@ namespace core {
 namespace {
 
 constexpr int holeRounds = 4;
+constexpr double leastHoleFill = 0.4;   ///< share of blood around a voxel that is dark by noise
 constexpr double chosenShare = 0.9;   ///< of the stage "vessels", when the lumen is known
 
 Error stopped()
@@ -94,6 +95,11 @@ std::string loopWarning(int loops)
                             " loops were opened at their thinnest places: look there for vessels that only touch.";
 }
 
+VoxelFill movedBy(const VoxelFill& fill, const Eigen::Vector3i& low)
+{
+    return [&fill, low](int i, int j, int k) { return fill(i + low.x(), j + low.y(), k + low.z()); };
+}
+
 /// The lumen that is to be traced, cropped.
 struct ChosenLumen {
     VoxelMask lumen;
@@ -101,7 +107,8 @@ struct ChosenLumen {
     std::string warning;
 };
 
-Result<ChosenLumen> chosenLumen(VoxelMask whole, const VesselTracingOptions& options, TracingProgress& progress)
+Result<ChosenLumen> chosenLumen(VoxelMask whole, const VesselTracingOptions& options, const VoxelFill& fill,
+                                TracingProgress& progress)
 {
     if (!options.avoidInPatient.empty() && options.seedsInPatient.empty()) {
         return Error{"There are places to avoid, but no seed. Place at least one seed in the vessels."};
@@ -117,8 +124,7 @@ Result<ChosenLumen> chosenLumen(VoxelMask whole, const VesselTracingOptions& opt
     chosen.lumen = croppedMask(whole, chosen.box);
     whole = {};
     if (!options.seedsInPatient.empty()) {
-        splitBySeeds(chosen.lumen, options.seedsInPatient, options.avoidInPatient, threadCount(options.threads),
-                     progress);
+        splitBySeeds(chosen.lumen, options, fill ? movedBy(fill, chosen.box.low) : VoxelFill(), progress);
     }
     return chosen;
 }
@@ -148,11 +154,21 @@ Result<TracedVessels> treeOf(const ChosenLumen& chosen, const BloodFill& fill, c
     return traced;
 }
 
+/// Noise darkens single voxels; the wall between two vessels that touch is dark as a sheet.
+HoleFilter noiseHoles(const VoxelFill& fill)
+{
+    return [&fill](int i, int j, int k) {   // never at the rim
+        const double sum = fill(i, j, k) + fill(i - 1, j, k) + fill(i + 1, j, k) + fill(i, j - 1, k) +
+                           fill(i, j + 1, k) + fill(i, j, k - 1) + fill(i, j, k + 1);
+        return sum > 7.0 * leastHoleFill;
+    };
+}
+
 /// A mask in patient axis order, taken as it is.
 Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, const VesselTracingOptions& options,
                                  TracingProgress& progress)
 {
-    auto chosen = chosenLumen(std::move(whole), options, progress);
+    auto chosen = chosenLumen(std::move(whole), options, {}, progress);
     if (!chosen) {
         return chosen.error();
     }
@@ -211,19 +227,24 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
             "Besides bone, nothing in the scan is as bright as blood with contrast medium. Choose a CT angiogram, or "
             "give the threshold at which the vessels begin."};
     }
-    auto chosen = chosenLumen(std::move(candidates), options, progress);
+    const VoxelFill fill = [&volume, &order, &level](int i, int j, int k) {
+        return (volume.value(order.stored(i, j, k)) - level.value().tissue) / level.value().contrast();
+    };
+    auto chosen = chosenLumen(std::move(candidates), options, fill, progress);
     if (!chosen) {
         return chosen.error();
     }
     ChosenLumen lumen = std::move(chosen).value();
+    const AxisOrder part = cropped(order, lumen.box);
+    const VoxelFill partFill = movedBy(fill, lumen.box.low);
+    const HoleFilter isHole = noiseHoles(partFill);
     for (int round = 0; round < holeRounds && progress.advance(chosenShare); ++round) {
-        fillHoles(lumen.lumen);
+        fillHoles(lumen.lumen, isHole);
     }
     if (!progress.advance(chosenShare)) {
         return stopped();
     }
     fillCavities(lumen.lumen);
-    const AxisOrder part = cropped(order, lumen.box);
     auto traced = treeOf(lumen, fillOf(volume, part, level.value(), lumen.lumen), volume.geometry, options, progress);
     if (!traced) {
         return traced.error();

@@ -43,7 +43,8 @@ protected:
     std::vector<std::uint32_t> beyond(const Eigen::Vector3d& seed)
     {
         core::TracingProgress progress({});
-        return core::voxelsBeyondNecks(mask_, core::distanceMap(mask_, 1, progress), {seed}, progress);
+        const core::DistanceMap distances = core::distanceMap(mask_, 1, progress);
+        return core::voxelsBeyondNecks(distances, core::necksOf(mask_, distances, {seed}, progress));
     }
 
     bool holds(const std::vector<std::uint32_t>& voxels, int i, int j, int k) const
@@ -96,7 +97,7 @@ TEST_F(Chambers, SplittingCutsAtTheNeck)
     addTube({0, 52, 30}, {79, 52, 30}, 8.0);
     addTube({40, 30, 30}, {40, 52, 30}, 1.5);
     core::TracingProgress progress({});
-    core::splitBySeeds(mask_, {{10, 30, 30}}, {}, 1, progress);
+    core::splitBySeeds(mask_, {.seedsInPatient = {{10, 30, 30}}}, {}, progress);
     EXPECT_EQ(mask_.at(20, 52, 30), 0);
     EXPECT_EQ(mask_.at(70, 30, 30), 1);
     EXPECT_EQ(mask_.at(70, 30, 37), 1);

@@ -69,6 +69,27 @@ TEST(TraceVesselMask, FindsTheAxisAndRadiusOfATube)
     EXPECT_TRUE(core::findProblem(traced.tree).empty());
 }
 
+TEST(TraceVesselMask, StaysWithinSharpBends)
+{
+    // A wide vessel that goes on as a thin hairpin: the curve is smooth, but not at the price of leaving the lumen.
+    const std::vector<Tube> tubes{{place(-8, 0, -40), place(-8, 0, 0), 8.0},
+                                  {place(-8, 0, 0), place(-8, 0, 20), 1.2},
+                                  {place(-8, 0, 20), place(-3, 0, 20), 1.2},
+                                  {place(-3, 0, 20), place(-3, 0, 13), 1.2},
+                                  {place(-3, 0, 13), place(12, 0, 13), 1.2}};
+    const TracedVessels traced = tracedMask(tubes);
+    double outsideMm = 0.0;
+    double lengthMm = 0.0;
+    for (const VesselBranch& branch : core::resampled(traced.tree, 0.25).branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            lengthMm += 0.25;
+            outsideMm += test::distanceToWall(tubes, point) > 0.4 ? 0.25 : 0.0;
+        }
+    }
+    EXPECT_GT(lengthMm, 60.0);
+    EXPECT_LT(outsideMm, 1.0);
+}
+
 TEST(TraceVesselMask, FollowsAVesselToTheRimThatCutsIt)
 {
     const Tube tube{place(0, 0, -60), place(1, 2, 60), 5.0};
