@@ -213,19 +213,10 @@ Result<std::vector<std::unique_ptr<JointView>>> makeViews(std::span<const Regist
     return views;
 }
 
-}   // namespace
-
-Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs, const RegistrationOptions& options,
-                                      const MultiViewOptions& multiView, const IterationObserver& observe)
+/// Every view's own answers, carried to the first view, are where the joint solve starts from; the best score wins.
+Result<JointPose> bestJointPose(JointSolve& solve, std::span<const RegistrationInput> inputs,
+                                const RegistrationOptions& options, const IterationObserver& observe)
 {
-    auto made = makeViews(inputs, options);
-    if (!made) {
-        return made.error();
-    }
-    const auto& views = made.value();
-    JointSolve solve(views, options, multiView);
-
-    // Every view's own answers, carried to the first view, are where the joint solve starts from.
     JointPose best;
     double bestScore = -1.0;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
@@ -239,8 +230,7 @@ Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
         }
         for (const RigidTransform& start : starts) {
             const JointPose joint = solve.refine(solve.inFirst(start, k));
-            const double score = solve.scoreOf(joint);
-            if (score > bestScore) {
+            if (const double score = solve.scoreOf(joint); score > bestScore) {
                 best = joint;
                 bestScore = score;
             }
@@ -249,27 +239,54 @@ Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
             break;
         }
     }
+    return best;
+}
 
+/// Judges one view at the joint pose; what speaks against it is added to the result's warnings.
+void addView(MultiViewResult& result, const JointView& view, const CentroidPose& jointPose, bool isPlausible,
+             const RegistrationOptions& options)
+{
+    MethodSolution solution;
+    solution.cameraFromPatient = cameraFromPatient(jointPose, view.problem.tree.centroid);
+    solution.stopReason = StopReason::Converged;
+    result.views.push_back(judgePose(view.problem, options, solution));
+    result.views.back().method = options.method;
+    const std::string number = std::to_string(result.views.size());
+    if (!result.views.back().trustworthy) {
+        result.trustworthy = false;
+        result.warnings.push_back("View " + number + " does not agree with the joint pose.");
+    }
+    if (!isPlausible) {
+        result.trustworthy = false;
+        result.warnings.push_back("The geometry of view " + number +
+                                  " is far from its header: check angles and distances.");
+    }
+}
+
+}   // namespace
+
+Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs, const RegistrationOptions& options,
+                                      const MultiViewOptions& multiView, const IterationObserver& observe)
+{
+    auto made = makeViews(inputs, options);
+    if (!made) {
+        return made.error();
+    }
+    const auto& views = made.value();
+    JointSolve solve(views, options, multiView);
+    const auto best = bestJointPose(solve, inputs, options, observe);
+    if (!best) {
+        return best.error();
+    }
+
+    const JointPose& pose = best.value();
     MultiViewResult result;
-    result.corrections = best.corrections;
+    result.corrections = pose.corrections;
     result.uncertainty =
-        poseUncertainty(solve.information(best), solve.prior(), best.first, views.front()->problem.tree.spreadMm);
+        poseUncertainty(solve.information(pose), solve.prior(), pose.first, views.front()->problem.tree.spreadMm);
     result.trustworthy = true;
     for (std::size_t k = 0; k < views.size(); ++k) {
-        MethodSolution solution;
-        solution.cameraFromPatient = cameraFromPatient(solve.inView(best, k), views[k]->problem.tree.centroid);
-        solution.stopReason = StopReason::Converged;
-        result.views.push_back(judgePose(views[k]->problem, options, solution));
-        result.views.back().method = options.method;
-        if (!result.views.back().trustworthy) {
-            result.trustworthy = false;
-            result.warnings.push_back("View " + std::to_string(k + 1) + " does not agree with the joint pose.");
-        }
-        if (!solve.isPlausible(best.corrections[k])) {
-            result.trustworthy = false;
-            result.warnings.push_back("The geometry of view " + std::to_string(k + 1) +
-                                      " is far from its header: check angles and distances.");
-        }
+        addView(result, *views[k], solve.inView(pose, k), solve.isPlausible(pose.corrections[k]), options);
     }
     return result;
 }
