@@ -19,6 +19,7 @@ namespace {
 constexpr double signRadius = 10.0;
 constexpr double signGap = 26.0;
 constexpr double thinningStepPx = 0.7;
+constexpr double curveWidth = 2.2;   ///< px at 100 %
 
 const Palette& tones()
 {
@@ -72,60 +73,94 @@ Eigen::Vector2d EditCurvesTool::onCanvas(const Eigen::Vector2d& imagePx, Canvas 
     return {at.x(), canvas.height - at.y()};
 }
 
+StrokeLine EditCurvesTool::lineOnCanvas(const std::vector<Eigen::Vector2d>& points, const Color& tone,
+                                        Canvas canvas) const
+{
+    StrokeLine line;
+    for (const Eigen::Vector2d& point : points) {
+        const bool isTouched = brushes() && (point - mouse_->imagePx).norm() <= brushPx();
+        line.push_back({onCanvas(point, canvas), isTouched ? tones().attention : tone});
+    }
+    return thinned(line, thinningStepPx);
+}
+
 void EditCurvesTool::drawStrokes(Canvas canvas) const
 {
-    const double ratio = view().devicePixelRatio();
-    const double width = 2.2 * ratio;
-    const double brushPx = brushRadius_ / view().zoom();
-    const bool brushes = edit_ == CurveEdit::Erase && mouse_ && isReady_;
     StrokeMesh mesh;
-    const auto lineOf = [&](const std::vector<Eigen::Vector2d>& points, const Color& tone) {
-        StrokeLine line;
-        for (const Eigen::Vector2d& point : points) {
-            const bool isTouched = brushes && (point - mouse_->imagePx).norm() <= brushPx;
-            line.push_back({onCanvas(point, canvas), isTouched ? tones().attention : tone});
-        }
-        return thinned(line, thinningStepPx);
-    };
+    addCurves(mesh, canvas);
+    addRegion(mesh, canvas);
+    addPath(mesh, canvas);
+    if (brushes()) {
+        addBrush(mesh, canvas);
+    }
+    fillStrokes(mesh, canvas.height, canvas);
+}
+
+void EditCurvesTool::addCurves(StrokeMesh& mesh, Canvas canvas) const
+{
+    const double ratio = view().devicePixelRatio();
+    const double width = curveWidth * ratio;
     if (isDragging_) {
         for (const core::Curve2d& curve : curves_.curves) {   // what goes stays visible, faintly
-            addLine(mesh, lineOf(curve.pointsPx, tones().hint), {width, 0.6});
+            addLine(mesh, lineOnCanvas(curve.pointsPx, tones().hint, canvas), {width, 0.6});
         }
     }
     for (const core::Curve2d& curve : shown_.curves) {
         const bool isSuspect = std::ranges::find(suspects_, curve.id) != suspects_.end();
         if (curve.id == hovered_) {
-            addShadowedLine(mesh, lineOf(curve.pointsPx, tones().textStrong), 2.0 * width, 1.0);
+            addShadowedLine(mesh, lineOnCanvas(curve.pointsPx, tones().textStrong, canvas), 2.0 * width, 1.0);
         } else if (isSuspect) {
-            addDashes(mesh, lineOf(curve.pointsPx, tones().attention), width, 7.0 * ratio);
+            addDashes(mesh, lineOnCanvas(curve.pointsPx, tones().attention, canvas), width, 7.0 * ratio);
         } else {
-            addShadowedLine(mesh, lineOf(curve.pointsPx, tones().accent), width, 1.0);
+            addShadowedLine(mesh, lineOnCanvas(curve.pointsPx, tones().accent, canvas), width, 1.0);
         }
     }
     if (hovered_ >= 0 && edit_ == CurveEdit::Cut) {
         addDot(mesh, {onCanvas(nearestPoint(curves_, hovered_, mouse_->imagePx), canvas), tones().attention},
                5.0 * ratio, 1.0);
     }
+}
+
+void EditCurvesTool::addRegion(StrokeMesh& mesh, Canvas canvas) const
+{
+    const double ratio = view().devicePixelRatio();
     if (std::vector<Eigen::Vector2d> ring = outline(); isDragging_ && ring.size() > 1) {
         ring.push_back(ring.front());
-        addDashes(mesh, lineOf(ring, isKeeping_ ? tones().textStrong : tones().attention), 1.4 * ratio, 5.0 * ratio);
+        const Color& tone = isKeeping_ ? tones().textStrong : tones().attention;
+        addDashes(mesh, lineOnCanvas(ring, tone, canvas), 1.4 * ratio, 5.0 * ratio);
     }
-    addShadowedLine(mesh, lineOf(path_.points(), tones().textStrong), width, 1.0);
-    addDashes(mesh, lineOf(path_.aimed(), tones().textStrong), width, 5.0 * ratio);
+}
+
+void EditCurvesTool::addPath(StrokeMesh& mesh, Canvas canvas) const
+{
+    const double ratio = view().devicePixelRatio();
+    const double width = curveWidth * ratio;
+    addShadowedLine(mesh, lineOnCanvas(path_.points(), tones().textStrong, canvas), width, 1.0);
+    addDashes(mesh, lineOnCanvas(path_.aimed(), tones().textStrong, canvas), width, 5.0 * ratio);
     for (const Eigen::Vector2d& anchor : path_.anchors()) {
         addDot(mesh, {onCanvas(anchor, canvas), tones().textStrong}, 4.0 * ratio, 1.0);
     }
-    if (brushes) {
-        StrokeLine circle;
-        for (int k = 0; k <= 48; ++k) {
-            const double angle = 2.0 * std::numbers::pi * k / 48;
-            circle.push_back(
-                {onCanvas(mouse_->imagePx + brushPx * Eigen::Vector2d(std::cos(angle), std::sin(angle)), canvas),
-                 tones().textStrong});
-        }
-        addShadowedLine(mesh, circle, 1.4 * ratio, 0.9);
+}
+
+void EditCurvesTool::addBrush(StrokeMesh& mesh, Canvas canvas) const
+{
+    StrokeLine circle;
+    for (int k = 0; k <= 48; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / 48;
+        const Eigen::Vector2d onRim = mouse_->imagePx + brushPx() * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+        circle.push_back({onCanvas(onRim, canvas), tones().textStrong});
     }
-    fillStrokes(mesh, canvas.height, canvas);
+    addShadowedLine(mesh, circle, 1.4 * view().devicePixelRatio(), 0.9);
+}
+
+bool EditCurvesTool::brushes() const
+{
+    return edit_ == CurveEdit::Erase && mouse_ && isReady_;
+}
+
+double EditCurvesTool::brushPx() const
+{
+    return brushRadius_ / view().zoom();
 }
 
 std::vector<EditCurvesTool::Sign> EditCurvesTool::signs() const

@@ -2,6 +2,7 @@
 
 #include "core/tracing/live_wire.h"
 #include "core/vessel/centerline2d.h"
+#include "ui/scenes/stroke_mesh.h"
 #include "ui/views/tools/image_tool.h"
 #include "ui/views/tools/wire_path.h"
 
@@ -73,7 +74,14 @@ private:
     std::vector<Eigen::Vector2d> outline() const;   ///< of the region under way, image px
     std::vector<Sign> signs() const;
     bool clickSign(const ToolPoint& point);
+    bool brushes() const;
+    double brushPx() const;   ///< its radius in image px
     Eigen::Vector2d onCanvas(const Eigen::Vector2d& imagePx, Canvas canvas) const;
+    StrokeLine lineOnCanvas(const std::vector<Eigen::Vector2d>& points, const Color& tone, Canvas canvas) const;
+    void addCurves(StrokeMesh& mesh, Canvas canvas) const;
+    void addRegion(StrokeMesh& mesh, Canvas canvas) const;
+    void addPath(StrokeMesh& mesh, Canvas canvas) const;
+    void addBrush(StrokeMesh& mesh, Canvas canvas) const;
 
     core::Centerline2d curves_;
     core::Centerline2d shown_;   ///< with the drag under way
