@@ -31,6 +31,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       treeActions_(document_, branches_, tracing_, window),
       steps_({document_, target_, pose_, registration_, treeActions_, session_, window}),
       poses_({document_, target_, branches_, session_, review_, replay_, judgement_, sync_, notices_, window}),
+      places_(window),
       habits_(branches_, window),
       help_(window)
 {

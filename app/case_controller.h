@@ -26,6 +26,7 @@
 #include "app/review/replay_controller.h"
 #include "app/review/review_controller.h"
 #include "app/review/slice_controller.h"
+#include "app/review/view_places_controller.h"
 #include "app/review/view_sync.h"
 #include "app/step_controller.h"
 #include "ui/main_window.h"
@@ -89,6 +90,7 @@ private:
     TreeActions treeActions_;
     StepController steps_;
     PoseTools poses_;
+    ViewPlacesController places_;
     Habits habits_;
     HelpController help_;
 };

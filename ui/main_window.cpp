@@ -1,5 +1,6 @@
 #include "ui/main_window.h"
 
+#include "ui/places/view_frame.h"
 #include "ui/slices/corner_views.h"
 #include "ui/slices/slices_page.h"
 #include "ui/views/angiogram_view.h"
@@ -57,7 +58,9 @@ MainWindow::MainWindow(QWidget* parent)
       angiogramView_(new AngiogramView),
       welcome_(new WelcomePage),
       centre_(new QStackedWidget),
-      imageFrame_(new QWidget),
+      imageFrame_(new ViewFrame(*angiogramView_, tr("AngioPose: angiogram"))),
+      cornerFrame_(new ViewFrame(*corner_, tr("AngioPose: 3-D and slices"))),
+      slicesFrame_(new ViewFrame(*slicesPage_, tr("AngioPose: slices"))),
       angiogramPanel_(new AngiogramPanel),
       geometry_(new GeometryPanel),
       pose_(new PosePanel),
@@ -94,6 +97,7 @@ MainWindow::MainWindow(QWidget* parent)
     setMinimumSize(900, 560);
     resize(1440, 900);
     connectSlices();
+    connectFrames();
     connect(actions()[Command::Landmarks], &QAction::toggled, this, [this](bool on) {
         if (on) {   // once the list has unfolded
             QTimer::singleShot(0, this, [this] { rightColumn_->ensureWidgetVisible(landmarks_); });
@@ -105,9 +109,9 @@ MainWindow::MainWindow(QWidget* parent)
 
 QWidget* MainWindow::makeLeftColumn()
 {
-    corner_->setMinimumHeight(120);
+    cornerFrame_->setMinimumHeight(120);
     leftSplitter_->addWidget(column(branches_));
-    leftSplitter_->addWidget(column(corner_));
+    leftSplitter_->addWidget(column(cornerFrame_));
     leftSplitter_->setStretchFactor(0, 3);
     leftSplitter_->setStretchFactor(1, 2);
     leftSplitter_->setSizes({420, 300});
@@ -121,13 +125,10 @@ QWidget* MainWindow::makeCentre()
 {
     imageFrame_->setProperty("role", "canvas");
     imageFrame_->setAttribute(Qt::WA_StyledBackground);
-    auto* layout = new QVBoxLayout(imageFrame_);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(angiogramView_);
     centre_->addWidget(welcome_);
     centre_->addWidget(imageFrame_);
     slicesPage_->setSidePanel(tracing_);
-    centre_->addWidget(slicesPage_);
+    centre_->addWidget(slicesFrame_);
     centre_->setMinimumWidth(320);
     return centre_;
 }
@@ -157,12 +158,15 @@ QWidget* MainWindow::makeRightColumn()
 
 void MainWindow::showImagePage()
 {
-    centre_->setCurrentWidget(slicesLarge_ ? static_cast<QWidget*>(slicesPage_) : imageFrame_);
+    centre_->setCurrentWidget(slicesLarge_ && !slicesFrame_->isOut() ? slicesFrame_ : imageFrame_);
 }
 
 void MainWindow::setSlicesLarge(bool large)
 {
     slicesLarge_ = large;
+    if (!large) {
+        slicesFrame_->setOut(false);
+    }
     if (centre_->currentWidget() != welcome_) {
         showImagePage();
     }
@@ -182,9 +186,52 @@ void MainWindow::connectSlices()
     connect(treeView_, &TreeView::pointPicked, this, &MainWindow::pointPicked);
 }
 
+void MainWindow::connectFrames()
+{
+    for (ViewFrame* frame : {imageFrame_, cornerFrame_, slicesFrame_}) {
+        connect(frame, &ViewFrame::outChanged, this, [this] {
+            placeViews();
+            if (centre_->currentWidget() != welcome_) {
+                showImagePage();
+            }
+        });
+    }
+}
+
+ViewFrame& MainWindow::frameOf(MovableView view)
+{
+    return view == MovableView::Image ? *imageFrame_ : view == MovableView::Corner ? *cornerFrame_ : *slicesFrame_;
+}
+
+void MainWindow::showAlone(std::optional<MovableView> view)
+{
+    if (!alone_ && view) {
+        columnsBefore_ = columns_->saveState();
+        leftBefore_ = leftSplitter_->saveState();
+    }
+    const bool comesBack = alone_ && !view;
+    alone_ = view;
+    placeViews();
+    if (comesBack) {
+        columns_->restoreState(columnsBefore_);
+        leftSplitter_->restoreState(leftBefore_);
+    }
+}
+
+void MainWindow::placeViews()
+{
+    const bool cornerAlone = alone_ == MovableView::Corner;
+    branches_->setVisible(!alone_);
+    cornerFrame_->setVisible(!cornerFrame_->isOut());
+    leftSplitter_->setVisible(!alone_ || cornerAlone);
+    centre_->setVisible(!cornerAlone);
+    rightColumn_->setVisible(!alone_);
+}
+
 void MainWindow::showWelcomePage()
 {
     centre_->setCurrentWidget(welcome_);
+    emit welcomeShown();
 }
 
 void MainWindow::focusStep(Step step)
@@ -220,17 +267,15 @@ void MainWindow::focusStep(Step step)
     steps_->showCurrent(step);
 }
 
-void MainWindow::setImageOnly(bool on)
-{
-    leftSplitter_->setVisible(!on);
-    rightColumn_->setVisible(!on);
-}
-
 QByteArray MainWindow::layoutState() const
 {
     QByteArray state;
     QDataStream stream(&state, QIODevice::WriteOnly);
-    stream << saveGeometry() << columns_->saveState() << leftSplitter_->saveState() << foldedSections(*this);
+    stream << saveGeometry() << (alone_ ? columnsBefore_ : columns_->saveState())
+           << (alone_ ? leftBefore_ : leftSplitter_->saveState()) << foldedSections(*this);
+    for (const ViewFrame* frame : {imageFrame_, cornerFrame_, slicesFrame_}) {
+        stream << frame->windowPlace() << (frame->isOut() && frame != slicesFrame_);   // slices come with a scan
+    }
     return state;
 }
 
@@ -252,6 +297,13 @@ void MainWindow::restoreLayout(const QByteArray& state)
         if (section->isFoldable()) {
             section->setFolded(folded.contains(section->objectName()));
         }
+    }
+    for (ViewFrame* frame : {imageFrame_, cornerFrame_, slicesFrame_}) {
+        QByteArray place;
+        bool isOut = false;
+        stream >> place >> isOut;   // a version that did not know them leaves both as they are
+        frame->setWindowPlace(place);
+        frame->setOut(isOut);
     }
 }
 

@@ -19,6 +19,8 @@
 
 #include <QMainWindow>
 
+#include <optional>
+
 class QScrollArea;
 class QSplitter;
 class QStackedWidget;
@@ -29,6 +31,10 @@ class AngiogramView;
 class CornerViews;
 class SlicesPage;
 class TreeView;
+class ViewFrame;
+
+/// Views that can have the whole window, or a window of their own.
+enum class MovableView { Image, Corner, Slices };
 
 /// Places views and panels. Knows no case: whoever owns it connects the parts.
 class MainWindow : public QMainWindow {
@@ -62,9 +68,12 @@ public:
     void showWelcomePage();
     void focusStep(Step step);   ///< brings the step's part of the window to the user
 
-    void setImageOnly(bool on);   ///< hides the columns beside the image
+    ViewFrame& frameOf(MovableView view);
+    /// One view has the window to itself, between header and strip; none: everything in its place. The slices share the
+    /// image's place.
+    void showAlone(std::optional<MovableView> view);
 
-    QByteArray layoutState() const;   ///< place, widths and folded parts
+    QByteArray layoutState() const;   ///< place, widths, folded parts, views in windows of their own
     void restoreLayout(const QByteArray& state);
     void closeNow();   ///< closes without asking again
 
@@ -73,6 +82,7 @@ signals:
     void closeRequested();
     void hideKeyHeld(bool held);   ///< H pressed and released
     void escapePressed();
+    void welcomeShown();
     /// A left click (or Enter) in a slice, or on a branch in the 3-D view.
     void pointPicked(const Eigen::Vector3d& pointInPatient);
 
@@ -86,6 +96,8 @@ private:
     QWidget* makeLeftColumn();
     QWidget* makeCentre();
     void connectSlices();
+    void connectFrames();
+    void placeViews();
     QWidget* makeRightColumn();
     bool takesKey(QObject* watched) const;
     bool filterKey(QEvent* event);
@@ -102,7 +114,9 @@ private:
     AngiogramView* angiogramView_;
     WelcomePage* welcome_;
     QStackedWidget* centre_;
-    QWidget* imageFrame_;
+    ViewFrame* imageFrame_;
+    ViewFrame* cornerFrame_;
+    ViewFrame* slicesFrame_;
     AngiogramPanel* angiogramPanel_;
     GeometryPanel* geometry_;
     PosePanel* pose_;
@@ -115,6 +129,9 @@ private:
     BottomStrip* strip_;
     QSplitter* columns_;
     QSplitter* leftSplitter_;
+    QByteArray columnsBefore_;   ///< widths from before a view had the window to itself
+    QByteArray leftBefore_;
+    std::optional<MovableView> alone_;
     bool slicesLarge_ = false;
     bool hideHeld_ = false;
     bool closeAllowed_ = false;

@@ -1,5 +1,6 @@
 #include "ui/main_window.h"
 
+#include "ui/places/view_window.h"
 #include "ui/views/angiogram_view.h"
 
 #include <QApplication>
@@ -32,6 +33,11 @@ bool takesText(const QWidget* widget)
            qobject_cast<const QComboBox*>(widget);
 }
 
+bool isViewWindow(const QObject* object)
+{
+    return qobject_cast<const ViewWindow*>(object) != nullptr;
+}
+
 }   // namespace
 
 void MainWindow::closeEvent(QCloseEvent* event)
@@ -60,7 +66,8 @@ void MainWindow::dropEvent(QDropEvent* event)
 bool MainWindow::takesKey(QObject* watched) const
 {
     const auto* widget = qobject_cast<QWidget*>(watched);
-    return widget && widget->window() == this && !takesText(QApplication::focusWidget());
+    const bool isOurs = widget && (widget->window() == this || isViewWindow(widget->window()));
+    return isOurs && !takesText(QApplication::focusWidget());
 }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event)
@@ -74,7 +81,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
             }
             break;
         case QEvent::WindowDeactivate:
-            if (watched == this && hideHeld_) {
+            if (hideHeld_ && (watched == this || isViewWindow(watched))) {
                 hideHeld_ = false;
                 emit hideKeyHeld(false);
             }

@@ -68,7 +68,6 @@ void ReviewController::connectWindow()
     connect(actions[ui::Command::ResetTreeView], &QAction::triggered, &window_.treeView(), &ui::TreeView::resetView);
     connect(actions[ui::Command::FullScreen], &QAction::toggled, this,
             [this](bool on) { window_.setWindowState(window_.windowState().setFlag(Qt::WindowFullScreen, on)); });
-    connect(actions[ui::Command::ImageOnly], &QAction::toggled, &window_, &ui::MainWindow::setImageOnly);
     const std::array themes{std::pair{ui::Command::ThemeDark, "dark"}, std::pair{ui::Command::ThemeLight, "light"},
                             std::pair{ui::Command::ThemeSystem, "system"}};
     for (const auto& [command, name] : themes) {

@@ -4467,6 +4467,449 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
+    <name>ui::CommandTable</name>
+    <message>
+        <source>Open …</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Open DICOM folder …</source>
+        <translation>DICOM-Ordner öffnen …</translation>
+    </message>
+    <message>
+        <source>Open sample case</source>
+        <translation>Beispielfall öffnen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save as …</source>
+        <translation>Speichern unter …</translation>
+    </message>
+    <message>
+        <source>Export overlay …</source>
+        <translation>Überlagerung exportieren …</translation>
+    </message>
+    <message>
+        <source>Export result …</source>
+        <translation>Ergebnis exportieren …</translation>
+    </message>
+    <message>
+        <source>Export pose …</source>
+        <translation>Lage exportieren …</translation>
+    </message>
+    <message>
+        <source>Export traced vessels …</source>
+        <translation>Erkannte Gefäße exportieren …</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Nudge mode</source>
+        <translation>Justiermodus</translation>
+    </message>
+    <message>
+        <source>Back to start pose</source>
+        <translation>Zurück zur Startlage</translation>
+    </message>
+    <message>
+        <source>Copy pose as matrix</source>
+        <translation>Lage als Matrix kopieren</translation>
+    </message>
+    <message>
+        <source>Selected branches auxiliary on or off</source>
+        <translation>Gewählte Äste als Hilfsäste an oder aus</translation>
+    </message>
+    <message>
+        <source>Auxiliary: the branches in view</source>
+        <translation>Hilfsäste: die im Blickfeld</translation>
+    </message>
+    <message>
+        <source>Auxiliary: the wider half</source>
+        <translation>Hilfsäste: die weitere Hälfte</translation>
+    </message>
+    <message>
+        <source>Exclude or include selected branches</source>
+        <translation>Gewählte Äste aus- oder einschließen</translation>
+    </message>
+    <message>
+        <source>Select all branches</source>
+        <translation>Alle Äste wählen</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Registrieren</translation>
+    </message>
+    <message>
+        <source>Stop and keep the best pose</source>
+        <translation>Anhalten und beste Lage behalten</translation>
+    </message>
+    <message>
+        <source>Fit the image to the window</source>
+        <translation>Bild in das Fenster einpassen</translation>
+    </message>
+    <message>
+        <source>Automatic brightness</source>
+        <translation>Automatische Fensterung</translation>
+    </message>
+    <message>
+        <source>Invert grey values</source>
+        <translation>Grauwerte umkehren</translation>
+    </message>
+    <message>
+        <source>Brightness: every grey value</source>
+        <translation>Fensterung: alle Grauwerte</translation>
+    </message>
+    <message>
+        <source>More contrast</source>
+        <translation>Mehr Kontrast</translation>
+    </message>
+    <message>
+        <source>Less contrast</source>
+        <translation>Weniger Kontrast</translation>
+    </message>
+    <message>
+        <source>Vessels: centreline, outline, tube</source>
+        <translation>Gefäße: Mittellinie, Umriss, Röhre</translation>
+    </message>
+    <message>
+        <source>Near vessels bright, far ones dim</source>
+        <translation>Nahe Gefäße hell, ferne dunkel</translation>
+    </message>
+    <message>
+        <source>Swipe, lens, off</source>
+        <translation>Wischen, Lupe, aus</translation>
+    </message>
+    <message>
+        <source>Zoom to the worst branch, the next</source>
+        <translation>Zum schlechtesten Ast zoomen, zum nächsten</translation>
+    </message>
+    <message>
+        <source>Show traced vessels</source>
+        <translation>Erkannte Gefäße zeigen</translation>
+    </message>
+    <message>
+        <source>Flicker start pose and pose</source>
+        <translation>Startlage und Lage im Wechsel</translation>
+    </message>
+    <message>
+        <source>Replay the last run</source>
+        <translation>Letzten Lauf wiedergeben</translation>
+    </message>
+    <message>
+        <source>Swing along what the image cannot tell</source>
+        <translation>Schwingen, wo das Bild nichts verrät</translation>
+    </message>
+    <message>
+        <source>Show the run&apos;s other solutions</source>
+        <translation>Andere Lösungen des Laufs zeigen</translation>
+    </message>
+    <message>
+        <source>Take the solution shown</source>
+        <translation>Gezeigte Lösung übernehmen</translation>
+    </message>
+    <message>
+        <source>Overlay fainter</source>
+        <translation>Überlagerung schwächer</translation>
+    </message>
+    <message>
+        <source>Overlay stronger</source>
+        <translation>Überlagerung stärker</translation>
+    </message>
+    <message>
+        <source>Play frames</source>
+        <translation>Bilder abspielen</translation>
+    </message>
+    <message>
+        <source>Hide patient identity</source>
+        <translation>Patientendaten verbergen</translation>
+    </message>
+    <message>
+        <source>Reset 3-D view</source>
+        <translation>3-D-Ansicht zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>Vollbild</translation>
+    </message>
+    <message>
+        <source>Reduce motion</source>
+        <translation>Bewegung verringern</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Wie der Desktop</translation>
+    </message>
+    <message>
+        <source>About AngioPose</source>
+        <translation>Über AngioPose</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Registration</source>
+        <translation>&amp;Registrierung</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>Language of the desktop</source>
+        <translation>Sprache des Desktops</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Save picture of the window …</source>
+        <translation>Bild des Fensters speichern …</translation>
+    </message>
+    <message>
+        <source>Copy picture of the window</source>
+        <translation>Bild des Fensters kopieren</translation>
+    </message>
+    <message>
+        <source>Radiology: left drag windows</source>
+        <translation>Radiologie: links ziehen fenstert</translation>
+    </message>
+    <message>
+        <source>3D Slicer: left only picks</source>
+        <translation>3D Slicer: links wählt nur</translation>
+    </message>
+    <message>
+        <source>Scroll: left drag runs the frames</source>
+        <translation>Blättern: links ziehen wechselt Bilder</translation>
+    </message>
+    <message>
+        <source>Help on what the mouse points at</source>
+        <translation>Hilfe zu dem, worauf die Maus zeigt</translation>
+    </message>
+    <message>
+        <source>Short tour</source>
+        <translation>Kurzer Rundgang</translation>
+    </message>
+    <message>
+        <source>What a good fit looks like</source>
+        <translation>Wie eine gute Einpassung aussieht</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>Edit traced vessels</source>
+        <translation>Erkannte Gefäße bearbeiten</translation>
+    </message>
+    <message>
+        <source>Trace this frame again</source>
+        <translation>Dieses Bild neu erfassen</translation>
+    </message>
+    <message>
+        <source>Subtract mask, native</source>
+        <translation>Maske abziehen, nativ</translation>
+    </message>
+    <message>
+        <source>Move the mask by hand</source>
+        <translation>Maske von Hand verschieben</translation>
+    </message>
+    <message>
+        <source>This frame is the mask</source>
+        <translation>Dieses Bild ist die Maske</translation>
+    </message>
+    <message>
+        <source>Whole run in one picture</source>
+        <translation>Ganze Serie in einem Bild</translation>
+    </message>
+    <message>
+        <source>Click pairs of landmarks</source>
+        <translation>Landmarkenpaare klicken</translation>
+    </message>
+    <message>
+        <source>Place vessels by landmarks</source>
+        <translation>Gefäße nach Landmarken legen</translation>
+    </message>
+    <message>
+        <source>Auxiliary: draw a lasso</source>
+        <translation>Hilfsäste: Lasso ziehen</translation>
+    </message>
+    <message>
+        <source>Auxiliary: which branches …</source>
+        <translation>Hilfsäste: welche Äste …</translation>
+    </message>
+    <message>
+        <source>Trace the scan again</source>
+        <translation>CT neu erfassen</translation>
+    </message>
+    <message>
+        <source>Find a branch</source>
+        <translation>Ast suchen</translation>
+    </message>
+    <message>
+        <source>Rename branch</source>
+        <translation>Ast umbenennen</translation>
+    </message>
+    <message>
+        <source>Cut branch at the cross-hair</source>
+        <translation>Ast am Fadenkreuz trennen</translation>
+    </message>
+    <message>
+        <source>Join two branches</source>
+        <translation>Zwei Äste verbinden</translation>
+    </message>
+    <message>
+        <source>Smooth branches</source>
+        <translation>Äste glätten</translation>
+    </message>
+    <message>
+        <source>Root at the branch&apos;s end near the cross-hair</source>
+        <translation>Wurzel am Astende beim Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Hide or show branches</source>
+        <translation>Äste verbergen oder zeigen</translation>
+    </message>
+    <message>
+        <source>Show all branches</source>
+        <translation>Alle Äste zeigen</translation>
+    </message>
+    <message>
+        <source>Delete branches</source>
+        <translation>Äste löschen</translation>
+    </message>
+    <message>
+        <source>Delete branches and what leaves them</source>
+        <translation>Äste und ihre Abgänge löschen</translation>
+    </message>
+    <message>
+        <source>Prune short or thin branches …</source>
+        <translation>Kurze oder dünne Äste ausdünnen …</translation>
+    </message>
+    <message>
+        <source>Join the pieces at the next gap</source>
+        <translation>Stücke an der nächsten Lücke verbinden</translation>
+    </message>
+    <message>
+        <source>Keep this pose</source>
+        <translation>Diese Lage behalten</translation>
+    </message>
+    <message>
+        <source>Switch between poses A and B</source>
+        <translation>Zwischen Lage A und B wechseln</translation>
+    </message>
+    <message>
+        <source>Compare poses and methods …</source>
+        <translation>Lagen und Methoden vergleichen …</translation>
+    </message>
+    <message>
+        <source>Blind observer trial …</source>
+        <translation>Blinder Beobachterversuch …</translation>
+    </message>
+    <message>
+        <source>Trial done</source>
+        <translation>Versuch fertig</translation>
+    </message>
+    <message>
+        <source>Seen from the source (mirrored)</source>
+        <translation>Vom Fokus gesehen (gespiegelt)</translation>
+    </message>
+    <message>
+        <source>Opacification over time</source>
+        <translation>Kontrastfüllung über die Zeit</translation>
+    </message>
+    <message>
+        <source>3-D, axial, coronal, sagittal below the branches</source>
+        <translation>3-D, axial, koronar, sagittal unter den Ästen</translation>
+    </message>
+    <message>
+        <source>Slices instead of the angiogram</source>
+        <translation>Schichten statt Angiogramm</translation>
+    </message>
+    <message>
+        <source>Image alone, without the columns</source>
+        <translation>Bild allein, ohne die Spalten</translation>
+    </message>
+    <message>
+        <source>Ve&amp;ssels</source>
+        <translation>&amp;Gefäße</translation>
+    </message>
+    <message>
+        <source>Start pose from the angles</source>
+        <translation>Startlage aus den Winkeln</translation>
+    </message>
+    <message>
+        <source>This pose is the start pose</source>
+        <translation>Diese Lage ist die Startlage</translation>
+    </message>
+    <message>
+        <source>&amp;Angiogram</source>
+        <translation>A&amp;ngiogramm</translation>
+    </message>
+    <message>
+        <source>&amp;Pose</source>
+        <translation>&amp;Lage</translation>
+    </message>
+    <message>
+        <source>3-D and slices alone</source>
+        <translation>3-D und Schichten allein</translation>
+    </message>
+    <message>
+        <source>Angiogram in a window of its own</source>
+        <translation>Angiogramm in eigenem Fenster</translation>
+    </message>
+    <message>
+        <source>3-D and slices in a window of their own</source>
+        <translation>3-D und Schichten in eigenem Fenster</translation>
+    </message>
+    <message>
+        <source>All slices in a window of their own</source>
+        <translation>Alle Schichten in eigenem Fenster</translation>
+    </message>
+    <message>
+        <source>Views alone and in windows</source>
+        <translation>Ansichten allein und in Fenstern</translation>
+    </message>
+</context>
+<context>
     <name>ui::ConvergencePlot</name>
     <message>
         <source>Convergence</source>
@@ -4488,8 +4931,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Alle Schichten, groß</translation>
     </message>
     <message>
-        <source>All slices, large (M)</source>
-        <translation>Alle Schichten, groß (M)</translation>
+        <source>Only this view in the window, and back</source>
+        <translation>Nur diese Ansicht im Fenster, und zurück</translation>
+    </message>
+    <message>
+        <source>In a window of its own, and back</source>
+        <translation>In eigenem Fenster, und zurück</translation>
+    </message>
+    <message>
+        <source>Double click: only this view in the window, and back (5)</source>
+        <translation>Doppelklick: nur diese Ansicht im Fenster, und zurück (5)</translation>
     </message>
 </context>
 <context>
@@ -5008,6 +5459,273 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
+    <name>ui::KeyNotes</name>
+    <message>
+        <source>← → ↑ ↓</source>
+        <translation>← → ↑ ↓</translation>
+    </message>
+    <message>
+        <source>move by 1 mm (Shift 10 mm, Ctrl 0.1 mm)</source>
+        <translation>schieben um 1 mm (Umschalt 10 mm, Strg 0.1 mm)</translation>
+    </message>
+    <message>
+        <source>PgUp PgDn</source>
+        <translation>Bild↑ Bild↓</translation>
+    </message>
+    <message>
+        <source>move away from or to the source</source>
+        <translation>vom Fokus weg oder zu ihm hin</translation>
+    </message>
+    <message>
+        <source>, .</source>
+        <translation>, .</translation>
+    </message>
+    <message>
+        <source>roll by 1°</source>
+        <translation>rollen um 1°</translation>
+    </message>
+    <message>
+        <source>Alt+arrows</source>
+        <translation>Alt+Pfeile</translation>
+    </message>
+    <message>
+        <source>turn LAO/RAO and CRA/CAU by 1°</source>
+        <translation>LAO/RAO und CRA/CAU um 1° drehen</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>ziehen</translation>
+    </message>
+    <message>
+        <source>left drag</source>
+        <translation>links ziehen</translation>
+    </message>
+    <message>
+        <source>window and level</source>
+        <translation>Fensterung</translation>
+    </message>
+    <message>
+        <source>middle drag</source>
+        <translation>Mitte ziehen</translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation>verschieben</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>zoomen</translation>
+    </message>
+    <message>
+        <source>wheel, ↑ ↓, Home, End</source>
+        <translation>Rad, ↑ ↓, Pos1, Ende</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>H (hold)</source>
+        <translation>H (halten)</translation>
+    </message>
+    <message>
+        <source>hide the overlay</source>
+        <translation>Überlagerung verbergen</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>klicken</translation>
+    </message>
+    <message>
+        <source>pick a branch (Ctrl adds)</source>
+        <translation>Ast wählen (Strg fügt hinzu)</translation>
+    </message>
+    <message>
+        <source>In nudge mode</source>
+        <translation>Im Justiermodus</translation>
+    </message>
+    <message>
+        <source>On the angiogram</source>
+        <translation>Auf dem Angiogramm</translation>
+    </message>
+    <message>
+        <source>move; on the ring roll; Esc takes it back, then ends the mode</source>
+        <translation>schieben; am Ring drehen; Esc nimmt zurück, dann endet der Modus</translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel</source>
+        <translation>Strg+Rad</translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation>Rechtsklick</translation>
+    </message>
+    <message>
+        <source>menu of what can be done here</source>
+        <translation>Menü mit dem, was hier möglich ist</translation>
+    </message>
+    <message>
+        <source>left drag, arrows</source>
+        <translation>links ziehen, Pfeile</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>drehen</translation>
+    </message>
+    <message>
+        <source>right drag, wheel, + −</source>
+        <translation>rechts ziehen, Rad, + −</translation>
+    </message>
+    <message>
+        <source>double click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>Shift+left drag</source>
+        <translation>Umschalt+links ziehen</translation>
+    </message>
+    <message>
+        <source>Ctrl+left drag</source>
+        <translation>Strg+links ziehen</translation>
+    </message>
+    <message>
+        <source>right drag</source>
+        <translation>rechts ziehen</translation>
+    </message>
+    <message>
+        <source>On the 3-D view</source>
+        <translation>Auf der 3-D-Ansicht</translation>
+    </message>
+    <message>
+        <source>in 3-D or a slice, then in the image: one pair</source>
+        <translation>in 3-D oder einer Schicht, dann im Bild: ein Paar</translation>
+    </message>
+    <message>
+        <source>a node of the vessels to its place, or a cross elsewhere</source>
+        <translation>ein Gefäßknoten an seinen Ort, oder ein Kreuz anderswohin</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>place the vessels by the pairs</source>
+        <translation>die Gefäße nach den Paaren legen</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>remove the last pair</source>
+        <translation>das letzte Paar entfernen</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>click curves that are no vessels</source>
+        <translation>Kurven anklicken, die keine Gefäße sind</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>erase with a brush; [ ] its size</source>
+        <translation>mit dem Pinsel radieren; [ ] Größe</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>draw: Enter ends, Backspace takes a point back, Shift straight</source>
+        <translation>zeichnen: Eingabe beendet, Rücktaste nimmt zurück, Umschalt gerade</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>cut a curve</source>
+        <translation>Kurve trennen</translation>
+    </message>
+    <message>
+        <source>B L</source>
+        <translation>B L</translation>
+    </message>
+    <message>
+        <source>box or lasso around what counts; Ctrl: around what does not</source>
+        <translation>Rahmen oder Lasso um das, was zählt; Strg: um das Übrige</translation>
+    </message>
+    <message>
+        <source>✓ ✗</source>
+        <translation>✓ ✗</translation>
+    </message>
+    <message>
+        <source>dashed curves may be a catheter: keep or leave out</source>
+        <translation>gestrichelte Kurven sind vielleicht ein Katheter: behalten oder weglassen</translation>
+    </message>
+    <message>
+        <source>click, left drag, Ctrl+arrows</source>
+        <translation>klicken, links ziehen, Strg+Pfeile</translation>
+    </message>
+    <message>
+        <source>cross-hair, linked with all views</source>
+        <translation>Fadenkreuz, mit allen Ansichten verbunden</translation>
+    </message>
+    <message>
+        <source>picks the point at the cross-hair, as a click does</source>
+        <translation>wählt den Punkt am Fadenkreuz wie ein Klick</translation>
+    </message>
+    <message>
+        <source>wheel, ↑ ↓, PgUp PgDn</source>
+        <translation>Rad, ↑ ↓, Bild↑ Bild↓</translation>
+    </message>
+    <message>
+        <source>slices (Shift 10)</source>
+        <translation>Schichten (Umschalt 10)</translation>
+    </message>
+    <message>
+        <source>window and level; a right click opens the menu</source>
+        <translation>Fensterung; ein Rechtsklick öffnet das Menü</translation>
+    </message>
+    <message>
+        <source>middle drag, Ctrl+wheel</source>
+        <translation>Mitte ziehen, Strg+Rad</translation>
+    </message>
+    <message>
+        <source>pan and zoom</source>
+        <translation>verschieben und zoomen</translation>
+    </message>
+    <message>
+        <source>all slices large, and back</source>
+        <translation>alle Schichten groß, und zurück</translation>
+    </message>
+    <message>
+        <source>While clicking landmarks</source>
+        <translation>Beim Klicken von Landmarken</translation>
+    </message>
+    <message>
+        <source>While editing vessels</source>
+        <translation>Beim Bearbeiten der Gefäße</translation>
+    </message>
+    <message>
+        <source>On a slice</source>
+        <translation>In einer Schicht</translation>
+    </message>
+    <message>
+        <source>this view alone, and back</source>
+        <translation>nur diese Ansicht, und zurück</translation>
+    </message>
+</context>
+<context>
     <name>ui::KeySheet</name>
     <message>
         <source>Keys</source>
@@ -5141,6 +5859,21 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Lasso: draw around the auxiliary branches, Shift adds, Ctrl removes, Esc ends</source>
         <translation>Lasso: Hilfsäste umfahren, Umschalt fügt hinzu, Strg entfernt, Esc beendet</translation>
+    </message>
+</context>
+<context>
+    <name>ui::MainWindow</name>
+    <message>
+        <source>AngioPose: angiogram</source>
+        <translation>AngioPose: Angiogramm</translation>
+    </message>
+    <message>
+        <source>AngioPose: 3-D and slices</source>
+        <translation>AngioPose: 3-D und Schichten</translation>
+    </message>
+    <message>
+        <source>AngioPose: slices</source>
+        <translation>AngioPose: Schichten</translation>
     </message>
 </context>
 <context>
@@ -5871,6 +6604,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>From the values of this scan; right drag in a slice changes it by hand.</source>
         <translation>Aus den Werten dieses CT; rechts ziehen in einer Schicht ändert von Hand.</translation>
     </message>
+    <message>
+        <source>Own window</source>
+        <translation>Eigenes Fenster</translation>
+    </message>
+    <message>
+        <source>The slices in a window of their own, and back (F9)</source>
+        <translation>Die Schichten in eigenem Fenster, und zurück (F9)</translation>
+    </message>
 </context>
 <context>
     <name>ui::SnapshotPanel</name>
@@ -6185,6 +6926,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
+    <name>ui::ViewFrame</name>
+    <message>
+        <source>In a window of its own</source>
+        <translation>In einem eigenen Fenster</translation>
+    </message>
+    <message>
+        <source>Bring it back</source>
+        <translation>Zurückholen</translation>
+    </message>
+</context>
+<context>
     <name>ui::VtkView</name>
     <message>
         <source>The 3-D view needs OpenGL 3.2, which this display does not offer. Everything else works. Try LIBGL_ALWAYS_SOFTWARE=1, or install libgl1-mesa-dri.</source>
@@ -6216,696 +6968,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>%1 (missing)</source>
         <translation>%1 (fehlt)</translation>
-    </message>
-</context>
-<context>
-    <name>ui::CommandTable</name>
-    <message>
-        <source>Open …</source>
-        <translation>Öffnen …</translation>
-    </message>
-    <message>
-        <source>Open DICOM folder …</source>
-        <translation>DICOM-Ordner öffnen …</translation>
-    </message>
-    <message>
-        <source>Open sample case</source>
-        <translation>Beispielfall öffnen</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
-        <source>Save as …</source>
-        <translation>Speichern unter …</translation>
-    </message>
-    <message>
-        <source>Export overlay …</source>
-        <translation>Überlagerung exportieren …</translation>
-    </message>
-    <message>
-        <source>Export result …</source>
-        <translation>Ergebnis exportieren …</translation>
-    </message>
-    <message>
-        <source>Export pose …</source>
-        <translation>Lage exportieren …</translation>
-    </message>
-    <message>
-        <source>Export traced vessels …</source>
-        <translation>Erkannte Gefäße exportieren …</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>Beenden</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Wiederholen</translation>
-    </message>
-    <message>
-        <source>Nudge mode</source>
-        <translation>Justiermodus</translation>
-    </message>
-    <message>
-        <source>Back to start pose</source>
-        <translation>Zurück zur Startlage</translation>
-    </message>
-    <message>
-        <source>Copy pose as matrix</source>
-        <translation>Lage als Matrix kopieren</translation>
-    </message>
-    <message>
-        <source>Selected branches auxiliary on or off</source>
-        <translation>Gewählte Äste als Hilfsäste an oder aus</translation>
-    </message>
-    <message>
-        <source>Auxiliary: the branches in view</source>
-        <translation>Hilfsäste: die im Blickfeld</translation>
-    </message>
-    <message>
-        <source>Auxiliary: the wider half</source>
-        <translation>Hilfsäste: die weitere Hälfte</translation>
-    </message>
-    <message>
-        <source>Exclude or include selected branches</source>
-        <translation>Gewählte Äste aus- oder einschließen</translation>
-    </message>
-    <message>
-        <source>Select all branches</source>
-        <translation>Alle Äste wählen</translation>
-    </message>
-    <message>
-        <source>Register</source>
-        <translation>Registrieren</translation>
-    </message>
-    <message>
-        <source>Stop and keep the best pose</source>
-        <translation>Anhalten und beste Lage behalten</translation>
-    </message>
-    <message>
-        <source>Fit the image to the window</source>
-        <translation>Bild in das Fenster einpassen</translation>
-    </message>
-    <message>
-        <source>Automatic brightness</source>
-        <translation>Automatische Fensterung</translation>
-    </message>
-    <message>
-        <source>Invert grey values</source>
-        <translation>Grauwerte umkehren</translation>
-    </message>
-    <message>
-        <source>Brightness: every grey value</source>
-        <translation>Fensterung: alle Grauwerte</translation>
-    </message>
-    <message>
-        <source>More contrast</source>
-        <translation>Mehr Kontrast</translation>
-    </message>
-    <message>
-        <source>Less contrast</source>
-        <translation>Weniger Kontrast</translation>
-    </message>
-    <message>
-        <source>Vessels: centreline, outline, tube</source>
-        <translation>Gefäße: Mittellinie, Umriss, Röhre</translation>
-    </message>
-    <message>
-        <source>Near vessels bright, far ones dim</source>
-        <translation>Nahe Gefäße hell, ferne dunkel</translation>
-    </message>
-    <message>
-        <source>Swipe, lens, off</source>
-        <translation>Wischen, Lupe, aus</translation>
-    </message>
-    <message>
-        <source>Zoom to the worst branch, the next</source>
-        <translation>Zum schlechtesten Ast zoomen, zum nächsten</translation>
-    </message>
-    <message>
-        <source>Show traced vessels</source>
-        <translation>Erkannte Gefäße zeigen</translation>
-    </message>
-    <message>
-        <source>Flicker start pose and pose</source>
-        <translation>Startlage und Lage im Wechsel</translation>
-    </message>
-    <message>
-        <source>Replay the last run</source>
-        <translation>Letzten Lauf wiedergeben</translation>
-    </message>
-    <message>
-        <source>Swing along what the image cannot tell</source>
-        <translation>Schwingen, wo das Bild nichts verrät</translation>
-    </message>
-    <message>
-        <source>Show the run&apos;s other solutions</source>
-        <translation>Andere Lösungen des Laufs zeigen</translation>
-    </message>
-    <message>
-        <source>Take the solution shown</source>
-        <translation>Gezeigte Lösung übernehmen</translation>
-    </message>
-    <message>
-        <source>Overlay fainter</source>
-        <translation>Überlagerung schwächer</translation>
-    </message>
-    <message>
-        <source>Overlay stronger</source>
-        <translation>Überlagerung stärker</translation>
-    </message>
-    <message>
-        <source>Play frames</source>
-        <translation>Bilder abspielen</translation>
-    </message>
-    <message>
-        <source>Hide patient identity</source>
-        <translation>Patientendaten verbergen</translation>
-    </message>
-    <message>
-        <source>Reset 3-D view</source>
-        <translation>3-D-Ansicht zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Full screen</source>
-        <translation>Vollbild</translation>
-    </message>
-    <message>
-        <source>Reduce motion</source>
-        <translation>Bewegung verringern</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>Dunkel</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>Hell</translation>
-    </message>
-    <message>
-        <source>As the desktop</source>
-        <translation>Wie der Desktop</translation>
-    </message>
-    <message>
-        <source>About AngioPose</source>
-        <translation>Über AngioPose</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>&amp;Datei</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Bearbeiten</translation>
-    </message>
-    <message>
-        <source>&amp;Registration</source>
-        <translation>&amp;Registrierung</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Ansicht</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>&amp;Hilfe</translation>
-    </message>
-    <message>
-        <source>Theme</source>
-        <translation>Farbschema</translation>
-    </message>
-    <message>
-        <source>Language of the desktop</source>
-        <translation>Sprache des Desktops</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Sprache</translation>
-    </message>
-    <message>
-        <source>Save picture of the window …</source>
-        <translation>Bild des Fensters speichern …</translation>
-    </message>
-    <message>
-        <source>Copy picture of the window</source>
-        <translation>Bild des Fensters kopieren</translation>
-    </message>
-    <message>
-        <source>Radiology: left drag windows</source>
-        <translation>Radiologie: links ziehen fenstert</translation>
-    </message>
-    <message>
-        <source>3D Slicer: left only picks</source>
-        <translation>3D Slicer: links wählt nur</translation>
-    </message>
-    <message>
-        <source>Scroll: left drag runs the frames</source>
-        <translation>Blättern: links ziehen wechselt Bilder</translation>
-    </message>
-    <message>
-        <source>Help on what the mouse points at</source>
-        <translation>Hilfe zu dem, worauf die Maus zeigt</translation>
-    </message>
-    <message>
-        <source>Short tour</source>
-        <translation>Kurzer Rundgang</translation>
-    </message>
-    <message>
-        <source>What a good fit looks like</source>
-        <translation>Wie eine gute Einpassung aussieht</translation>
-    </message>
-    <message>
-        <source>Keys and mouse</source>
-        <translation>Tasten und Maus</translation>
-    </message>
-    <message>
-        <source>Mouse</source>
-        <translation>Maus</translation>
-    </message>
-    <message>
-        <source>Edit traced vessels</source>
-        <translation>Erkannte Gefäße bearbeiten</translation>
-    </message>
-    <message>
-        <source>Trace this frame again</source>
-        <translation>Dieses Bild neu erfassen</translation>
-    </message>
-    <message>
-        <source>Subtract mask, native</source>
-        <translation>Maske abziehen, nativ</translation>
-    </message>
-    <message>
-        <source>Move the mask by hand</source>
-        <translation>Maske von Hand verschieben</translation>
-    </message>
-    <message>
-        <source>This frame is the mask</source>
-        <translation>Dieses Bild ist die Maske</translation>
-    </message>
-    <message>
-        <source>Whole run in one picture</source>
-        <translation>Ganze Serie in einem Bild</translation>
-    </message>
-    <message>
-        <source>Click pairs of landmarks</source>
-        <translation>Landmarkenpaare klicken</translation>
-    </message>
-    <message>
-        <source>Place vessels by landmarks</source>
-        <translation>Gefäße nach Landmarken legen</translation>
-    </message>
-    <message>
-        <source>Auxiliary: draw a lasso</source>
-        <translation>Hilfsäste: Lasso ziehen</translation>
-    </message>
-    <message>
-        <source>Auxiliary: which branches …</source>
-        <translation>Hilfsäste: welche Äste …</translation>
-    </message>
-    <message>
-        <source>Trace the scan again</source>
-        <translation>CT neu erfassen</translation>
-    </message>
-    <message>
-        <source>Find a branch</source>
-        <translation>Ast suchen</translation>
-    </message>
-    <message>
-        <source>Rename branch</source>
-        <translation>Ast umbenennen</translation>
-    </message>
-    <message>
-        <source>Cut branch at the cross-hair</source>
-        <translation>Ast am Fadenkreuz trennen</translation>
-    </message>
-    <message>
-        <source>Join two branches</source>
-        <translation>Zwei Äste verbinden</translation>
-    </message>
-    <message>
-        <source>Smooth branches</source>
-        <translation>Äste glätten</translation>
-    </message>
-    <message>
-        <source>Root at the branch&apos;s end near the cross-hair</source>
-        <translation>Wurzel am Astende beim Fadenkreuz</translation>
-    </message>
-    <message>
-        <source>Hide or show branches</source>
-        <translation>Äste verbergen oder zeigen</translation>
-    </message>
-    <message>
-        <source>Show all branches</source>
-        <translation>Alle Äste zeigen</translation>
-    </message>
-    <message>
-        <source>Delete branches</source>
-        <translation>Äste löschen</translation>
-    </message>
-    <message>
-        <source>Delete branches and what leaves them</source>
-        <translation>Äste und ihre Abgänge löschen</translation>
-    </message>
-    <message>
-        <source>Prune short or thin branches …</source>
-        <translation>Kurze oder dünne Äste ausdünnen …</translation>
-    </message>
-    <message>
-        <source>Join the pieces at the next gap</source>
-        <translation>Stücke an der nächsten Lücke verbinden</translation>
-    </message>
-    <message>
-        <source>Keep this pose</source>
-        <translation>Diese Lage behalten</translation>
-    </message>
-    <message>
-        <source>Switch between poses A and B</source>
-        <translation>Zwischen Lage A und B wechseln</translation>
-    </message>
-    <message>
-        <source>Compare poses and methods …</source>
-        <translation>Lagen und Methoden vergleichen …</translation>
-    </message>
-    <message>
-        <source>Blind observer trial …</source>
-        <translation>Blinder Beobachterversuch …</translation>
-    </message>
-    <message>
-        <source>Trial done</source>
-        <translation>Versuch fertig</translation>
-    </message>
-    <message>
-        <source>Seen from the source (mirrored)</source>
-        <translation>Vom Fokus gesehen (gespiegelt)</translation>
-    </message>
-    <message>
-        <source>Opacification over time</source>
-        <translation>Kontrastfüllung über die Zeit</translation>
-    </message>
-    <message>
-        <source>3-D, axial, coronal, sagittal below the branches</source>
-        <translation>3-D, axial, koronar, sagittal unter den Ästen</translation>
-    </message>
-    <message>
-        <source>Slices instead of the angiogram</source>
-        <translation>Schichten statt Angiogramm</translation>
-    </message>
-    <message>
-        <source>Image alone, without the columns</source>
-        <translation>Bild allein, ohne die Spalten</translation>
-    </message>
-    <message>
-        <source>Ve&amp;ssels</source>
-        <translation>&amp;Gefäße</translation>
-    </message>
-    <message>
-        <source>Start pose from the angles</source>
-        <translation>Startlage aus den Winkeln</translation>
-    </message>
-    <message>
-        <source>This pose is the start pose</source>
-        <translation>Diese Lage ist die Startlage</translation>
-    </message>
-    <message>
-        <source>&amp;Angiogram</source>
-        <translation>A&amp;ngiogramm</translation>
-    </message>
-    <message>
-        <source>&amp;Pose</source>
-        <translation>&amp;Lage</translation>
-    </message>
-</context>
-<context>
-    <name>ui::KeyNotes</name>
-    <message>
-        <source>← → ↑ ↓</source>
-        <translation>← → ↑ ↓</translation>
-    </message>
-    <message>
-        <source>move by 1 mm (Shift 10 mm, Ctrl 0.1 mm)</source>
-        <translation>schieben um 1 mm (Umschalt 10 mm, Strg 0.1 mm)</translation>
-    </message>
-    <message>
-        <source>PgUp PgDn</source>
-        <translation>Bild↑ Bild↓</translation>
-    </message>
-    <message>
-        <source>move away from or to the source</source>
-        <translation>vom Fokus weg oder zu ihm hin</translation>
-    </message>
-    <message>
-        <source>, .</source>
-        <translation>, .</translation>
-    </message>
-    <message>
-        <source>roll by 1°</source>
-        <translation>rollen um 1°</translation>
-    </message>
-    <message>
-        <source>Alt+arrows</source>
-        <translation>Alt+Pfeile</translation>
-    </message>
-    <message>
-        <source>turn LAO/RAO and CRA/CAU by 1°</source>
-        <translation>LAO/RAO und CRA/CAU um 1° drehen</translation>
-    </message>
-    <message>
-        <source>drag</source>
-        <translation>ziehen</translation>
-    </message>
-    <message>
-        <source>left drag</source>
-        <translation>links ziehen</translation>
-    </message>
-    <message>
-        <source>window and level</source>
-        <translation>Fensterung</translation>
-    </message>
-    <message>
-        <source>middle drag</source>
-        <translation>Mitte ziehen</translation>
-    </message>
-    <message>
-        <source>pan</source>
-        <translation>verschieben</translation>
-    </message>
-    <message>
-        <source>zoom</source>
-        <translation>zoomen</translation>
-    </message>
-    <message>
-        <source>wheel, ↑ ↓, Home, End</source>
-        <translation>Rad, ↑ ↓, Pos1, Ende</translation>
-    </message>
-    <message>
-        <source>frames</source>
-        <translation>Bilder</translation>
-    </message>
-    <message>
-        <source>H (hold)</source>
-        <translation>H (halten)</translation>
-    </message>
-    <message>
-        <source>hide the overlay</source>
-        <translation>Überlagerung verbergen</translation>
-    </message>
-    <message>
-        <source>click</source>
-        <translation>klicken</translation>
-    </message>
-    <message>
-        <source>pick a branch (Ctrl adds)</source>
-        <translation>Ast wählen (Strg fügt hinzu)</translation>
-    </message>
-    <message>
-        <source>In nudge mode</source>
-        <translation>Im Justiermodus</translation>
-    </message>
-    <message>
-        <source>On the angiogram</source>
-        <translation>Auf dem Angiogramm</translation>
-    </message>
-    <message>
-        <source>move; on the ring roll; Esc takes it back, then ends the mode</source>
-        <translation>schieben; am Ring drehen; Esc nimmt zurück, dann endet der Modus</translation>
-    </message>
-    <message>
-        <source>Ctrl+wheel</source>
-        <translation>Strg+Rad</translation>
-    </message>
-    <message>
-        <source>right click</source>
-        <translation>Rechtsklick</translation>
-    </message>
-    <message>
-        <source>menu of what can be done here</source>
-        <translation>Menü mit dem, was hier möglich ist</translation>
-    </message>
-    <message>
-        <source>left drag, arrows</source>
-        <translation>links ziehen, Pfeile</translation>
-    </message>
-    <message>
-        <source>turn</source>
-        <translation>drehen</translation>
-    </message>
-    <message>
-        <source>right drag, wheel, + −</source>
-        <translation>rechts ziehen, Rad, + −</translation>
-    </message>
-    <message>
-        <source>double click</source>
-        <translation>Doppelklick</translation>
-    </message>
-    <message>
-        <source>everything in view again</source>
-        <translation>wieder alles im Blick</translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation>nichts</translation>
-    </message>
-    <message>
-        <source>Shift+left drag</source>
-        <translation>Umschalt+links ziehen</translation>
-    </message>
-    <message>
-        <source>Ctrl+left drag</source>
-        <translation>Strg+links ziehen</translation>
-    </message>
-    <message>
-        <source>right drag</source>
-        <translation>rechts ziehen</translation>
-    </message>
-    <message>
-        <source>On the 3-D view</source>
-        <translation>Auf der 3-D-Ansicht</translation>
-    </message>
-    <message>
-        <source>in 3-D or a slice, then in the image: one pair</source>
-        <translation>in 3-D oder einer Schicht, dann im Bild: ein Paar</translation>
-    </message>
-    <message>
-        <source>a node of the vessels to its place, or a cross elsewhere</source>
-        <translation>ein Gefäßknoten an seinen Ort, oder ein Kreuz anderswohin</translation>
-    </message>
-    <message>
-        <source>Enter</source>
-        <translation>Eingabe</translation>
-    </message>
-    <message>
-        <source>place the vessels by the pairs</source>
-        <translation>die Gefäße nach den Paaren legen</translation>
-    </message>
-    <message>
-        <source>Del</source>
-        <translation>Entf</translation>
-    </message>
-    <message>
-        <source>remove the last pair</source>
-        <translation>das letzte Paar entfernen</translation>
-    </message>
-    <message>
-        <source>X</source>
-        <translation>X</translation>
-    </message>
-    <message>
-        <source>click curves that are no vessels</source>
-        <translation>Kurven anklicken, die keine Gefäße sind</translation>
-    </message>
-    <message>
-        <source>E</source>
-        <translation>E</translation>
-    </message>
-    <message>
-        <source>erase with a brush; [ ] its size</source>
-        <translation>mit dem Pinsel radieren; [ ] Größe</translation>
-    </message>
-    <message>
-        <source>D</source>
-        <translation>D</translation>
-    </message>
-    <message>
-        <source>draw: Enter ends, Backspace takes a point back, Shift straight</source>
-        <translation>zeichnen: Eingabe beendet, Rücktaste nimmt zurück, Umschalt gerade</translation>
-    </message>
-    <message>
-        <source>C</source>
-        <translation>C</translation>
-    </message>
-    <message>
-        <source>cut a curve</source>
-        <translation>Kurve trennen</translation>
-    </message>
-    <message>
-        <source>B L</source>
-        <translation>B L</translation>
-    </message>
-    <message>
-        <source>box or lasso around what counts; Ctrl: around what does not</source>
-        <translation>Rahmen oder Lasso um das, was zählt; Strg: um das Übrige</translation>
-    </message>
-    <message>
-        <source>✓ ✗</source>
-        <translation>✓ ✗</translation>
-    </message>
-    <message>
-        <source>dashed curves may be a catheter: keep or leave out</source>
-        <translation>gestrichelte Kurven sind vielleicht ein Katheter: behalten oder weglassen</translation>
-    </message>
-    <message>
-        <source>click, left drag, Ctrl+arrows</source>
-        <translation>klicken, links ziehen, Strg+Pfeile</translation>
-    </message>
-    <message>
-        <source>cross-hair, linked with all views</source>
-        <translation>Fadenkreuz, mit allen Ansichten verbunden</translation>
-    </message>
-    <message>
-        <source>picks the point at the cross-hair, as a click does</source>
-        <translation>wählt den Punkt am Fadenkreuz wie ein Klick</translation>
-    </message>
-    <message>
-        <source>wheel, ↑ ↓, PgUp PgDn</source>
-        <translation>Rad, ↑ ↓, Bild↑ Bild↓</translation>
-    </message>
-    <message>
-        <source>slices (Shift 10)</source>
-        <translation>Schichten (Umschalt 10)</translation>
-    </message>
-    <message>
-        <source>window and level; a right click opens the menu</source>
-        <translation>Fensterung; ein Rechtsklick öffnet das Menü</translation>
-    </message>
-    <message>
-        <source>middle drag, Ctrl+wheel</source>
-        <translation>Mitte ziehen, Strg+Rad</translation>
-    </message>
-    <message>
-        <source>pan and zoom</source>
-        <translation>verschieben und zoomen</translation>
-    </message>
-    <message>
-        <source>all slices large, and back</source>
-        <translation>alle Schichten groß, und zurück</translation>
-    </message>
-    <message>
-        <source>While clicking landmarks</source>
-        <translation>Beim Klicken von Landmarken</translation>
-    </message>
-    <message>
-        <source>While editing vessels</source>
-        <translation>Beim Bearbeiten der Gefäße</translation>
-    </message>
-    <message>
-        <source>On a slice</source>
-        <translation>In einer Schicht</translation>
     </message>
 </context>
 <context>

@@ -4467,6 +4467,449 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
+    <name>ui::CommandTable</name>
+    <message>
+        <source>Open …</source>
+        <translation>打开……</translation>
+    </message>
+    <message>
+        <source>Open DICOM folder …</source>
+        <translation>打开 DICOM 文件夹……</translation>
+    </message>
+    <message>
+        <source>Open sample case</source>
+        <translation>打开示例病例</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Save as …</source>
+        <translation>另存为……</translation>
+    </message>
+    <message>
+        <source>Export overlay …</source>
+        <translation>导出叠加图……</translation>
+    </message>
+    <message>
+        <source>Export result …</source>
+        <translation>导出结果……</translation>
+    </message>
+    <message>
+        <source>Export pose …</source>
+        <translation>导出位姿……</translation>
+    </message>
+    <message>
+        <source>Export traced vessels …</source>
+        <translation>导出提取的血管……</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>退出</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>Nudge mode</source>
+        <translation>微调模式</translation>
+    </message>
+    <message>
+        <source>Back to start pose</source>
+        <translation>回到初始位姿</translation>
+    </message>
+    <message>
+        <source>Copy pose as matrix</source>
+        <translation>以矩阵复制位姿</translation>
+    </message>
+    <message>
+        <source>Selected branches auxiliary on or off</source>
+        <translation>所选分支辅助开/关</translation>
+    </message>
+    <message>
+        <source>Auxiliary: the branches in view</source>
+        <translation>辅助：视野内的分支</translation>
+    </message>
+    <message>
+        <source>Auxiliary: the wider half</source>
+        <translation>辅助：较粗的一半</translation>
+    </message>
+    <message>
+        <source>Exclude or include selected branches</source>
+        <translation>排除或恢复所选分支</translation>
+    </message>
+    <message>
+        <source>Select all branches</source>
+        <translation>选择所有分支</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>配准</translation>
+    </message>
+    <message>
+        <source>Stop and keep the best pose</source>
+        <translation>停止并保留最佳位姿</translation>
+    </message>
+    <message>
+        <source>Fit the image to the window</source>
+        <translation>图像适合窗口</translation>
+    </message>
+    <message>
+        <source>Automatic brightness</source>
+        <translation>自动窗宽窗位</translation>
+    </message>
+    <message>
+        <source>Invert grey values</source>
+        <translation>灰度反转</translation>
+    </message>
+    <message>
+        <source>Brightness: every grey value</source>
+        <translation>窗宽：全部灰度</translation>
+    </message>
+    <message>
+        <source>More contrast</source>
+        <translation>增强对比度</translation>
+    </message>
+    <message>
+        <source>Less contrast</source>
+        <translation>降低对比度</translation>
+    </message>
+    <message>
+        <source>Vessels: centreline, outline, tube</source>
+        <translation>血管：中心线、轮廓、管状</translation>
+    </message>
+    <message>
+        <source>Near vessels bright, far ones dim</source>
+        <translation>近处血管亮、远处血管暗</translation>
+    </message>
+    <message>
+        <source>Swipe, lens, off</source>
+        <translation>卷帘、透镜、关闭</translation>
+    </message>
+    <message>
+        <source>Zoom to the worst branch, the next</source>
+        <translation>放大最差分支，再下一个</translation>
+    </message>
+    <message>
+        <source>Show traced vessels</source>
+        <translation>显示提取的血管</translation>
+    </message>
+    <message>
+        <source>Flicker start pose and pose</source>
+        <translation>初始与当前位姿闪烁对比</translation>
+    </message>
+    <message>
+        <source>Replay the last run</source>
+        <translation>回放上次配准</translation>
+    </message>
+    <message>
+        <source>Swing along what the image cannot tell</source>
+        <translation>沿图像无法确定的方向摆动</translation>
+    </message>
+    <message>
+        <source>Show the run&apos;s other solutions</source>
+        <translation>显示其他解</translation>
+    </message>
+    <message>
+        <source>Take the solution shown</source>
+        <translation>采用所示解</translation>
+    </message>
+    <message>
+        <source>Overlay fainter</source>
+        <translation>叠加图变淡</translation>
+    </message>
+    <message>
+        <source>Overlay stronger</source>
+        <translation>叠加图变浓</translation>
+    </message>
+    <message>
+        <source>Play frames</source>
+        <translation>播放帧</translation>
+    </message>
+    <message>
+        <source>Hide patient identity</source>
+        <translation>隐藏患者信息</translation>
+    </message>
+    <message>
+        <source>Reset 3-D view</source>
+        <translation>重置三维视图</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>全屏</translation>
+    </message>
+    <message>
+        <source>Reduce motion</source>
+        <translation>减少动画</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>跟随桌面</translation>
+    </message>
+    <message>
+        <source>About AngioPose</source>
+        <translation>关于 AngioPose</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Registration</source>
+        <translation>配准(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Language of the desktop</source>
+        <translation>桌面语言</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>Save picture of the window …</source>
+        <translation>保存窗口图片……</translation>
+    </message>
+    <message>
+        <source>Copy picture of the window</source>
+        <translation>复制窗口图片</translation>
+    </message>
+    <message>
+        <source>Radiology: left drag windows</source>
+        <translation>放射科：左键拖动调窗</translation>
+    </message>
+    <message>
+        <source>3D Slicer: left only picks</source>
+        <translation>3D Slicer：左键仅选择</translation>
+    </message>
+    <message>
+        <source>Scroll: left drag runs the frames</source>
+        <translation>滚动：左键拖动换帧</translation>
+    </message>
+    <message>
+        <source>Help on what the mouse points at</source>
+        <translation>鼠标所指内容的帮助</translation>
+    </message>
+    <message>
+        <source>Short tour</source>
+        <translation>简短导览</translation>
+    </message>
+    <message>
+        <source>What a good fit looks like</source>
+        <translation>好的配准是什么样</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>快捷键与鼠标</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>鼠标</translation>
+    </message>
+    <message>
+        <source>Edit traced vessels</source>
+        <translation>编辑提取的血管</translation>
+    </message>
+    <message>
+        <source>Trace this frame again</source>
+        <translation>重新提取此帧</translation>
+    </message>
+    <message>
+        <source>Subtract mask, native</source>
+        <translation>减影、原始</translation>
+    </message>
+    <message>
+        <source>Move the mask by hand</source>
+        <translation>手动移动蒙片</translation>
+    </message>
+    <message>
+        <source>This frame is the mask</source>
+        <translation>以此帧为蒙片</translation>
+    </message>
+    <message>
+        <source>Whole run in one picture</source>
+        <translation>整个序列合成一幅</translation>
+    </message>
+    <message>
+        <source>Click pairs of landmarks</source>
+        <translation>点选标志点对</translation>
+    </message>
+    <message>
+        <source>Place vessels by landmarks</source>
+        <translation>按标志点放置血管</translation>
+    </message>
+    <message>
+        <source>Auxiliary: draw a lasso</source>
+        <translation>辅助：套索圈选</translation>
+    </message>
+    <message>
+        <source>Auxiliary: which branches …</source>
+        <translation>辅助：选择哪些分支……</translation>
+    </message>
+    <message>
+        <source>Trace the scan again</source>
+        <translation>重新提取扫描</translation>
+    </message>
+    <message>
+        <source>Find a branch</source>
+        <translation>查找分支</translation>
+    </message>
+    <message>
+        <source>Rename branch</source>
+        <translation>重命名分支</translation>
+    </message>
+    <message>
+        <source>Cut branch at the cross-hair</source>
+        <translation>在十字线处切断分支</translation>
+    </message>
+    <message>
+        <source>Join two branches</source>
+        <translation>连接两个分支</translation>
+    </message>
+    <message>
+        <source>Smooth branches</source>
+        <translation>平滑分支</translation>
+    </message>
+    <message>
+        <source>Root at the branch&apos;s end near the cross-hair</source>
+        <translation>以十字线附近分支端为根</translation>
+    </message>
+    <message>
+        <source>Hide or show branches</source>
+        <translation>隐藏或显示分支</translation>
+    </message>
+    <message>
+        <source>Show all branches</source>
+        <translation>显示所有分支</translation>
+    </message>
+    <message>
+        <source>Delete branches</source>
+        <translation>删除分支</translation>
+    </message>
+    <message>
+        <source>Delete branches and what leaves them</source>
+        <translation>删除分支及其分出部分</translation>
+    </message>
+    <message>
+        <source>Prune short or thin branches …</source>
+        <translation>修剪短或细的分支……</translation>
+    </message>
+    <message>
+        <source>Join the pieces at the next gap</source>
+        <translation>在下一间隙处连接</translation>
+    </message>
+    <message>
+        <source>Keep this pose</source>
+        <translation>保留此位姿</translation>
+    </message>
+    <message>
+        <source>Switch between poses A and B</source>
+        <translation>在位姿 A 与 B 间切换</translation>
+    </message>
+    <message>
+        <source>Compare poses and methods …</source>
+        <translation>比较位姿和方法……</translation>
+    </message>
+    <message>
+        <source>Blind observer trial …</source>
+        <translation>观察者盲法试验……</translation>
+    </message>
+    <message>
+        <source>Trial done</source>
+        <translation>试验完成</translation>
+    </message>
+    <message>
+        <source>Seen from the source (mirrored)</source>
+        <translation>从源方向看（镜像）</translation>
+    </message>
+    <message>
+        <source>Opacification over time</source>
+        <translation>充盈随时间变化</translation>
+    </message>
+    <message>
+        <source>3-D, axial, coronal, sagittal below the branches</source>
+        <translation>分支下方：三维、轴位、冠状、矢状</translation>
+    </message>
+    <message>
+        <source>Slices instead of the angiogram</source>
+        <translation>以断层代替造影图像</translation>
+    </message>
+    <message>
+        <source>Image alone, without the columns</source>
+        <translation>仅图像，不显示侧栏</translation>
+    </message>
+    <message>
+        <source>Ve&amp;ssels</source>
+        <translation>血管(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Start pose from the angles</source>
+        <translation>由角度得初始位姿</translation>
+    </message>
+    <message>
+        <source>This pose is the start pose</source>
+        <translation>以此位姿为初始位姿</translation>
+    </message>
+    <message>
+        <source>&amp;Angiogram</source>
+        <translation>造影(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Pose</source>
+        <translation>位姿(&amp;P)</translation>
+    </message>
+    <message>
+        <source>3-D and slices alone</source>
+        <translation>仅显示三维和切片</translation>
+    </message>
+    <message>
+        <source>Angiogram in a window of its own</source>
+        <translation>血管造影用独立窗口</translation>
+    </message>
+    <message>
+        <source>3-D and slices in a window of their own</source>
+        <translation>三维和切片用独立窗口</translation>
+    </message>
+    <message>
+        <source>All slices in a window of their own</source>
+        <translation>全部切片用独立窗口</translation>
+    </message>
+    <message>
+        <source>Views alone and in windows</source>
+        <translation>视图独占与独立窗口</translation>
+    </message>
+</context>
+<context>
     <name>ui::ConvergencePlot</name>
     <message>
         <source>Convergence</source>
@@ -4488,8 +4931,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>所有断层，放大</translation>
     </message>
     <message>
-        <source>All slices, large (M)</source>
-        <translation>所有断层，放大（M）</translation>
+        <source>Only this view in the window, and back</source>
+        <translation>窗口内仅此视图，再次恢复</translation>
+    </message>
+    <message>
+        <source>In a window of its own, and back</source>
+        <translation>独立窗口，再次移回</translation>
+    </message>
+    <message>
+        <source>Double click: only this view in the window, and back (5)</source>
+        <translation>双击：窗口内仅此视图，再次恢复（5）</translation>
     </message>
 </context>
 <context>
@@ -5008,6 +5459,273 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
+    <name>ui::KeyNotes</name>
+    <message>
+        <source>← → ↑ ↓</source>
+        <translation>← → ↑ ↓</translation>
+    </message>
+    <message>
+        <source>move by 1 mm (Shift 10 mm, Ctrl 0.1 mm)</source>
+        <translation>平移 1 mm（Shift 10 mm，Ctrl 0.1 mm）</translation>
+    </message>
+    <message>
+        <source>PgUp PgDn</source>
+        <translation>PgUp PgDn</translation>
+    </message>
+    <message>
+        <source>move away from or to the source</source>
+        <translation>远离或靠近射线源</translation>
+    </message>
+    <message>
+        <source>, .</source>
+        <translation>, .</translation>
+    </message>
+    <message>
+        <source>roll by 1°</source>
+        <translation>滚转 1°</translation>
+    </message>
+    <message>
+        <source>Alt+arrows</source>
+        <translation>Alt+方向键</translation>
+    </message>
+    <message>
+        <source>turn LAO/RAO and CRA/CAU by 1°</source>
+        <translation>转动 LAO/RAO 和 CRA/CAU 1°</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>拖动</translation>
+    </message>
+    <message>
+        <source>left drag</source>
+        <translation>左键拖动</translation>
+    </message>
+    <message>
+        <source>window and level</source>
+        <translation>窗宽窗位</translation>
+    </message>
+    <message>
+        <source>middle drag</source>
+        <translation>中键拖动</translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation>平移图像</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>wheel, ↑ ↓, Home, End</source>
+        <translation>滚轮、↑ ↓、Home、End</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>H (hold)</source>
+        <translation>H（按住）</translation>
+    </message>
+    <message>
+        <source>hide the overlay</source>
+        <translation>隐藏叠加图</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>单击</translation>
+    </message>
+    <message>
+        <source>pick a branch (Ctrl adds)</source>
+        <translation>选择分支（Ctrl 追加）</translation>
+    </message>
+    <message>
+        <source>In nudge mode</source>
+        <translation>微调模式下</translation>
+    </message>
+    <message>
+        <source>On the angiogram</source>
+        <translation>在造影图像上</translation>
+    </message>
+    <message>
+        <source>move; on the ring roll; Esc takes it back, then ends the mode</source>
+        <translation>平移；在圆环上旋转；Esc 取消，再按结束模式</translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel</source>
+        <translation>Ctrl+滚轮</translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation>右键单击</translation>
+    </message>
+    <message>
+        <source>menu of what can be done here</source>
+        <translation>此处可用操作的菜单</translation>
+    </message>
+    <message>
+        <source>left drag, arrows</source>
+        <translation>左键拖动、方向键</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>right drag, wheel, + −</source>
+        <translation>右键拖动、滚轮、+ −</translation>
+    </message>
+    <message>
+        <source>double click</source>
+        <translation>双击</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Shift+left drag</source>
+        <translation>Shift+左键拖动</translation>
+    </message>
+    <message>
+        <source>Ctrl+left drag</source>
+        <translation>Ctrl+左键拖动</translation>
+    </message>
+    <message>
+        <source>right drag</source>
+        <translation>右键拖动</translation>
+    </message>
+    <message>
+        <source>On the 3-D view</source>
+        <translation>在三维视图上</translation>
+    </message>
+    <message>
+        <source>in 3-D or a slice, then in the image: one pair</source>
+        <translation>先在三维或断层，再在图像：一对</translation>
+    </message>
+    <message>
+        <source>a node of the vessels to its place, or a cross elsewhere</source>
+        <translation>将血管节点拖到其位置，或移动十字</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>回车</translation>
+    </message>
+    <message>
+        <source>place the vessels by the pairs</source>
+        <translation>按点对放置血管</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>remove the last pair</source>
+        <translation>移除最后一对</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>click curves that are no vessels</source>
+        <translation>单击非血管曲线</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>erase with a brush; [ ] its size</source>
+        <translation>用笔刷擦除；[ ] 大小</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>draw: Enter ends, Backspace takes a point back, Shift straight</source>
+        <translation>绘制：回车结束，退格撤一点，Shift 直线</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>cut a curve</source>
+        <translation>切断曲线</translation>
+    </message>
+    <message>
+        <source>B L</source>
+        <translation>B L</translation>
+    </message>
+    <message>
+        <source>box or lasso around what counts; Ctrl: around what does not</source>
+        <translation>框选或套索有效部分；Ctrl：无效部分</translation>
+    </message>
+    <message>
+        <source>✓ ✗</source>
+        <translation>✓ ✗</translation>
+    </message>
+    <message>
+        <source>dashed curves may be a catheter: keep or leave out</source>
+        <translation>虚线可能为导管：保留或排除</translation>
+    </message>
+    <message>
+        <source>click, left drag, Ctrl+arrows</source>
+        <translation>单击、左键拖动、Ctrl+方向键</translation>
+    </message>
+    <message>
+        <source>cross-hair, linked with all views</source>
+        <translation>十字线，与所有视图联动</translation>
+    </message>
+    <message>
+        <source>picks the point at the cross-hair, as a click does</source>
+        <translation>选取十字线处的点，同单击</translation>
+    </message>
+    <message>
+        <source>wheel, ↑ ↓, PgUp PgDn</source>
+        <translation>滚轮、↑ ↓、PgUp PgDn</translation>
+    </message>
+    <message>
+        <source>slices (Shift 10)</source>
+        <translation>层面（Shift 10）</translation>
+    </message>
+    <message>
+        <source>window and level; a right click opens the menu</source>
+        <translation>窗宽窗位；右键单击打开菜单</translation>
+    </message>
+    <message>
+        <source>middle drag, Ctrl+wheel</source>
+        <translation>中键拖动、Ctrl+滚轮</translation>
+    </message>
+    <message>
+        <source>pan and zoom</source>
+        <translation>平移和缩放</translation>
+    </message>
+    <message>
+        <source>all slices large, and back</source>
+        <translation>所有断层放大，再返回</translation>
+    </message>
+    <message>
+        <source>While clicking landmarks</source>
+        <translation>点选标志点时</translation>
+    </message>
+    <message>
+        <source>While editing vessels</source>
+        <translation>编辑血管时</translation>
+    </message>
+    <message>
+        <source>On a slice</source>
+        <translation>在断层上</translation>
+    </message>
+    <message>
+        <source>this view alone, and back</source>
+        <translation>仅显示此视图，再次恢复</translation>
+    </message>
+</context>
+<context>
     <name>ui::KeySheet</name>
     <message>
         <source>Keys</source>
@@ -5141,6 +5859,21 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Lasso: draw around the auxiliary branches, Shift adds, Ctrl removes, Esc ends</source>
         <translation>套索：圈选辅助分支，Shift 追加，Ctrl 移除，Esc 结束</translation>
+    </message>
+</context>
+<context>
+    <name>ui::MainWindow</name>
+    <message>
+        <source>AngioPose: angiogram</source>
+        <translation>AngioPose：血管造影</translation>
+    </message>
+    <message>
+        <source>AngioPose: 3-D and slices</source>
+        <translation>AngioPose：三维和切片</translation>
+    </message>
+    <message>
+        <source>AngioPose: slices</source>
+        <translation>AngioPose：切片</translation>
     </message>
 </context>
 <context>
@@ -5870,6 +6603,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>From the values of this scan; right drag in a slice changes it by hand.</source>
         <translation>取自此扫描的数值；在断层上右键拖动可手动调整。</translation>
     </message>
+    <message>
+        <source>Own window</source>
+        <translation>独立窗口</translation>
+    </message>
+    <message>
+        <source>The slices in a window of their own, and back (F9)</source>
+        <translation>切片用独立窗口，再次移回（F9）</translation>
+    </message>
 </context>
 <context>
     <name>ui::SnapshotPanel</name>
@@ -6184,6 +6925,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
+    <name>ui::ViewFrame</name>
+    <message>
+        <source>In a window of its own</source>
+        <translation>在独立窗口中</translation>
+    </message>
+    <message>
+        <source>Bring it back</source>
+        <translation>移回</translation>
+    </message>
+</context>
+<context>
     <name>ui::VtkView</name>
     <message>
         <source>The 3-D view needs OpenGL 3.2, which this display does not offer. Everything else works. Try LIBGL_ALWAYS_SOFTWARE=1, or install libgl1-mesa-dri.</source>
@@ -6215,696 +6967,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>%1 (missing)</source>
         <translation>%1（缺失）</translation>
-    </message>
-</context>
-<context>
-    <name>ui::CommandTable</name>
-    <message>
-        <source>Open …</source>
-        <translation>打开……</translation>
-    </message>
-    <message>
-        <source>Open DICOM folder …</source>
-        <translation>打开 DICOM 文件夹……</translation>
-    </message>
-    <message>
-        <source>Open sample case</source>
-        <translation>打开示例病例</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>保存</translation>
-    </message>
-    <message>
-        <source>Save as …</source>
-        <translation>另存为……</translation>
-    </message>
-    <message>
-        <source>Export overlay …</source>
-        <translation>导出叠加图……</translation>
-    </message>
-    <message>
-        <source>Export result …</source>
-        <translation>导出结果……</translation>
-    </message>
-    <message>
-        <source>Export pose …</source>
-        <translation>导出位姿……</translation>
-    </message>
-    <message>
-        <source>Export traced vessels …</source>
-        <translation>导出提取的血管……</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>退出</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>撤销</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>重做</translation>
-    </message>
-    <message>
-        <source>Nudge mode</source>
-        <translation>微调模式</translation>
-    </message>
-    <message>
-        <source>Back to start pose</source>
-        <translation>回到初始位姿</translation>
-    </message>
-    <message>
-        <source>Copy pose as matrix</source>
-        <translation>以矩阵复制位姿</translation>
-    </message>
-    <message>
-        <source>Selected branches auxiliary on or off</source>
-        <translation>所选分支辅助开/关</translation>
-    </message>
-    <message>
-        <source>Auxiliary: the branches in view</source>
-        <translation>辅助：视野内的分支</translation>
-    </message>
-    <message>
-        <source>Auxiliary: the wider half</source>
-        <translation>辅助：较粗的一半</translation>
-    </message>
-    <message>
-        <source>Exclude or include selected branches</source>
-        <translation>排除或恢复所选分支</translation>
-    </message>
-    <message>
-        <source>Select all branches</source>
-        <translation>选择所有分支</translation>
-    </message>
-    <message>
-        <source>Register</source>
-        <translation>配准</translation>
-    </message>
-    <message>
-        <source>Stop and keep the best pose</source>
-        <translation>停止并保留最佳位姿</translation>
-    </message>
-    <message>
-        <source>Fit the image to the window</source>
-        <translation>图像适合窗口</translation>
-    </message>
-    <message>
-        <source>Automatic brightness</source>
-        <translation>自动窗宽窗位</translation>
-    </message>
-    <message>
-        <source>Invert grey values</source>
-        <translation>灰度反转</translation>
-    </message>
-    <message>
-        <source>Brightness: every grey value</source>
-        <translation>窗宽：全部灰度</translation>
-    </message>
-    <message>
-        <source>More contrast</source>
-        <translation>增强对比度</translation>
-    </message>
-    <message>
-        <source>Less contrast</source>
-        <translation>降低对比度</translation>
-    </message>
-    <message>
-        <source>Vessels: centreline, outline, tube</source>
-        <translation>血管：中心线、轮廓、管状</translation>
-    </message>
-    <message>
-        <source>Near vessels bright, far ones dim</source>
-        <translation>近处血管亮、远处血管暗</translation>
-    </message>
-    <message>
-        <source>Swipe, lens, off</source>
-        <translation>卷帘、透镜、关闭</translation>
-    </message>
-    <message>
-        <source>Zoom to the worst branch, the next</source>
-        <translation>放大最差分支，再下一个</translation>
-    </message>
-    <message>
-        <source>Show traced vessels</source>
-        <translation>显示提取的血管</translation>
-    </message>
-    <message>
-        <source>Flicker start pose and pose</source>
-        <translation>初始与当前位姿闪烁对比</translation>
-    </message>
-    <message>
-        <source>Replay the last run</source>
-        <translation>回放上次配准</translation>
-    </message>
-    <message>
-        <source>Swing along what the image cannot tell</source>
-        <translation>沿图像无法确定的方向摆动</translation>
-    </message>
-    <message>
-        <source>Show the run&apos;s other solutions</source>
-        <translation>显示其他解</translation>
-    </message>
-    <message>
-        <source>Take the solution shown</source>
-        <translation>采用所示解</translation>
-    </message>
-    <message>
-        <source>Overlay fainter</source>
-        <translation>叠加图变淡</translation>
-    </message>
-    <message>
-        <source>Overlay stronger</source>
-        <translation>叠加图变浓</translation>
-    </message>
-    <message>
-        <source>Play frames</source>
-        <translation>播放帧</translation>
-    </message>
-    <message>
-        <source>Hide patient identity</source>
-        <translation>隐藏患者信息</translation>
-    </message>
-    <message>
-        <source>Reset 3-D view</source>
-        <translation>重置三维视图</translation>
-    </message>
-    <message>
-        <source>Full screen</source>
-        <translation>全屏</translation>
-    </message>
-    <message>
-        <source>Reduce motion</source>
-        <translation>减少动画</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>深色</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>浅色</translation>
-    </message>
-    <message>
-        <source>As the desktop</source>
-        <translation>跟随桌面</translation>
-    </message>
-    <message>
-        <source>About AngioPose</source>
-        <translation>关于 AngioPose</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>文件(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>编辑(&amp;E)</translation>
-    </message>
-    <message>
-        <source>&amp;Registration</source>
-        <translation>配准(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>视图(&amp;V)</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>帮助(&amp;H)</translation>
-    </message>
-    <message>
-        <source>Theme</source>
-        <translation>主题</translation>
-    </message>
-    <message>
-        <source>Language of the desktop</source>
-        <translation>桌面语言</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>语言</translation>
-    </message>
-    <message>
-        <source>Save picture of the window …</source>
-        <translation>保存窗口图片……</translation>
-    </message>
-    <message>
-        <source>Copy picture of the window</source>
-        <translation>复制窗口图片</translation>
-    </message>
-    <message>
-        <source>Radiology: left drag windows</source>
-        <translation>放射科：左键拖动调窗</translation>
-    </message>
-    <message>
-        <source>3D Slicer: left only picks</source>
-        <translation>3D Slicer：左键仅选择</translation>
-    </message>
-    <message>
-        <source>Scroll: left drag runs the frames</source>
-        <translation>滚动：左键拖动换帧</translation>
-    </message>
-    <message>
-        <source>Help on what the mouse points at</source>
-        <translation>鼠标所指内容的帮助</translation>
-    </message>
-    <message>
-        <source>Short tour</source>
-        <translation>简短导览</translation>
-    </message>
-    <message>
-        <source>What a good fit looks like</source>
-        <translation>好的配准是什么样</translation>
-    </message>
-    <message>
-        <source>Keys and mouse</source>
-        <translation>快捷键与鼠标</translation>
-    </message>
-    <message>
-        <source>Mouse</source>
-        <translation>鼠标</translation>
-    </message>
-    <message>
-        <source>Edit traced vessels</source>
-        <translation>编辑提取的血管</translation>
-    </message>
-    <message>
-        <source>Trace this frame again</source>
-        <translation>重新提取此帧</translation>
-    </message>
-    <message>
-        <source>Subtract mask, native</source>
-        <translation>减影、原始</translation>
-    </message>
-    <message>
-        <source>Move the mask by hand</source>
-        <translation>手动移动蒙片</translation>
-    </message>
-    <message>
-        <source>This frame is the mask</source>
-        <translation>以此帧为蒙片</translation>
-    </message>
-    <message>
-        <source>Whole run in one picture</source>
-        <translation>整个序列合成一幅</translation>
-    </message>
-    <message>
-        <source>Click pairs of landmarks</source>
-        <translation>点选标志点对</translation>
-    </message>
-    <message>
-        <source>Place vessels by landmarks</source>
-        <translation>按标志点放置血管</translation>
-    </message>
-    <message>
-        <source>Auxiliary: draw a lasso</source>
-        <translation>辅助：套索圈选</translation>
-    </message>
-    <message>
-        <source>Auxiliary: which branches …</source>
-        <translation>辅助：选择哪些分支……</translation>
-    </message>
-    <message>
-        <source>Trace the scan again</source>
-        <translation>重新提取扫描</translation>
-    </message>
-    <message>
-        <source>Find a branch</source>
-        <translation>查找分支</translation>
-    </message>
-    <message>
-        <source>Rename branch</source>
-        <translation>重命名分支</translation>
-    </message>
-    <message>
-        <source>Cut branch at the cross-hair</source>
-        <translation>在十字线处切断分支</translation>
-    </message>
-    <message>
-        <source>Join two branches</source>
-        <translation>连接两个分支</translation>
-    </message>
-    <message>
-        <source>Smooth branches</source>
-        <translation>平滑分支</translation>
-    </message>
-    <message>
-        <source>Root at the branch&apos;s end near the cross-hair</source>
-        <translation>以十字线附近分支端为根</translation>
-    </message>
-    <message>
-        <source>Hide or show branches</source>
-        <translation>隐藏或显示分支</translation>
-    </message>
-    <message>
-        <source>Show all branches</source>
-        <translation>显示所有分支</translation>
-    </message>
-    <message>
-        <source>Delete branches</source>
-        <translation>删除分支</translation>
-    </message>
-    <message>
-        <source>Delete branches and what leaves them</source>
-        <translation>删除分支及其分出部分</translation>
-    </message>
-    <message>
-        <source>Prune short or thin branches …</source>
-        <translation>修剪短或细的分支……</translation>
-    </message>
-    <message>
-        <source>Join the pieces at the next gap</source>
-        <translation>在下一间隙处连接</translation>
-    </message>
-    <message>
-        <source>Keep this pose</source>
-        <translation>保留此位姿</translation>
-    </message>
-    <message>
-        <source>Switch between poses A and B</source>
-        <translation>在位姿 A 与 B 间切换</translation>
-    </message>
-    <message>
-        <source>Compare poses and methods …</source>
-        <translation>比较位姿和方法……</translation>
-    </message>
-    <message>
-        <source>Blind observer trial …</source>
-        <translation>观察者盲法试验……</translation>
-    </message>
-    <message>
-        <source>Trial done</source>
-        <translation>试验完成</translation>
-    </message>
-    <message>
-        <source>Seen from the source (mirrored)</source>
-        <translation>从源方向看（镜像）</translation>
-    </message>
-    <message>
-        <source>Opacification over time</source>
-        <translation>充盈随时间变化</translation>
-    </message>
-    <message>
-        <source>3-D, axial, coronal, sagittal below the branches</source>
-        <translation>分支下方：三维、轴位、冠状、矢状</translation>
-    </message>
-    <message>
-        <source>Slices instead of the angiogram</source>
-        <translation>以断层代替造影图像</translation>
-    </message>
-    <message>
-        <source>Image alone, without the columns</source>
-        <translation>仅图像，不显示侧栏</translation>
-    </message>
-    <message>
-        <source>Ve&amp;ssels</source>
-        <translation>血管(&amp;G)</translation>
-    </message>
-    <message>
-        <source>Start pose from the angles</source>
-        <translation>由角度得初始位姿</translation>
-    </message>
-    <message>
-        <source>This pose is the start pose</source>
-        <translation>以此位姿为初始位姿</translation>
-    </message>
-    <message>
-        <source>&amp;Angiogram</source>
-        <translation>造影(&amp;A)</translation>
-    </message>
-    <message>
-        <source>&amp;Pose</source>
-        <translation>位姿(&amp;P)</translation>
-    </message>
-</context>
-<context>
-    <name>ui::KeyNotes</name>
-    <message>
-        <source>← → ↑ ↓</source>
-        <translation>← → ↑ ↓</translation>
-    </message>
-    <message>
-        <source>move by 1 mm (Shift 10 mm, Ctrl 0.1 mm)</source>
-        <translation>平移 1 mm（Shift 10 mm，Ctrl 0.1 mm）</translation>
-    </message>
-    <message>
-        <source>PgUp PgDn</source>
-        <translation>PgUp PgDn</translation>
-    </message>
-    <message>
-        <source>move away from or to the source</source>
-        <translation>远离或靠近射线源</translation>
-    </message>
-    <message>
-        <source>, .</source>
-        <translation>, .</translation>
-    </message>
-    <message>
-        <source>roll by 1°</source>
-        <translation>滚转 1°</translation>
-    </message>
-    <message>
-        <source>Alt+arrows</source>
-        <translation>Alt+方向键</translation>
-    </message>
-    <message>
-        <source>turn LAO/RAO and CRA/CAU by 1°</source>
-        <translation>转动 LAO/RAO 和 CRA/CAU 1°</translation>
-    </message>
-    <message>
-        <source>drag</source>
-        <translation>拖动</translation>
-    </message>
-    <message>
-        <source>left drag</source>
-        <translation>左键拖动</translation>
-    </message>
-    <message>
-        <source>window and level</source>
-        <translation>窗宽窗位</translation>
-    </message>
-    <message>
-        <source>middle drag</source>
-        <translation>中键拖动</translation>
-    </message>
-    <message>
-        <source>pan</source>
-        <translation>平移图像</translation>
-    </message>
-    <message>
-        <source>zoom</source>
-        <translation>缩放</translation>
-    </message>
-    <message>
-        <source>wheel, ↑ ↓, Home, End</source>
-        <translation>滚轮、↑ ↓、Home、End</translation>
-    </message>
-    <message>
-        <source>frames</source>
-        <translation>帧</translation>
-    </message>
-    <message>
-        <source>H (hold)</source>
-        <translation>H（按住）</translation>
-    </message>
-    <message>
-        <source>hide the overlay</source>
-        <translation>隐藏叠加图</translation>
-    </message>
-    <message>
-        <source>click</source>
-        <translation>单击</translation>
-    </message>
-    <message>
-        <source>pick a branch (Ctrl adds)</source>
-        <translation>选择分支（Ctrl 追加）</translation>
-    </message>
-    <message>
-        <source>In nudge mode</source>
-        <translation>微调模式下</translation>
-    </message>
-    <message>
-        <source>On the angiogram</source>
-        <translation>在造影图像上</translation>
-    </message>
-    <message>
-        <source>move; on the ring roll; Esc takes it back, then ends the mode</source>
-        <translation>平移；在圆环上旋转；Esc 取消，再按结束模式</translation>
-    </message>
-    <message>
-        <source>Ctrl+wheel</source>
-        <translation>Ctrl+滚轮</translation>
-    </message>
-    <message>
-        <source>right click</source>
-        <translation>右键单击</translation>
-    </message>
-    <message>
-        <source>menu of what can be done here</source>
-        <translation>此处可用操作的菜单</translation>
-    </message>
-    <message>
-        <source>left drag, arrows</source>
-        <translation>左键拖动、方向键</translation>
-    </message>
-    <message>
-        <source>turn</source>
-        <translation>旋转</translation>
-    </message>
-    <message>
-        <source>right drag, wheel, + −</source>
-        <translation>右键拖动、滚轮、+ −</translation>
-    </message>
-    <message>
-        <source>double click</source>
-        <translation>双击</translation>
-    </message>
-    <message>
-        <source>everything in view again</source>
-        <translation>重新显示全部</translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation>无</translation>
-    </message>
-    <message>
-        <source>Shift+left drag</source>
-        <translation>Shift+左键拖动</translation>
-    </message>
-    <message>
-        <source>Ctrl+left drag</source>
-        <translation>Ctrl+左键拖动</translation>
-    </message>
-    <message>
-        <source>right drag</source>
-        <translation>右键拖动</translation>
-    </message>
-    <message>
-        <source>On the 3-D view</source>
-        <translation>在三维视图上</translation>
-    </message>
-    <message>
-        <source>in 3-D or a slice, then in the image: one pair</source>
-        <translation>先在三维或断层，再在图像：一对</translation>
-    </message>
-    <message>
-        <source>a node of the vessels to its place, or a cross elsewhere</source>
-        <translation>将血管节点拖到其位置，或移动十字</translation>
-    </message>
-    <message>
-        <source>Enter</source>
-        <translation>回车</translation>
-    </message>
-    <message>
-        <source>place the vessels by the pairs</source>
-        <translation>按点对放置血管</translation>
-    </message>
-    <message>
-        <source>Del</source>
-        <translation>Delete</translation>
-    </message>
-    <message>
-        <source>remove the last pair</source>
-        <translation>移除最后一对</translation>
-    </message>
-    <message>
-        <source>X</source>
-        <translation>X</translation>
-    </message>
-    <message>
-        <source>click curves that are no vessels</source>
-        <translation>单击非血管曲线</translation>
-    </message>
-    <message>
-        <source>E</source>
-        <translation>E</translation>
-    </message>
-    <message>
-        <source>erase with a brush; [ ] its size</source>
-        <translation>用笔刷擦除；[ ] 大小</translation>
-    </message>
-    <message>
-        <source>D</source>
-        <translation>D</translation>
-    </message>
-    <message>
-        <source>draw: Enter ends, Backspace takes a point back, Shift straight</source>
-        <translation>绘制：回车结束，退格撤一点，Shift 直线</translation>
-    </message>
-    <message>
-        <source>C</source>
-        <translation>C</translation>
-    </message>
-    <message>
-        <source>cut a curve</source>
-        <translation>切断曲线</translation>
-    </message>
-    <message>
-        <source>B L</source>
-        <translation>B L</translation>
-    </message>
-    <message>
-        <source>box or lasso around what counts; Ctrl: around what does not</source>
-        <translation>框选或套索有效部分；Ctrl：无效部分</translation>
-    </message>
-    <message>
-        <source>✓ ✗</source>
-        <translation>✓ ✗</translation>
-    </message>
-    <message>
-        <source>dashed curves may be a catheter: keep or leave out</source>
-        <translation>虚线可能为导管：保留或排除</translation>
-    </message>
-    <message>
-        <source>click, left drag, Ctrl+arrows</source>
-        <translation>单击、左键拖动、Ctrl+方向键</translation>
-    </message>
-    <message>
-        <source>cross-hair, linked with all views</source>
-        <translation>十字线，与所有视图联动</translation>
-    </message>
-    <message>
-        <source>picks the point at the cross-hair, as a click does</source>
-        <translation>选取十字线处的点，同单击</translation>
-    </message>
-    <message>
-        <source>wheel, ↑ ↓, PgUp PgDn</source>
-        <translation>滚轮、↑ ↓、PgUp PgDn</translation>
-    </message>
-    <message>
-        <source>slices (Shift 10)</source>
-        <translation>层面（Shift 10）</translation>
-    </message>
-    <message>
-        <source>window and level; a right click opens the menu</source>
-        <translation>窗宽窗位；右键单击打开菜单</translation>
-    </message>
-    <message>
-        <source>middle drag, Ctrl+wheel</source>
-        <translation>中键拖动、Ctrl+滚轮</translation>
-    </message>
-    <message>
-        <source>pan and zoom</source>
-        <translation>平移和缩放</translation>
-    </message>
-    <message>
-        <source>all slices large, and back</source>
-        <translation>所有断层放大，再返回</translation>
-    </message>
-    <message>
-        <source>While clicking landmarks</source>
-        <translation>点选标志点时</translation>
-    </message>
-    <message>
-        <source>While editing vessels</source>
-        <translation>编辑血管时</translation>
-    </message>
-    <message>
-        <source>On a slice</source>
-        <translation>在断层上</translation>
     </message>
 </context>
 <context>

@@ -91,6 +91,10 @@ enum class Command {
     NextCornerView,
     SlicesLarge,
     ImageOnly,
+    CornerOnly,
+    ImageWindow,
+    CornerWindow,
+    SlicesWindow,
     FullScreen,
     ReduceMotion,
     // Theme

@@ -128,9 +128,20 @@ std::span<const CommandRow> CommandTable::viewCommands()
         {Command::ResetTreeView, QT_TR_NOOP("Reset 3-D view"), "3", StartsGroup},
         {Command::NextCornerView, QT_TR_NOOP("3-D, axial, coronal, sagittal below the branches"), "2"},
         {Command::SlicesLarge, QT_TR_NOOP("Slices instead of the angiogram"), "M", Switch},
-        {Command::ImageOnly, QT_TR_NOOP("Image alone, without the columns"), "4", Switch},
         {Command::FullScreen, QT_TR_NOOP("Full screen"), "F11", Switch},
         {Command::ReduceMotion, QT_TR_NOOP("Reduce motion"), "", Switch},
+    };
+    return rows;
+}
+
+std::span<const CommandRow> CommandTable::placesCommands()
+{
+    static constexpr CommandRow rows[]{
+        {Command::ImageOnly, QT_TR_NOOP("Image alone, without the columns"), "4", Switch},
+        {Command::CornerOnly, QT_TR_NOOP("3-D and slices alone"), "5", Switch},
+        {Command::ImageWindow, QT_TR_NOOP("Angiogram in a window of its own"), "F7", Switch | StartsGroup},
+        {Command::CornerWindow, QT_TR_NOOP("3-D and slices in a window of their own"), "F8", Switch},
+        {Command::SlicesWindow, QT_TR_NOOP("All slices in a window of their own"), "F9", Switch},
     };
     return rows;
 }
@@ -188,6 +199,7 @@ std::span<const MenuRows> CommandTable::menus()
         MenuRows{Menu::Pose, QT_TR_NOOP("&Pose"), poseCommands()},
         MenuRows{Menu::Registration, QT_TR_NOOP("&Registration"), registrationCommands()},
         MenuRows{Menu::View, QT_TR_NOOP("&View"), viewCommands()},
+        MenuRows{Menu::Places, QT_TR_NOOP("Views alone and in windows"), placesCommands()},
         MenuRows{Menu::Theme, QT_TR_NOOP("Theme"), themeCommands()},
         MenuRows{Menu::Language, QT_TR_NOOP("Language"), languageCommands()},
         MenuRows{Menu::Mouse, QT_TR_NOOP("Mouse"), mouseCommands()},

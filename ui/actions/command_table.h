@@ -8,7 +8,7 @@
 
 namespace ui {
 
-enum class Menu { File, Edit, Vessels, Angiogram, Pose, Registration, View, Theme, Language, Mouse, Help };
+enum class Menu { File, Edit, Vessels, Angiogram, Pose, Registration, View, Places, Theme, Language, Mouse, Help };
 
 /// What a command says, its keys separated by "; ", and its traits.
 struct CommandRow {
@@ -34,7 +34,7 @@ public:
         Repeats = 4   ///< again and again while the key is held
     };
 
-    /// Menus in the order of the bar; Theme, Language and Mouse lie in View.
+    /// Menus in the order of the bar; Places, Theme, Language and Mouse lie in View.
     static std::span<const MenuRows> menus();
 
 private:
@@ -45,6 +45,7 @@ private:
     static std::span<const CommandRow> poseCommands();
     static std::span<const CommandRow> registrationCommands();
     static std::span<const CommandRow> viewCommands();
+    static std::span<const CommandRow> placesCommands();
     static std::span<const CommandRow> themeCommands();
     static std::span<const CommandRow> languageCommands();
     static std::span<const CommandRow> mouseCommands();

@@ -80,6 +80,7 @@ void KeyNotes::addAngiogram(std::vector<KeyLine>& lines, const MousePreset& mous
          {tr("wheel, ↑ ↓, Home, End"), tr("frames")},
          {tr("H (hold)"), tr("hide the overlay")},
          {tr("click"), tr("pick a branch (Ctrl adds)")},
+         {tr("double click"), tr("this view alone, and back")},
          {tr("right click"), tr("menu of what can be done here")}});
 }
 
@@ -89,7 +90,7 @@ void KeyNotes::addVolumeViews(std::vector<KeyLine>& lines)
         {{tr("left drag, arrows"), tr("turn")},
          {tr("middle drag"), tr("pan")},
          {tr("right drag, wheel, + −"), tr("zoom")},
-         {tr("double click"), tr("everything in view again")}});
+         {tr("double click"), tr("this view alone, and back")}});
     add(lines, tr("On a slice"),
         {{tr("click, left drag, Ctrl+arrows"), tr("cross-hair, linked with all views")},
          {tr("Enter"), tr("picks the point at the cross-hair, as a click does")},

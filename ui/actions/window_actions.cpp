@@ -14,11 +14,16 @@
 namespace ui {
 namespace {
 
-constexpr std::array choices{Menu::Theme, Menu::Language, Menu::Mouse};   ///< one of each is on; they lie in View
+constexpr std::array choices{Menu::Theme, Menu::Language, Menu::Mouse};   ///< one of each is on
 
 bool isChoice(Menu menu)
 {
     return std::ranges::find(choices, menu) != choices.end();
+}
+
+bool liesInView(Menu menu)
+{
+    return isChoice(menu) || menu == Menu::Places;
 }
 
 QList<QKeySequence> shortcutsOf(const CommandRow& row)
@@ -65,7 +70,7 @@ void WindowActions::fillMenus(QMenuBar* menuBar)
     std::map<Menu, QMenu*> menus;
     for (const MenuRows& rows : CommandTable::menus()) {
         const QString title = CommandTable::tr(rows.title);
-        QMenu* menu = isChoice(rows.menu) ? menus.at(Menu::View)->addMenu(title) : menuBar->addMenu(title);
+        QMenu* menu = liesInView(rows.menu) ? menus.at(Menu::View)->addMenu(title) : menuBar->addMenu(title);
         menus[rows.menu] = menu;
         for (const CommandRow& row : rows.commands) {
             if (row.traits & CommandTable::StartsGroup) {

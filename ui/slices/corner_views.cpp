@@ -2,6 +2,7 @@
 
 #include "ui/views/tree_view.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QStackedWidget>
 #include <QToolButton>
@@ -15,6 +16,7 @@ CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
     : QWidget(parent),
       model_(model),
       bar_(new QWidget),
+      allSlices_(makeTool(QStringLiteral("⊞"), tr("All slices, large"), QStringLiteral("M"))),
       stack_(new QStackedWidget),
       treeView_(treeView),
       slice_(new SliceView(model, core::BodyPlane::Axial))
@@ -32,14 +34,19 @@ CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
         tabs->addWidget(tab);
     }
     tabs->addStretch(1);
-    auto* large = new QToolButton;
-    large->setText(QStringLiteral("⤢"));
-    large->setProperty("role", "tab");
-    large->setAccessibleName(tr("All slices, large"));
-    large->setToolTip(tr("All slices, large (M)"));
-    connect(large, &QToolButton::clicked, this, &CornerViews::roomRequested);
+    QToolButton* alone =
+        makeTool(QStringLiteral("⤢"), tr("Only this view in the window, and back"), QStringLiteral("5"));
+    QToolButton* window = makeTool(QStringLiteral("↗"), tr("In a window of its own, and back"), QStringLiteral("F8"));
+    connect(allSlices_, &QToolButton::clicked, this, &CornerViews::roomRequested);
+    connect(alone, &QToolButton::clicked, this, &CornerViews::aloneRequested);
+    connect(window, &QToolButton::clicked, this, &CornerViews::windowRequested);
     connect(slice_, &SliceView::roomRequested, this, &CornerViews::roomRequested);
-    tabs->addWidget(large);
+    connect(treeView_, &TreeView::roomRequested, this, &CornerViews::aloneRequested);
+    for (QToolButton* tool : {allSlices_, alone, window}) {
+        tabs->addWidget(tool);
+    }
+    bar_->setToolTip(tr("Double click: only this view in the window, and back (5)"));
+    bar_->installEventFilter(this);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -48,6 +55,25 @@ CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
     layout->addWidget(stack_, 1);
     connect(&model, &SliceModel::scanChanged, this, &CornerViews::followScan);
     followScan();
+}
+
+QToolButton* CornerViews::makeTool(const QString& sign, const QString& name, const QString& keys)
+{
+    auto* tool = new QToolButton;
+    tool->setText(sign);
+    tool->setProperty("role", "tab");
+    tool->setAccessibleName(name);
+    tool->setToolTip(QStringLiteral("%1 (%2)").arg(name, keys));
+    return tool;
+}
+
+bool CornerViews::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == bar_ && event->type() == QEvent::MouseButtonDblClick) {
+        emit aloneRequested();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 QToolButton* CornerViews::makeTab(const QString& text, std::optional<core::BodyPlane> plane)
@@ -76,6 +102,7 @@ void CornerViews::showPlane(std::optional<core::BodyPlane> plane)
         slice_->setPlane(*shown);
     }
     stack_->setCurrentWidget(shown ? static_cast<QWidget*>(slice_) : treeView_);
+    setFocusProxy(stack_->currentWidget());
     for (std::size_t i = 0; i < tabs_.size(); ++i) {
         tabs_[i]->setChecked(i == 0 ? !shown : shown == core::bodyPlanes[i - 1]);
     }
@@ -91,7 +118,10 @@ void CornerViews::showNext()
 
 void CornerViews::followScan()
 {
-    bar_->setVisible(model_.hasScan());
+    for (std::size_t i = 1; i < tabs_.size(); ++i) {
+        tabs_[i]->setVisible(model_.hasScan());
+    }
+    allSlices_->setVisible(model_.hasScan());
     showPlane(wanted_);
 }
 

@@ -14,7 +14,7 @@ namespace ui {
 
 class TreeView;
 
-/// The place below the branches: the 3-D view, or one plane of the scan. The choice appears with a scan.
+/// The place below the branches: the 3-D view, or one plane of the scan. The planes appear with a scan.
 class CornerViews : public QWidget {
     Q_OBJECT
 public:
@@ -28,13 +28,20 @@ public:
 signals:
     void planeChanged(std::optional<core::BodyPlane> plane);
     void roomRequested();   ///< all slices, large
+    void aloneRequested();   ///< the whole window for this place, or back
+    void windowRequested();   ///< a window of its own, or back
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    QToolButton* makeTool(const QString& sign, const QString& name, const QString& keys);
     QToolButton* makeTab(const QString& text, std::optional<core::BodyPlane> plane);
     void followScan();
 
     SliceModel& model_;
     QWidget* bar_;
+    QToolButton* allSlices_;
     QStackedWidget* stack_;
     TreeView* treeView_;
     SliceView* slice_;

@@ -34,6 +34,7 @@ SlicesPage::SlicesPage(SliceModel& model, QWidget* parent) : QWidget(parent), mo
     layout->addLayout(columns_, 1);
     setProperty("role", "column");
     setAttribute(Qt::WA_StyledBackground);
+    setFocusProxy(views_[core::BodyPlane::Axial]);
 }
 
 void SlicesPage::setSidePanel(QWidget* panel)
@@ -50,6 +51,11 @@ QWidget* SlicesPage::makeBar()
     layout->addWidget(roleLabel("label", tr("Window")));
     fillPresets(*layout);
     layout->addStretch(1);
+    auto* window = new QPushButton(tr("Own window"));
+    window->setProperty("role", "link");
+    window->setToolTip(tr("The slices in a window of their own, and back (F9)"));
+    connect(window, &QPushButton::clicked, this, &SlicesPage::windowRequested);
+    layout->addWidget(window);
     auto* back = new QPushButton(tr("Back to the angiogram"));
     back->setProperty("role", "link");
     connect(back, &QPushButton::clicked, this, &SlicesPage::closeRequested);

@@ -21,6 +21,7 @@ public:
 
 signals:
     void closeRequested();
+    void windowRequested();   ///< a window of its own, or back
 
 private:
     QWidget* makeBar();

@@ -66,6 +66,7 @@ signals:
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
     void backgroundClicked();
+    void roomRequested();   ///< a double click that no tool took: large, or back
     void menuRequested(const QPoint& globalPosition, std::optional<int> branchId);
     void toolChanged();   ///< `tool`
     void windowLevelChanged(double window, double level);

@@ -282,7 +282,7 @@ void AngiogramView::mouseDoubleClickEvent(QMouseEvent* event)
         update();
         return;
     }
-    fitToWindow();
+    emit roomRequested();
 }
 
 void AngiogramView::zoomAt(const QPointF& position, double factor)

@@ -164,7 +164,7 @@ void TreeView::mouseReleaseEvent(QMouseEvent* event)
 void TreeView::mouseDoubleClickEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton) {
-        resetView();
+        emit roomRequested();
     }
 }
 

@@ -9,7 +9,7 @@
 namespace ui {
 
 /// The 3-D situation: tree, X-ray source, detector with the image, beam edges, orientation letters. Left drag turns,
-/// middle drag moves, right drag and wheel zoom, double click shows everything again. Arrows turn, + and − zoom.
+/// middle drag moves, right drag and wheel zoom, double click asks for room. Arrows turn, + and − zoom.
 class TreeView : public VtkView {
     Q_OBJECT
 public:
@@ -24,6 +24,7 @@ public:
                        const std::optional<Eigen::Vector3d>& pendingInPatient);   ///< numbered from 1
 
 signals:
+    void roomRequested();   ///< large, or back
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
     void backgroundClicked();

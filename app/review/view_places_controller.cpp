@@ -1,0 +1,73 @@
+#include "app/review/view_places_controller.h"
+
+#include "ui/places/view_frame.h"
+#include "ui/slices/corner_views.h"
+#include "ui/slices/slices_page.h"
+#include "ui/views/angiogram_view.h"
+
+namespace app {
+
+using ui::Command;
+using ui::MovableView;
+
+ViewPlacesController::ViewPlacesController(ui::MainWindow& window, QObject* parent) : QObject(parent), window_(window)
+{
+    connectAlone(Command::ImageOnly, MovableView::Image);
+    connectAlone(Command::CornerOnly, MovableView::Corner);
+    connectWindow(Command::ImageWindow, MovableView::Image);
+    connectWindow(Command::CornerWindow, MovableView::Corner);
+    connectWindow(Command::SlicesWindow, MovableView::Slices);
+    connectSlices();
+    ui::WindowActions& actions = window.actions();
+    connect(&window.angiogramView(), &ui::AngiogramView::roomRequested, actions[Command::ImageOnly], &QAction::toggle);
+    connect(&window.corner(), &ui::CornerViews::aloneRequested, actions[Command::CornerOnly], &QAction::toggle);
+    connect(&window.corner(), &ui::CornerViews::windowRequested, actions[Command::CornerWindow], &QAction::toggle);
+    connect(&window.slicesPage(), &ui::SlicesPage::windowRequested, actions[Command::SlicesWindow], &QAction::toggle);
+}
+
+void ViewPlacesController::connectAlone(Command command, MovableView view)
+{
+    QAction* alone = window_.actions()[command];
+    connect(alone, &QAction::toggled, this, [this, view](bool on) { setAlone(view, on); });
+    connect(&window_.frameOf(view), &ui::ViewFrame::outChanged, alone, [alone] { alone->setChecked(false); });
+    connect(&window_, &ui::MainWindow::welcomeShown, alone, [alone] { alone->setChecked(false); });
+}
+
+void ViewPlacesController::connectWindow(Command command, MovableView view)
+{
+    QAction* out = window_.actions()[command];
+    ui::ViewFrame& frame = window_.frameOf(view);
+    out->setChecked(frame.isOut());
+    connect(out, &QAction::toggled, &frame, &ui::ViewFrame::setOut);
+    connect(&frame, &ui::ViewFrame::outChanged, out, &QAction::setChecked);
+}
+
+/// The slices are there while they are large: in the image's place, or in their window.
+void ViewPlacesController::connectSlices()
+{
+    QAction* large = window_.actions()[Command::SlicesLarge];
+    QAction* out = window_.actions()[Command::SlicesWindow];
+    connect(out, &QAction::toggled, large, &QAction::setChecked);
+    const auto follow = [large, out] { out->setEnabled(large->isEnabled()); };
+    connect(large, &QAction::changed, out, follow);
+    follow();
+}
+
+/// A view that has a window of its own takes the whole screen instead.
+void ViewPlacesController::setAlone(MovableView view, bool on)
+{
+    ui::ViewFrame& frame = window_.frameOf(view);
+    if (frame.isOut()) {
+        frame.setFullScreen(on);
+        return;
+    }
+    if (on) {
+        const Command other = view == MovableView::Image ? Command::CornerOnly : Command::ImageOnly;
+        if (!window_.frameOf(view == MovableView::Image ? MovableView::Corner : MovableView::Image).isOut()) {
+            window_.actions()[other]->setChecked(false);
+        }
+    }
+    window_.showAlone(on ? std::optional(view) : std::nullopt);
+}
+
+}   // namespace app

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "ui/main_window.h"
+
+#include <QObject>
+
+namespace app {
+
+/// Views that take the whole window, or leave it for a window of their own, on another screen where there is one.
+class ViewPlacesController : public QObject {
+    Q_OBJECT
+public:
+    explicit ViewPlacesController(ui::MainWindow& window, QObject* parent = nullptr);
+
+private:
+    void connectAlone(ui::Command command, ui::MovableView view);
+    void connectWindow(ui::Command command, ui::MovableView view);
+    void connectSlices();
+    void setAlone(ui::MovableView view, bool on);
+
+    ui::MainWindow& window_;
+};
+
+}   // namespace app

@@ -1,0 +1,97 @@
+#include "ui/places/view_frame.h"
+
+#include "ui/panels/section.h"
+#include "ui/places/view_window.h"
+
+#include <QPushButton>
+#include <QTimer>
+#include <QVBoxLayout>
+
+namespace ui {
+
+ViewFrame::ViewFrame(QWidget& view, const QString& title, QWidget* parent)
+    : QStackedWidget(parent), view_(&view), home_(new QWidget), absence_(makeAbsence()), title_(title)
+{
+    auto* layout = new QVBoxLayout(home_);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(view_);
+    addWidget(home_);
+    addWidget(absence_);
+}
+
+QWidget* ViewFrame::makeAbsence()
+{
+    auto* absence = new QWidget;
+    auto* layout = new QVBoxLayout(absence);
+    auto* words = roleLabel("hint", tr("In a window of its own"));
+    words->setAlignment(Qt::AlignCenter);
+    auto* back = new QPushButton(tr("Bring it back"));
+    back->setProperty("role", "link");
+    connect(back, &QPushButton::clicked, this, [this] { setOut(false); });
+    layout->addStretch(1);
+    layout->addWidget(words);
+    layout->addWidget(back, 0, Qt::AlignHCenter);
+    layout->addStretch(1);
+    return absence;
+}
+
+void ViewFrame::setOut(bool out)
+{
+    if (out == isOut_) {
+        return;
+    }
+    isOut_ = out;
+    if (out) {
+        leave();
+    } else {
+        comeBack();
+    }
+    view_->setFocus(Qt::OtherFocusReason);
+    emit outChanged(out);
+}
+
+void ViewFrame::leave()
+{
+    window_ = new ViewWindow(window(), title_);
+    connect(window_, &ViewWindow::closeRequested, this, [this] { setOut(false); });
+    window_->hold(*view_);
+    if (!window_->restoreGeometry(place_)) {
+        window_->goToAnotherScreen();
+    }
+    setCurrentWidget(absence_);
+    const auto show = [own = window_] {
+        own->show();
+        own->activateWindow();
+    };
+    if (window()->isVisible()) {
+        show();
+    } else {
+        QTimer::singleShot(0, window_, show);   // while the layout is restored: after the main window
+    }
+}
+
+void ViewFrame::comeBack()
+{
+    place_ = window_->saveGeometry();
+    home_->layout()->addWidget(view_);
+    setCurrentWidget(home_);
+    view_->show();
+    window_->hide();
+    window_->deleteLater();   // this may be the answer to its close event
+    window_ = nullptr;
+    window()->activateWindow();   // not every desktop hands the keys on
+}
+
+void ViewFrame::setFullScreen(bool on)
+{
+    if (window_) {
+        window_->setWindowState(window_->windowState().setFlag(Qt::WindowFullScreen, on));
+    }
+}
+
+QByteArray ViewFrame::windowPlace() const
+{
+    return window_ ? window_->saveGeometry() : place_;
+}
+
+}   // namespace ui

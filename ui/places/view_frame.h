@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QByteArray>
+#include <QStackedWidget>
+
+namespace ui {
+
+class ViewWindow;
+
+/// The place in the main window of a view that can leave it for a window of its own, and comes back when that is
+/// closed. While the view is away the place says so, with a way to get it back.
+class ViewFrame : public QStackedWidget {
+    Q_OBJECT
+public:
+    /// Owns the view. `title` names it in its own window.
+    ViewFrame(QWidget& view, const QString& title, QWidget* parent = nullptr);
+
+    bool isOut() const { return isOut_; }
+    void setOut(bool out);
+    void setFullScreen(bool on);   ///< of the view's own window; nothing happens while it is in its place
+
+    QByteArray windowPlace() const;   ///< where its window is or was last; empty when it had none
+    void setWindowPlace(const QByteArray& place) { place_ = place; }
+
+signals:
+    void outChanged(bool out);
+
+private:
+    QWidget* makeAbsence();
+    void leave();
+    void comeBack();
+
+    QWidget* view_;
+    QWidget* home_;
+    QWidget* absence_;
+    QString title_;
+    ViewWindow* window_ = nullptr;
+    QByteArray place_;
+    bool isOut_ = false;
+};
+
+}   // namespace ui

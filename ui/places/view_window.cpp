@@ -1,0 +1,49 @@
+#include "ui/places/view_window.h"
+
+#include <QCloseEvent>
+#include <QGuiApplication>
+#include <QScreen>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+
+constexpr QSize usualSize(900, 760);
+
+}   // namespace
+
+ViewWindow::ViewWindow(QWidget* mainWindow, const QString& title) : QWidget(mainWindow, Qt::Window)
+{
+    setWindowTitle(title);
+    setProperty("role", "canvas");
+    setAttribute(Qt::WA_StyledBackground);
+    addActions(mainWindow->actions());
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    resize(usualSize);
+}
+
+void ViewWindow::hold(QWidget& view)
+{
+    layout()->addWidget(&view);
+    view.show();
+}
+
+void ViewWindow::goToAnotherScreen()
+{
+    const QScreen* mine = parentWidget()->screen();
+    for (const QScreen* screen : QGuiApplication::screens()) {
+        if (screen != mine) {
+            setGeometry(screen->availableGeometry());
+            return;
+        }
+    }
+}
+
+void ViewWindow::closeEvent(QCloseEvent* event)
+{
+    event->ignore();
+    emit closeRequested();
+}
+
+}   // namespace ui
