@@ -55,10 +55,21 @@ std::vector<float> evenSample(const std::vector<float>& values, std::size_t most
 
 float ranked(std::vector<float> values, double share)
 {
+    return rankedAt(std::move(values), {share}).front();
+}
+
+std::vector<float> rankedAt(std::vector<float> values, const std::vector<double>& shares)
+{
     assert(!values.empty());
-    const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + rank, values.end());
-    return values[static_cast<std::size_t>(rank)];
+    std::vector<float> found;
+    auto rest = values.begin();   // everything before is smaller
+    for (const double share : shares) {
+        const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+        std::nth_element(rest, place, values.end());
+        found.push_back(*place);
+        rest = place;
+    }
+    return found;
 }
 
 }   // namespace core

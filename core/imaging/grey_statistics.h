@@ -15,4 +15,7 @@ std::vector<float> evenSample(const std::vector<float>& values, std::size_t most
 /// The value that `share` (0…1) of the values do not exceed; `values` must not be empty. Linear time.
 float ranked(std::vector<float> values, double share);
 
+/// The same for several shares, ascending.
+std::vector<float> rankedAt(std::vector<float> values, const std::vector<double>& shares);
+
 }   // namespace core

@@ -1,5 +1,6 @@
 #include "core/imaging/image_filters.h"
 
+#include "core/support/parallel_for.h"
 #include "core/support/wide_vectors.h"
 
 #include <algorithm>
@@ -74,23 +75,41 @@ void blurColumns(const ImageF& source, int y, float* target, const std::vector<f
     }
 }
 
+/// Calls `work` for all rows, in strips of them on as many threads.
+template <class Work>
+void eachStrip(int rowCount, int threads, const Work& work)
+{
+    if (threads <= 1) {
+        work(0, rowCount);
+        return;
+    }
+    const auto edge = [&](std::size_t strip) { return static_cast<int>(strip) * rowCount / threads; };
+    parallelFor(
+        static_cast<std::size_t>(threads), threads, [&](std::size_t strip) { work(edge(strip), edge(strip + 1)); },
+        [](double) { return true; });
+}
+
 }   // namespace
 
-ImageF blurred(const ImageF& image, double sigmaPx)
+ImageF blurred(const ImageF& image, double sigmaPx, int threads)
 {
     if (sigmaPx <= 0.0 || image.isEmpty()) {
         return image;
     }
     const std::vector<float> kernel = gaussianHalfKernel(sigmaPx);
     ImageF rows(image.width, image.height);
-    std::vector<float> padded;
-    for (int y = 0; y < image.height; ++y) {
-        blurRow(&image.at(0, y), &rows.at(0, y), image.width, kernel, padded);
-    }
+    eachStrip(image.height, threads, [&](int top, int bottom) {
+        std::vector<float> padded;
+        for (int y = top; y < bottom; ++y) {
+            blurRow(&image.at(0, y), &rows.at(0, y), image.width, kernel, padded);
+        }
+    });
     ImageF result(image.width, image.height);
-    for (int y = 0; y < image.height; ++y) {
-        blurColumns(rows, y, &result.at(0, y), kernel);
-    }
+    eachStrip(image.height, threads, [&](int top, int bottom) {
+        for (int y = top; y < bottom; ++y) {
+            blurColumns(rows, y, &result.at(0, y), kernel);
+        }
+    });
     return result;
 }
 

@@ -5,7 +5,8 @@
 namespace core {
 
 /// Gaussian smoothing; the image goes on as its edge pixels. `sigmaPx` ≤ 0 returns the image itself.
-ImageF blurred(const ImageF& image, double sigmaPx);
+/// The same for any number of threads.
+ImageF blurred(const ImageF& image, double sigmaPx, int threads = 1);
 
 /// The largest value in the square of side 2·`radiusPx` + 1 around each pixel, as far as it lies in the image.
 ImageF largestAround(const ImageF& image, int radiusPx);

@@ -2,6 +2,7 @@
 
 #include "core/imaging/image_filters.h"
 #include "core/imaging/mask_morphology.h"
+#include "core/support/at_once.h"
 #include "core/tracing/skeleton_graph.h"
 #include "core/tracing/thin_mask.h"
 
@@ -104,8 +105,10 @@ void drawLine(Mask2d& mask, const Eigen::Vector2d& from, const Eigen::Vector2d& 
 Mask2d withGapsBridged(const Mask2d& mask, const ImageF& ridges, double reachPx, double leastRidge)
 {
     Mask2d bridged = mask;
-    const Image2d<int> labels = componentLabels(mask);
-    for (const FreeEnd& end : freeEndsOf(skeletonGraph(thinned(mask)))) {
+    Image2d<int> labels;
+    std::vector<FreeEnd> ends;
+    atOnce([&] { ends = freeEndsOf(skeletonGraph(thinned(mask))); }, [&] { labels = componentLabels(mask); });
+    for (const FreeEnd& end : ends) {
         const std::optional<Eigen::Vector2d> target = targetAhead(end, labels, reachPx);
         if (target && meanAlong(ridges, end.point, *target) >= leastRidge) {
             drawLine(bridged, end.point, *target);

@@ -2,6 +2,7 @@
 
 #include "core/imaging/grey_statistics.h"
 #include "core/imaging/mask_morphology.h"
+#include "core/support/at_once.h"
 #include "core/tracing/vesselness.h"
 
 #include <algorithm>
@@ -94,8 +95,10 @@ Mask2d awayFromVessels(Mask2d inside, const ImageF& ridges, double clearRidge)
 double clutterLevel(const ImageF& opacity, const ImageF& ridges, const Mask2d& field, double minRadiusPx,
                     double maxRadiusPx)
 {
-    const ImageF inverted = invertedRidges(opacity, minRadiusPx, maxRadiusPx);
-    const Mask2d inside = eroded(field, rimPx);
+    ImageF inverted;
+    Mask2d inside;
+    atOnce([&] { inverted = invertedRidges(opacity, minRadiusPx, maxRadiusPx); },
+           [&] { inside = eroded(field, rimPx); });
     std::vector<float> everywhere = measuredWhere(inside, inverted);
     if (everywhere.empty()) {
         return 0.0;

@@ -59,9 +59,10 @@ double edgeSlope(const ImageF& smooth, const Mask2d& border)
 Mask2d unexposedBorder(const ImageF& image, int openingPx)
 {
     const ImageF smooth = blurred(image, smoothingPx);
-    const double darkest = ranked(smooth.pixels, 0.002);
-    const double middle = ranked(smooth.pixels, 0.5);
-    const double range = ranked(smooth.pixels, 0.99) - darkest;
+    const std::vector<float> levels = rankedAt(smooth.pixels, {0.002, 0.5, 0.99});
+    const double darkest = levels[0];
+    const double middle = levels[1];
+    const double range = levels[2] - darkest;
     Mask2d best(image.width, image.height);
     double bestSlope = sharpEdgePerPx * range;
     for (const double level : {0.2, 0.35, 0.5, 0.65}) {

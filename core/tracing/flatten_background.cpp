@@ -2,6 +2,7 @@
 
 #include "core/imaging/grey_statistics.h"
 #include "core/imaging/image_filters.h"
+#include "core/support/at_once.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +30,7 @@ ImageF slowMean(const ImageF& values, const ImageF& weights, double sigmaPx)
         mass = halved(mass);
         factor *= 2;
     }
-    weighted = blurred(weighted, sigmaPx / factor);
-    mass = blurred(mass, sigmaPx / factor);
+    atOnce([&] { weighted = blurred(weighted, sigmaPx / factor); }, [&] { mass = blurred(mass, sigmaPx / factor); });
     for (std::size_t i = 0; i < weighted.pixels.size(); ++i) {
         weighted.pixels[i] = mass.pixels[i] > 1e-6F ? weighted.pixels[i] / mass.pixels[i] : 0.0F;
     }
@@ -87,8 +87,10 @@ ImageF flattenBackground(const ImageF& vesselsDark, const Mask2d& field, double 
     const ImageF coarseExposed = halved(exposed);
     const ImageF coarse = backgroundOf(halved(vesselsDark), coarseExposed, 0.5 * reachPx);
     const float black = *std::min_element(vesselsDark.pixels.begin(), vesselsDark.pixels.end());
-    const ImageF background = enlarged(coarse, 2, field.width, field.height);
-    const ImageF gain = enlarged(contrastGain(coarse, coarseExposed, black), 2, field.width, field.height);
+    ImageF background;
+    ImageF gain;
+    atOnce([&] { gain = enlarged(contrastGain(coarse, coarseExposed, black), 2, field.width, field.height); },
+           [&] { background = enlarged(coarse, 2, field.width, field.height); });
     ImageF opacity(vesselsDark.width, vesselsDark.height);
     for (std::size_t i = 0; i < opacity.pixels.size(); ++i) {
         opacity.pixels[i] = exposed.pixels[i] * gain.pixels[i] * (background.pixels[i] - vesselsDark.pixels[i]);

@@ -13,13 +13,18 @@ public:
     explicit SkeletonWalker(const Mask2d& skeleton)
         : skeleton_(skeleton), nodeAt_(skeleton.width, skeleton.height, -1), seen_(skeleton.width, skeleton.height)
     {
+        for (std::size_t p = 0; p < skeleton.pixels.size(); ++p) {
+            if (skeleton.pixels[p] != 0) {
+                set_.push_back(p);
+            }
+        }
     }
 
     SkeletonGraph run()
     {
         addJunctions();
         addEnds();
-        for (std::size_t p = 0; p < nodeAt_.pixels.size(); ++p) {
+        for (const std::size_t p : set_) {
             if (nodeAt_.pixels[p] >= 0) {
                 followFrom(p);
             }
@@ -64,8 +69,8 @@ private:
     void addJunctions()
     {
         Mask2d junctions(skeleton_.width, skeleton_.height);
-        for (std::size_t p = 0; p < skeleton_.pixels.size(); ++p) {
-            junctions.pixels[p] = skeleton_.pixels[p] != 0 && neighboursOf(p).size() > 2 ? 255 : 0;
+        for (const std::size_t p : set_) {
+            junctions.pixels[p] = neighboursOf(p).size() > 2 ? 255 : 0;
         }
         for (const std::vector<std::size_t>& pixels : componentsOf(junctions)) {
             addNode(pixels);
@@ -74,8 +79,8 @@ private:
 
     void addEnds()
     {
-        for (std::size_t p = 0; p < skeleton_.pixels.size(); ++p) {
-            if (skeleton_.pixels[p] != 0 && nodeAt_.pixels[p] < 0 && neighboursOf(p).size() == 1) {
+        for (const std::size_t p : set_) {
+            if (nodeAt_.pixels[p] < 0 && neighboursOf(p).size() == 1) {
                 addNode({p});
             }
         }
@@ -122,8 +127,8 @@ private:
 
     void addRings()
     {
-        for (std::size_t p = 0; p < skeleton_.pixels.size(); ++p) {
-            if (skeleton_.pixels[p] != 0 && seen_.pixels[p] == 0) {
+        for (const std::size_t p : set_) {
+            if (seen_.pixels[p] == 0) {
                 const std::vector<std::size_t> around = neighboursOf(p);
                 if (around.size() == 2) {
                     addNode({p});
@@ -143,6 +148,7 @@ private:
     const Mask2d& skeleton_;
     Image2d<int> nodeAt_;
     Mask2d seen_;
+    std::vector<std::size_t> set_;   ///< pixels of the skeleton, row by row
     SkeletonGraph graph_;
 };
 

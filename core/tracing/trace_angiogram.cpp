@@ -2,6 +2,8 @@
 
 #include "core/imaging/grey_statistics.h"
 #include "core/imaging/mask_morphology.h"
+#include "core/support/at_once.h"
+#include "core/support/parallel_for.h"
 #include "core/tracing/bridge_gaps.h"
 #include "core/tracing/burned_in_text.h"
 #include "core/tracing/clutter_level.h"
@@ -17,6 +19,7 @@
 #include "core/tracing/vesselness.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace core {
@@ -28,19 +31,31 @@ constexpr double crossingInRadii = 2.0;
 constexpr std::size_t sampleSize = 200000;
 constexpr double gapReachPx = 10.0;
 constexpr double leastEvidenceInGap = 0.6;
+constexpr int mostThreads = 2;   // more wait for memory
+
+bool isFinite(const ImageF& frame)
+{
+    constexpr std::uint32_t sign = 0x80000000U;
+    constexpr std::uint32_t infinite = 0x7f800000U;
+    std::uint32_t largest = 0;   // compared as bits, which is four times as fast
+    for (const float value : frame.pixels) {
+        largest = std::max(largest, std::bit_cast<std::uint32_t>(value) & ~sign);
+    }
+    return largest < infinite;
+}
 
 std::string problemWith(const ImageF& frame)
 {
     if (frame.isEmpty()) {
         return "The angiogram frame is empty. Choose another frame or file.";
     }
-    if (!std::all_of(frame.pixels.begin(), frame.pixels.end(), [](float value) { return std::isfinite(value); })) {
+    if (!isFinite(frame)) {
         return "The angiogram frame has pixels that are not a number (NaN or infinite). Choose another frame, or "
                "export "
                "the image again.";
     }
-    const auto [darkest, brightest] = std::minmax_element(frame.pixels.begin(), frame.pixels.end());
-    if (*darkest == *brightest) {
+    const float first = frame.pixels.front();
+    if (std::all_of(frame.pixels.begin(), frame.pixels.end(), [first](float value) { return value == first; })) {
         return "The angiogram frame is of one colour: there is nothing to trace. Choose another frame or file.";
     }
     return {};
@@ -65,6 +80,16 @@ Mask2d without(Mask2d mask, const Mask2d& part)
     return mask;
 }
 
+/// Without shutters, borders and letters.
+Mask2d tracedField(const ImageF& vesselsDark, const TraceOptions& options)
+{
+    Mask2d field;
+    Mask2d text;
+    atOnce([&] { field = findField(vesselsDark, 2.0 * options.maxVesselRadiusPx); },
+           [&] { text = burnedInText(vesselsDark); });
+    return without(std::move(field), text);
+}
+
 /// 0…1: the strongest 0.1 % count as 1.
 ImageF normalised(ImageF ridges)
 {
@@ -82,6 +107,20 @@ Mask2d wholeVessels(const Mask2d& vessels, const ImageF& evidence, const TraceOp
     return withHolesFilled(withGapsBridged(vessels, evidence, gapReachPx, leastEvidenceInGap), smallestLoopPx);
 }
 
+std::vector<Curve2d> centredCurves(std::vector<std::vector<Eigen::Vector2d>> paths, const ImageF& opacity,
+                                   const Mask2d& field, const TraceOptions& options)
+{
+    std::erase_if(paths, [&](const auto& path) { return runsStraightAcross(path, field); });
+    std::vector<Curve2d> curves(paths.size());
+    parallelFor(
+        paths.size(), std::min(mostThreads, threadCount(0)),
+        [&](std::size_t k) {
+            curves[k] = centredCurve(paths[k], static_cast<int>(k) + 1, opacity, options.maxVesselRadiusPx);
+        },
+        [](double) { return true; });
+    return curves;
+}
+
 }   // namespace
 
 Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& options)
@@ -91,24 +130,23 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
     }
     AngiogramTrace trace;
     const ImageF vesselsDark = withVesselsDark(frame, polarity);
-    trace.fieldMask = without(findField(vesselsDark, 2.0 * options.maxVesselRadiusPx), burnedInText(vesselsDark));
+    trace.fieldMask = tracedField(vesselsDark, options);
     const ImageF opacity =
         flattenBackground(vesselsDark, trace.fieldMask, surroundingsInRadii * options.maxVesselRadiusPx);
-    ImageF ridges = ridgeStrength(opacity, options.minVesselRadiusPx, options.maxVesselRadiusPx);
-    const double clutter =
-        clutterLevel(opacity, ridges, trace.fieldMask, options.minVesselRadiusPx, options.maxVesselRadiusPx);
-    ridges = withoutStars(std::move(ridges), opacity);
-    const ImageF evidence = vesselEvidence(ridges, trace.fieldMask, clutter, options.sensitivity);
-    trace.vesselness = normalised(std::move(ridges));
-    trace.vesselMask = wholeVessels(vesselPixels(evidence), evidence, options);
+    const ImageF ridges = ridgeStrength(opacity, options.minVesselRadiusPx, options.maxVesselRadiusPx);
+    double clutter = 0.0;
+    ImageF clear;
+    atOnce([&] { clear = withoutStars(ridges, opacity); },
+           [&] {
+               clutter =
+                   clutterLevel(opacity, ridges, trace.fieldMask, options.minVesselRadiusPx, options.maxVesselRadiusPx);
+           });
+    const ImageF evidence = vesselEvidence(clear, trace.fieldMask, clutter, options.sensitivity);
+    atOnce([&] { trace.vesselMask = wholeVessels(vesselPixels(evidence), evidence, options); },
+           [&] { trace.vesselness = normalised(std::move(clear)); });
     const SkeletonGraph branches = vesselBranches(trace.vesselMask, evidence, trace.fieldMask, options);
-    for (const auto& path : orderedCurves(branches, crossingInRadii * options.maxVesselRadiusPx)) {
-        if (runsStraightAcross(path, trace.fieldMask)) {
-            continue;
-        }
-        trace.centerline.curves.push_back(centredCurve(path, static_cast<int>(trace.centerline.curves.size()) + 1,
-                                                       opacity, options.maxVesselRadiusPx));
-    }
+    trace.centerline.curves = centredCurves(orderedCurves(branches, crossingInRadii * options.maxVesselRadiusPx),
+                                            opacity, trace.fieldMask, options);
     if (trace.centerline.curves.empty()) {
         return Error{
             "Nothing like a vessel was found in the angiogram frame. Choose a frame with more contrast, raise "

@@ -200,8 +200,8 @@ private:
 /// on it.
 void raiseToRidges(const ImageF& image, double sigmaPx, ImageF& best)
 {
-    const ImageF smooth = blurred(image, sigmaPx);
     const int workers = std::min(mostThreads, threadCount(0));
+    const ImageF smooth = blurred(image, sigmaPx, workers);
     parallelFor(
         static_cast<std::size_t>(workers), workers,
         [&](std::size_t number) {

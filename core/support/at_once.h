@@ -1,0 +1,20 @@
+#pragma once
+
+#include <thread>
+
+namespace core {
+
+/// Does both pieces of work at the same time, the first on this thread; neither may read what the other writes.
+template <class First, class Second>
+void atOnce(const First& first, const Second& second)
+{
+    if (std::thread::hardware_concurrency() == 1) {
+        first();
+        second();
+        return;
+    }
+    const std::jthread helper(second);
+    first();
+}
+
+}   // namespace core

@@ -1,0 +1,33 @@
+#include "core/imaging/image_filters.h"
+
+#include <gtest/gtest.h>
+#include <numeric>
+
+namespace {
+
+TEST(Blurred, IsTheSameForAnyNumberOfThreads)
+{
+    core::ImageF image(37, 29);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        image.pixels[i] = static_cast<float>((i * 7919) % 251);
+    }
+    const core::ImageF alone = core::blurred(image, 1.7);
+    for (const int threads : {2, 3, 40}) {
+        EXPECT_EQ(core::blurred(image, 1.7, threads).pixels, alone.pixels) << threads;
+    }
+}
+
+TEST(Blurred, KeepsTheSumAwayFromTheEdgeAndPlainImages)
+{
+    core::ImageF spot(41, 41);
+    spot.at(20, 20) = 3.0F;
+    const core::ImageF spread = core::blurred(spot, 2.0, 2);
+    EXPECT_NEAR(std::accumulate(spread.pixels.begin(), spread.pixels.end(), 0.0), 3.0, 1e-4);
+    EXPECT_LT(spread.at(20, 20), 0.2F);
+    const core::ImageF plain(20, 10, 5.0F);
+    for (const float value : core::blurred(plain, 3.0, 2).pixels) {
+        EXPECT_NEAR(value, 5.0F, 1e-5F);
+    }
+}
+
+}   // namespace
