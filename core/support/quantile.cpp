@@ -12,10 +12,14 @@ std::vector<double> quantiles(std::vector<double> values, const std::vector<doub
     if (values.empty()) {
         return result;
     }
-    // Order statistics by selection: of a few fractions, sorting would be most of the work.
+    // Order statistics by selection: of a few fractions, sorting would be most of the work. What lies above one rank is
+    // left of it when the next is higher.
+    std::size_t settled = 0;
     const auto ranked = [&](std::size_t rank) {
         const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);
-        std::nth_element(values.begin(), place, values.end());
+        const auto from = values.begin() + static_cast<std::ptrdiff_t>(rank > settled ? settled : 0);
+        std::nth_element(from, place, values.end());
+        settled = rank;
         return *place;
     };
     for (std::size_t k = 0; k < fractions.size(); ++k) {

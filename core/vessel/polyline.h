@@ -40,8 +40,9 @@ Polyline<Dim> polylineTangents(const Polyline<Dim>& points, std::size_t reach)
         const std::size_t before = i >= reach ? i - reach : 0;
         const std::size_t after = std::min(points.size() - 1, i + reach);
         const Eigen::Matrix<double, Dim, 1> chord = points[after] - points[before];
-        if (chord.norm() > 1e-12) {
-            last = chord.normalized();
+        const double length = chord.norm();
+        if (length > 1e-12) {
+            last = chord / length;
         }
         tangents[i] = last;
     }
@@ -60,12 +61,14 @@ std::vector<PolylineStation> evenStations(const Polyline<Dim>& points, double sp
         return {{0, 0.0}};
     }
     const auto steps = static_cast<std::size_t>(std::max(1.0, std::round(length / spacing)));
-    std::vector<PolylineStation> stations{{0, 0.0}};
+    std::vector<PolylineStation> stations;
+    stations.reserve(steps + 1);
+    stations.push_back({0, 0.0});
     std::size_t segment = 0;
+    double segmentLength = (points[1] - points[0]).norm();
     double passed = 0.0;   // arc length at the start of `segment`
     for (std::size_t k = 1; k < steps; ++k) {
         const double wanted = length * static_cast<double>(k) / static_cast<double>(steps);
-        double segmentLength = (points[segment + 1] - points[segment]).norm();
         while (passed + segmentLength < wanted && segment + 2 < points.size()) {
             passed += segmentLength;
             ++segment;

@@ -1,7 +1,7 @@
 #include "core/registration/judging/distance_metrics.h"
 
 #include "core/registration/matching/curve_distance.h"
-#include "core/registration/matching/feature_map.h"
+#include "core/registration/matching/grid_index.h"
 #include "core/support/quantile.h"
 
 #include <algorithm>
@@ -42,11 +42,13 @@ std::vector<double> reverseDistancesPx(const RegistrationProblem& problem, const
     if (visible.empty()) {
         return std::vector<double>(problem.target.size(), imageDiagonalPx(problem.camera));
     }
-    const FeatureMap index(std::move(visible), problem.camera.width, problem.camera.height);
+    const GridIndex index(std::move(visible));
+    std::size_t nearest = 0;
     std::vector<double> distances;
     distances.reserve(problem.target.size());
     for (const Eigen::Vector2d& point : problem.target.points) {
-        distances.push_back(distanceToCurve({index.points(), branch}, index.nearestIndex(point), point));
+        nearest = index.nearestIndex(point, nearest);   // next to that of the point before
+        distances.push_back(distanceToCurve({index.points(), branch}, nearest, point));
     }
     return distances;
 }
@@ -54,21 +56,22 @@ std::vector<double> reverseDistancesPx(const RegistrationProblem& problem, const
 }   // namespace
 
 ProjectedTree projectTree(const RegistrationProblem& problem, const RigidTransform& cameraFromPatient,
-                          const PointIndex& target)
+                          const GridIndex& target)
 {
     const std::size_t count = problem.tree.size();
     ProjectedTree projected;
     projected.pointsPx.assign(count, Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN()));
     projected.distancePx.assign(count, imageDiagonalPx(problem.camera));
     projected.isInView.assign(count, 0);
+    std::size_t nearest = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const auto pixel = project(problem.camera, cameraFromPatient * problem.tree.points[i]);
         if (!pixel) {
             continue;
         }
+        nearest = target.nearestIndex(*pixel, nearest);   // next to that of the point before
         projected.pointsPx[i] = *pixel;
-        projected.distancePx[i] =
-            distanceToCurve({target.points(), problem.target.curveIndex}, target.nearestIndex(*pixel), *pixel);
+        projected.distancePx[i] = distanceToCurve({target.points(), problem.target.curveIndex}, nearest, *pixel);
         projected.isInView[i] = pixel->x() >= -0.5 && pixel->y() >= -0.5 && pixel->x() <= problem.camera.width - 0.5 &&
                                 pixel->y() <= problem.camera.height - 0.5;
     }

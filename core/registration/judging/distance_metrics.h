@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration/matching/point_index.h"
+#include "core/registration/matching/grid_index.h"
 #include "core/registration/registration_problem.h"
 
 namespace core {
@@ -17,7 +17,7 @@ struct ProjectedTree {
 
 /// `target` indexes the points of problem.target.
 ProjectedTree projectTree(const RegistrationProblem& problem, const RigidTransform& cameraFromPatient,
-                          const PointIndex& target);
+                          const GridIndex& target);
 
 /// Both directions of ALGORITHMS §4.5. A point that leaves the view keeps its full distance.
 DistanceMetrics distanceMetrics(const RegistrationProblem& problem, const RigidTransform& cameraFromPatient,

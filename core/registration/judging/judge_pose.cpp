@@ -16,7 +16,7 @@ RegistrationResult judgePose(const RegistrationProblem& problem, const Registrat
     const RigidTransform& pose = solution.cameraFromPatient;
     const auto lines = solution.targetLines ? solution.targetLines
                                             : std::make_shared<const TargetLines>(problem.target, problem.camera);
-    const ProjectedTree projected = projectTree(problem, pose, lines->index());
+    const ProjectedTree projected = projectTree(problem, pose, GridIndex(problem.target.points));
     const StartPrior prior = startPrior(aboutCentroid(problem.start, problem.tree.centroid), options, problem.freedom);
 
     RegistrationResult result;
@@ -30,7 +30,9 @@ RegistrationResult judgePose(const RegistrationProblem& problem, const Registrat
     result.time = solution.time;
 
     Evidence evidence{problem, projected, result};
-    evidence.agreement = AgreementScore(problem, *lines).of(aboutCentroid(pose, problem.tree.centroid));
+    evidence.agreement = solution.agreement
+                             ? *solution.agreement
+                             : AgreementScore(problem, *lines).of(aboutCentroid(pose, problem.tree.centroid));
     evidence.settlingMm = solution.isSettled ? 0.0 : settlingShiftMm(problem, *lines, pose, options);
     evidence.expectedErrorMm = expectedShiftMm(problem.tree, pose, result.uncertainty);
     for (const Hypothesis& other : solution.alternatives) {

@@ -7,54 +7,87 @@
 namespace core {
 namespace {
 
-constexpr int marginPx = 32;
+constexpr int marginPx = 8;
 constexpr std::int32_t none = -1;
+constexpr std::int16_t far = 20000;   // cells; its square still fits 32 bits
 
-/// A row of cells: the nearest point of the same column, or none, and how many rows away it is.
-struct Row {
-    std::int32_t* point;
-    std::int32_t* rowsAway;
-};
-
-/// Takes over what the row beside it knows, where that is nearer. Masks instead of branches: compilers make wide
-/// instructions of it.
-void takeNearer(const Row& here, const Row& beside, std::size_t columns)
+/// How many rows away the nearest seed of the same column is; `far` where the column has none. Two bytes a cell and no
+/// branches: compilers make wide instructions of it.
+std::vector<std::int16_t> rowsToSeed(const std::vector<std::int32_t>& seeds, std::size_t columns)
 {
-    for (std::size_t k = 0; k < columns; ++k) {
-        const std::int32_t away = beside.rowsAway[k] + 1;
-        const std::int32_t taken = away < here.rowsAway[k] ? -1 : 0;
-        here.point[k] = (beside.point[k] & taken) | (here.point[k] & ~taken);
-        here.rowsAway[k] = (away & taken) | (here.rowsAway[k] & ~taken);
+    std::vector<std::int16_t> away(seeds.size());
+    for (std::size_t cell = 0; cell < seeds.size(); ++cell) {
+        away[cell] = seeds[cell] == none ? far : std::int16_t{0};
     }
-}
-
-/// Spreads every seed up and down its column, as far as no other seed is nearer.
-void fillColumns(std::vector<std::int32_t>& point, std::vector<std::int32_t>& rowsAway, std::size_t columns)
-{
-    const std::size_t rows = point.size() / columns;
-    const auto row = [&](std::size_t number) { return Row{&point[number * columns], &rowsAway[number * columns]}; };
-    for (std::size_t r = 1; r < rows; ++r) {
-        takeNearer(row(r), row(r - 1), columns);
+    const auto takeNearer = [&](std::size_t here, std::size_t beside) {
+        for (std::size_t k = 0; k < columns; ++k) {
+            away[here + k] = std::min(away[here + k], static_cast<std::int16_t>(away[beside + k] + 1));
+        }
+    };
+    for (std::size_t here = columns; here < away.size(); here += columns) {
+        takeNearer(here, here - columns);
     }
-    for (std::size_t r = rows - 1; r-- > 0;) {
-        takeNearer(row(r), row(r + 1), columns);
+    for (std::size_t here = away.size() - columns; here > 0; here -= columns) {
+        takeNearer(here - columns, here);
     }
+    return away;
 }
 
 /// Lower envelope of the parabolas (squared distance) of one row's columns.
 class RowSweep {
 public:
     explicit RowSweep(int columns)
-        : halfInverse_(static_cast<std::size_t>(columns)), envelope_(static_cast<std::size_t>(columns))
+        : columns_(columns),
+          squared_(static_cast<std::size_t>(columns) + 2, farSquared),
+          halfInverse_(static_cast<std::size_t>(columns)),
+          candidates_(static_cast<std::size_t>(columns)),
+          envelope_(static_cast<std::size_t>(columns))
     {
         for (int k = 1; k < columns; ++k) {
             halfInverse_[static_cast<std::size_t>(k)] = 0.5 / k;   // divisions would take half of the time
         }
     }
 
-    void add(int column, std::int32_t squaredRows, std::int32_t point)
+    /// Calls `fill(from, to, column)` for the cells from … to − 1 that are nearest to the seed of `column`, all along
+    /// the row.
+    template <class Fill>
+    void run(const std::int16_t* rowsAway, const Fill& fill)
     {
-        const std::int32_t offset = squaredRows + column * column;
+        for (int k = 0; k < columns_; ++k) {
+            squared_[static_cast<std::size_t>(k) + 1] = rowsAway[k] * rowsAway[k];
+        }
+        size_ = 0;
+        for (std::size_t k = 0, count = findCandidates(); k < count; ++k) {
+            add(candidates_[k]);
+        }
+        int from = 0;
+        for (std::size_t k = 0; k < size_; ++k) {
+            const int to = k + 1 < size_ ? static_cast<int>(std::ceil(envelope_[k + 1].from)) : columns_;
+            fill(from, to, envelope_[k].column);
+            from = std::max(from, to);
+        }
+    }
+
+private:
+    static constexpr std::int32_t farSquared = far * far;
+
+    /// Columns that are nearest to any cell as far as the columns beside them can tell: most drop out without a branch.
+    std::size_t findCandidates()
+    {
+        std::size_t count = 0;
+        for (int k = 0; k < columns_; ++k) {
+            const std::int32_t* const here = &squared_[static_cast<std::size_t>(k) + 1];
+            const std::int32_t first = (here[0] - here[-1]) >> 1;   // cells from here on, counted from the column
+            const std::int32_t last = (here[1] - here[0] + 1) >> 1;
+            candidates_[count] = k;
+            count += static_cast<std::size_t>(here[0] < farSquared) & static_cast<std::size_t>(first <= last);
+        }
+        return count;
+    }
+
+    void add(int column)
+    {
+        const std::int32_t offset = squared_[static_cast<std::size_t>(column) + 1] + column * column;
         double from = 0.0;
         while (size_ > 0) {
             const Parabola& last = envelope_[size_ - 1];
@@ -68,34 +101,21 @@ public:
         if (size_ == 0) {
             from = -1.0;
         }
-        if (from < static_cast<double>(halfInverse_.size())) {
-            envelope_[size_++] = {from, column, offset, point};
+        if (from < static_cast<double>(columns_)) {
+            envelope_[size_++] = {from, column, offset};
         }
     }
 
-    /// Writes the nearest point of every cell and forgets the row.
-    void finish(std::int32_t* nearest)
-    {
-        int column = 0;
-        for (std::size_t k = 0; k < size_; ++k) {
-            const auto columns = static_cast<int>(halfInverse_.size());
-            const int end = k + 1 < size_ ? static_cast<int>(std::ceil(envelope_[k + 1].from)) : columns;
-            for (; column < end; ++column) {
-                nearest[column] = envelope_[k].point;
-            }
-        }
-        size_ = 0;
-    }
-
-private:
-    /// A column's nearest point, and from which cell on it is the nearest of the row.
+    /// A column's seed, and from which cell on it is the nearest of the row.
     struct Parabola {
         double from;
         std::int32_t column;
         std::int32_t offset;   ///< squared rows and squared column
-        std::int32_t point;
     };
+    int columns_;
+    std::vector<std::int32_t> squared_;   ///< rows to the seed; one column more on both sides
     std::vector<double> halfInverse_;
+    std::vector<int> candidates_;
     std::vector<Parabola> envelope_;   ///< room for all columns
     std::size_t size_ = 0;
 };
@@ -110,36 +130,31 @@ FeatureMap::FeatureMap(std::vector<Eigen::Vector2d> pointsPx, int imageWidth, in
 {
     assert(!points_.empty());
     const auto width = static_cast<std::size_t>(columns_);
-    nearest_.assign(width * static_cast<std::size_t>(rows_), none);
-    std::vector<std::int32_t> rowsAway(nearest_.size(), 2 * rows_);
+    std::vector<std::int32_t> seeds(width * static_cast<std::size_t>(rows_), none);
     for (std::size_t i = 0; i < points_.size(); ++i) {
         // Points outside the table stand at its border, the nearest place that still leads to them.
-        const double column = std::clamp((points_[i].x() + offsetPx_) / cellPx, 0.0, columns_ - 1.0);
-        const double row = std::clamp((points_[i].y() + offsetPx_) / cellPx, 0.0, rows_ - 1.0);
-        const std::size_t cell = static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
-        nearest_[cell] = static_cast<std::int32_t>(i);
-        rowsAway[cell] = 0;
+        seeds[cellOf(points_[i].x(), points_[i].y())] = static_cast<std::int32_t>(i);
     }
-    fillColumns(nearest_, rowsAway, width);
+    const std::vector<std::int16_t> rowsAway = rowsToSeed(seeds, width);
+    nearest_.resize(seeds.size());
     RowSweep sweep(columns_);
     for (std::size_t row = 0; row < nearest_.size(); row += width) {
-        for (int column = 0; column < columns_; ++column) {
+        sweep.run(&rowsAway[row], [&](int from, int to, int column) {
             const std::size_t cell = row + static_cast<std::size_t>(column);
-            if (nearest_[cell] != none) {
-                sweep.add(column, rowsAway[cell] * rowsAway[cell], nearest_[cell]);
-            }
-        }
-        sweep.finish(&nearest_[row]);
+            const std::size_t rows = width * static_cast<std::size_t>(rowsAway[cell]);
+            const bool isAbove = rows <= cell && seeds[cell - rows] != none;
+            std::fill(nearest_.begin() + static_cast<std::ptrdiff_t>(row) + from,
+                      nearest_.begin() + static_cast<std::ptrdiff_t>(row) + std::max(from, to),
+                      seeds[isAbove ? cell - rows : cell + rows]);
+        });
     }
 }
 
 std::size_t FeatureMap::nearestIndex(const Eigen::Vector2d& queryPx) const
 {
-    const auto cellOf = [this](double px, int count) {
-        return static_cast<int>(std::clamp((px + offsetPx_) / cellPx, 0.0, count - 1.0));
-    };
-    const int column = cellOf(queryPx.x(), columns_);
-    const int row = cellOf(queryPx.y(), rows_);
+    const auto cell = static_cast<int>(cellOf(queryPx.x(), queryPx.y()));
+    const int column = cell % columns_;
+    const int row = cell / columns_;
     std::size_t best = 0;
     double bestSquared = std::numeric_limits<double>::infinity();
     for (int r = std::max(0, row - 1); r <= std::min(rows_ - 1, row + 1); ++r) {

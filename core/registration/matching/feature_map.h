@@ -22,16 +22,17 @@ public:
     const std::vector<Eigen::Vector2d>& points() const override { return points_; }
 
     /// The answer of the query's cell alone, for inner loops.
-    std::size_t lookUp(double u, double v) const
+    std::size_t lookUp(double u, double v) const { return static_cast<std::size_t>(nearest_[cellOf(u, v)]); }
+
+private:
+    std::size_t cellOf(double u, double v) const
     {
         constexpr double perPx = 1.0 / cellPx;
         const double column = std::clamp((u + offsetPx_) * perPx, 0.0, columns_ - 1.0);
         const double row = std::clamp((v + offsetPx_) * perPx, 0.0, rows_ - 1.0);
-        return static_cast<std::size_t>(
-            nearest_[static_cast<std::size_t>(static_cast<int>(row) * columns_ + static_cast<int>(column))]);
+        return static_cast<std::size_t>(static_cast<int>(row) * columns_ + static_cast<int>(column));
     }
 
-private:
     std::vector<Eigen::Vector2d> points_;
     double offsetPx_ = 0.0;   ///< from pixel coordinates to the outer edge of the first cell
     int columns_ = 0;

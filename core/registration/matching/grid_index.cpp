@@ -9,6 +9,7 @@ namespace core {
 namespace {
 
 constexpr int maxCellsPerAxis = 256;   // far outliers must not ask for a huge table
+constexpr int widestRows = 31;   // looked at for any point near by
 
 }   // namespace
 
@@ -23,6 +24,7 @@ GridIndex::GridIndex(std::vector<Eigen::Vector2d> pointsPx) : points_(std::move(
     }
     const double extentPx = (highest - origin_).maxCoeff();
     cellPx_ = std::max(cellPx_, extentPx / (maxCellsPerAxis - 1));
+    perCell_ = 1.0 / cellPx_;
     columns_ = static_cast<int>((highest.x() - origin_.x()) / cellPx_) + 1;
     rows_ = static_cast<int>((highest.y() - origin_.y()) / cellPx_) + 1;
 
@@ -45,45 +47,76 @@ GridIndex::GridIndex(std::vector<Eigen::Vector2d> pointsPx) : points_(std::move(
     }
 }
 
-std::size_t GridIndex::nearestIndex(const Eigen::Vector2d& queryPx) const
+/// What is known of the nearest point while the search goes on.
+struct GridIndex::Best {
+    std::size_t number = 0;
+    double squared = std::numeric_limits<double>::infinity();
+};
+
+/// Looks at the points of one row of cells within `reachPx` of the query, and some more.
+void GridIndex::searchRow(int row, double reachPx, const Eigen::Vector2d& queryPx, Best& best) const
 {
-    const Eigen::Vector2d cell = (queryPx - origin_) / cellPx_;
-    const int column = static_cast<int>(std::clamp(std::floor(cell.x()), 0.0, columns_ - 1.0));
-    const int row = static_cast<int>(std::clamp(std::floor(cell.y()), 0.0, rows_ - 1.0));
-    double bestSquared = std::numeric_limits<double>::infinity();
-    std::int32_t best = 0;
-    const auto visit = [&](int c, int r) {
-        const auto index =
-            static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(c);
-        for (std::int32_t k = cellStart_[index]; k < cellStart_[index + 1]; ++k) {
-            const std::int32_t candidate = members_[static_cast<std::size_t>(k)];
-            const double squared = (points_[static_cast<std::size_t>(candidate)] - queryPx).squaredNorm();
-            if (squared < bestSquared || (squared == bestSquared && candidate < best)) {
-                bestSquared = squared;
-                best = candidate;
-            }
-        }
-    };
-    // Rings of cells around the query; one more ring cannot help once the best is nearer than the ring.
-    const double column0 = cell.x() - column;
-    const double row0 = cell.y() - row;
-    const double edge = std::min({column0, 1.0 - column0, row0, 1.0 - row0});   // negative outside the table
-    for (int ring = 0; ring <= std::max(columns_, rows_); ++ring) {
-        const double reachPx = std::max(0.0, (ring - 1 + std::min(edge, 1.0)) * cellPx_);
-        if (ring > 0 && reachPx * reachPx > bestSquared) {
-            break;
-        }
-        for (int r = std::max(0, row - ring); r <= std::min(rows_ - 1, row + ring); ++r) {
-            const bool isEdge = r == row - ring || r == row + ring;
-            const int step = isEdge || ring == 0 ? 1 : 2 * ring;
-            for (int c = column - ring; c <= column + ring; c += step) {
-                if (c >= 0 && c < columns_) {
-                    visit(c, r);
-                }
-            }
+    const double middle = queryPx.x() - origin_.x();
+    const auto from = static_cast<int>(std::clamp((middle - reachPx) * perCell_, 0.0, columns_ - 1.0));
+    const auto to = static_cast<int>(std::clamp((middle + reachPx) * perCell_, 0.0, columns_ - 1.0));
+    const std::int32_t* const start = &cellStart_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_)];
+    for (std::int32_t k = start[from]; k < start[to + 1]; ++k) {
+        const auto candidate = static_cast<std::size_t>(members_[static_cast<std::size_t>(k)]);
+        const double squared = (points_[candidate] - queryPx).squaredNorm();
+        if (squared < best.squared || (squared == best.squared && candidate < best.number)) {
+            best = {candidate, squared};
         }
     }
-    return static_cast<std::size_t>(best);
+}
+
+/// Improves on `best`, row by row away from the query as far as a point could be nearer.
+void GridIndex::searchWithin(const Eigen::Vector2d& queryPx, Best& best) const
+{
+    const double place = (queryPx.y() - origin_.y()) * perCell_;
+    const auto middle = static_cast<int>(std::clamp(place, 0.0, rows_ - 1.0));
+    for (int row = middle; row >= 0; --row) {
+        const double awayPx = std::max(0.0, place - (row + 1)) * cellPx_;
+        if (awayPx * awayPx > best.squared) {
+            break;
+        }
+        searchRow(row, std::sqrt(best.squared), queryPx, best);
+    }
+    for (int row = middle + 1; row < rows_; ++row) {
+        const double awayPx = std::max(0.0, row - place) * cellPx_;
+        if (awayPx * awayPx > best.squared) {
+            break;
+        }
+        searchRow(row, std::sqrt(best.squared), queryPx, best);
+    }
+}
+
+std::size_t GridIndex::nearestIndex(const Eigen::Vector2d& queryPx) const
+{
+    // The first point found in wider and wider rows limits the search; far from all, any point does.
+    const double place = (queryPx.y() - origin_.y()) * perCell_;
+    const auto middle = static_cast<int>(std::clamp(place, 0.0, rows_ - 1.0));
+    Best best;
+    for (int reach = 0; reach <= widestRows && !std::isfinite(best.squared); reach = 2 * reach + 1) {
+        for (int row = std::max(0, middle - reach); row <= std::min(rows_ - 1, middle + reach); ++row) {
+            searchRow(row, (reach + 1) * cellPx_, queryPx, best);
+        }
+    }
+    return nearestIndex(queryPx, best.number);
+}
+
+std::size_t GridIndex::nearestIndex(const Eigen::Vector2d& queryPx, std::size_t guess) const
+{
+    Best best{guess, (points_[guess] - queryPx).squaredNorm()};
+    const auto isNearer = [&](std::size_t number) {
+        const double squared = (points_[number] - queryPx).squaredNorm();
+        return squared < best.squared ? (best = {number, squared}, true) : false;
+    };
+    while (best.number + 1 < points_.size() && isNearer(best.number + 1)) {
+    }
+    while (best.number > 0 && isNearer(best.number - 1)) {
+    }
+    searchWithin(queryPx, best);
+    return best.number;
 }
 
 }   // namespace core

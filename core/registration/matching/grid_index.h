@@ -13,12 +13,21 @@ public:
     explicit GridIndex(std::vector<Eigen::Vector2d> pointsPx);
 
     std::size_t nearestIndex(const Eigen::Vector2d& queryPx) const override;
+
+    /// The same, the sooner the nearer point `guess` already is.
+    std::size_t nearestIndex(const Eigen::Vector2d& queryPx, std::size_t guess) const;
+
     const std::vector<Eigen::Vector2d>& points() const override { return points_; }
 
 private:
+    struct Best;
+    void searchRow(int row, double reachPx, const Eigen::Vector2d& queryPx, Best& best) const;
+    void searchWithin(const Eigen::Vector2d& queryPx, Best& best) const;
+
     std::vector<Eigen::Vector2d> points_;
     Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
     double cellPx_ = 4.0;
+    double perCell_ = 0.25;
     int columns_ = 1;
     int rows_ = 1;
     std::vector<std::int32_t> cellStart_;   ///< one more than cells

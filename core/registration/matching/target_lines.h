@@ -38,7 +38,6 @@ public:
     }
 
     const std::vector<Line>& lines() const { return lines_; }
-    const FeatureMap& index() const { return map_; }
 
 private:
     FeatureMap map_;

@@ -22,6 +22,16 @@ TEST(Quantile, EndsAreTheExtremes)
     EXPECT_EQ(ends[1], 7.0);
 }
 
+TEST(Quantile, FractionsComeInAnyOrder)
+{
+    std::vector<double> values;
+    for (int k = 0; k <= 100; ++k) {
+        values.push_back((37 * k) % 101);
+    }
+    const std::vector<double> expected{20.0, 75.0, 95.0, 50.0, 95.0};
+    EXPECT_EQ(quantiles(values, {0.2, 0.75, 0.95, 0.5, 0.95}), expected);
+}
+
 TEST(Quantile, OfNothingIsNotANumber)
 {
     EXPECT_TRUE(std::isnan(quantile({}, 0.5)));

@@ -37,6 +37,17 @@ TEST(GridIndex, FindsTheNearestPointAnywhere)
     }
 }
 
+TEST(GridIndex, FindsTheNearestPointWhateverTheGuess)
+{
+    const auto points = randomPoints(400, 100.0, 300.0, 1);
+    const GridIndex index(points);
+    std::size_t guess = 0;
+    for (const Eigen::Vector2d& query : randomPoints(2000, -500.0, 900.0, 2)) {
+        EXPECT_EQ(index.nearestIndex(query, guess), index.nearestIndex(query));
+        guess = (guess + 37) % points.size();
+    }
+}
+
 TEST(GridIndex, TakesASinglePointAndFarOutliers)
 {
     EXPECT_EQ(GridIndex({{3.0, 4.0}}).nearestIndex({-1e5, 7.0}), 0u);
