@@ -18,6 +18,7 @@ struct MethodSolution {
     std::vector<std::string> warnings;   ///< what only the method can know, plain words
     StageTimes time;   ///< totalMs stays 0
     std::shared_ptr<const TargetLines> targetLines;   ///< if the method built them, for judging
+    std::optional<double> agreement;   ///< of the pose, see AgreementScore; if the method found it, for judging
     bool isSettled = false;   ///< refined by the residuals that judge it: it cannot slide to a better place close by
 };
 

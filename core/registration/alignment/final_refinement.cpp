@@ -1,6 +1,5 @@
 #include "core/registration/alignment/final_refinement.h"
 
-#include "core/registration/alignment/exact_partners.h"
 #include "core/registration/alignment/shape_tolerance.h"
 
 #include <algorithm>
@@ -19,15 +18,19 @@ FinalRefinement::FinalRefinement(const RegistrationProblem& problem, const Targe
       prior_(prior),
       options_(options),
       target_(target),
+      partners_(problem),
       few_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), fewPoints)), problem.camera, target)
 {
 }
 
 RefinementResult FinalRefinement::refine(const CentroidPose& pose, const RefinementObserver& observe)
 {
+    if (const auto exact = partners_.refine(pose)) {
+        return {*exact, fewSchedule.startScalePx, 0, StopReason::Converged};
+    }
     few_.resetVisibility();
     RefinementResult result = core::refine(few_, prior_, pose, fewSchedule);
-    if (const auto exact = refineWithExactPartners(problem_, result.pose)) {
+    if (const auto exact = partners_.refine(result.pose)) {
         result.pose = *exact;
         return result;
     }
@@ -39,7 +42,7 @@ RefinementResult FinalRefinement::refine(const CentroidPose& pose, const Refinem
     const RefinementSchedule schedule{startScalePx, options_.finalScalePx, 0.7, 2, 20, options_.maxIterations};
     result = core::refine(*all_, prior_, result.pose, schedule, observe);
     if (result.stopReason != StopReason::StoppedByUser) {
-        const auto exact = refineWithExactPartners(problem_, result.pose);
+        const auto exact = partners_.refine(result.pose);
         result.pose = exact ? *exact : refineTolerantly(*all_, prior_, result.pose, result.scalePx);
     }
     return result;

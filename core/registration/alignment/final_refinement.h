@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/registration/alignment/exact_partners.h"
 #include "core/registration/alignment/graduated_refinement.h"
-#include "core/registration/registration_problem.h"
 
 #include <optional>
 
@@ -21,6 +21,7 @@ private:
     const StartPrior& prior_;
     const RegistrationOptions& options_;
     const TargetLines& target_;
+    ExactPartners partners_;
     Alignment few_;
     std::optional<Alignment> all_;   ///< made when first needed: exact partners never do
 };

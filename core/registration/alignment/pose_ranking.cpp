@@ -32,14 +32,15 @@ void PoseRanking::add(const CentroidPose& hypothesis)
 {
     points_.resetVisibility();
     const RefinementResult refined = refine(points_, prior_, hypothesis, schedule);
-    const ScoredPose scored{refined.pose, scoreOf(refined.pose), refined.stopReason};
+    const ScoredPose candidate = scored(refined.pose, refined.stopReason);
     const auto isBetter = [](const ScoredPose& a, const ScoredPose& b) { return a.score > b.score; };
-    ranked_.insert(std::upper_bound(ranked_.begin(), ranked_.end(), scored, isBetter), scored);
+    ranked_.insert(std::upper_bound(ranked_.begin(), ranked_.end(), candidate, isBetter), candidate);
 }
 
-double PoseRanking::scoreOf(const CentroidPose& pose)
+ScoredPose PoseRanking::scored(const CentroidPose& pose, StopReason stopReason)
 {
-    return agreement_.of(pose) * std::exp(-perUnitOfPrior * prior_.cost(pose));
+    const double agreement = agreement_.of(pose);
+    return {pose, agreement * std::exp(-perUnitOfPrior * prior_.cost(pose)), agreement, stopReason};
 }
 
 std::vector<ScoredPose> PoseRanking::distinct(double share, std::size_t count) const

@@ -8,6 +8,7 @@ namespace core {
 struct ScoredPose {
     CentroidPose pose;
     double score = 0.0;   ///< agreement both ways, lowered by distance from the start pose; 0…1
+    double agreement = 0.0;   ///< not lowered
     StopReason stopReason = StopReason::Converged;
 };
 
@@ -24,7 +25,7 @@ public:
     /// Refines the hypothesis and files it.
     void add(const CentroidPose& hypothesis);
 
-    double scoreOf(const CentroidPose& pose);
+    ScoredPose scored(const CentroidPose& pose, StopReason stopReason);
 
     bool isEmpty() const { return ranked_.empty(); }
     const ScoredPose& best() const { return ranked_.front(); }

@@ -20,6 +20,23 @@ constexpr double distinctSigmas = 3.0;
 constexpr double searchEnds = 0.4;
 constexpr double roughEnds = 0.8;
 
+/// Median distance to the target for reports, found anew when the pose is another.
+class DistanceOfPose {
+public:
+    double of(const CentroidPose& pose, PoseRanking& ranking)
+    {
+        if (!pose_ || pose_->rotation != pose.rotation || pose_->centroidInCamera != pose.centroidInCamera) {
+            pose_ = pose;
+            distancePx_ = ranking.medianDistancePx(pose);
+        }
+        return distancePx_;
+    }
+
+private:
+    std::optional<CentroidPose> pose_;
+    double distancePx_ = 0.0;
+};
+
 /// One registration under way: hypotheses → rough poses, ranked → finalists → winner.
 class AngioPose {
 public:
@@ -33,6 +50,7 @@ public:
     StopReason stopReason() const;
     std::vector<Hypothesis> alternatives() const;
     std::shared_ptr<const TargetLines> target() const { return target_; }
+    std::optional<double> agreement() const;
 
 private:
     using Search = std::vector<CentroidPose> (PoseSearch::*)(const CentroidPose&, const SearchObserver&) const;
@@ -51,6 +69,7 @@ private:
     StartPrior prior_;
     PoseSearch search_;
     PoseRanking ranking_;
+    DistanceOfPose reportedDistance_;
     std::vector<ScoredPose> refined_;   ///< the finalists, best first; empty until then
 };
 
@@ -73,7 +92,7 @@ Verdict AngioPose::report(std::string_view stage, double progress, double scaleP
     report.stage = stage;
     report.progress = progress;
     report.scalePx = scalePx;
-    report.medianDistancePx = ranking_.medianDistancePx(bestPose());
+    report.medianDistancePx = reportedDistance_.of(bestPose(), ranking_);
     report.cameraFromPatient = inPatient(bestPose());
     return progress_.report(report);
 }
@@ -157,7 +176,7 @@ void AngioPose::refineFinalists()
         if (progress_.isStopped()) {
             return;
         }
-        refined.push_back({result.pose, ranking_.scoreOf(result.pose), result.stopReason});
+        refined.push_back(ranking_.scored(result.pose, result.stopReason));
     }
     std::stable_sort(refined.begin(), refined.end(),
                      [](const ScoredPose& a, const ScoredPose& b) { return a.score > b.score; });
@@ -171,6 +190,11 @@ const CentroidPose& AngioPose::bestPose() const
         return refined_.front().pose;
     }
     return ranking_.isEmpty() ? start_ : ranking_.best().pose;
+}
+
+std::optional<double> AngioPose::agreement() const
+{
+    return refined_.empty() ? std::nullopt : std::optional(refined_.front().agreement);
 }
 
 StopReason AngioPose::stopReason() const
@@ -219,6 +243,7 @@ MethodSolution solveAngioPose(const RegistrationProblem& problem, const Registra
     solution.iterations = progress.iterations();
     solution.alternatives = run.alternatives();
     solution.targetLines = run.target();
+    solution.agreement = run.agreement();
     solution.isSettled = !progress.isStopped();
     solution.time.solveMs = stopwatch.lapMs();
     return solution;

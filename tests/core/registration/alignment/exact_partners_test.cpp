@@ -20,7 +20,7 @@ TEST(ExactPartners, MakeThePoseExact)
     const test::CleanCase clean(2);
     const auto problem = makeProblem(clean.from(clean.truth), {}).value();
     const CentroidPose truth = aboutCentroid(clean.truth, problem.tree.centroid);
-    const auto refined = refineWithExactPartners(problem, slightlyBeside(truth));
+    const auto refined = ExactPartners(problem).refine(slightlyBeside(truth));
     ASSERT_TRUE(refined);
     EXPECT_LT(stepBetween(truth, *refined).norm(), 1e-8);
 }
@@ -35,7 +35,7 @@ TEST(ExactPartners, AreNotSeenInNoisyPoints)
         }
     }
     const auto problem = makeProblem(clean.from(clean.truth), {}).value();
-    EXPECT_FALSE(refineWithExactPartners(problem, aboutCentroid(clean.truth, problem.tree.centroid)));
+    EXPECT_FALSE(ExactPartners(problem).refine(aboutCentroid(clean.truth, problem.tree.centroid)));
 }
 
 TEST(ExactPartners, AreNotSeenBetweenOtherSamplesOfTheSameCurves)
@@ -43,7 +43,7 @@ TEST(ExactPartners, AreNotSeenBetweenOtherSamplesOfTheSameCurves)
     test::CleanCase clean(2);
     clean.target = resampled(clean.target, 1.3);
     const auto problem = makeProblem(clean.from(clean.truth), {}).value();
-    EXPECT_FALSE(refineWithExactPartners(problem, aboutCentroid(clean.truth, problem.tree.centroid)));
+    EXPECT_FALSE(ExactPartners(problem).refine(aboutCentroid(clean.truth, problem.tree.centroid)));
 }
 
 }   // namespace
