@@ -27,7 +27,8 @@ struct MultiViewResult {
 /// (ALGORITHMS §6.12). The start poses tell the geometry: startOfB ∘ startOfA⁻¹ leads from camera to camera, up to the
 /// small corrections that `multiView` allows. One view's depth is another's shift, so the depth becomes as certain as
 /// the shift. Fails like registerVessels, naming the view, and when the views show different trees.
-Result<MultiViewResult> registerViews(std::span<const RegistrationInput> views, const RegistrationOptions& options = {},
-                                      const MultiViewOptions& multiView = {}, const IterationObserver& observe = {});
+Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
+                                      const RegistrationOptions& options = {}, const MultiViewOptions& multiView = {},
+                                      const IterationObserver& observe = {});
 
 }   // namespace core

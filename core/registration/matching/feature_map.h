@@ -25,12 +25,15 @@ public:
     std::size_t lookUp(double u, double v) const { return static_cast<std::size_t>(nearest_[cellOf(u, v)]); }
 
 private:
+    /// By way of int, which the processor converts faster.
+    static std::size_t whole(double value) { return static_cast<std::size_t>(static_cast<int>(value)); }
+
     std::size_t cellOf(double u, double v) const
     {
         constexpr double perPx = 1.0 / cellPx;
         const double column = std::clamp((u + offsetPx_) * perPx, 0.0, columns_ - 1.0);
         const double row = std::clamp((v + offsetPx_) * perPx, 0.0, rows_ - 1.0);
-        return static_cast<std::size_t>(static_cast<int>(row) * columns_ + static_cast<int>(column));
+        return whole(row) * static_cast<std::size_t>(columns_) + whole(column);
     }
 
     std::vector<Eigen::Vector2d> points_;
