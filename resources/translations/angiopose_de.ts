@@ -1748,8 +1748,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Nachbarn</translation>
     </message>
     <message>
-        <source>No contrast-filled blood stands out in the volume. If it shows vessels, give the threshold at which they begin.</source>
-        <translation>Im Volumen hebt sich kein kontrastiertes Blut ab. Falls Gefäße zu sehen sind, die Schwelle angeben, ab der sie beginnen.</translation>
+        <source>No contrast-filled vessels were found: besides bone the brightest has %1, soft tissue %2, and it is not like a vessel. Is this the arterial phase? Choose the CT angiogram, or give the threshold at which the vessels begin.</source>
+        <translation>Es wurden keine kontrastierten Gefäße gefunden: Das Hellste außer Knochen hat %1, Weichgewebe %2, und es gleicht keinem Gefäß. Ist dies die arterielle Phase? Die CT-Angiographie wählen oder die Schwelle angeben, ab der die Gefäße beginnen.</translation>
     </message>
     <message>
         <source>Nothing in the volume is like a vessel: no branch is long enough. Lower the threshold or the shortest branch length.</source>
@@ -3864,8 +3864,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>vessel.editedTree: %1 Den Schlüssel entfernen, um zu den unbearbeiteten Gefäßen zurückzukehren.</translation>
     </message>
     <message>
-        <source>Besides bone, nothing in the scan is as bright as blood with contrast medium. Choose a CT angiogram, or give the threshold at which the vessels begin.</source>
-        <translation>Außer Knochen ist im CT nichts so hell wie kontrastiertes Blut. Eine CT-Angiographie wählen, oder die Schwelle angeben, ab der die Gefäße beginnen.</translation>
+        <source>No contrast-filled vessels were found: soft tissue has %1, and nothing even is as much brighter as contrast medium makes blood. Is this the arterial phase? Choose the CT angiogram, or give the threshold at which the vessels begin.</source>
+        <translation>Es wurden keine kontrastierten Gefäße gefunden: Weichgewebe hat %1, und nichts Gleichmäßiges ist so viel heller, wie Kontrastmittel das Blut macht. Ist dies die arterielle Phase? Die CT-Angiographie wählen oder die Schwelle angeben, ab der die Gefäße beginnen.</translation>
     </message>
 </context>
 <context>

@@ -1748,8 +1748,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>邻点</translation>
     </message>
     <message>
-        <source>No contrast-filled blood stands out in the volume. If it shows vessels, give the threshold at which they begin.</source>
-        <translation>体数据中未见明显对比剂充盈。若其中有血管，请给出血管起始阈值。</translation>
+        <source>No contrast-filled vessels were found: besides bone the brightest has %1, soft tissue %2, and it is not like a vessel. Is this the arterial phase? Choose the CT angiogram, or give the threshold at which the vessels begin.</source>
+        <translation>未找到对比剂充盈的血管：除骨骼外最亮处为 %1，软组织为 %2，且形态不似血管。这是动脉期吗？请选择 CT 血管造影，或给出血管起始阈值。</translation>
     </message>
     <message>
         <source>Nothing in the volume is like a vessel: no branch is long enough. Lower the threshold or the shortest branch length.</source>
@@ -3864,8 +3864,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>vessel.editedTree：%1 删除该键可恢复编辑前的血管。</translation>
     </message>
     <message>
-        <source>Besides bone, nothing in the scan is as bright as blood with contrast medium. Choose a CT angiogram, or give the threshold at which the vessels begin.</source>
-        <translation>除骨骼外，扫描中没有与对比剂充盈血液同亮的部分。请选择 CT 血管造影，或给出血管起始阈值。</translation>
+        <source>No contrast-filled vessels were found: soft tissue has %1, and nothing even is as much brighter as contrast medium makes blood. Is this the arterial phase? Choose the CT angiogram, or give the threshold at which the vessels begin.</source>
+        <translation>未找到对比剂充盈的血管：软组织为 %1，没有均匀区域达到对比剂使血液增亮的程度。这是动脉期吗？请选择 CT 血管造影，或给出血管起始阈值。</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace core {
@@ -173,7 +174,20 @@ double typicalAbove(const Reader& reader, double threshold)
     return *middle;
 }
 
+std::string valueText(double value, bool isHu)
+{
+    return std::to_string(std::lround(value)) + (isHu ? " HU" : "");
+}
+
 }   // namespace
+
+Error noVesselsFound(const BloodLevel& level)
+{
+    return Error{"No contrast-filled vessels were found: besides bone the brightest has " +
+                 valueText(level.blood, level.isHu) + ", soft tissue " + valueText(level.tissue, level.isHu) +
+                 ", and it is not like a vessel. Is this the arterial phase? Choose the CT angiogram, or give the "
+                 "threshold at which the vessels begin."};
+}
 
 Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, std::optional<double> threshold)
 {
@@ -184,6 +198,7 @@ Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, 
     }
     const bool isHu = range.low < airHu;
     BloodLevel level;
+    level.isHu = isHu;
     level.tissue = tissueValue(histogramOf(reader, range, range.low - 1.0, coarseStep), isHu);
     const double leastBlood =
         threshold ? *threshold : level.tissue + (isHu ? leastContrastHu : 0.1 * (range.high - level.tissue));
@@ -198,9 +213,9 @@ Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, 
         return peak.ml >= std::max(leastBloodMl, shareOfGreatest * greatest);
     });
     if (found == peaks.rend() && !threshold) {
-        return Error{
-            "No contrast-filled blood stands out in the volume. If it shows vessels, give the threshold at "
-            "which they begin."};
+        return Error{"No contrast-filled vessels were found: soft tissue has " + valueText(level.tissue, isHu) +
+                     ", and nothing even is as much brighter as contrast medium makes blood. Is this the arterial "
+                     "phase? Choose the CT angiogram, or give the threshold at which the vessels begin."};
     }
     level.blood = found != peaks.rend() ? histogram.valueOf(found->bin) : typicalAbove(reader, *threshold);
     level.threshold = threshold ? *threshold : 0.5 * (level.tissue + level.blood);

@@ -13,6 +13,7 @@ struct BloodLevel {
     double tissue = 0.0;   ///< of what surrounds the vessels
     double blood = 1.0;   ///< of contrast-filled lumen where it is wide
     double threshold = 0.5;   ///< half way: there lies the wall, unmoved by blurring
+    bool isHu = false;   ///< Hounsfield units: there is air in the scan
 
     double contrast() const { return blood - tissue; }
 };
@@ -21,5 +22,8 @@ struct BloodLevel {
 /// changes: inside organs and wide vessels, not at walls nor in bone. A given threshold is kept, and the tissue follows
 /// from it. Fails when no blood stands out.
 Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, std::optional<double> threshold);
+
+/// Why a scan with this level has no tree, in the words for users: what was taken for blood, and what to do.
+Error noVesselsFound(const BloodLevel& level);
 
 }   // namespace core

@@ -45,8 +45,8 @@ public:
         markTubes(volume_, order_, level_, leastTubeFill, flags_, bits, threads_, progress);
         VoxelMask lumen(order_.geometry);
         eachSlice(progress, [&](int k) { choose(lumen, k); });
-        if (!progress.isStopped()) {
-            dropMarrow(lumen);
+        if (progress.advance(0.0)) {
+            dropMarrow(lumen, progress);
         }
         return lumen;
     }
@@ -81,6 +81,9 @@ private:
         eachSlice(progress, [&](int k) {
             eachVoxel(flags_, k, [&](int i, int j, std::uint8_t& flag) { flag = fillAt(i, j, k) > mostFill ? 1 : 0; });
         });
+        if (progress.isStopped()) {
+            return;
+        }
         const double voxelMl = order_.geometry.spacingMm.prod() / 1000.0;
         const auto pieces = piecesOf(flags_, static_cast<std::size_t>(std::ceil(mostBrightMl / voxelMl)));
         for (std::uint8_t& flag : flags_.voxels) {
@@ -155,9 +158,12 @@ private:
         }
     }
 
-    void dropMarrow(VoxelMask& lumen) const
+    void dropMarrow(VoxelMask& lumen, TracingProgress& progress) const
     {
         for (const VoxelPiece& piece : piecesOf(lumen)) {
+            if (!progress.advance(0.0)) {
+                return;
+            }
             if (isMarrow(piece, lumen)) {
                 for (const std::uint32_t voxel : piece) {
                     lumen.voxels[voxel] = 0;

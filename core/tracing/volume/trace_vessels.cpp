@@ -117,6 +117,9 @@ Result<ChosenLumen> chosenLumen(VoxelMask whole, const VesselTracingOptions& opt
     if (!leftOut) {
         return leftOut.error();
     }
+    if (!progress.advance(0.0)) {
+        return stopped();
+    }
     ChosenLumen chosen;
     chosen.warning = std::move(leftOut).value();
     chosen.box = grown(boxOf(whole), 1, whole.geometry);
@@ -135,11 +138,6 @@ Result<TracedVessels> treeOf(const ChosenLumen& chosen, const BloodFill& fill, c
     LumenTree found = lumenTree(chosen.lumen, fill, options, progress);
     if (progress.isStopped()) {
         return stopped();
-    }
-    if (found.tree.branches.empty()) {
-        return Error{
-            "Nothing in the volume is like a vessel: no branch is long enough. Lower the threshold or the "
-            "shortest branch length."};
     }
     TracedVessels traced;
     traced.tree = std::move(found.tree);
@@ -164,6 +162,19 @@ HoleFilter noiseHoles(const VoxelFill& fill)
     };
 }
 
+/// `reason` where nothing was traced.
+Result<TracedVessels> unlessEmpty(Result<TracedVessels> traced, const Error& reason)
+{
+    return traced && traced.value().tree.branches.empty() ? Result<TracedVessels>(reason) : std::move(traced);
+}
+
+Error noLongBranch()
+{
+    return Error{
+        "Nothing in the volume is like a vessel: no branch is long enough. Lower the threshold or the shortest "
+        "branch length."};
+}
+
 /// A mask in patient axis order, taken as it is.
 Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, const VesselTracingOptions& options,
                                  TracingProgress& progress)
@@ -174,7 +185,7 @@ Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, 
     }
     ChosenLumen lumen = std::move(chosen).value();
     fillCavities(lumen.lumen);
-    return treeOf(lumen, fillOf(lumen.lumen), stored, options, progress);
+    return unlessEmpty(treeOf(lumen, fillOf(lumen.lumen), stored, options, progress), noLongBranch());
 }
 
 }   // namespace
@@ -218,14 +229,12 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
     }
     progress.enter("vessels", 0.05, 0.7);
     VoxelMask candidates = segmentLumen(volume, order, level.value(), threadCount(options.threads), progress);
-    if (progress.isStopped()) {
+    if (!progress.advance(0.0)) {
         return stopped();
     }
     if (std::none_of(candidates.voxels.begin(), candidates.voxels.end(),
                      [](std::uint8_t voxel) { return voxel != 0; })) {
-        return Error{
-            "Besides bone, nothing in the scan is as bright as blood with contrast medium. Choose a CT angiogram, or "
-            "give the threshold at which the vessels begin."};
+        return noVesselsFound(level.value());
     }
     const VoxelFill fill = [&volume, &order, &level](int i, int j, int k) {
         return (volume.value(order.stored(i, j, k)) - level.value().tissue) / level.value().contrast();
@@ -245,7 +254,9 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
         return stopped();
     }
     fillCavities(lumen.lumen);
-    auto traced = treeOf(lumen, fillOf(volume, part, level.value(), lumen.lumen), volume.geometry, options, progress);
+    auto traced =
+        unlessEmpty(treeOf(lumen, fillOf(volume, part, level.value(), lumen.lumen), volume.geometry, options, progress),
+                    options.threshold ? noLongBranch() : noVesselsFound(level.value()));
     if (!traced) {
         return traced.error();
     }

@@ -147,7 +147,8 @@ TEST(TraceVolume, RefusesWhatShowsNoContrast)
     EXPECT_FALSE(core::traceVessels(Volume(grid, 40)));
     const auto traced = core::traceVessels(tubesInTissue(grid, {{{90, 0, 0}, {91, 0, 0}, 1.0}}));
     ASSERT_FALSE(traced);
-    EXPECT_NE(traced.error().message.find("threshold"), std::string::npos);
+    EXPECT_NE(traced.error().message.find("soft tissue has 53 HU"), std::string::npos) << traced.error().message;
+    EXPECT_NE(traced.error().message.find("arterial phase"), std::string::npos);
 }
 
 /// A long bone along z whose uneven marrow is as bright as weak contrast medium.
@@ -175,7 +176,8 @@ TEST(TraceVolume, NeverTracesBone)
     addBone(bone);
     const auto none = core::traceVessels(bone);
     ASSERT_FALSE(none);
-    EXPECT_NE(none.error().message.find("threshold"), std::string::npos) << none.error().message;
+    EXPECT_NE(none.error().message.find("soft tissue "), std::string::npos) << none.error().message;
+    EXPECT_NE(none.error().message.find("arterial phase"), std::string::npos) << none.error().message;
     Volume both = tubesInTissue(grid, {{{-14, 0, -26}, {-14, 2, 26}, 4.0}});
     addBone(both);
     const auto vessel = core::traceVessels(both);
