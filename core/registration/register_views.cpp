@@ -21,6 +21,12 @@ constexpr int lastSteps = 20;
 constexpr double settledMm = 1e-3;
 constexpr double implausibleSigmas = 4.0;   // of a correction, in any direction
 
+double mmPerPx(const RegistrationProblem& problem)
+{
+    const double depthMm = std::max(minProjectableDepthMm, (problem.start * problem.tree.centroid).z());
+    return millimetresPerPixel(problem.camera, depthMm);
+}
+
 /// One view as the joint solve needs it.
 struct JointView {
     RegistrationProblem problem;
@@ -31,7 +37,7 @@ struct JointView {
     explicit JointView(RegistrationProblem given)
         : problem(std::move(given)),
           lines(problem.target, problem.camera),
-          alignment(alignmentPoints(problem.tree), problem.camera, lines),
+          alignment(tellingPoints(problem.tree, mmPerPx(problem)), problem.camera, lines),
           score(problem, lines)
     {
     }

@@ -10,7 +10,6 @@ namespace {
 constexpr double endOnShare = 0.3;   // shorter projected tangents say nothing about direction (§6.3)
 constexpr double agreeingGate = 0.5;   // within 33°
 constexpr double cutOff = 4.0;   // beyond 4 ℓ a Welsch weight is below 4e-4: nothing
-constexpr std::size_t mostTelling = 20000;
 
 AlignmentPoint alignmentPoint(const TreeSamples& tree, std::size_t i)
 {
@@ -209,9 +208,20 @@ std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, std::size_t
     return points;
 }
 
-std::vector<AlignmentPoint> tellingPoints(const TreeSamples& tree)
+std::vector<AlignmentPoint> tellingPoints(const TreeSamples& tree, double mmPerPx)
 {
-    return alignmentPoints(tree, strideFor(tree.size(), mostTelling));
+    const double leastMm = tellingSpacingPx * mmPerPx;
+    std::vector<AlignmentPoint> points;
+    points.reserve(tree.size());
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < tree.size(); ++i) {
+        if (i == 0 || tree.branchIndex[i] != tree.branchIndex[last] ||
+            (tree.points[i] - tree.points[last]).squaredNorm() >= leastMm * leastMm) {
+            points.push_back(alignmentPoint(tree, i));
+            last = i;
+        }
+    }
+    return points;
 }
 
 std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, const std::vector<int>& numbers)

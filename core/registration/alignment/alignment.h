@@ -95,8 +95,11 @@ std::size_t strideFor(std::size_t count, std::size_t wanted);
 /// Every `stride`-th tree point.
 std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, std::size_t stride = 1);
 
-/// All tree points, or of very many as many as can tell something: neighbours share what displaces them.
-std::vector<AlignmentPoint> tellingPoints(const TreeSamples& tree);
+/// The tree points that can tell something: none of a branch nearer than `tellingSpacingPx` to the one before. The
+/// target is sampled every pixel or so; between such points it holds nothing more, and neighbours would count the same
+/// displacement many times.
+std::vector<AlignmentPoint> tellingPoints(const TreeSamples& tree, double mmPerPx);
+inline constexpr double tellingSpacingPx = 1.5;
 
 /// The tree points with these numbers.
 std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, const std::vector<int>& numbers);

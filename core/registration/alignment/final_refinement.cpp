@@ -35,7 +35,9 @@ RefinementResult FinalRefinement::refine(const CentroidPose& pose, const Refinem
         return result;
     }
     if (!all_) {
-        all_.emplace(tellingPoints(problem_.tree), problem_.camera, target_);
+        const double depthMm = std::max(minProjectableDepthMm, pose.centroidInCamera.z());
+        all_.emplace(tellingPoints(problem_.tree, millimetresPerPixel(problem_.camera, depthMm)), problem_.camera,
+                     target_);
     }
     all_->resetVisibility();
     const double startScalePx = std::max(result.scalePx, options_.finalScalePx);

@@ -16,7 +16,9 @@ namespace {
 Matrix6d imageInformation(const RegistrationProblem& problem, const TargetLines& target, const CentroidPose& pose,
                           const StartPrior& prior)
 {
-    const Alignment alignment(tellingPoints(problem.tree), problem.camera, target);
+    const double depthMm = std::max(minProjectableDepthMm, pose.centroidInCamera.z());
+    const Alignment alignment(tellingPoints(problem.tree, millimetresPerPixel(problem.camera, depthMm)), problem.camera,
+                              target);
     return tolerantInformation(alignment, prior, pose).hessian;
 }
 

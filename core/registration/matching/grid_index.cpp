@@ -8,7 +8,9 @@
 namespace core {
 namespace {
 
-constexpr int maxCellsPerAxis = 256;   // far outliers must not ask for a huge table
+constexpr double usualCellPx = 4.0;
+constexpr double usualPoints = 4000.0;   // more of them in the same image stand closer: cells shrink with them
+constexpr double usualCells = 256.0;   // per axis; far outliers must not ask for a huge table
 constexpr int widestRows = 31;   // looked at for any point near by
 
 }   // namespace
@@ -23,7 +25,8 @@ GridIndex::GridIndex(std::vector<Eigen::Vector2d> pointsPx) : points_(std::move(
         highest = highest.cwiseMax(point);
     }
     const double extentPx = (highest - origin_).maxCoeff();
-    cellPx_ = std::max(cellPx_, extentPx / (maxCellsPerAxis - 1));
+    const double denser = std::max(1.0, std::sqrt(static_cast<double>(points_.size()) / usualPoints));
+    cellPx_ = std::max(usualCellPx / denser, extentPx / (usualCells * denser - 1.0));
     perCell_ = 1.0 / cellPx_;
     columns_ = static_cast<int>((highest.x() - origin_.x()) / cellPx_) + 1;
     rows_ = static_cast<int>((highest.y() - origin_.y()) / cellPx_) + 1;

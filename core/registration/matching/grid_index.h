@@ -26,8 +26,8 @@ private:
 
     std::vector<Eigen::Vector2d> points_;
     Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
-    double cellPx_ = 4.0;
-    double perCell_ = 0.25;
+    double cellPx_ = 1.0;
+    double perCell_ = 1.0;
     int columns_ = 1;
     int rows_ = 1;
     std::vector<std::int32_t> cellStart_;   ///< one more than cells
