@@ -1,7 +1,7 @@
 #include "io/vessel_input_file.h"
 
 #include "core/imaging/fill_surface.h"
-#include "io/dicom/dicom_file.h"
+#include "io/dicom/open_dicom.h"
 #include "io/dicom_series.h"
 #include "io/file_hash.h"
 #include "io/series/dicom_segmentation.h"
@@ -147,7 +147,7 @@ core::Result<VesselInputKind> vesselInputKindOf(const std::string& path)
     if (const auto summary = isVolumeFile(path) ? describeVolume(path) : core::Error{}) {
         return summary.value().isDeclaredLabels ? VesselInputKind::Segmentation : VesselInputKind::Volume;
     }
-    if (isVolumeFile(path) || looksLikeDicom(content)) {
+    if (isVolumeFile(path) || isDicomFile(path)) {
         return isDicomSegmentation(path) ? VesselInputKind::Segmentation : VesselInputKind::Volume;
     }
     if (extension == ".stl" || extension == ".ply" || extension == ".obj" || content.starts_with("ply")) {

@@ -1,6 +1,6 @@
 #include "io/volume_file.h"
 
-#include "io/dicom/dicom_file.h"
+#include "io/dicom/open_dicom.h"
 #include "io/dicom_series.h"
 #include "io/series/dicom_segmentation.h"
 #include "io/support/file_error.h"
@@ -69,12 +69,6 @@ core::Result<LoadedVolume> readDicomVolume(const std::string& path, const std::s
     }
     loaded.volume = std::move(volume).value();
     return loaded;
-}
-
-bool isDicomFile(const std::string& path)
-{
-    const auto input = openInput(path);
-    return input && (looksLikeDicom(input.value().view()) || extensionOf(path) == ".dcm.gz");
 }
 
 }   // namespace

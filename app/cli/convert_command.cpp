@@ -35,6 +35,13 @@ io::ReadObserver observer(ProgressLine& progress)
     };
 }
 
+Status convertLabels(const ConvertArguments& arguments)
+{
+    ProgressLine progress("reading");
+    const auto labels = io::readLabels(arguments.inputPath, observer(progress));
+    return labels ? io::writeLabels(labels.value(), arguments.outputPath) : labels.error();
+}
+
 Status convertVolume(const ConvertArguments& arguments)
 {
     ProgressLine progress("reading");
@@ -130,8 +137,11 @@ Status toVolume(const ConvertArguments& arguments)
     }
     if (kind.value() == VesselInputKind::Centerline) {
         return core::Error{arguments.inputPath +
-                           ": it is neither a volume nor a surface, so it makes no volume. Give "
-                           "another output name."};
+                           ": it is neither a volume nor a surface, so it makes no volume. Choose a scan (DICOM, "
+                           "NIfTI, NRRD, MetaImage) or a surface, or give another output name."};
+    }
+    if (kind.value() == VesselInputKind::Segmentation) {
+        return convertLabels(arguments);
     }
     return kind.value() == VesselInputKind::Surface ? fillToVolume(arguments) : convertVolume(arguments);
 }

@@ -3,13 +3,16 @@
 #include "core/imaging/patient_match.h"
 #include "io/angiogram_file.h"
 #include "io/centerline2d_file.h"
+#include "io/dicom/c_arm_tags.h"
 #include "io/file_hash.h"
 #include "io/subtraction_file.h"
 #include "io/support/file_error.h"
 #include "io/vessel_input_file.h"
 #include "io/volume_file.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 namespace io {
 namespace {
@@ -218,7 +221,9 @@ core::Status complete(CaseDocument& document, std::vector<std::string>& warnings
     if (!document.sopInstanceUid.empty() && document.sopInstanceUid != angiogram.identity.sopInstanceUid) {
         warnings.push_back(values.imageFile.path + ": this is another DICOM image than the one the case was made for.");
     }
-    warnings.insert(warnings.end(), angiogram.warnings.begin(), angiogram.warnings.end());
+    const bool isSpacingGiven = values.cameraOverride || values.cArm.columnSpacingMm.origin == core::Origin::User;
+    std::copy_if(angiogram.warnings.begin(), angiogram.warnings.end(), std::back_inserter(warnings),
+                 [&](const std::string& warning) { return !isSpacingGiven || !isAboutMissingSpacing(warning); });
     if (std::string mismatch = core::findMismatch(values.scanIdentity, angiogram.identity); !mismatch.empty()) {
         warnings.push_back(std::move(mismatch));
     }

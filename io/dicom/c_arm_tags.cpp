@@ -224,4 +224,9 @@ core::CArm cArmOf(const DicomDataset& data, std::vector<std::string>& warnings)
     return cArm;
 }
 
+bool isAboutMissingSpacing(std::string_view warning)
+{
+    return warning.find("imager") != std::string_view::npos && warning.find("spacing") != std::string_view::npos;
+}
+
 }   // namespace io

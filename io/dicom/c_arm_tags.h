@@ -4,6 +4,7 @@
 #include "io/dicom/dicom_dataset.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace io {
@@ -15,5 +16,9 @@ core::CArm cArmOf(const DicomDataset& data, std::vector<std::string>& warnings);
 
 /// The data set with what only its functional groups hold (those of the first frame, then the shared ones) on top.
 DicomDataset withFunctionalGroups(const DicomDataset& data);
+
+/// True for the warning of `cArmOf` that the header leaves the pixel spacing out: of no use where it is known
+/// otherwise.
+bool isAboutMissingSpacing(std::string_view warning);
 
 }   // namespace io

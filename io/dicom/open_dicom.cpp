@@ -29,4 +29,9 @@ core::Result<InputBytes> openDicom(const std::string& path)
     return fileError(path, "this is not a DICOM file. Choose a scan.");
 }
 
+bool isDicomFile(const std::string& path)
+{
+    return static_cast<bool>(openDicom(path));
+}
+
 }   // namespace io

@@ -175,6 +175,9 @@ core::Result<Segmentation> openSegmentation(const std::string& path)
         return parsed.error();
     }
     segmentation.file = std::move(parsed).value();
+    if (!isSegmentationClass(segmentation.file.dataset.text(0x00080016))) {
+        return fileError(path, "this DICOM file is no segmentation. Choose a label image.");
+    }
     auto images = readSliceRecords(path);
     if (!images) {
         return images.error();

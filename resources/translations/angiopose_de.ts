@@ -1748,6 +1748,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Nachbarn</translation>
     </message>
     <message>
+        <source>this DICOM file is no segmentation. Choose a label image.</source>
+        <translation>Diese DICOM-Datei ist keine Segmentierung. Ein Labelbild wählen.</translation>
+    </message>
+    <message>
         <source>No contrast-filled vessels were found: besides bone the brightest has %1, soft tissue %2, and it is not like a vessel. Is this the arterial phase? Choose the CT angiogram, or give the threshold at which the vessels begin.</source>
         <translation>Es wurden keine kontrastierten Gefäße gefunden: Das Hellste außer Knochen hat %1, Weichgewebe %2, und es gleicht keinem Gefäß. Ist dies die arterielle Phase? Die CT-Angiographie wählen oder die Schwelle angeben, ab der die Gefäße beginnen.</translation>
     </message>

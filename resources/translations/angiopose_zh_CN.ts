@@ -1748,6 +1748,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>邻点</translation>
     </message>
     <message>
+        <source>this DICOM file is no segmentation. Choose a label image.</source>
+        <translation>该 DICOM 文件不是分割结果。请选择标签图像。</translation>
+    </message>
+    <message>
         <source>No contrast-filled vessels were found: besides bone the brightest has %1, soft tissue %2, and it is not like a vessel. Is this the arterial phase? Choose the CT angiogram, or give the threshold at which the vessels begin.</source>
         <translation>未找到对比剂充盈的血管：除骨骼外最亮处为 %1，软组织为 %2，且形态不似血管。这是动脉期吗？请选择 CT 血管造影，或给出血管起始阈值。</translation>
     </message>

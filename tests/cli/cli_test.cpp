@@ -201,6 +201,24 @@ TEST(Cli, ConvertsBetweenFormatsOfOneKind)
     EXPECT_NE(advice.messages.find("trace-vessel"), std::string::npos);
 }
 
+TEST(Cli, ConvertsDicomSegmentationsAndPackedScans)
+{
+    ANGIOPOSE_NEEDS_DATA("exotic-dicom");
+    const TemporaryFolder folder;
+    const auto segmentation = test::dataFile("exotic-dicom/pydicom-data/liver_nonbyte_aligned.dcm").string();
+    const auto converted = runCli({"convert", segmentation, folder.file("liver.nii.gz")});
+    ASSERT_EQ(converted.exitCode, 0) << converted.messages;
+    const auto labels = io::readLabels(folder.file("liver.nii.gz"));
+    ASSERT_TRUE(labels) << labels.error().message;
+    const auto direct = io::readLabels(segmentation);
+    ASSERT_TRUE(direct) << direct.error().message;
+    EXPECT_EQ(labels.value().voxels, direct.value().voxels);
+    EXPECT_GT(std::count(direct.value().voxels.begin(), direct.value().voxels.end(), 1), 100);
+
+    const auto packed = test::dataFile("exotic-dicom/nibabel/philips_mprage.dcm.gz").string();
+    EXPECT_EQ(runCli({"convert", packed, folder.file("head.nrrd")}).exitCode, 0);
+}
+
 TEST(Cli, DescribesVolumesFoldersAndSurfaces)
 {
     const TemporaryFolder folder;

@@ -1,6 +1,6 @@
 #include "io/angiogram_file.h"
 
-#include "tests/io/scratch_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
 
 #include <gtest/gtest.h>
@@ -87,14 +87,14 @@ core::Angiogram smallRun()
 
 TEST(WriteAngiogram, RoundTripsPixelsAndGeometry)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     core::Angiogram original = smallRun();
     original.cArm.principalPointPx = {Eigen::Vector2d(9.25, 8.5), core::Origin::Derived, ""};
     original.cArm.mirrored = {true, core::Origin::User, ""};
     original.polarity = core::Polarity::VesselsBright;
-    const auto written = io::writeAngiogram(original, folder.path("run.dcm"));
+    const auto written = io::writeAngiogram(original, folder.file("run.dcm"));
     ASSERT_TRUE(written) << written.error().message;
-    const auto read = io::readAngiogram(folder.path("run.dcm"));
+    const auto read = io::readAngiogram(folder.file("run.dcm"));
     ASSERT_TRUE(read) << read.error().message;
     const core::Angiogram& copy = read.value();
     ASSERT_EQ(copy.frameCount(), 3);
@@ -119,15 +119,15 @@ TEST(WriteAngiogram, RoundTripsPixelsAndGeometry)
 
 TEST(WriteAngiogram, SpreadsFractionsOverSixteenBits)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     core::Angiogram original = smallRun();
     for (core::ImageF& frame : original.frames) {
         for (float& value : frame.pixels) {
             value = value / 4096.0F - 0.3F;
         }
     }
-    ASSERT_TRUE(io::writeAngiogram(original, folder.path("run.dcm")));
-    const auto read = io::readAngiogram(folder.path("run.dcm"));
+    ASSERT_TRUE(io::writeAngiogram(original, folder.file("run.dcm")));
+    const auto read = io::readAngiogram(folder.file("run.dcm"));
     ASSERT_TRUE(read) << read.error().message;
     for (std::size_t i = 0; i < original.frames[1].pixels.size(); ++i) {
         EXPECT_NEAR(read.value().frames[1].pixels[i], original.frames[1].pixels[i], 1e-5);
@@ -136,18 +136,18 @@ TEST(WriteAngiogram, SpreadsFractionsOverSixteenBits)
 
 TEST(WriteAngiogram, GivesTheSameBytesForTheSameRun)
 {
-    const test::ScratchFolder folder;
-    ASSERT_TRUE(io::writeAngiogram(smallRun(), folder.path("a.dcm")));
-    ASSERT_TRUE(io::writeAngiogram(smallRun(), folder.path("b.dcm")));
-    EXPECT_EQ(test::contentOf(folder.path("a.dcm")), test::contentOf(folder.path("b.dcm")));
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(io::writeAngiogram(smallRun(), folder.file("a.dcm")));
+    ASSERT_TRUE(io::writeAngiogram(smallRun(), folder.file("b.dcm")));
+    EXPECT_EQ(test::readText(folder.file("a.dcm")), test::readText(folder.file("b.dcm")));
 }
 
 TEST(WriteAngiogram, RefusesWhatIsNoRun)
 {
-    const test::ScratchFolder folder;
-    EXPECT_FALSE(io::writeAngiogram({}, folder.path("none.dcm")));
+    const test::TemporaryFolder folder;
+    EXPECT_FALSE(io::writeAngiogram({}, folder.file("none.dcm")));
     core::Angiogram broken = smallRun();
     broken.frames[1].pixels[5] = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_FALSE(io::writeAngiogram(broken, folder.path("nan.dcm")));
-    EXPECT_FALSE(std::filesystem::exists(folder.path("nan.dcm")));
+    EXPECT_FALSE(io::writeAngiogram(broken, folder.file("nan.dcm")));
+    EXPECT_FALSE(std::filesystem::exists(folder.file("nan.dcm")));
 }

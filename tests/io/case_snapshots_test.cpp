@@ -1,5 +1,5 @@
 #include "io/case_file.h"
-#include "tests/io/scratch_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
 
 #include <gtest/gtest.h>
@@ -32,10 +32,10 @@ core::PoseSnapshot sampleSnapshot()
 }
 
 /// The phantom's case saved with a JSON patch applied to it.
-std::string savedWith(const test::ScratchFolder& folder, const core::RegistrationCase& values,
+std::string savedWith(const test::TemporaryFolder& folder, const core::RegistrationCase& values,
                       const nlohmann::json& patch)
 {
-    const std::string path = folder.path("patched.angiopose");
+    const std::string path = folder.file("patched.angiopose");
     EXPECT_TRUE(io::saveCase(values, path));
     std::ifstream in(path);
     nlohmann::json json = nlohmann::json::parse(in);
@@ -47,7 +47,7 @@ std::string savedWith(const test::ScratchFolder& folder, const core::Registratio
 TEST(CaseSnapshots, AreRestoredToTheLastBit)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     std::vector<std::string> warnings;
     auto loaded = io::loadCase(phantomPath(), warnings);
     ASSERT_TRUE(loaded);
@@ -58,8 +58,8 @@ TEST(CaseSnapshots, AreRestoredToTheLastBit)
     bare.name = "by hand";
     original.snapshots = {expected, bare};
 
-    ASSERT_TRUE(io::saveCase(original, folder.path("kept.angiopose")));
-    const auto again = io::loadCase(folder.path("kept.angiopose"), warnings);
+    ASSERT_TRUE(io::saveCase(original, folder.file("kept.angiopose")));
+    const auto again = io::loadCase(folder.file("kept.angiopose"), warnings);
     ASSERT_TRUE(again) << again.error().message;
 
     const auto& read = again.value().snapshots;
@@ -83,7 +83,7 @@ TEST(CaseSnapshots, AreRestoredToTheLastBit)
 TEST(CaseSnapshots, WithNumbersThatAreNoneAreStillReadable)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     std::vector<std::string> warnings;
     auto loaded = io::loadCase(phantomPath(), warnings);
     ASSERT_TRUE(loaded);
@@ -91,8 +91,8 @@ TEST(CaseSnapshots, WithNumbersThatAreNoneAreStillReadable)
     unseen.metrics->medianMm = std::numeric_limits<double>::quiet_NaN();   // nothing of the tree in the image
     core::RegistrationCase values = std::move(loaded).value();
     values.snapshots = {unseen};
-    ASSERT_TRUE(io::saveCase(values, folder.path("nan.angiopose")));
-    const auto again = io::loadCase(folder.path("nan.angiopose"), warnings);
+    ASSERT_TRUE(io::saveCase(values, folder.file("nan.angiopose")));
+    const auto again = io::loadCase(folder.file("nan.angiopose"), warnings);
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_FALSE(again.value().snapshots.front().metrics);
 }
@@ -100,7 +100,7 @@ TEST(CaseSnapshots, WithNumbersThatAreNoneAreStillReadable)
 TEST(CaseSnapshots, ThatMakeNoSenseAreRefusedInWords)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     std::vector<std::string> warnings;
     auto loaded = io::loadCase(phantomPath(), warnings);
     ASSERT_TRUE(loaded);

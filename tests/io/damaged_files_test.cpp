@@ -5,7 +5,7 @@
 #include "io/image_file.h"
 #include "io/pose_file.h"
 #include "io/vessel_tree_file.h"
-#include "tests/io/scratch_folder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -82,26 +82,26 @@ std::string corrupted(const std::string& content, core::CounterRandom& random)
 }
 
 /// The good files by name.
-std::vector<std::string> writeGoodFiles(const test::ScratchFolder& folder)
+std::vector<std::string> writeGoodFiles(const test::TemporaryFolder& folder)
 {
-    EXPECT_TRUE(io::writeVesselTree(twoBranches(), folder.path("tree.vtp")));
-    EXPECT_TRUE(io::writeVesselTree(twoBranches(), folder.path("tree.csv")));
-    EXPECT_TRUE(io::writeAngiogram(smallRun(), folder.path("run.dcm")));
-    EXPECT_TRUE(io::writePose({}, folder.path("pose.tfm")));
-    EXPECT_TRUE(io::writePose({}, folder.path("pose.json")));
+    EXPECT_TRUE(io::writeVesselTree(twoBranches(), folder.file("tree.vtp")));
+    EXPECT_TRUE(io::writeVesselTree(twoBranches(), folder.file("tree.csv")));
+    EXPECT_TRUE(io::writeAngiogram(smallRun(), folder.file("run.dcm")));
+    EXPECT_TRUE(io::writePose({}, folder.file("pose.tfm")));
+    EXPECT_TRUE(io::writePose({}, folder.file("pose.json")));
     core::Mask2d mask(40, 30);
     for (int x = 5; x < 35; ++x) {
         mask.at(x, 15) = 1;
     }
-    EXPECT_TRUE(io::writePng(mask, folder.path("mask.png")));
-    EXPECT_TRUE(io::writeCenterline2d({{{1, {{1.0, 2.0}, {3.0, 4.5}}, {1.0, 1.5}}}}, folder.path("curve.csv")));
+    EXPECT_TRUE(io::writePng(mask, folder.file("mask.png")));
+    EXPECT_TRUE(io::writeCenterline2d({{{1, {{1.0, 2.0}, {3.0, 4.5}}, {1.0, 1.5}}}}, folder.file("curve.csv")));
     folder.write("legacy.vtk", legacyText);
     folder.write("tree.swc", swcText);
     core::RegistrationCase good;
-    good.centerlineFile.path = folder.path("tree.csv");
-    good.imageFile.path = folder.path("run.dcm");
+    good.centerlineFile.path = folder.file("tree.csv");
+    good.imageFile.path = folder.file("run.dcm");
     good.cameraOverride = core::ProjectionCamera{-1000, 1000, 11.5, 8.5, 24, 18};
-    EXPECT_TRUE(io::saveCase(good, folder.path("good.angiopose")));
+    EXPECT_TRUE(io::saveCase(good, folder.file("good.angiopose")));
     return {"tree.vtp", "tree.csv",  "run.dcm",    "pose.tfm", "pose.json",
             "mask.png", "curve.csv", "legacy.vtk", "tree.swc", "good.angiopose"};
 }
@@ -110,11 +110,11 @@ std::vector<std::string> writeGoodFiles(const test::ScratchFolder& folder)
 
 TEST(DamagedFiles, NeverCrashAReader)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     core::CounterRandom random(20240521);
     for (const std::string& name : writeGoodFiles(folder)) {
         SCOPED_TRACE(name);
-        const std::string good = test::contentOf(folder.path(name));
+        const std::string good = test::readText(folder.file(name));
         for (int trial = 0; trial < 60; ++trial) {
             readAsEverything(folder.write("damaged/" + name, corrupted(good, random)));
         }
@@ -123,10 +123,10 @@ TEST(DamagedFiles, NeverCrashAReader)
 
 TEST(DamagedFiles, CutShortNeverLoadAsAnImage)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     writeGoodFiles(folder);
     for (const char* name : {"run.dcm", "mask.png"}) {
-        const std::string good = test::contentOf(folder.path(name));
+        const std::string good = test::readText(folder.file(name));
         for (std::size_t size = 1; size + 1 < good.size(); size += 1 + good.size() / 100) {
             const std::string path = folder.write(std::string("cut/") + name, good.substr(0, size));
             EXPECT_FALSE(io::readAngiogram(path)) << name << " of " << size << " bytes";
@@ -136,7 +136,7 @@ TEST(DamagedFiles, CutShortNeverLoadAsAnImage)
 
 TEST(DamagedFiles, AreRefusedBeforeMemoryIsSpent)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     const std::string points =
         "# vtk DataFile Version 3.0\nlies\nASCII\nDATASET POLYDATA\nPOINTS 2000000000 float\n0 0 0\n";
     const auto legacy = io::readVesselTree(folder.write("points.vtk", points));
@@ -151,10 +151,10 @@ TEST(DamagedFiles, AreRefusedBeforeMemoryIsSpent)
 
 TEST(UnreadableInputs, SayWhatTheyAre)
 {
-    const test::ScratchFolder folder;
-    EXPECT_NE(io::readAngiogram(folder.path("absent.dcm")).error().message.find("no such file"), std::string::npos);
+    const test::TemporaryFolder folder;
+    EXPECT_NE(io::readAngiogram(folder.file("absent.dcm")).error().message.find("no such file"), std::string::npos);
     EXPECT_NE(io::readAngiogram(folder.write("empty.dcm", "")).error().message.find("empty"), std::string::npos);
-    std::filesystem::create_directory(folder.path("folder.vtp"));
-    EXPECT_NE(io::readVesselTree(folder.path("folder.vtp")).error().message.find("folder"), std::string::npos);
+    std::filesystem::create_directory(folder.file("folder.vtp"));
+    EXPECT_NE(io::readVesselTree(folder.file("folder.vtp")).error().message.find("folder"), std::string::npos);
     EXPECT_NE(io::readVesselTree("/dev/zero").error().message.find("not a regular file"), std::string::npos);
 }

@@ -1,7 +1,7 @@
 #include "io/moved_inputs.h"
 
 #include "io/case_file.h"
-#include "tests/io/scratch_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ public:
         EXPECT_TRUE(io::saveCase(values, casePath()));
     }
 
-    std::string casePath() const { return folder_.path("moved.angiopose"); }
+    std::string casePath() const { return folder_.file("moved.angiopose"); }
     const fs::path& tree() const { return tree_; }
     const fs::path& image() const { return image_; }
     fs::path root() const { return fs::path(casePath()).parent_path(); }
@@ -35,13 +35,13 @@ public:
 private:
     fs::path copied(const std::string& from, const char* into) const
     {
-        const fs::path to = fs::path(folder_.path(into)) / fs::path(from).filename();
+        const fs::path to = fs::path(folder_.file(into)) / fs::path(from).filename();
         fs::create_directories(to.parent_path());
         fs::copy_file(from, to);
         return to;
     }
 
-    test::ScratchFolder folder_;
+    test::TemporaryFolder folder_;
     fs::path tree_;
     fs::path image_;
 };

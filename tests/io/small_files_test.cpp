@@ -3,7 +3,7 @@
 #include "io/image_file.h"
 #include "io/pose_file.h"
 #include "io/result_file.h"
-#include "tests/io/scratch_folder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -24,27 +24,27 @@ std::string errorOf(const core::Result<core::RigidTransform>& pose)
 
 TEST(Sha256OfFile, MatchesTheStandardsExample)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     EXPECT_EQ(io::sha256OfFile(folder.write("abc", "abc")).value(),
               "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");   // FIPS 180-2, B.1
-    EXPECT_FALSE(io::sha256OfFile(folder.path("absent")));
+    EXPECT_FALSE(io::sha256OfFile(folder.file("absent")));
 }
 
 TEST(WritePose, RestoresEveryBit)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     for (const char* name : {"pose.json", "pose.tfm"}) {
-        ASSERT_TRUE(io::writePose(oddPose(), folder.path(name)));
-        const auto pose = io::readPose(folder.path(name));
+        ASSERT_TRUE(io::writePose(oddPose(), folder.file(name)));
+        const auto pose = io::readPose(folder.file(name));
         ASSERT_TRUE(pose) << pose.error().message;
         EXPECT_EQ(pose.value().matrix(), oddPose().matrix());
     }
-    EXPECT_FALSE(io::writePose(oddPose(), folder.path("pose.xml")));
+    EXPECT_FALSE(io::writePose(oddPose(), folder.file("pose.xml")));
 }
 
 TEST(ReadPose, KnowsItksRigidTransforms)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     // 90 degrees about z through the centre (1, 0, 0).
     const std::string text =
         "#Insight Transform File V1.0\n#Transform 0\nTransform: Euler3DTransform_double_3_3\n"
@@ -63,12 +63,12 @@ TEST(ReadPose, KnowsItksRigidTransforms)
 
 TEST(ReadPose, FindsThePoseInAResult)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     core::RegistrationCase registrationCase;
     core::RegistrationResult result;
     result.cameraFromPatient = oddPose();
-    ASSERT_TRUE(io::writeResult(registrationCase, result, folder.path("result.json")));
-    const auto pose = io::readPose(folder.path("result.json"));
+    ASSERT_TRUE(io::writeResult(registrationCase, result, folder.file("result.json")));
+    const auto pose = io::readPose(folder.file("result.json"));
     ASSERT_TRUE(pose) << pose.error().message;
     EXPECT_EQ(pose.value().matrix(), oddPose().matrix());
 }
@@ -105,11 +105,11 @@ TEST(ResultJson, HasEveryPromisedKey)
 
 TEST(WriteCenterline2d, RestoresEveryBit)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     const core::Centerline2d original{
         {{5, {{1.0 / 3.0, 2.0}, {3.5, -0.25}}, {0.1, 0.7}}, {9, {{7, 8}, {9, 10}}, {1, 2}}}};
-    ASSERT_TRUE(io::writeCenterline2d(original, folder.path("curve.csv")));
-    const auto read = io::readCenterline2d(folder.path("curve.csv"));
+    ASSERT_TRUE(io::writeCenterline2d(original, folder.file("curve.csv")));
+    const auto read = io::readCenterline2d(folder.file("curve.csv"));
     ASSERT_TRUE(read) << read.error().message;
     ASSERT_EQ(read.value().curves.size(), 2u);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -121,7 +121,7 @@ TEST(WriteCenterline2d, RestoresEveryBit)
 
 TEST(ReadCenterline2d, TakesColumnsInAnyOrder)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     const auto read = io::readCenterline2d(folder.write("c.csv", "note, Y ,X\r\na,1,2\r\nb,3,4\r\n"));
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(read.value().curves[0].pointsPx[1], Eigen::Vector2d(4, 3));
@@ -131,15 +131,15 @@ TEST(ReadCenterline2d, TakesColumnsInAnyOrder)
 
 TEST(ReadCenterline2d, TracesADrawnMask)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     core::Mask2d mask(120, 60);
     for (int x = 10; x < 110; ++x) {
         for (int y = 28; y <= 32; ++y) {
             mask.at(x, y) = 1;
         }
     }
-    ASSERT_TRUE(io::writePng(mask, folder.path("mask.png")));
-    const auto read = io::readCenterline2d(folder.path("mask.png"));
+    ASSERT_TRUE(io::writePng(mask, folder.file("mask.png")));
+    const auto read = io::readCenterline2d(folder.file("mask.png"));
     ASSERT_TRUE(read) << read.error().message;
     ASSERT_EQ(read.value().curves.size(), 1u);
     for (const Eigen::Vector2d& point : read.value().curves[0].pointsPx) {

@@ -2,7 +2,7 @@
 
 #include "io/observer_log.h"
 #include "io/support/csv_table.h"
-#include "tests/io/scratch_folder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <fstream>
@@ -18,7 +18,7 @@ core::PoseSnapshot snapshotAt(const std::string& name, double right)
     return snapshot;
 }
 
-std::string contentOf(const std::string& path)
+std::string readText(const std::string& path)
 {
     std::ostringstream text;
     text << std::ifstream(path).rdbuf();
@@ -73,14 +73,14 @@ io::ObserverTrial trialOf(const std::string& observer)
 
 TEST(ObserverLog, AddsOneRowPerTrialToWhatIsThere)
 {
-    const test::ScratchFolder folder;
-    const std::string path = folder.path("trials.csv");
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("trials.csv");
     ASSERT_TRUE(io::appendTrial(trialOf("Ada"), path));
     io::ObserverTrial abandoned = trialOf("Bob");
     abandoned.isAbandoned = true;
     ASSERT_TRUE(io::appendTrial(abandoned, path));
 
-    const std::string text = contentOf(path);
+    const std::string text = readText(path);
     const auto table = io::parseCsv(text, path);
     ASSERT_TRUE(table) << table.error().message;
     ASSERT_EQ(table.value().rows.size(), 2u);
@@ -99,13 +99,13 @@ TEST(ObserverLog, AddsOneRowPerTrialToWhatIsThere)
 
 TEST(ObserverLog, DoesNotTouchAnotherFile)
 {
-    const test::ScratchFolder folder;
-    const std::string path = folder.path("letters.csv");
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("letters.csv");
     std::ofstream(path) << "dear diary\n";
     const auto refused = io::appendTrial(trialOf("Ada"), path);
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().message.find("not a log"), std::string::npos);
-    EXPECT_EQ(contentOf(path), "dear diary\n");
+    EXPECT_EQ(readText(path), "dear diary\n");
 }
 
 }   // namespace

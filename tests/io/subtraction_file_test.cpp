@@ -1,6 +1,6 @@
 #include "io/subtraction_file.h"
 
-#include "tests/io/scratch_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
 
 #include <gtest/gtest.h>
@@ -45,8 +45,8 @@ std::string single(float value)
 
 core::Result<core::SubtractionPlan> planOf(const std::string& elements)
 {
-    const test::ScratchFolder folder;
-    const std::string path = folder.path("run.dcm");
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("run.dcm");
     const std::string meta = element(0x00020010, "UI", std::string("1.2.840.10008.1.2.1") + '\0');
     std::ofstream(path, std::ios::binary)
         << std::string(128, '\0') << "DICM"

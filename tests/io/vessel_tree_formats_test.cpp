@@ -1,5 +1,5 @@
 #include "io/vessel_tree_file.h"
-#include "tests/io/scratch_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
 
 #include <gtest/gtest.h>
@@ -64,17 +64,17 @@ constexpr const char* header = "# vtk DataFile Version 3.0\n";
 
 TEST(WriteVesselTree, RestoresEveryBit)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     for (const char* name : {"tree.vtp", "tree.csv"}) {
-        ASSERT_TRUE(io::writeVesselTree(oddTree(), folder.path(name)));
-        expectSame(readOrFail(folder.path(name)), oddTree());
+        ASSERT_TRUE(io::writeVesselTree(oddTree(), folder.file(name)));
+        expectSame(readOrFail(folder.file(name)), oddTree());
     }
-    EXPECT_FALSE(io::writeVesselTree(oddTree(), folder.path("tree.obj")));
+    EXPECT_FALSE(io::writeVesselTree(oddTree(), folder.file("tree.obj")));
 }
 
 TEST(ReadVesselTree, TurnsRasIntoLps)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     const std::string body = "\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n1 2 3 4 5 7\nLINES 1 3\n2 0 1\n";
     const auto ras = readOrFail(folder.write("ras.vtk", header + std::string("3D Slicer output. SPACE=RAS") + body));
     EXPECT_EQ(ras.branches.at(0).pointsInPatient[0], Eigen::Vector3d(-1, -2, 3));
@@ -84,7 +84,7 @@ TEST(ReadVesselTree, TurnsRasIntoLps)
 
 TEST(ReadVesselTree, ReadsBinaryLegacyFiles)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     std::string text = "# vtk DataFile Version 5.1\nvtk output\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n";
     for (const double value : {0.5, 0.0, 1.0, 1.5, 0.0, 1.0, 2.5, 0.25, 1.0}) {
         text += bigEndian(value);
@@ -107,7 +107,7 @@ TEST(ReadVesselTree, ReadsBinaryLegacyFiles)
 
 TEST(ReadVesselTree, ChainsSegmentsAtBifurcations)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     const auto tree = readOrFail(
         folder.write("segments.vtk", header + std::string("y\nASCII\nDATASET POLYDATA\n"
                                                           "POINTS 6 float\n0 0 0 1 0 0 2 0 0 3 1 0 4 2 0 3 -1 0\n"
@@ -118,7 +118,7 @@ TEST(ReadVesselTree, ChainsSegmentsAtBifurcations)
 
 TEST(ReadVesselTree, ReadsSwcInItsUnit)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     const std::string path = folder.write(
         "tree.swc", "# comment\n1 2 0 0 0 500 -1\n2 2 1000 0 0 400 1\n3 2 2000 0 0 300 2\n4 2 2000 1000 0 200 2\n");
     const auto tree = io::readVesselTree(path, {.swcUnitMm = 0.001});
@@ -131,13 +131,13 @@ TEST(ReadVesselTree, ReadsSwcInItsUnit)
 
 TEST(WriteVesselTree, SwcKeepsPointsRadiiAndForks)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     core::VesselTree tree;
     tree.branches.push_back({1, "", {{0.1, 0.0, 0.0}, {10.0, 0.0, 0.0}, {20.0, 0.3, 0.0}}, {3.0, 2.5, 2.0}});
     tree.branches.push_back({2, "", {{10.0, 30.0, 0.0}, {10.0, 15.0, 1.0 / 3.0}, {10.0, 0.0, 0.0}}, {1.0, 1.1, 2.5}});
     tree.branches.push_back({3, "", {{10.0, 16.0, 0.3}, {10.0, 16.0, 9.0}}, {1.0, 0.9}});   // touches branch 2
     tree.branches.push_back({4, "", {{90.0, 0.0, 0.0}, {99.0, 0.0, 0.0}}, {1.0, 1.0}});   // stands alone
-    const std::string path = folder.path("tree.swc");
+    const std::string path = folder.file("tree.swc");
     ASSERT_TRUE(io::writeVesselTree(tree, path));
     const core::VesselTree read = readOrFail(path);
     EXPECT_EQ(read.branches.size(), 6u);   // parted at the two forks
@@ -160,10 +160,10 @@ TEST(WriteVesselTree, SwcKeepsPointsRadiiAndForks)
 
 TEST(WriteVesselTree, SwcWithoutRadii)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     core::VesselTree tree;
     tree.branches.push_back({1, "", {{0.0, 0.0, 0.0}, {5.0, 0.0, 0.0}}, {}});
-    const std::string path = folder.path("tree.swc");
+    const std::string path = folder.file("tree.swc");
     ASSERT_TRUE(io::writeVesselTree(tree, path));
     EXPECT_EQ(readOrFail(path).branches.size(), 1u);
 }
@@ -171,7 +171,7 @@ TEST(WriteVesselTree, SwcWithoutRadii)
 TEST(ReadVesselTree, CountsSharedTrunksOnce)
 {
     // Two lines from one inlet that part after 20 mm, as VMTK writes them.
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     std::string text = "x,y,z,branch\n";
     for (int line = 1; line <= 2; ++line) {
         for (int i = 0; i <= 40; ++i) {
@@ -211,7 +211,7 @@ TEST(ReadVesselTree, SplitsTheRealCoronaryTrees)
 
 TEST(ReadVesselTree, KeepsIdsOfTheFile)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     const std::string body =
         "ids\nASCII\nDATASET POLYDATA\nPOINTS 6 float\n0 0 0 1 0 0 2 0 0 0 5 0 1 5 0 2 6 0\nLINES 2 8\n3 0 1 2\n3 3 4 "
         "5\n";
@@ -227,7 +227,7 @@ TEST(ReadVesselTree, KeepsIdsOfTheFile)
 
 TEST(ReadVesselTree, SaysWhatIsWrong)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     EXPECT_NE(errorOf(folder.write("a.csv", "x,y,z\n0,0,0\n1,nan,0\n")).find("line 3"), std::string::npos);
     EXPECT_NE(errorOf(folder.write("b.csv", "x,y,z\n0,0,0\n1,0\n")).find("line 3"), std::string::npos);
     EXPECT_NE(errorOf(folder.write("c.csv", "x;y;z\n0,5;0;0\n")).find("columns"), std::string::npos);
@@ -242,7 +242,7 @@ TEST(ReadVesselTree, SaysWhatIsWrong)
 
 TEST(ReadVesselTree, ReadsSlicerCurves)
 {
-    const test::ScratchFolder folder;
+    const test::TemporaryFolder folder;
     const std::string curve = R"({"markups": [{"type": "Curve", "coordinateSystem": "RAS", "coordinateUnits": "mm",
         "controlPoints": [{"position": [1, 2, 3]}, {"position": [4, 5, 6.5]},
                           {"position": [0, 0, 0], "positionStatus": "undefined"}]}]})";

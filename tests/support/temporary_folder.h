@@ -8,6 +8,17 @@
 
 namespace test {
 
+inline void writeText(const std::filesystem::path& path, const std::string& text)
+{
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+inline std::string readText(const std::filesystem::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
 /// A fresh folder that vanishes with the test.
 class TemporaryFolder {
 public:
@@ -26,19 +37,16 @@ public:
 
     std::string file(const std::string& name) const { return (path_ / name).string(); }
 
+    /// Writes a file, and the folders it lies in; its path.
+    std::string write(const std::string& name, const std::string& content) const
+    {
+        std::filesystem::create_directories((path_ / name).parent_path());
+        writeText(path_ / name, content);
+        return file(name);
+    }
+
 private:
     std::filesystem::path path_;
 };
-
-inline void writeText(const std::string& path, const std::string& text)
-{
-    std::ofstream(path, std::ios::binary) << text;
-}
-
-inline std::string readText(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 }   // namespace test

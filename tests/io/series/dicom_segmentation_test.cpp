@@ -2,8 +2,8 @@
 
 #include "io/vessel_input_file.h"
 #include "io/volume_file.h"
-#include "tests/io/scratch_folder.h"
 #include "tests/io/series/dicom_slices.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace {
 
 using test::DicomBytes;
-using test::ScratchFolder;
+using test::TemporaryFolder;
 
 constexpr int columns = 9;   // 9 × 7 pixels: frames do not end on whole bytes
 constexpr int rows = 7;
@@ -150,19 +150,19 @@ core::LabelVolume readOrFail(const std::string& path)
 
 TEST(DicomSegmentation, ReadsBitsAcrossBytesOnTheGridOfAllSegments)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     expectPhantom(readOrFail(folder.write("seg.dcm", segmentationBytes({}))));
 }
 
 TEST(DicomSegmentation, ReadsFractionsFromHalfOn)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     expectPhantom(readOrFail(folder.write("seg.dcm", segmentationBytes({.type = "FRACTIONAL", .bitsAllocated = 8}))));
 }
 
 TEST(DicomSegmentation, ReadsLabelMapsInGreyAndInColour)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     for (const char* photometric : {"MONOCHROME2", "PALETTE COLOR"}) {
         const Written file{.type = "LABELMAP",
                            .bitsAllocated = 8,
@@ -177,7 +177,7 @@ TEST(DicomSegmentation, ReadsLabelMapsInGreyAndInColour)
 
 TEST(DicomSegmentation, ListsSegmentsByNumber)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const auto segments = io::listSegments(folder.write("seg.dcm", segmentationBytes({})));
     ASSERT_TRUE(segments);
     ASSERT_EQ(segments.value().size(), 2u);
@@ -187,7 +187,7 @@ TEST(DicomSegmentation, ListsSegmentsByNumber)
 
 TEST(DicomSegmentation, IsAVesselInput)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::string path = folder.write("seg.dcm", segmentationBytes({}));
     const auto kind = io::vesselInputKindOf(path);
     ASSERT_TRUE(kind);
@@ -199,13 +199,15 @@ TEST(DicomSegmentation, IsAVesselInput)
 
 TEST(DicomSegmentation, RefusesWhatItCannotPlace)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const auto messageOf = [&](const std::string& content) {
         const auto labels = io::readLabels(folder.write("bad.dcm", content));
         return labels ? std::string("no error") : labels.error().message;
     };
     EXPECT_NE(messageOf(segmentationBytes({.shearMm = 0.5})).find("DICOM segmentation"), std::string::npos);
     EXPECT_NE(messageOf(segmentationBytes({.frames = {{0, 1}}})).find("DICOM segmentation"), std::string::npos);
+    EXPECT_NE(messageOf(segmentationBytes({.sopClass = "1.2.840.10008.5.1.4.1.1.2"})).find("no segmentation"),
+              std::string::npos);
     const std::string whole = segmentationBytes({});
     for (const std::size_t cut : {whole.size() - 1, whole.size() - 30, whole.size() / 2, std::size_t{200}}) {
         EXPECT_NE(messageOf(whole.substr(0, cut)), "no error") << cut;

@@ -1,7 +1,7 @@
 #include "io/surface_file.h"
 
 #include "core/imaging/fill_surface.h"
-#include "tests/io/scratch_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace {
 
-using test::ScratchFolder;
+using test::TemporaryFolder;
 
 /// A box from the origin, in the words of each format, corners numbered from 0.
 constexpr std::array<std::array<int, 3>, 12> boxTriangles = {{{0, 2, 1},
@@ -98,19 +98,19 @@ void expectBox(const core::Result<io::LoadedSurface>& surface)
 
 TEST(ReadSurface, EveryFormatGivesTheSameBox)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     expectBox(io::readSurface(folder.write("box.stl", stlText())));
     expectBox(io::readSurface(folder.write("box.OBJ", pointLines("v ") + triangleLines("f ", 1))));
     expectBox(io::readSurface(folder.write("box.ply", plyText())));
     expectBox(io::readSurface(folder.write("box.vtk", legacyVtk("a box"))));
-    const auto box = io::readSurface(folder.path("box.ply"));
-    ASSERT_TRUE(io::writeSurface(box.value().mesh, folder.path("binary.stl")));
-    expectBox(io::readSurface(folder.path("binary.stl")));
+    const auto box = io::readSurface(folder.file("box.ply"));
+    ASSERT_TRUE(io::writeSurface(box.value().mesh, folder.file("binary.stl")));
+    expectBox(io::readSurface(folder.file("binary.stl")));
 }
 
 TEST(ReadSurface, RasIsTurnedAndUnitsAreMillimetres)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const auto surface = io::readSurface(folder.write("box.vtk", legacyVtk("vtk output SPACE=RAS")), 2.0);
     ASSERT_TRUE(surface) << surface.error().message;
     EXPECT_EQ(surface.value().mesh.pointsInPatient[2], Eigen::Vector3d(-140, -100, 0));
@@ -118,7 +118,7 @@ TEST(ReadSurface, RasIsTurnedAndUnitsAreMillimetres)
 
 TEST(ReadSurface, HolesAndUnusualSizesAreMentioned)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::string whole = triangleLines("f ", 1);
     const auto open = io::readSurface(folder.write("open.obj", pointLines("v ") + whole.substr(0, whole.size() - 8)));
     ASSERT_TRUE(open) << open.error().message;
@@ -131,7 +131,7 @@ TEST(ReadSurface, HolesAndUnusualSizesAreMentioned)
 
 TEST(ReadSurface, DamagedFilesSayWhatIsWrong)
 {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::map<std::string, std::string> files = {
         {"a.obj", "v 1 2\nf 1 2 3\n"},
         {"b.obj", pointLines("v ") + "f 1 2 99\n"},
@@ -145,7 +145,7 @@ TEST(ReadSurface, DamagedFilesSayWhatIsWrong)
     for (const auto& [name, content] : files) {
         const auto surface = io::readSurface(folder.write(name, content));
         ASSERT_FALSE(surface) << name;
-        EXPECT_TRUE(surface.error().message.starts_with(folder.path(name))) << surface.error().message;
+        EXPECT_TRUE(surface.error().message.starts_with(folder.file(name))) << surface.error().message;
         EXPECT_TRUE(surface.error().message.ends_with(".")) << surface.error().message;
     }
 }

@@ -1,0 +1,114 @@
+#include "io/case_file.h"
+
+#include "tests/io/case/small_case.h"
+
+#include <gtest/gtest.h>
+#include <filesystem>
+#include <fstream>
+
+namespace {
+
+using test::phantomCase;
+using test::TemporaryFolder;
+
+core::RegistrationCase withEditedCurves(core::RegistrationCase values)
+{
+    const core::Curve2d curve{4, {{1.0 / 3.0, 2.5}, {7.0, 9.0}, {11.25, 1e-3}}, {1.5, 2.0, 0.1}};
+    values.givenTarget = std::make_shared<core::Centerline2d>(core::Centerline2d{{curve}});
+    values.editedFrame = values.frame;
+    values.acceptedCurveIds = {4};
+    return values;
+}
+
+core::RegistrationCase reloaded(const std::string& path)
+{
+    std::vector<std::string> warnings;
+    auto loaded = io::loadCase(path, warnings);
+    EXPECT_TRUE(loaded) << loaded.error().message;
+    EXPECT_TRUE(loaded && io::validateCase(path).value().empty());
+    return loaded ? std::move(loaded).value() : core::RegistrationCase{};
+}
+
+bool hasFile(const TemporaryFolder& folder, const std::string& name)
+{
+    return std::filesystem::exists(folder.file(name));
+}
+
+TEST(SaveCase, KeepsEditedCurvesBesideTheCase)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    const TemporaryFolder folder;
+    const core::RegistrationCase original = withEditedCurves(phantomCase(3));
+    ASSERT_TRUE(io::saveCase(original, folder.file("a.angiopose")));
+    const core::RegistrationCase copy = reloaded(folder.file("a.angiopose"));
+    EXPECT_EQ(copy.targetFile.path, folder.file("a.curves.csv"));
+    ASSERT_TRUE(copy.givenTarget);
+    EXPECT_EQ(copy.givenTarget->curves.front().id, 4);
+    EXPECT_EQ(copy.givenTarget->curves.front().pointsPx, original.givenTarget->curves.front().pointsPx);
+    EXPECT_EQ(copy.givenTarget->curves.front().radiusPx, original.givenTarget->curves.front().radiusPx);
+    EXPECT_EQ(copy.editedFrame, original.frame);
+    EXPECT_EQ(copy.acceptedCurveIds, std::vector<int>{4});
+    EXPECT_EQ(core::targetOf(copy).value().pointCount(), 3U) << "what the command line registers";
+
+    core::RegistrationCase elsewhere = copy;
+    elsewhere.frame = copy.frame + 1;
+    EXPECT_FALSE(core::givenTargetOf(elsewhere)) << "curves of one frame do not stand for another";
+}
+
+TEST(SaveCase, EditedCurvesReplaceTheirOwnFileOnly)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    const TemporaryFolder folder;
+    std::ofstream(folder.file("a.curves.csv")) << "of somebody else";
+    const core::RegistrationCase original = withEditedCurves(phantomCase(3));
+    ASSERT_TRUE(io::saveCase(original, folder.file("a.angiopose")));
+    ASSERT_TRUE(io::saveCase(original, folder.file("a.angiopose")));
+    EXPECT_TRUE(hasFile(folder, "a.curves-2.csv"));
+    EXPECT_FALSE(hasFile(folder, "a.curves-3.csv"));
+    std::string kept;
+    std::getline(std::ifstream(folder.file("a.curves.csv")), kept);
+    EXPECT_EQ(kept, "of somebody else");
+
+    // Saved under another name, the case takes its curves along.
+    ASSERT_TRUE(io::saveCase(reloaded(folder.file("a.angiopose")), folder.file("b.angiopose")));
+    EXPECT_EQ(reloaded(folder.file("b.angiopose")).targetFile.path, folder.file("b.curves.csv"));
+}
+
+TEST(SaveCase, RestoresTheSubtraction)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    const TemporaryFolder folder;
+    core::RegistrationCase original = phantomCase(4);
+    original.treatment.isSubtracted = true;
+    original.treatment.plan.maskFrames = {0, 1};
+    original.treatment.plan.maskShiftPx = Eigen::Vector2d(0.25, -1.0 / 3.0);
+    original.treatment.plan.relation = core::PixelRelation::Logarithmic;
+    const auto treated = core::treatedRun(*original.angiogram, original.treatment);
+    ASSERT_TRUE(treated) << treated.error().message;
+    original.storedRun = original.angiogram;
+    original.angiogram = std::make_shared<core::Angiogram>(treated.value());
+    ASSERT_TRUE(io::saveCase(original, folder.file("dsa.angiopose")));
+
+    const core::RegistrationCase copy = reloaded(folder.file("dsa.angiopose"));
+    EXPECT_EQ(copy.treatment, original.treatment);
+    ASSERT_TRUE(copy.storedRun);
+    EXPECT_EQ(copy.storedRun->frames[4].pixels, original.storedRun->frames[4].pixels);
+    EXPECT_EQ(copy.angiogram->frames[4].pixels, original.angiogram->frames[4].pixels);
+    EXPECT_NE(copy.angiogram->frames[4].pixels, copy.storedRun->frames[4].pixels);
+}
+
+TEST(LoadCase, SubtractionThatCannotBeIsRefused)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    const TemporaryFolder folder;
+    core::RegistrationCase original = phantomCase(4);
+    original.treatment.isSubtracted = true;
+    original.treatment.plan.maskFrames = {99};
+    ASSERT_TRUE(io::saveCase(original, folder.file("dsa.angiopose")));
+    std::vector<std::string> warnings;
+    const auto loaded = io::loadCase(folder.file("dsa.angiopose"), warnings);
+    ASSERT_FALSE(loaded);
+    EXPECT_NE(loaded.error().message.find("Mask frame 99"), std::string::npos) << loaded.error().message;
+}
+
+}   // namespace

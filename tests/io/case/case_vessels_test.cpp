@@ -1,0 +1,173 @@
+#include "io/case_file.h"
+
+#include "io/file_hash.h"
+#include "io/volume_file.h"
+#include "tests/io/case/small_case.h"
+#include "tests/support/forked_vessel.h"
+
+#include <gtest/gtest.h>
+#include <filesystem>
+
+namespace {
+
+using test::anyContains;
+using test::contains;
+using test::SmallCase;
+
+/// The tree of the small case with its second branch renamed and a point moved by an odd amount.
+std::shared_ptr<const core::VesselTree> editedTree(const core::RegistrationCase& values)
+{
+    core::VesselTree tree = *values.tree;
+    tree.branches[1].name = "Äste \"2\"";
+    tree.branches[1].generation = 1;
+    tree.branches[1].pointsInPatient[1].y() += 1.0 / 3.0;
+    tree.branches[1].radiusMm = {1.1, 0.1 + 0.2};
+    return std::make_shared<const core::VesselTree>(std::move(tree));
+}
+
+TEST(LoadCase, TracesASegmentationWithTheParametersBesideIt)
+{
+    SmallCase small;
+    ASSERT_TRUE(io::writeLabels(test::forkLabels(), small.path("in/mask.nii.gz")));
+    nlohmann::json json = small.json();
+    json["vessel"] = {{"segmentation", {{"path", "in/mask.nii.gz"}}},
+                      {"labels", {2}},
+                      {"surface", {{"path", "other.stl"}, {"note", "kept"}}},
+                      {"tracing", {{"minBranchLengthMm", 7.5}, {"rootInPatientMm", {0, 0, 0}}, {"mine", true}}}};
+
+    const auto loaded = small.load(json);
+
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_EQ(test::endsOf(*loaded.value().tree), 3);
+    for (const core::VesselBranch& branch : loaded.value().tree->branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            EXPECT_LT(test::distanceToFork(point), 1.5);
+        }
+    }
+    ASSERT_TRUE(io::saveCase(loaded.value(), small.path("copy.angiopose")));
+    std::vector<std::string> warnings;
+    const auto copy = io::loadCase(small.path("copy.angiopose"), warnings);
+    ASSERT_TRUE(copy) << copy.error().message;
+    EXPECT_EQ(copy.value().vesselInput, loaded.value().vesselInput);
+    EXPECT_EQ(copy.value().vesselInput.tracing.minBranchLengthMm, 7.5);
+    EXPECT_EQ(copy.value().centerlineFile, loaded.value().centerlineFile);
+    EXPECT_EQ(copy.value().tree->branches.front().pointsInPatient,
+              loaded.value().tree->branches.front().pointsInPatient);
+    const auto saved = nlohmann::json::parse(test::readText(small.path("copy.angiopose")));
+    EXPECT_EQ(saved["vessel"]["surface"]["note"], "kept") << "another kind beside it survives";
+    EXPECT_EQ(saved["vessel"]["tracing"]["mine"], true);
+    EXPECT_TRUE(io::validateCase(small.path("copy.angiopose")).value().empty());
+}
+
+TEST(SaveCase, KeepsAnEditedTreeToTheLastBit)
+{
+    SmallCase small;
+    core::RegistrationCase edited = small.load(small.json()).value();
+    edited.tree = editedTree(edited);
+    edited.isTreeEdited = true;
+    edited.hiddenBranchIds = {2};
+    const std::string input = small.path("in/tree.csv");
+    const auto before = io::sha256OfFile(input).value();
+    ASSERT_TRUE(io::saveCase(edited, small.path("edited.angiopose")));
+
+    EXPECT_EQ(io::sha256OfFile(input).value(), before);
+    EXPECT_TRUE(io::validateCase(small.path("edited.angiopose")).value().empty());
+    std::vector<std::string> warnings;
+    const auto copy = io::loadCase(small.path("edited.angiopose"), warnings);
+    ASSERT_TRUE(copy) << copy.error().message;
+    EXPECT_EQ(warnings, small.warnings);   // those of the image, none of the tree
+    EXPECT_TRUE(copy.value().isTreeEdited);
+    EXPECT_EQ(copy.value().hiddenBranchIds, std::vector{2});
+    ASSERT_EQ(copy.value().tree->branches.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const core::VesselBranch& a = edited.tree->branches[i];
+        const core::VesselBranch& b = copy.value().tree->branches[i];
+        EXPECT_EQ(a.id, b.id);
+        EXPECT_EQ(a.name, b.name);
+        EXPECT_EQ(a.generation, b.generation);
+        EXPECT_EQ(a.pointsInPatient, b.pointsInPatient);
+        EXPECT_EQ(a.radiusMm, b.radiusMm);
+    }
+}
+
+TEST(LoadCase, OpensAnEditedTreeWithoutItsOrigin)
+{
+    SmallCase small;
+    core::RegistrationCase edited = small.load(small.json()).value();
+    edited.tree = editedTree(edited);
+    edited.isTreeEdited = true;
+    ASSERT_TRUE(io::saveCase(edited, small.path("edited.angiopose")));
+    std::filesystem::remove(small.path("in/tree.csv"));
+
+    std::vector<std::string> warnings;
+    const auto copy = io::loadCase(small.path("edited.angiopose"), warnings);
+    ASSERT_TRUE(copy) << copy.error().message;
+    EXPECT_EQ(copy.value().tree->branches[1].name, edited.tree->branches[1].name);
+    EXPECT_EQ(copy.value().centerlineFile.sha256, edited.centerlineFile.sha256);
+    EXPECT_TRUE(anyContains(warnings, "opens without the file"));
+}
+
+TEST(LoadCase, RefusesAnEditedTreeThatIsNone)
+{
+    SmallCase small;
+    nlohmann::json json = small.json();
+    const auto branch = nlohmann::json::parse(R"({"id": 1, "pointsMm": [[0,0,0],[0,0,1]]})");
+    json["vessel"]["editedTree"]["branches"] = {branch, branch};
+    EXPECT_TRUE(contains(small.errorOf(json), "branch 1 is there twice"));
+    json["vessel"]["editedTree"]["branches"] = nlohmann::json::array();
+    EXPECT_TRUE(contains(small.errorOf(json), "vessel.editedTree"));
+    json["vessel"]["editedTree"]["branches"] = {{{"id", 1}, {"pointsMm", {{0, 0}, {1, 1}}}}};
+    EXPECT_TRUE(contains(small.errorOf(json), "vessel.editedTree"));
+}
+
+TEST(LoadCase, ReadsTheScanOfAnEditedTreeWithoutTracingIt)
+{
+    SmallCase small;
+    ASSERT_TRUE(io::writeVolume(test::forkScan(), small.path("in/scan.nrrd")));
+    nlohmann::json json = small.json();
+    json["vessel"] = {{"volume", {{"path", "in/scan.nrrd"}}}};
+    json["vessel"]["editedTree"]["branches"] = {{{"id", 5}, {"pointsMm", {{0, 0, 0}, {0, 0, 30}}}}};
+    const auto loaded = small.load(json);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    ASSERT_TRUE(loaded.value().volume);
+    ASSERT_EQ(loaded.value().tree->branches.size(), 1U);
+    EXPECT_EQ(loaded.value().tree->branches[0].id, 5);
+    EXPECT_FALSE(loaded.value().lumen);
+}
+
+TEST(LoadCase, ReadsTheScanThatOtherVesselsLieIn)
+{
+    SmallCase small;
+    ASSERT_TRUE(io::writeVolume(test::forkScan(), small.path("in/scan.nrrd")));
+    nlohmann::json json = small.json();
+    json["vessel"]["volume"]["path"] = "in/scan.nrrd";
+    const auto loaded = small.load(json);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_EQ(loaded.value().vesselInput.kind, core::VesselInputKind::Centerline);
+    EXPECT_EQ(loaded.value().tree->branches.size(), 2U);
+    ASSERT_TRUE(loaded.value().volume);
+    ASSERT_TRUE(io::saveCase(loaded.value(), small.path("copy.angiopose")));
+    std::vector<std::string> warnings;
+    EXPECT_EQ(io::loadCase(small.path("copy.angiopose"), warnings).value().scanFile, loaded.value().scanFile);
+    EXPECT_EQ(warnings, small.warnings);   // those of the image, none of the scan
+
+    json["vessel"]["volume"]["path"] = "in/gone.nrrd";
+    const auto without = small.load(json);
+    ASSERT_TRUE(without) << without.error().message;
+    EXPECT_FALSE(without.value().volume);
+    EXPECT_TRUE(anyContains(small.warnings, "gone.nrrd"));
+}
+
+TEST(LoadCase, StopsTracingWhenAsked)
+{
+    SmallCase small;
+    ASSERT_TRUE(io::writeLabels(test::forkLabels(), small.path("in/mask.nii.gz")));
+    nlohmann::json json = small.json();
+    json["vessel"] = {{"segmentation", {{"path", "in/mask.nii.gz"}}}};
+    std::vector<std::string> warnings;
+    const auto stopped = io::loadCase(small.write(json), warnings, [](double) { return core::Verdict::Stop; });
+    ASSERT_FALSE(stopped);
+    EXPECT_TRUE(contains(stopped.error().message, "stopped"));
+}
+
+}   // namespace

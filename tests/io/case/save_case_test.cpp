@@ -1,0 +1,144 @@
+#include "io/case_file.h"
+
+#include "tests/io/case/small_case.h"
+
+#include <gtest/gtest.h>
+#include <clocale>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+
+namespace {
+
+using test::contains;
+using test::phantomCase;
+using test::SmallCase;
+
+/// A locale with a decimal comma: the installed one, or one made for this test.
+bool setGermanLocale(const std::string& folder)
+{
+    if (std::setlocale(LC_ALL, "de_DE.UTF-8")) {
+        return true;
+    }
+    std::filesystem::create_directory(folder);
+    const std::string command = "localedef -i de_DE -f UTF-8 " + folder + "/de_DE.UTF-8 > /dev/null 2>&1";
+    return std::system(command.c_str()) == 0 && ::setenv("LOCPATH", folder.c_str(), 1) == 0 &&
+           std::setlocale(LC_ALL, "de_DE.UTF-8");
+}
+
+TEST(SaveCase, RestoresEveryBit)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    const test::TemporaryFolder folder;
+    core::RegistrationCase original = phantomCase(3);
+    original.title = "Größe \"π\"";
+    original.auxiliaryBranchIds = {4, 5};
+    original.excludedBranchIds = {11};
+    original.frame = 7;
+    original.options.finalScalePx = 1.0 / 3.0 + 1.0;
+    original.options.locks = {true, false, true, false, true, false};
+    original.traceOptions.sensitivity = 1.1;
+    original.cArm.rollDeg = {0.1 + 0.2, core::Origin::User, ""};
+    original.cArm.isocentreInPatientMm = {Eigen::Vector3d(0.1, -1.0 / 3.0, 7e5), core::Origin::Derived, "clicked"};
+    original.landmarks = {{{1.0 / 3.0, -2.0, 600.5}, {10.1, 511.0 / 3.0}, "bifurcation 3 / 5"},
+                          {{1, 2, 3}, {4, 5}, ""}};
+    original.otherViews = {{folder.file("other.angiopose"), ""}};
+    original.cameraFromPatient.translation.x() = 1.0 / 3.0;
+    ASSERT_TRUE(io::saveCase(original, folder.file("copy.angiopose")));
+
+    std::vector<std::string> warnings;
+    const auto copy = io::loadCase(folder.file("copy.angiopose"), warnings);
+    ASSERT_TRUE(copy) << copy.error().message;
+    EXPECT_EQ(copy.value().title, original.title);
+    EXPECT_EQ(copy.value().cameraFromPatient.matrix(), original.cameraFromPatient.matrix());
+    EXPECT_EQ(copy.value().initialCameraFromPatient.matrix(), original.initialCameraFromPatient.matrix());
+    EXPECT_EQ(copy.value().landmarks, original.landmarks);
+    EXPECT_EQ(copy.value().otherViews, original.otherViews);
+    EXPECT_EQ(copy.value().cArm.isocentreInPatientMm.value, original.cArm.isocentreInPatientMm.value);
+    EXPECT_EQ(copy.value().cArm.isocentreInPatientMm.basis, "clicked");
+    EXPECT_EQ(copy.value().auxiliaryBranchIds, original.auxiliaryBranchIds);
+    EXPECT_EQ(copy.value().excludedBranchIds, original.excludedBranchIds);
+    EXPECT_EQ(copy.value().frame, 7);
+    EXPECT_EQ(copy.value().options, original.options);
+    EXPECT_EQ(copy.value().traceOptions, original.traceOptions);
+    EXPECT_EQ(copy.value().cArm.rollDeg.value, original.cArm.rollDeg.value);
+    EXPECT_EQ(copy.value().cArm.columnSpacingMm.origin, core::Origin::Derived);
+    EXPECT_EQ(copy.value().cameraOverride, original.cameraOverride);
+    EXPECT_EQ(copy.value().centerlineFile, original.centerlineFile);
+    EXPECT_TRUE(io::validateCase(folder.file("copy.angiopose")).value().empty());
+}
+
+TEST(SaveCase, KeepsKeysItDoesNotKnow)
+{
+    SmallCase small;
+    nlohmann::json json = small.json();
+    json["site"] = {{"name", "Kragujevac"}, {"empty", nlohmann::json::object()}};
+    json["vessel"]["centerline"]["tracedBy"] = "A. B.";
+    json["pose"]["history"] = {1, 2.5, nullptr};
+    json["options"]["futureKnob"] = 0.1;
+    json["geometry"]["tableHeightMm"] = -12.25;
+    const auto loaded = small.load(json);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    ASSERT_TRUE(io::saveCase(loaded.value(), small.path("saved.angiopose")));
+    const nlohmann::json saved = nlohmann::json::parse(test::readText(small.path("saved.angiopose")));
+    EXPECT_EQ(saved["site"], json["site"]);
+    EXPECT_EQ(saved["vessel"]["centerline"]["tracedBy"], "A. B.");
+    EXPECT_EQ(saved["vessel"]["centerline"]["path"], "in/tree.csv");
+    EXPECT_EQ(saved["pose"]["history"], json["pose"]["history"]);
+    EXPECT_EQ(saved["options"]["futureKnob"], 0.1);
+    EXPECT_EQ(saved["geometry"]["tableHeightMm"], -12.25);
+    const auto again = io::loadCase(small.path("saved.angiopose"), small.warnings);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(nlohmann::json::parse(again.value().extraKeys), nlohmann::json::parse(loaded.value().extraKeys));
+}
+
+TEST(SaveCase, NeverOverwritesAnInput)
+{
+    SmallCase small;
+    const auto loaded = small.load(small.json());
+    ASSERT_TRUE(loaded);
+    const std::string before = test::readText(small.path("in/tree.csv"));
+    std::filesystem::create_symlink(small.path("in/tree.csv"), small.path("link.angiopose"));
+    EXPECT_FALSE(io::saveCase(loaded.value(), small.path("in/tree.csv")));
+    EXPECT_FALSE(io::saveCase(loaded.value(), small.path("link.angiopose")));
+    EXPECT_EQ(test::readText(small.path("in/tree.csv")), before);
+}
+
+TEST(SaveCase, LeavesTheOldFileWhenItCannotWrite)
+{
+    SmallCase small;
+    auto loaded = small.load(small.json());
+    ASSERT_TRUE(loaded);
+    ASSERT_TRUE(io::saveCase(loaded.value(), small.path("saved.angiopose")));
+    const std::string before = test::readText(small.path("saved.angiopose"));
+    core::RegistrationCase broken = loaded.value();
+    broken.cameraFromPatient.translation.x() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(io::saveCase(broken, small.path("saved.angiopose")));
+    EXPECT_EQ(test::readText(small.path("saved.angiopose")), before);
+    EXPECT_FALSE(io::saveCase(loaded.value(), small.path("absent/folder/saved.angiopose")));
+    for (const auto& entry : std::filesystem::directory_iterator(small.path(""))) {
+        EXPECT_FALSE(entry.path().filename().string().starts_with(".")) << "temporary file left behind";
+    }
+}
+
+TEST(SaveCase, WritesDecimalPointsInAnyLocale)
+{
+    SmallCase small;
+    auto loaded = small.load(small.json());
+    ASSERT_TRUE(loaded);
+    core::RegistrationCase values = loaded.value();
+    values.cArm.rollDeg = {1.0 / 3.0, core::Origin::User, ""};
+    if (!setGermanLocale(small.path("locale"))) {
+        GTEST_SKIP() << "locale de_DE.UTF-8 is neither installed nor can it be made (package locales)";
+    }
+    ASSERT_EQ(*std::localeconv()->decimal_point, ',');
+    const bool saved = static_cast<bool>(io::saveCase(values, small.path("saved.angiopose")));
+    const auto again = io::loadCase(small.path("saved.angiopose"), small.warnings);
+    std::setlocale(LC_ALL, "C");
+    ASSERT_TRUE(saved);
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(again.value().cArm.rollDeg.value, 1.0 / 3.0);
+    EXPECT_TRUE(contains(test::readText(small.path("saved.angiopose")), "0.3333333333333333"));
+}
+
+}   // namespace

@@ -1,0 +1,165 @@
+#include "io/volume_file.h"
+
+#include "tests/io/volume/volume_bytes.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+#include <array>
+#include <cstring>
+#include <numeric>
+
+namespace {
+
+using test::bytesOf;
+using test::expectRefused;
+using test::metaImage;
+using test::readBack;
+using test::TemporaryFolder;
+
+/// A NIfTI-1 header for 2 x 3 x 4 voxels of 16 bit, without any placement.
+std::string plainNifti()
+{
+    std::string header(352, '\0');
+    const auto put = [&](std::size_t offset, auto value) { std::memcpy(header.data() + offset, &value, sizeof value); };
+    put(0, std::int32_t{348});
+    const std::array<std::int16_t, 8> dim = {3, 2, 3, 4, 1, 1, 1, 1};
+    const std::array<float, 8> pixdim = {1.0F, 0.5F, 2.0F, 3.0F, 0, 0, 0, 0};
+    put(40, dim);
+    put(76, pixdim);
+    put(70, std::int16_t{4});
+    put(72, std::int16_t{16});
+    put(108, 352.0F);
+    std::memcpy(header.data() + 344, "n+1", 4);
+    return header;
+}
+
+std::string withVoxels(std::string header, std::size_t count)
+{
+    std::vector<std::int16_t> voxels(count);
+    std::iota(voxels.begin(), voxels.end(), std::int16_t{0});
+    return header + bytesOf(voxels);
+}
+
+template <class T>
+void put(std::string& header, std::size_t offset, T value)
+{
+    std::memcpy(header.data() + offset, &value, sizeof value);
+}
+
+TEST(Nifti, SformWinsAndRasBecomesLps)
+{
+    const TemporaryFolder folder;
+    std::string header = plainNifti();
+    put(header, 254, std::int16_t{1});
+    const std::array<float, 12> sform = {0, 2, 0, 10, -0.5F, 0, 0, 20, 0, 0, 3, 30};   // i runs to P, j to R
+    put(header, 280, sform);
+
+    const core::Volume volume = readBack(folder.write("a.nii", withVoxels(header, 24)));
+
+    const Eigen::Affine3d map = volume.geometry.patientFromVoxel();
+    EXPECT_LT((map * Eigen::Vector3d(0, 0, 0) - Eigen::Vector3d(-10, -20, 30)).norm(), 1e-5);
+    EXPECT_LT((map * Eigen::Vector3d(1, 0, 0) - Eigen::Vector3d(-10, -19.5, 30)).norm(), 1e-5);
+    EXPECT_LT((map * Eigen::Vector3d(0, 1, 0) - Eigen::Vector3d(-12, -20, 30)).norm(), 1e-5);
+    EXPECT_LT((map * Eigen::Vector3d(0, 0, 1) - Eigen::Vector3d(-10, -20, 33)).norm(), 1e-5);
+}
+
+TEST(Nifti, QformIsFollowedWithItsHandedness)
+{
+    const TemporaryFolder folder;
+    std::string header = plainNifti();
+    put(header, 252, std::int16_t{1});
+    put(header, 76, -1.0F);   // k reversed
+    put(header, 256, std::array<float, 6>{0, 0, 1, 5, 6, 7});   // half a turn about z
+
+    const core::Volume volume = readBack(folder.write("a.nii", withVoxels(header, 24)));
+
+    const Eigen::Affine3d map = volume.geometry.patientFromVoxel();
+    EXPECT_LT((map * Eigen::Vector3d(1, 0, 0) - Eigen::Vector3d(-4.5, -6, 7)).norm(), 1e-5);
+    EXPECT_LT((map * Eigen::Vector3d(0, 1, 0) - Eigen::Vector3d(-5, -4, 7)).norm(), 1e-5);
+    EXPECT_LT((map * Eigen::Vector3d(0, 0, 1) - Eigen::Vector3d(-5, -6, 4)).norm(), 1e-5);
+}
+
+TEST(Nifti, TheScannersPlacementBeatsAnAtlas)
+{
+    const TemporaryFolder folder;
+    std::string header = plainNifti();
+    put(header, 252, std::int16_t{1});
+    put(header, 256, std::array<float, 6>{0, 0, 0, 5, 6, 7});
+    put(header, 254, std::int16_t{4});   // MNI 152
+    put(header, 280, std::array<float, 12>{1, 0, 0, 99, 0, 1, 0, 99, 0, 0, 1, 99});
+
+    const auto loaded = io::readVolume(folder.write("a.nii", withVoxels(header, 24)));
+
+    ASSERT_TRUE(loaded);
+    EXPECT_LT((loaded.value().volume.geometry.originInPatient - Eigen::Vector3d(-5, -6, 7)).norm(), 1e-5);
+    EXPECT_NE(loaded.value().warnings.front().find("qform"), std::string::npos);
+}
+
+TEST(Nifti, SaysWhenThePlacementIsUnknown)
+{
+    const TemporaryFolder folder;
+    const auto loaded = io::readVolume(folder.write("a.nii", withVoxels(plainNifti(), 24)));
+    ASSERT_TRUE(loaded);
+    EXPECT_LT((loaded.value().volume.geometry.spacingMm - Eigen::Vector3d(0.5, 2.0, 3.0)).norm(), 1e-6);
+    ASSERT_EQ(loaded.value().warnings.size(), 1U);
+    EXPECT_NE(loaded.value().warnings.front().find("left and right"), std::string::npos);
+}
+
+TEST(Nifti, RefusesWhatIsNoVolume)
+{
+    const TemporaryFolder folder;
+    std::string series = plainNifti();
+    put(series, 40, std::array<std::int16_t, 8>{4, 2, 3, 4, 7, 1, 1, 1});
+    expectRefused(folder.write("4d.nii", series), "7 volumes");
+
+    std::string colour = plainNifti();
+    put(colour, 70, std::int16_t{128});
+    expectRefused(folder.write("rgb.nii", colour), "colours");
+
+    std::string huge = plainNifti();
+    put(huge, 40, std::array<std::int16_t, 8>{3, 30000, 30000, 30000, 1, 1, 1, 1});
+    expectRefused(folder.write("huge.nii", huge), "more than this program holds");
+
+    std::string lying = plainNifti();
+    put(lying, 40, std::array<std::int16_t, 8>{3, 1000, 1000, 1000, 1, 1, 1, 1});
+    expectRefused(folder.write("lying.nii", lying), "cut short");
+
+    std::string sheared = plainNifti();
+    put(sheared, 254, std::int16_t{1});
+    put(sheared, 280, std::array<float, 12>{1, 0.2F, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+    expectRefused(folder.write("sheared.nii", withVoxels(sheared, 24)), "instead of 90");
+
+    std::string flat = plainNifti();
+    put(flat, 40, std::array<std::int16_t, 8>{2, 2, 3, 1, 1, 1, 1, 1});
+    expectRefused(folder.write("flat.nii", withVoxels(flat, 6)), "single slice");
+}
+
+TEST(Nrrd, SpacesBecomeLps)
+{
+    const TemporaryFolder folder;
+    const auto header = [](const std::string& space) {
+        return "NRRD0004\ntype: short\ndimension: 3\n" + space +
+               "sizes: 2 2 2\nspace directions: (0,2,0) (3,0,0) (0,0,4)\nspace origin: (10,20,30)\nendian: little\n"
+               "encoding: raw\n\n";
+    };
+    const auto place = [&](const std::string& space) {
+        const core::Volume volume = readBack(folder.write("a.nrrd", header(space) + std::string(16, '\0')));
+        return Eigen::Vector3d(volume.geometry.patientFromVoxel() * Eigen::Vector3d(1, 1, 1));
+    };
+    EXPECT_LT((place("space: left-posterior-superior\n") - Eigen::Vector3d(13, 22, 34)).norm(), 1e-9);
+    EXPECT_LT((place("space: RAS\n") - Eigen::Vector3d(-13, -22, 34)).norm(), 1e-9);
+    EXPECT_LT((place("space: left-anterior-superior\n") - Eigen::Vector3d(13, -22, 34)).norm(), 1e-9);
+    const auto unknown = io::readVolume(folder.write("b.nrrd", header("") + std::string(16, '\0')));
+    ASSERT_TRUE(unknown);
+    EXPECT_NE(unknown.value().warnings.front().find("left and right"), std::string::npos);
+}
+
+TEST(MetaImage, NamesHeaderAndVoxelsWhenTheseAreMissing)
+{
+    const TemporaryFolder folder;
+    const std::string header = metaImage("MET_SHORT", "");
+    const std::string path = folder.write("scan.mhd", header.substr(0, header.find("LOCAL")) + "elsewhere.raw\n");
+    expectRefused(path, "elsewhere.raw");
+}
+
+}   // namespace
