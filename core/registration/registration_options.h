@@ -32,7 +32,7 @@ struct RegistrationOptions {
     double rotationFirst = 1;   ///< 1: a rotation-only solve comes first
     double alternation = 1;   ///< 1: auxiliary and full problem take turns
     double index = 0;   ///< index into IndexKind: how nearest points are found
-    double startScale = 0;   ///< index into StartScale
+    double startScale = 1;   ///< index into StartScale
     double decay = 0;   ///< index into Decay: when the kernel narrows
 
     double neighbours = 0;   ///< index into Neighbours: how many target points pull each tree point

@@ -3,14 +3,8 @@
 #include "core/registration/pnp/alternating_search.h"
 #include "core/support/stopwatch.h"
 
-#include <algorithm>
-
 namespace core {
 namespace {
-
-constexpr int turnIterations = 40;
-constexpr int auxiliaryIterations = 20;
-constexpr int fullIterations = 40;
 
 /// Kernel PnP in each problem; only all points feel the prior of the preset (ALGORITHMS §3.2).
 class KernelSolver final : public PointSolver {
@@ -21,7 +15,6 @@ public:
                           const KernelObserver& observe) override
     {
         KernelSchedule schedule = seed_.schedule;
-        schedule.maxIterations = maxIterations(stage);
         if (stage == SearchStage::Full) {
             return KernelPnp(problem, seed_.prior, schedule).solve(start, observe);
         }
@@ -31,13 +24,8 @@ public:
         return KernelPnp(problem, {}, schedule).solve(start, observe);
     }
 
-    int maxIterations(SearchStage stage) const override
-    {
-        const int own = stage == SearchStage::Turn
-                            ? turnIterations
-                            : (stage == SearchStage::Auxiliary ? auxiliaryIterations : fullIterations);
-        return std::min(seed_.schedule.maxIterations, own);
-    }
+    /// Each problem anneals to the end: shorter runs (ALGORITHMS §3.2) stop at a wide kernel when ℓ starts at d².
+    int maxIterations(SearchStage) const override { return seed_.schedule.maxIterations; }
 
 private:
     const SeedProblem& seed_;

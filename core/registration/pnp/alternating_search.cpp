@@ -2,7 +2,7 @@
 
 #include "core/support/stopwatch.h"
 
-#include <limits>
+#include <cmath>
 #include <optional>
 
 namespace core {
@@ -10,7 +10,7 @@ namespace {
 
 constexpr int maxRounds = 5;
 constexpr double goodEnoughPx = 1.0;   // ξ, decision 3
-constexpr double stalledRatio = 0.999;   // decision 1
+constexpr double sameShare = 0.001;   // decision 1
 
 // Shares of the progress: the turn, then each round's auxiliary and full problem.
 constexpr double turnShare = 0.2;
@@ -57,7 +57,7 @@ private:
     RigidTransform pose_;   ///< where the search stands
     RigidTransform best_;   ///< by E_data at the final ℓ; until the first round ends, the latest of the full problem
     std::optional<double> bestLoss_;
-    double lastMedianPx_ = std::numeric_limits<double>::infinity();
+    std::optional<double> lastMedianPx_;   ///< of the round before
     KernelDistances distances_;
     std::vector<double> scratch_;
 };
@@ -137,7 +137,8 @@ StopReason AlternatingSearch::solveFull(const Stage& stage)
     return result.stopReason;
 }
 
-/// Decision 1: why the loop ends here, if it does.
+/// Decision 1: why the loop ends here, if it does. A round that ends worse than the last goes on: held matches of the
+/// new place often push the pose out in the next. One that ends where the last did would repeat itself.
 std::optional<StopReason> AlternatingSearch::closeRound()
 {
     measure(full_, pose_, distances_);
@@ -147,7 +148,7 @@ std::optional<StopReason> AlternatingSearch::closeRound()
     if (medianPx < goodEnoughPx) {
         return StopReason::Converged;
     }
-    if (medianPx > stalledRatio * lastMedianPx_) {
+    if (lastMedianPx_ && std::abs(medianPx - *lastMedianPx_) <= sameShare * *lastMedianPx_) {
         return StopReason::NoImprovement;
     }
     lastMedianPx_ = medianPx;

@@ -14,7 +14,7 @@ struct Alternation {
 
 /// Runs a method of matched points inside the alternating search of Song and Ghaffari (ALGORITHMS §3.2): auxiliary
 /// points with held partners push the pose out of local optima of all points. Ends when the median distance is below a
-/// pixel or falls no more, after five rounds at most, with the pose of best E_data at the final kernel width.
+/// pixel or stays what it was, after five rounds at most, with the pose of best E_data at the final kernel width.
 MethodSolution searchAlternating(const RegistrationProblem& problem, const RegistrationOptions& options,
                                  const SeedProblem& seed, PointSolver& solver, Alternation alternation,
                                  ProgressLog& progress);
