@@ -62,9 +62,9 @@ struct RegistrationOptions {
     int rgbrRounds = 30;
 
     // automask
-    double automaskSample = 5.0;   ///< % of the mask
+    double automaskSample = 100.0;   ///< % of the mask
     double automaskMarginPx = 8.0;
-    int automaskEvaluations = 600;
+    int automaskEvaluations = 1000;
 
     // gradient-matching
     double gradientScalePx = 1.5;

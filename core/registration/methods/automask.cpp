@@ -22,10 +22,13 @@ namespace {
 // In px of half the resolution. The source has one stage; a blurred one first reaches farther. Each draws its own mask.
 struct MaskStage {
     double blurPx = 0.0;
+    double depthHold = 0.0;   ///< cost of an offset of depthStdMm along the ray, which a blurred view does not show
     double share = 1.0;   ///< of the evaluations
 };
-constexpr std::array<MaskStage, 2> maskStages{{{8.0, 0.3}, {0.0, 0.7}}};
+constexpr std::array<MaskStage, 2> maskStages{{{8.0, 0.05, 0.3}, {0.0, 0.01, 0.7}}};
+constexpr double depthStdMm = 30.0;
 constexpr std::size_t fewestPixels = 2000;
+constexpr double leastGain = 1e-3;   // of the correlation, by a simplex
 constexpr double settled = 0.005;   // of the first simplex: 0.02°, 0.04 mm
 
 /// Numbers of the pixels that something covers, and a margin around them.
@@ -104,6 +107,46 @@ std::vector<float> MaskedSimilarity::drawn(const ImageF& image) const
     return values;
 }
 
+struct Descent {
+    double blurPx = 0.0;
+    double depthHold = 0.0;
+    double firstStep = 1.0;
+    int budget = 0;   ///< evaluations
+};
+
+/// Simplex after simplex, each where the last one ended with the mask drawn anew there, until one brings nothing: a
+/// simplex that has collapsed is a poor judge of being at the top. True when that is what ended it.
+bool descend(const RegistrationProblem& problem, MaskedSimilarity& similarity, const Descent& descent,
+             PoseTrials& search)
+{
+    MinimiseOptions simplex;
+    simplex.tolerance = settled;
+    simplex.firstStep = descent.firstStep;
+    int left = descent.budget;
+    while (left > 0 && !search.isStopped()) {
+        similarity.beginStage(descent.blurPx, {problem.start, search.inPatient(search.best())});
+        search.changeCost("radiographs", 0.0, std::numeric_limits<double>::infinity());
+        const PoseParameters parameters(search.best(), clinicalUnits(4.0, 4.0, 8.0, 20.0), problem.freedom);
+        double costAtFirst = std::numeric_limits<double>::infinity();
+        const auto cost = [&](const Eigen::VectorXd& x, Eigen::VectorXd&) {
+            --left;
+            const CentroidPose pose = parameters.pose(x);
+            const double away = (pose.centroidInCamera.z() - search.start().centroidInCamera.z()) / depthStdMm;
+            const double value =
+                search.note(pose, descent.depthHold * away * away - similarity.of(search.inPatient(pose)));
+            costAtFirst = std::isinf(costAtFirst) ? value : costAtFirst;
+            return value;
+        };
+        simplex.maxEvaluations = left;
+        minimise(cost, parameters.origin(), simplex, [&] { return search.isStopped(); });
+        if (costAtFirst - search.bestCost() < leastGain) {
+            return true;
+        }
+        simplex.firstStep *= 0.7;
+    }
+    return false;
+}
+
 }   // namespace
 
 MethodSolution solveAutoMask(const RegistrationProblem& problem, const RegistrationOptions& options,
@@ -114,23 +157,12 @@ MethodSolution solveAutoMask(const RegistrationProblem& problem, const Registrat
     const double targetMs = stopwatch.lapMs();
 
     PoseTrials search(problem, options.automaskEvaluations, progress);
-    MinimiseOptions simplex;
-    simplex.tolerance = settled;
     bool isConverged = false;
-    for (const auto& [blurPx, share] : maskStages) {
-        if (search.isStopped()) {
-            break;
-        }
-        simplex.maxEvaluations = std::max(1, static_cast<int>(share * options.automaskEvaluations));
-        similarity.beginStage(blurPx, {problem.start, search.inPatient(search.best())});
-        search.changeCost("radiographs", 0.0, std::numeric_limits<double>::infinity());
-        const PoseParameters parameters(search.best(), clinicalUnits(4.0, 4.0, 8.0, 20.0), problem.freedom);
-        const auto cost = [&](const Eigen::VectorXd& x, Eigen::VectorXd&) {
-            const CentroidPose pose = parameters.pose(x);
-            return search.note(pose, -similarity.of(search.inPatient(pose)));
-        };
-        isConverged = minimise(cost, parameters.origin(), simplex, [&] { return search.isStopped(); }).isConverged;
-        simplex.firstStep *= 0.5;
+    double firstStep = 1.0;
+    for (const auto& [blurPx, depthHold, share] : maskStages) {
+        const int budget = std::max(1, static_cast<int>(share * options.automaskEvaluations));
+        isConverged = descend(problem, similarity, {blurPx, depthHold, firstStep, budget}, search);
+        firstStep *= 0.5;
     }
     MethodSolution solution = search.solution(isConverged ? StopReason::Converged : StopReason::IterationLimit);
     solution.time.targetMs = targetMs;
