@@ -18,7 +18,9 @@ using StopCheck = std::function<bool()>;
 
 /// Covariance matrix adaptation with cumulative step-size control, from the normal distribution about 0 with unit
 /// variance (Hansen, "The CMA evolution strategy: a tutorial", 2016). True when the search has narrowed, false when it
-/// ran out of evaluations or was stopped. No Debian 12 library offers it without GPL parts.
+/// ran out of evaluations or was stopped. Of the libraries that have it, Debian 12 packages pagmo2 alone (neither
+/// libcmaes nor ensmallen; NLopt has none): for these hundred lines in one method of comparison it would bring TBB,
+/// Boost.Serialization and problems that must be bounded, and it cannot be stopped within a generation.
 bool evolveByCovariance(const EvolutionCost& cost, Eigen::Index dimensions, const EvolutionOptions& options,
                         const StopCheck& isStopped);
 
