@@ -15,6 +15,7 @@ std::span<const RunField> runFields()
         RunField{"trustworthy", &R::trustworthy},
         RunField{"iterations", &R::iterations},
         RunField{"closest_median_px", &R::closestMedianPx},
+        RunField{"closest_mean_px", &R::closestMeanPx},
         RunField{"reverse_mean_px", &R::reverseMeanPx},
         RunField{"coverage", &R::coverage},
         RunField{"mean_px", &R::meanPx},

@@ -28,6 +28,7 @@ struct RunRecord {
     double trustworthy = 0.0;   ///< 1 or 0
     double iterations = 0.0;
     double closestMedianPx = unknownMeasure;   ///< the seed's "TRE": tree points to the nearest target point
+    double closestMeanPx = unknownMeasure;   ///< the seed's "PR", as its figures show
     double reverseMeanPx = unknownMeasure;   ///< target points to the nearest tree point
     double coverage = unknownMeasure;
     // What is true

@@ -59,6 +59,7 @@ void readResult(const Trial& trial, const RegistrationResult& result, RunRecord&
     record.trustworthy = result.trustworthy ? 1.0 : 0.0;
     record.iterations = result.iterations;
     record.closestMedianPx = result.metrics.medianPx;
+    record.closestMeanPx = result.metrics.meanPx;
     record.reverseMeanPx = result.metrics.reverseMeanPx;
     record.coverage = result.metrics.coverage;
     record.nees = normalizedErrorSquared(

@@ -28,7 +28,7 @@ const std::vector<Setting>& settings()
         {{"obj-2-5", "2°/5 mm about the centroid (OBJ), exact target", true}, Pivot::Centroid, 2, 5, Target::Exact},
         {{"degraded-cam-2-5", "CAM 2°/5 mm, degraded target", true}, Pivot::Source, 2, 5, Target::Degraded},
         {{"degraded-obj-2-5", "OBJ 2°/5 mm, degraded target", true}, Pivot::Centroid, 2, 5, Target::Degraded},
-        {{"cam-norm-2-5", "2° and 5 mm about the source in a random direction, exact target", false},
+        {{"cam-norm-2-5", "2° and 5 mm about the source in a random direction, exact target", true},
          Pivot::SourceByNorm,
          2,
          5,

@@ -1,4 +1,3 @@
-#include "core/evaluation/report/published_results.h"
 #include "core/evaluation/report/table_parts.h"
 #include "core/support/format_number.h"
 
@@ -46,13 +45,7 @@ std::vector<std::string> cellsOf(const std::string& method, const RunGroup& grou
             boundRatioCell(group)};
 }
 
-/// The paper's starts, in both readings of its "2° and 5 mm".
-bool isAsPublished(const Condition& condition)
-{
-    return condition.id == "cam-2-5" || condition.id == "cam-norm-2-5";
-}
-
-/// How far off the starts are, and what that means beside the published rows.
+/// How far off the starts are.
 std::string startNote(const RunGroups& groups, const Condition& condition)
 {
     const auto ran = std::find_if(groups.methods().begin(), groups.methods().end(),
@@ -60,15 +53,8 @@ std::string startNote(const RunGroups& groups, const Condition& condition)
     if (ran == groups.methods().end()) {
         return {};
     }
-    const double startPx = groups.of(condition, *ran).mean(&RunRecord::startMeanPx);
-    std::string note = "Starts lie " + fixedText(startPx, 0) + " px off on average.";
-    if (isAsPublished(condition)) {
-        note +=
-            " The paper does not say whether its 2° and 5 mm are the spread of each axis (cam-2-5) or the length of "
-            "the whole disturbance (cam-norm-2-5); methods without a search fail the more the farther they start, "
-            "so its rows stand under both.";
-    }
-    return note;
+    return "Starts lie " + fixedText(groups.of(condition, *ran).mean(&RunRecord::startMeanPx), 0) +
+           " px off on average.";
 }
 
 ResultTable tableOf(const RunGroups& groups, const Condition& condition)
@@ -80,18 +66,11 @@ ResultTable tableOf(const RunGroups& groups, const Condition& condition)
         "method",       "GFR %",      "mean mm",         "p75 mm",  "p95 mm",      "mean mm, not gross", "median px",
         "p95 px",       "GFR 5 mm %", "points > 5 px %", "angle °", "in plane mm", "depth mm",           "flagged",
         "false alarms", "NEES",       "PR / CRB"};
-    for (std::size_t k = 0; k < groups.methods().size(); ++k) {
-        const std::string& method = groups.methods()[k];
+    for (const std::string& method : groups.methods()) {
         if (groups.of(condition, method).count() == 0) {
             continue;
         }
         table.rows.push_back({cellsOf(method, groups.of(condition, method)), false});
-        const auto published = publishedSimulation(methodIdOf(method));
-        if (published && isAsPublished(condition) && isLastOfItsMethod(groups.methods(), k)) {
-            table.rows.push_back(publishedRow(table, methodIdOf(method),
-                                              {fixedText(published->grossPercent, 0), fixedText(published->meanMm, 2),
-                                               fixedText(published->p75Mm, 2), fixedText(published->p95Mm, 2)}));
-        }
     }
     table.notes = {
         "Distances are means over the tree's points to their true partners (PR), summarised over registrations; mm at "
@@ -112,6 +91,9 @@ std::vector<ResultTable> simulationTables(const RunGroups& groups)
     std::vector<ResultTable> tables;
     for (const Condition& condition : groups.conditions()) {
         tables.push_back(tableOf(groups, condition));
+    }
+    for (ResultTable& table : asPublishedTables(groups)) {
+        tables.push_back(std::move(table));
     }
     return tables;
 }

@@ -12,6 +12,7 @@ namespace core {
 
 std::vector<ResultTable> toyTables(const RunGroups& groups);
 std::vector<ResultTable> simulationTables(const RunGroups& groups);
+std::vector<ResultTable> asPublishedTables(const RunGroups& groups);   ///< simulation in the paper's own measure
 std::vector<ResultTable> robustnessTables(const RunGroups& groups);
 std::vector<ResultTable> clinicalTables(const RunGroups& groups);
 std::vector<ResultTable> captureRangeTables(const RunGroups& groups);

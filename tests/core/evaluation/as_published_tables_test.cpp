@@ -1,0 +1,79 @@
+#include "core/evaluation/report/table_parts.h"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+
+namespace {
+
+using namespace core;
+
+/// A hundred runs of which `lost` end 8 px from the nearest vessels, the others `goodPx`.
+void addRuns(const std::string& method, int lost, double goodPx, RunSet& runs)
+{
+    for (int i = 0; i < 100; ++i) {
+        RunRecord run;
+        run.condition = "cam-norm-2-5";
+        run.method = method;
+        run.trial = static_cast<std::uint64_t>(i);
+        run.closestMeanPx = i < lost ? 8.0 : goodPx;
+        run.meanPx = i < lost ? 60.0 : goodPx;   // to the true partners
+        run.meanMm = 0.4 * run.meanPx;
+        run.startMeanPx = 50.0;
+        runs.runs.push_back(run);
+    }
+}
+
+const ResultTable& published(const std::vector<ResultTable>& tables)
+{
+    return *std::find_if(tables.begin(), tables.end(),
+                         [](const ResultTable& table) { return table.id == "simulation-cam-norm-2-5-published"; });
+}
+
+TEST(AsPublishedTables, CompareWhatThePaperMeasures)
+{
+    RunSet runs{"simulation", 1, {}};
+    addRuns("angiopose", 0, 0.001, runs);   // not in the paper
+    addRuns("dt-icp", 54, 0.5, runs);
+    addRuns("iterative-pnp", 30, 0.5, runs);   // published: 4 %
+    addRuns("nicp", 8, 0.5, runs);
+    const std::vector<ResultTable> tables = asPublishedTables(RunGroups(runs));
+    ASSERT_EQ(tables.size(), 1u);
+    const ResultTable& table = published(tables);
+    ASSERT_EQ(table.rows.size(), 6u);
+    EXPECT_EQ(table.rows[0].cells[0], "dt-icp");
+    EXPECT_EQ(table.rows[0].cells[1].substr(0, 4), "54.0");
+    EXPECT_EQ(table.rows[0].cells[2], "1.82");   // 0.4 mm/px × (54 × 8 + 46 × 0.5) px / 100
+    EXPECT_EQ(table.rows[0].cells.back(), "yes");
+    EXPECT_TRUE(table.rows[1].isPublished);
+    EXPECT_EQ(table.rows[2].cells.back(), "no");
+    EXPECT_EQ(table.rows[4].cells.back(), "yes");
+}
+
+TEST(AsPublishedTables, SayWhyOfEveryMethodTheyShow)
+{
+    RunSet runs{"simulation", 1, {}};
+    const std::vector<std::string> methods{
+        "dynaweight:seed_mean", "iterative-pnp", "nicp", "dt-icp", "automask", "rgbr"};
+    for (const std::string& method : methods) {
+        addRuns(method, 3, 0.5, runs);
+    }
+    const std::vector<ResultTable> tables = asPublishedTables(RunGroups(runs));
+    const ResultTable& table = published(tables);
+    for (const std::string& method : methods) {
+        EXPECT_TRUE(std::any_of(table.notes.begin(), table.notes.end(), [&](const std::string& note) {
+            return note.starts_with(methodIdOf(method) + ": ");
+        })) << method;
+    }
+}
+
+TEST(AsPublishedTables, StayAwayFromOtherStarts)
+{
+    RunSet runs{"simulation", 1, {}};
+    addRuns("dt-icp", 54, 0.5, runs);
+    for (RunRecord& run : runs.runs) {
+        run.condition = "obj-2-5";
+    }
+    EXPECT_TRUE(asPublishedTables(RunGroups(runs)).empty());
+}
+
+}   // namespace
