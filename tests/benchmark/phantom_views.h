@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/registration/registration.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace benchmarks {
+
+/// One real view of the coronary phantom, registered.
+struct PhantomView {
+    std::string name;
+    double primaryDeg = 0.0;
+    double secondaryDeg = 0.0;
+    double sourceToPatientMm = 0.0;
+    Eigen::Matrix3d headerRotation = Eigen::Matrix3d::Identity();   ///< cameraFromPatient by the header's angles
+    core::RegistrationInput input;   ///< traced automatically, rough start pose
+    core::RegistrationResult result;
+    double depthMm = 0.0;   ///< of the tree's centroid
+    double traceMs = 0.0;
+};
+
+/// How the rotation between two views differs from what the header's angles say.
+struct PhantomPair {
+    std::size_t first = 0;
+    std::size_t second = 0;
+    double registeredDeg = 0.0;
+    double expectedDeg = 0.0;
+    double differenceDeg = 0.0;
+};
+
+double inDegrees(double radians);
+
+/// The folder of the four cases among the test data.
+std::filesystem::path phantomFolder();
+
+/// IM1 to IM4 of `folder`.
+core::Result<std::vector<PhantomView>> registerPhantom(const std::filesystem::path& folder,
+                                                       const core::RegistrationOptions& options);
+
+std::vector<Eigen::Matrix3d> registeredRotations(const std::vector<PhantomView>& views);
+std::vector<Eigen::Matrix3d> headerRotations(const std::vector<PhantomView>& views);
+
+/// All pairs of views; `rotations` are cameraFromPatient, `expected` what they should be up to one common turn of the
+/// patient.
+std::vector<PhantomPair> pairsOf(const std::vector<Eigen::Matrix3d>& rotations,
+                                 const std::vector<Eigen::Matrix3d>& expected);
+
+double medianDifferenceDeg(const std::vector<PhantomPair>& pairs);
+double largestDifferenceDeg(const std::vector<PhantomPair>& pairs);
+
+}   // namespace benchmarks
