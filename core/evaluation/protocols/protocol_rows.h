@@ -23,6 +23,7 @@ template <class Setting>
 std::vector<Condition> conditionsOf(const std::vector<Setting>& settings)
 {
     std::vector<Condition> conditions;
+    conditions.reserve(settings.size());
     for (const Setting& setting : settings) {
         conditions.push_back(setting.condition);
     }
