@@ -29,6 +29,7 @@
 #include "app/review/view_places_controller.h"
 #include "app/review/view_sync.h"
 #include "app/step_controller.h"
+#include "app/views/view_controller.h"
 #include "ui/main_window.h"
 
 namespace app {
@@ -91,6 +92,7 @@ private:
     StepController steps_;
     PoseTools poses_;
     ViewPlacesController places_;
+    ViewController views_;
     Habits habits_;
     HelpController help_;
 };

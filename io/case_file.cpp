@@ -6,6 +6,7 @@
 #include "io/case/case_inputs.h"
 #include "io/case/case_schema.h"
 #include "io/case/edited_curves.h"
+#include "io/case/view_inputs.h"
 #include "io/file_hash.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
@@ -13,9 +14,11 @@
 #include "io/support/json_text.h"
 #include "io/vessel_input_file.h"
 
-#include <array>
 #include <exception>
 #include <filesystem>
+#include <memory>
+#include <optional>
+#include <utility>
 
 namespace io {
 namespace {
@@ -54,16 +57,60 @@ CaseDocument examine(const std::string& text)
     return document.problems.empty() ? parseCaseDocument(text) : document;
 }
 
-std::array<core::InputFile*, 3> inputsOf(RegistrationCase& values)
+/// The document of a case file, its paths absolute. Fails where the file is no case, or one that makes no sense.
+core::Result<CaseDocument> readDocument(const std::string& path)
 {
-    return {&values.centerlineFile, &values.imageFile, &values.targetFile};
+    const auto text = readCaseText(path);
+    if (!text) {
+        return text.error();
+    }
+    CaseDocument document = examine(text.value());
+    if (!document.problems.empty()) {
+        return fileError(path, document.problems.front());
+    }
+    makePathsAbsolute(document, path);
+    return document;
+}
+
+/// A view that stands in the case, or in a case file of its own.
+core::Result<CaseDocument> documentOf(const core::OtherView& other, std::vector<CaseDocument>& standing)
+{
+    if (!other.file.path.empty()) {
+        return readDocument(other.file.path);
+    }
+    CaseDocument document = std::move(standing.front());
+    standing.erase(standing.begin());
+    return document;
+}
+
+/// A view that cannot be had is a warning: the case opens without.
+void loadOtherViews(RegistrationCase& loaded, std::vector<CaseDocument> standing, const std::string& path,
+                    std::vector<std::string>& warnings)
+{
+    for (core::OtherView& other : loaded.otherViews) {
+        auto document = documentOf(other, standing);
+        if (document) {
+            other.view = std::make_shared<const RegistrationCase>(
+                loadOtherView(std::move(document).value(), loaded, path, warnings));
+        } else {
+            warnings.push_back("Another view is left out: " + document.error().message);
+        }
+    }
 }
 
 /// The input that `path` is, if any.
 std::string inputAt(const RegistrationCase& registrationCase, const std::string& path)
 {
-    for (const core::InputFile* file : {&registrationCase.centerlineFile, &registrationCase.scanFile,
-                                        &registrationCase.imageFile, &registrationCase.targetFile}) {
+    std::vector<const core::InputFile*> files{&registrationCase.centerlineFile, &registrationCase.scanFile,
+                                              &registrationCase.imageFile, &registrationCase.targetFile};
+    for (const core::OtherView& other : registrationCase.otherViews) {
+        files.push_back(&other.file);
+        if (other.view) {
+            files.push_back(&other.view->imageFile);
+            files.push_back(&other.view->targetFile);
+        }
+    }
+    for (const core::InputFile* file : files) {
         std::error_code absent;
         if (!file->path.empty() && fs::equivalent(file->path, path, absent)) {
             return file->path;
@@ -90,21 +137,24 @@ std::string findUnsavable(const RegistrationCase& values)
 core::Result<RegistrationCase> loadCase(const std::string& path, std::vector<std::string>& warnings,
                                         const ReadObserver& observe, const MovedInputs& moved)
 {
-    const auto text = readCaseText(path);
-    if (!text) {
-        return text.error();
-    }
     try {
-        CaseDocument document = examine(text.value());
-        if (!document.problems.empty()) {
-            return fileError(path, document.problems.front());
+        auto read = readDocument(path);
+        if (!read) {
+            return read.error();
         }
-        makePathsAbsolute(document.values, path);
-        for (core::InputFile* file : inputsOf(document.values)) {
+        CaseDocument document = std::move(read).value();
+        for (core::InputFile* file : inputsOf(document)) {
             const auto place = moved.find(file->path);
             file->path = place == moved.end() ? file->path : place->second;
         }
-        return loadInputs(std::move(document), path, warnings, observe);
+        std::vector<CaseDocument> standing = std::move(document.views);
+        auto loaded = loadInputs(std::move(document), path, warnings, observe);
+        if (!loaded) {
+            return loaded.error();
+        }
+        RegistrationCase values = std::move(loaded).value();
+        loadOtherViews(values, std::move(standing), path, warnings);
+        return values;
     } catch (const std::exception&) {   // a value the schema let through
         return fileError(path, "a value in it has the wrong kind. Compare it with the published schema.");
     }
@@ -112,20 +162,19 @@ core::Result<RegistrationCase> loadCase(const std::string& path, std::vector<std
 
 core::Result<std::vector<MissingInput>> missingInputs(const std::string& casePath)
 {
-    const auto text = readCaseText(casePath);
-    if (!text) {
-        return text.error();
-    }
     try {
-        CaseDocument document = examine(text.value());
-        if (!document.problems.empty()) {
-            return fileError(casePath, document.problems.front());
+        auto read = readDocument(casePath);
+        if (!read) {
+            return read.error();
         }
-        makePathsAbsolute(document.values, casePath);
+        CaseDocument document = std::move(read).value();
+        const RegistrationCase& values = document.values;
         std::vector<MissingInput> missing;
-        for (const core::InputFile* file : inputsOf(document.values)) {
-            if (std::error_code failed; !file->path.empty() && !fs::exists(file->path, failed)) {
-                missing.push_back({file->path, file->sha256});
+        for (const core::InputFile* file : inputsOf(document)) {
+            const bool isNeeded =
+                file == &values.centerlineFile || file == &values.imageFile || file == &values.targetFile;
+            if (std::error_code failed; !fs::exists(file->path, failed)) {
+                missing.push_back({file->path, file->sha256, !isNeeded});
             }
         }
         return missing;
@@ -142,7 +191,7 @@ core::Result<std::vector<std::string>> validateCase(const std::string& path)
     }
     try {
         CaseDocument document = examine(text.value());
-        makePathsAbsolute(document.values, path);
+        makePathsAbsolute(document, path);
         for (const core::InputFile* file :
              {&document.values.centerlineFile, &document.values.imageFile, &document.values.targetFile}) {
             const bool isSeries = document.values.vesselInput.kind == core::VesselInputKind::Volume &&
@@ -167,8 +216,9 @@ core::Result<std::vector<std::string>> doubtsOfCase(const std::string& path)
         return text.error();
     }
     try {
-        RegistrationCase values = examine(text.value()).values;
-        makePathsAbsolute(values, path);
+        CaseDocument document = examine(text.value());
+        makePathsAbsolute(document, path);
+        RegistrationCase& values = document.values;
         const auto angiogram = readAngiogram(values.imageFile.path);
         if (!angiogram) {
             return angiogram.error();
@@ -187,17 +237,13 @@ core::Result<std::vector<std::string>> doubtsOfCase(const std::string& path)
     }
 }
 
-core::Status saveCase(const RegistrationCase& registrationCase, const std::string& path)
+namespace {
+
+/// Keeps edited curves in a file, and notes hashes that are not known yet.
+core::Status completeFiles(RegistrationCase& hashed, const std::string& path, std::optional<std::size_t> otherView)
 {
-    if (const std::string input = inputAt(registrationCase, path); !input.empty()) {
-        return fileError(path, "this is an input of the case and will not be overwritten. Choose another name.");
-    }
-    if (const std::string unsavable = findUnsavable(registrationCase); !unsavable.empty()) {
-        return fileError(path, unsavable);
-    }
-    RegistrationCase hashed = registrationCase;
     if (hashed.editedFrame && hashed.givenTarget) {
-        auto curves = keepEditedCurves(hashed, path);
+        auto curves = keepEditedCurves(hashed, path, otherView);
         if (!curves) {
             return curves.error();
         }
@@ -209,6 +255,43 @@ core::Status saveCase(const RegistrationCase& registrationCase, const std::strin
                                                        : sha256OfFile(file->path);
             file->sha256 = hash ? std::move(hash).value() : std::string();
         }
+    }
+    return core::Done{};
+}
+
+core::Status completeViews(RegistrationCase& hashed, const std::string& path)
+{
+    std::erase_if(hashed.otherViews, [](const core::OtherView& other) { return other.file.path.empty() && !other.view; });
+    for (std::size_t k = 0; k < hashed.otherViews.size(); ++k) {
+        core::OtherView& other = hashed.otherViews[k];
+        if (!other.file.path.empty()) {
+            continue;
+        }
+        RegistrationCase view = *other.view;
+        if (const auto completed = completeFiles(view, path, k); !completed) {
+            return completed;
+        }
+        other.view = std::make_shared<const RegistrationCase>(std::move(view));
+    }
+    return core::Done{};
+}
+
+}   // namespace
+
+core::Status saveCase(const RegistrationCase& registrationCase, const std::string& path)
+{
+    if (const std::string input = inputAt(registrationCase, path); !input.empty()) {
+        return fileError(path, "this is an input of the case and will not be overwritten. Choose another name.");
+    }
+    if (const std::string unsavable = findUnsavable(registrationCase); !unsavable.empty()) {
+        return fileError(path, unsavable);
+    }
+    RegistrationCase hashed = registrationCase;
+    if (const auto completed = completeFiles(hashed, path, std::nullopt); !completed) {
+        return completed;
+    }
+    if (const auto completed = completeViews(hashed, path); !completed) {
+        return completed;
     }
     try {
         const fs::path folder = fs::weakly_canonical(fs::absolute(path).parent_path());

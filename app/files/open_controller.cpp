@@ -4,11 +4,16 @@
 #include "app/files/assemble_case.h"
 #include "app/files/recent_cases.h"
 #include "app/settings.h"
+#include "app/files/view_from_inputs.h"
+#include "core/case_views.h"
 #include "core/imaging/patient_match.h"
 #include "ui/words/core_texts.h"
 
 #include <QDir>
 #include <QFileInfo>
+
+#include <algorithm>
+#include <utility>
 
 namespace app {
 namespace {
@@ -57,6 +62,13 @@ OpenController::OpenController(CaseDocument& document, QObject* parent) : QObjec
 void OpenController::open(const QStringList& paths)
 {
     original_.reset();
+    asView_ = false;
+    load(paths, {{}, {}, foldersInUse()});
+}
+
+void OpenController::openView(const QStringList& paths)
+{
+    asView_ = true;
     load(paths, {{}, {}, foldersInUse()});
 }
 
@@ -66,6 +78,7 @@ void OpenController::openCopy(const QString& copy, const QString& original)
     if (!original.isEmpty()) {
         hints.searchFolders.prepend(QFileInfo(original).absolutePath());
     }
+    asView_ = false;
     original_ = original;
     copy_ = copy;
     load({copy}, hints);
@@ -84,6 +97,27 @@ void OpenController::openWithInputs(const io::MovedInputs& moved, const QString&
         hints.searchFolders.prepend(searchFolder);
     }
     load(askedPaths_, hints);
+}
+
+void OpenController::openWithoutOptional()
+{
+    OpenHints hints{{}, moved_, {}};
+    hints.withoutOptional = true;
+    load(askedPaths_, hints);
+}
+
+void OpenController::addWaitingView()
+{
+    if (const auto inputs = std::exchange(waiting_, std::nullopt)) {
+        addView(*inputs, askedPaths_);
+    }
+}
+
+void OpenController::replaceImage()
+{
+    if (const auto inputs = std::exchange(waiting_, std::nullopt)) {
+        join(*inputs, askedPaths_);
+    }
 }
 
 void OpenController::load(const QStringList& paths, const OpenHints& hints)
@@ -153,10 +187,20 @@ void OpenController::take(const LoadedInputs& inputs, const QStringList& paths)
         for (const io::MissingInput& each : inputs.missing) {
             missing << QString::fromStdString(each.path);
         }
-        emit inputsMissing(paths.front(), missing);
+        emit inputsMissing(paths.front(), missing, std::ranges::all_of(inputs.missing, &io::MissingInput::isOptional));
+        return;
+    }
+    if (std::exchange(asView_, false)) {
+        addView(inputs, paths);
         return;
     }
     const bool replaces = inputs.wholeCase || makesNewCase(inputs);
+    if (isAnotherView(inputs)) {
+        waiting_ = inputs;
+        askedPaths_ = paths;
+        emit viewChoiceNeeded(namesOf(paths));
+        return;
+    }
     if (!replaces) {
         join(inputs, paths);
         return;
@@ -188,6 +232,28 @@ void OpenController::replaceWith(const LoadedInputs& inputs, const QString& path
         document_.markUnsaved();   // the file knows less than the window
     }
     emit opened(notesOf(inputs, document_.current()));
+}
+
+bool OpenController::isAnotherView(const LoadedInputs& inputs) const
+{
+    const core::RegistrationCase& current = document_.current();
+    const bool isNew = inputs.imageFile.path != current.imageFile.path;
+    return inputs.angiogram && !inputs.tree && !inputs.wholeCase && current.tree && current.angiogram && isNew;
+}
+
+void OpenController::addView(const LoadedInputs& inputs, const QStringList& paths)
+{
+    auto added = viewFrom(document_.current(), inputs, paths.front().toStdString());
+    if (!added) {
+        emit failed(ui::coreText(added.error().message), paths);
+        return;
+    }
+    auto views = document_.current().otherViews;
+    views.push_back(std::move(added).value());
+    const QStringList notes = notesOf(inputs, core::withView(document_.current(), *views.back().view));
+    document_.push(std::make_unique<ChangeViews>(document_, ChangeViews::Values{std::move(views)},
+                                                 tr("Add view %1").arg(namesOf(paths))));
+    emit opened(notes + QStringList{tr("View added: a click in the strip above the image shows it.")});
 }
 
 void OpenController::join(const LoadedInputs& inputs, const QStringList& paths)

@@ -40,6 +40,9 @@ core::Status findInputs(LoadedInputs& inputs, const QString& path, const OpenHin
         inputs.moved.merge(io::findMovedInputs(inputs.missing, folders, observe));
         std::erase_if(inputs.missing, isFound);
     }
+    if (hints.withoutOptional) {
+        std::erase_if(inputs.missing, [](const io::MissingInput& each) { return each.isOptional; });
+    }
     return core::Done{};
 }
 

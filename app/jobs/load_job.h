@@ -40,6 +40,7 @@ struct OpenHints {
     QString seriesId;   ///< of a DICOM folder among them; empty: where there are several, they are offered
     io::MovedInputs moved;   ///< where inputs of a case lie now
     QStringList searchFolders;   ///< where inputs of a case are looked for that are not in their place
+    bool withoutOptional = false;   ///< a case opens without what it can do without and is found nowhere
 };
 
 /// Reads files together: either one case file, or at most one of each kind of input. Scans, segmentations and surfaces

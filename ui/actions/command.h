@@ -39,6 +39,8 @@ enum class Command {
     // Angiogram
     EditVessels,
     TraceAgain,
+    AddView,
+    NextView,
     Subtract,
     ShiftMask,
     MaskHere,
