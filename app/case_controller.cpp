@@ -33,6 +33,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       poses_({document_, target_, branches_, session_, review_, replay_, judgement_, sync_, notices_, window}),
       places_(window),
       views_(document_, target_, window),
+      follow_({document_, review_, sync_, session_.exporting(), notices_, window}),
       habits_(branches_, window),
       help_(window)
 {

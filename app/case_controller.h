@@ -20,6 +20,7 @@
 #include "app/registration/registration_controller.h"
 #include "app/registration/run_controller.h"
 #include "app/registration/target_provider.h"
+#include "app/review/follow_controller.h"
 #include "app/review/judgement_controller.h"
 #include "app/review/look_controller.h"
 #include "app/review/pose_tools.h"
@@ -55,6 +56,7 @@ public:
     TargetProvider& target() { return target_; }
     TracingController& tracing() { return tracing_; }
     PoseTools& poses() { return poses_; }
+    FollowController& following() { return follow_; }
     const SharedJudgement& judgement() const { return judgement_.current(); }
 
 private:
@@ -93,6 +95,7 @@ private:
     PoseTools poses_;
     ViewPlacesController places_;
     ViewController views_;
+    FollowController follow_;
     Habits habits_;
     HelpController help_;
 };

@@ -14,6 +14,7 @@ enum class Command {
     ExportResult,
     ExportPose,
     ExportTrace,
+    ExportFollowed,
     SaveWindow,
     Close,
     // Edit
@@ -41,6 +42,7 @@ enum class Command {
     TraceAgain,
     AddView,
     NextView,
+    FollowFrames,
     Subtract,
     ShiftMask,
     MaskHere,

@@ -16,6 +16,7 @@ std::span<const CommandRow> CommandTable::fileCommands()
         {Command::ExportResult, QT_TR_NOOP("Export result …")},
         {Command::ExportPose, QT_TR_NOOP("Export pose …")},
         {Command::ExportTrace, QT_TR_NOOP("Export traced vessels …")},
+        {Command::ExportFollowed, QT_TR_NOOP("Export followed poses …")},
         {Command::SaveWindow, QT_TR_NOOP("Save picture of the window …"), "F12"},
         {Command::Close, QT_TR_NOOP("Quit"), "Ctrl+Q", StartsGroup},
     };
@@ -92,6 +93,7 @@ std::span<const CommandRow> CommandTable::registrationCommands()
     static constexpr CommandRow rows[]{
         {Command::Register, QT_TR_NOOP("Register"), "R"},
         {Command::Stop, QT_TR_NOOP("Stop and keep the best pose"), "Shift+R"},
+        {Command::FollowFrames, QT_TR_NOOP("Follow the vessels through the run"), "Shift+F"},
         {Command::NextSolution, QT_TR_NOOP("Show the run's other solutions"), "J", StartsGroup},
         {Command::TakeSolution, QT_TR_NOOP("Take the solution shown"), "Shift+J"},
         {Command::ToggleAuxiliary, QT_TR_NOOP("Selected branches auxiliary on or off"), "A", StartsGroup},
