@@ -34,6 +34,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       places_(window),
       views_(document_, target_, window),
       follow_({document_, review_, sync_, session_.exporting(), notices_, window}),
+      radiograph_({document_, target_, sync_, look_, window}),
       habits_(branches_, window),
       help_(window)
 {

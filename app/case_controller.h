@@ -24,6 +24,7 @@
 #include "app/review/judgement_controller.h"
 #include "app/review/look_controller.h"
 #include "app/review/pose_tools.h"
+#include "app/review/radiograph_controller.h"
 #include "app/review/replay_controller.h"
 #include "app/review/review_controller.h"
 #include "app/review/slice_controller.h"
@@ -96,6 +97,7 @@ private:
     ViewPlacesController places_;
     ViewController views_;
     FollowController follow_;
+    RadiographController radiograph_;
     Habits habits_;
     HelpController help_;
 };

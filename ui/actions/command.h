@@ -76,6 +76,8 @@ enum class Command {
     Fit,
     AutoWindow,
     Invert,
+    VesselWindow,
+    SoftWindow,
     FullRange,
     MoreContrast,
     LessContrast,
@@ -101,6 +103,10 @@ enum class Command {
     SlicesWindow,
     FullScreen,
     ReduceMotion,
+    // Colors
+    ColorsBlueAmber,
+    ColorsBlueRed,
+    ColorsBrightness,
     // Theme
     ThemeDark,
     ThemeLight,

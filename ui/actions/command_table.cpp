@@ -112,13 +112,8 @@ std::span<const CommandRow> CommandTable::viewCommands()
 {
     static constexpr CommandRow rows[]{
         {Command::Fit, QT_TR_NOOP("Fit the image to the window"), "1"},
-        {Command::AutoWindow, QT_TR_NOOP("Automatic brightness"), "0"},
-        {Command::Invert, QT_TR_NOOP("Invert grey values"), "I", Switch},
-        {Command::FullRange, QT_TR_NOOP("Brightness: every grey value"), "9"},
-        {Command::MoreContrast, QT_TR_NOOP("More contrast"), "8", Repeats},
-        {Command::LessContrast, QT_TR_NOOP("Less contrast"), "7", Repeats},
         {Command::FromSource, QT_TR_NOOP("Seen from the source (mirrored)"), "Q", Switch},
-        {Command::Outline, QT_TR_NOOP("Vessels: centreline, outline, tube"), "O", StartsGroup},
+        {Command::Outline, QT_TR_NOOP("Vessels: centreline, outline, tube, radiograph"), "O", StartsGroup},
         {Command::DepthCue, QT_TR_NOOP("Near vessels bright, far ones dim"), "D", Switch},
         {Command::ShowTrace, QT_TR_NOOP("Show traced vessels"), "T", Switch},
         {Command::LessOpacity, QT_TR_NOOP("Overlay fainter"), "[", Repeats},
@@ -134,6 +129,30 @@ std::span<const CommandRow> CommandTable::viewCommands()
         {Command::SlicesLarge, QT_TR_NOOP("Slices instead of the angiogram"), "M", Switch},
         {Command::FullScreen, QT_TR_NOOP("Full screen"), "F11", Switch},
         {Command::ReduceMotion, QT_TR_NOOP("Reduce motion"), "", Switch},
+    };
+    return rows;
+}
+
+std::span<const CommandRow> CommandTable::brightnessCommands()
+{
+    static constexpr CommandRow rows[]{
+        {Command::AutoWindow, QT_TR_NOOP("Automatic brightness"), "0"},
+        {Command::VesselWindow, QT_TR_NOOP("Brightness: the vessels alone"), "Ctrl+0"},
+        {Command::SoftWindow, QT_TR_NOOP("Brightness: soft, with bone and catheter"), "Ctrl+9"},
+        {Command::FullRange, QT_TR_NOOP("Brightness: every grey value"), "9"},
+        {Command::MoreContrast, QT_TR_NOOP("More contrast"), "8", Repeats | StartsGroup},
+        {Command::LessContrast, QT_TR_NOOP("Less contrast"), "7", Repeats},
+        {Command::Invert, QT_TR_NOOP("Invert grey values"), "I", Switch},
+    };
+    return rows;
+}
+
+std::span<const CommandRow> CommandTable::colorCommands()
+{
+    static constexpr CommandRow rows[]{
+        {Command::ColorsBlueAmber, QT_TR_NOOP("Blue to amber"), "", Switch},
+        {Command::ColorsBlueRed, QT_TR_NOOP("Blue, white, red"), "", Switch},
+        {Command::ColorsBrightness, QT_TR_NOOP("Brightness alone"), "", Switch},
     };
     return rows;
 }
@@ -203,7 +222,9 @@ std::span<const MenuRows> CommandTable::menus()
         MenuRows{Menu::Pose, QT_TR_NOOP("&Pose"), poseCommands()},
         MenuRows{Menu::Registration, QT_TR_NOOP("&Registration"), registrationCommands()},
         MenuRows{Menu::View, QT_TR_NOOP("&View"), viewCommands()},
+        MenuRows{Menu::Brightness, QT_TR_NOOP("Brightness"), brightnessCommands()},
         MenuRows{Menu::Places, QT_TR_NOOP("Views alone and in windows"), placesCommands()},
+        MenuRows{Menu::Colors, QT_TR_NOOP("Colours of vessels and residuals"), colorCommands()},
         MenuRows{Menu::Theme, QT_TR_NOOP("Theme"), themeCommands()},
         MenuRows{Menu::Language, QT_TR_NOOP("Language"), languageCommands()},
         MenuRows{Menu::Mouse, QT_TR_NOOP("Mouse"), mouseCommands()},
