@@ -3,8 +3,8 @@
 #include "app/document/edit_case.h"
 #include "app/files/assemble_case.h"
 #include "app/files/recent_cases.h"
-#include "app/settings.h"
 #include "app/files/view_from_inputs.h"
+#include "app/settings.h"
 #include "core/case_views.h"
 #include "core/imaging/patient_match.h"
 #include "ui/words/core_texts.h"
@@ -41,6 +41,15 @@ QStringList notesOf(const LoadedInputs& inputs, const core::RegistrationCase& op
     return notes;
 }
 
+/// A scan beside vessels of another origin has to have their axes.
+QString noteOnScan(const LoadedInputs& inputs, const core::RegistrationCase& opened)
+{
+    const bool isBeside = inputs.volume && !inputs.tree && opened.tree;
+    return isBeside && !liesIn(inputs.volume->geometry, *opened.tree)
+               ? OpenController::tr("The vessels do not lie in this scan: it may be another one, or have other axes.")
+               : QString();
+}
+
 /// Where the user has been lately.
 QStringList foldersInUse()
 {
@@ -63,7 +72,24 @@ void OpenController::open(const QStringList& paths)
 {
     original_.reset();
     asView_ = false;
-    load(paths, {{}, {}, foldersInUse()});
+    OpenHints hints{{}, {}, foldersInUse()};
+    hints.scanUse = scanUse();
+    load(paths, hints);
+}
+
+/// Vessels of a file without a scan: a scan that is opened may be theirs.
+ScanUse OpenController::scanUse() const
+{
+    const core::RegistrationCase& current = document_.current();
+    const bool isOfFile = current.vesselInput.kind != core::VesselInputKind::Volume;
+    return current.tree && !current.volume && isOfFile ? ScanUse::Ask : ScanUse::Trace;
+}
+
+void OpenController::openScan(ScanUse use)
+{
+    OpenHints hints{askedSeries_, {}, {}};
+    hints.scanUse = use;
+    load(askedPaths_, hints);
 }
 
 void OpenController::openView(const QStringList& paths)
@@ -86,7 +112,9 @@ void OpenController::openCopy(const QString& copy, const QString& original)
 
 void OpenController::openSeries(const QString& seriesId)
 {
-    load(askedPaths_, {seriesId, {}, {}});
+    OpenHints hints{seriesId, {}, {}};
+    hints.scanUse = scanUse();
+    load(askedPaths_, hints);
 }
 
 void OpenController::openWithInputs(const io::MovedInputs& moved, const QString& searchFolder)
@@ -135,8 +163,9 @@ void OpenController::load(const QStringList& paths, const OpenHints& hints)
     }
     abandon();
     job_ = new LoadJob(this);
-    connect(job_, &LoadJob::finished, this, [this, paths](const LoadedInputs& inputs) {
+    connect(job_, &LoadJob::finished, this, [this, paths, series = hints.seriesId](const LoadedInputs& inputs) {
         finish();
+        askedSeries_ = series;
         take(inputs, paths);
     });
     connect(job_, &LoadJob::failed, this, [this, paths](const QString& reason) {
@@ -178,6 +207,11 @@ void OpenController::take(const LoadedInputs& inputs, const QStringList& paths)
     if (!inputs.offered.empty()) {
         askedPaths_ = paths;
         emit seriesChoiceNeeded(paths.join(QStringLiteral(", ")), inputs.offered);
+        return;
+    }
+    if (inputs.isScanAsked) {
+        askedPaths_ = paths;
+        emit scanChoiceNeeded(namesOf(paths));
         return;
     }
     if (!inputs.missing.empty()) {
@@ -264,7 +298,11 @@ void OpenController::join(const LoadedInputs& inputs, const QStringList& paths)
         document_.push(
             joinInputs(document_, withInputs(document_.current(), inputs), tr("Open %1").arg(namesOf(paths))));
     }
-    emit opened(notesOf(inputs, document_.current()));
+    QStringList notes = notesOf(inputs, document_.current());
+    if (const QString note = noteOnScan(inputs, document_.current()); !note.isEmpty()) {
+        notes << note;
+    }
+    emit opened(notes);
 }
 
 }   // namespace app

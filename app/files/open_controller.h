@@ -21,6 +21,8 @@ public:
     void openSeries(const QString& seriesId);
     /// Opens an angiogram, or the image of a case, as another view of the open case's vessels.
     void openView(const QStringList& paths);
+    /// Answers `scanChoiceNeeded`.
+    void openScan(ScanUse use);
     /// Answers `viewChoiceNeeded`.
     void addWaitingView();
     void replaceImage();
@@ -41,6 +43,9 @@ signals:
     void ended();
     /// A case refers to files that were found nowhere; answer with `openWithInputs` or nothing.
     void inputsMissing(const QString& casePath, const QStringList& missing, bool areOptional);
+    /// A scan was opened while the case has vessels of a file: to be seen beside them, or to trace vessels from?
+    /// Answer with `openScan` or nothing.
+    void scanChoiceNeeded(const QString& name);
     /// An angiogram was opened while the case has one: another view, or instead of it? Answer with `addWaitingView`,
     /// `replaceImage` or nothing.
     void viewChoiceNeeded(const QString& name);
@@ -65,6 +70,9 @@ private:
     LoadJob* job_ = nullptr;
     std::optional<LoadedInputs> waiting_;   ///< read, but the user still has to agree
     QString waitingPath_;
+    ScanUse scanUse() const;
+
+    QString askedSeries_;   ///< of the scan that is asked about
     QStringList askedPaths_;   ///< what was opened when a choice of series or the place of inputs was asked for
     bool asView_ = false;   ///< what is being opened becomes another view
     io::MovedInputs moved_;   ///< inputs found so far of the case that lacks some

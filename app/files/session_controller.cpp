@@ -117,6 +117,7 @@ void SessionController::connectOpening()
         notices_.showProblem(paths.size() == 1 ? tr("Could not open the file") : tr("Could not open the files"), reason,
                              paths);
     });
+    connect(&open_, &OpenController::scanChoiceNeeded, this, &SessionController::askWhatScan);
     connect(&open_, &OpenController::viewChoiceNeeded, this, &SessionController::askWhichView);
     connect(window_.actions()[ui::Command::AddView], &QAction::triggered, this, &SessionController::askView);
     connect(&open_, &OpenController::replacementNeedsConsent, this, &SessionController::askToReplace);
@@ -216,6 +217,25 @@ void SessionController::askWhichView(const QString& name)
             open_.replaceImage();
         } else {
             open_.abandon();
+        }
+    });
+    question->open();
+}
+
+void SessionController::askWhatScan(const QString& name)
+{
+    auto* question =
+        new ui::QuestionDialog({tr("A scan beside the vessels?"),
+                                tr("The case has its vessels from a file. “%1” can be shown in slices with them, or "
+                                   "its own vessels are traced "
+                                   "and take their place.")
+                                    .arg(name),
+                                {}},
+                               {tr("Show beside the vessels"), tr("Trace its vessels"), tr("Cancel")}, &window_);
+    question->setObjectName(QStringLiteral("scanQuestion"));
+    connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
+        if (index < 2) {
+            open_.openScan(index == 0 ? ScanUse::Beside : ScanUse::Trace);
         }
     });
     question->open();

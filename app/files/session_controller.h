@@ -53,6 +53,7 @@ private:
     void askForInputs(const QString& casePath, const QStringList& missing, bool areOptional);
     void askView();
     void askWhichView(const QString& name);
+    void askWhatScan(const QString& name);
     void openSample();
     void askToReplace();
     void requestClose();
