@@ -5,19 +5,17 @@
 #include "io/case/case_document.h"
 #include "io/case/case_inputs.h"
 #include "io/case/case_schema.h"
-#include "io/case/edited_curves.h"
+#include "io/case/saved_files.h"
 #include "io/case/view_inputs.h"
-#include "io/file_hash.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/support/json_text.h"
-#include "io/vessel_input_file.h"
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <utility>
 
 namespace io {
@@ -87,13 +85,19 @@ core::Result<CaseDocument> documentOf(const core::OtherView& other, std::vector<
 void loadOtherViews(RegistrationCase& loaded, std::vector<CaseDocument> standing, const std::string& path,
                     std::vector<std::string>& warnings)
 {
+    std::vector<std::string> found;
     for (core::OtherView& other : loaded.otherViews) {
         auto document = documentOf(other, standing);
         if (document) {
             other.view = std::make_shared<const RegistrationCase>(
-                loadOtherView(std::move(document).value(), loaded, path, warnings));
+                loadOtherView(std::move(document).value(), loaded, path, found));
         } else {
-            warnings.push_back("Another view is left out: " + document.error().message);
+            found.push_back("Another view is left out: " + document.error().message);
+        }
+    }
+    for (std::string& warning : found) {   // what holds for all images of a study is said once
+        if (std::ranges::find(warnings, warning) == warnings.end()) {
+            warnings.push_back(std::move(warning));
         }
     }
 }
@@ -237,47 +241,6 @@ core::Result<std::vector<std::string>> doubtsOfCase(const std::string& path)
     }
 }
 
-namespace {
-
-/// Keeps edited curves in a file, and notes hashes that are not known yet.
-core::Status completeFiles(RegistrationCase& hashed, const std::string& path, std::optional<std::size_t> otherView)
-{
-    if (hashed.editedFrame && hashed.givenTarget) {
-        auto curves = keepEditedCurves(hashed, path, otherView);
-        if (!curves) {
-            return curves.error();
-        }
-        hashed.targetFile = std::move(curves).value();
-    }
-    for (core::InputFile* file : {&hashed.centerlineFile, &hashed.imageFile, &hashed.targetFile}) {
-        if (!file->path.empty() && file->sha256.empty()) {
-            auto hash = file == &hashed.centerlineFile ? sha256OfVesselInput(file->path, hashed.vesselInput)
-                                                       : sha256OfFile(file->path);
-            file->sha256 = hash ? std::move(hash).value() : std::string();
-        }
-    }
-    return core::Done{};
-}
-
-core::Status completeViews(RegistrationCase& hashed, const std::string& path)
-{
-    std::erase_if(hashed.otherViews, [](const core::OtherView& other) { return other.file.path.empty() && !other.view; });
-    for (std::size_t k = 0; k < hashed.otherViews.size(); ++k) {
-        core::OtherView& other = hashed.otherViews[k];
-        if (!other.file.path.empty()) {
-            continue;
-        }
-        RegistrationCase view = *other.view;
-        if (const auto completed = completeFiles(view, path, k); !completed) {
-            return completed;
-        }
-        other.view = std::make_shared<const RegistrationCase>(std::move(view));
-    }
-    return core::Done{};
-}
-
-}   // namespace
-
 core::Status saveCase(const RegistrationCase& registrationCase, const std::string& path)
 {
     if (const std::string input = inputAt(registrationCase, path); !input.empty()) {
@@ -287,10 +250,7 @@ core::Status saveCase(const RegistrationCase& registrationCase, const std::strin
         return fileError(path, unsavable);
     }
     RegistrationCase hashed = registrationCase;
-    if (const auto completed = completeFiles(hashed, path, std::nullopt); !completed) {
-        return completed;
-    }
-    if (const auto completed = completeViews(hashed, path); !completed) {
+    if (const auto completed = completeFiles(hashed, path); !completed) {
         return completed;
     }
     try {

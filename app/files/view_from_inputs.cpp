@@ -31,7 +31,8 @@ core::Result<core::OtherView> viewFrom(const core::RegistrationCase& registratio
                                        const std::string& path)
 {
     if (inputs.wholeCase && inputs.wholeCase->angiogram) {
-        return core::OtherView{{path, {}}, std::make_shared<const core::RegistrationCase>(core::viewOf(*inputs.wholeCase))};
+        return core::OtherView{{path, {}},
+                               std::make_shared<const core::RegistrationCase>(core::viewOf(*inputs.wholeCase))};
     }
     if (!inputs.angiogram) {
         return core::Error{path + ": this is no angiogram. Choose an XA image, or a case with one."};

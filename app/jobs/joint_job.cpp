@@ -19,6 +19,21 @@ core::Error inView(std::size_t index, const core::Error& error)
     return {"View " + std::to_string(index + 1) + ": " + error.message};
 }
 
+core::Result<std::vector<core::Centerline2d>> targetsOf(const std::vector<core::RegistrationCase>& views,
+                                                        core::Centerline2d target, const std::atomic<bool>& isStopped)
+{
+    std::vector<core::Centerline2d> targets{std::move(target)};
+    for (std::size_t k = 1; k < views.size(); ++k) {
+        auto traced = isStopped ? core::Result<core::Centerline2d>(core::Error{"Stopped before the run began."})
+                                : core::targetOf(views[k]);
+        if (!traced) {
+            return inView(k, traced.error());
+        }
+        targets.push_back(std::move(traced).value());
+    }
+    return targets;
+}
+
 }   // namespace
 
 JointJob::JointJob(QObject* parent) : QObject(parent)
@@ -44,29 +59,33 @@ void JointJob::start(std::vector<core::RegistrationCase> views, core::Centerline
 
 JointJob::Outcome JointJob::solve(const std::vector<core::RegistrationCase>& views, core::Centerline2d target)
 {
-    std::vector<core::Centerline2d> targets{std::move(target)};
-    for (std::size_t k = 1; k < views.size(); ++k) {
-        auto traced = stopRequested_ ? core::Result<core::Centerline2d>(core::Error{"Stopped before the run began."})
-                                     : core::targetOf(views[k]);
-        if (!traced) {
-            return inView(k, traced.error());
-        }
-        targets.push_back(std::move(traced).value());
+    const auto begin = Clock::now();
+    const auto targets = targetsOf(views, std::move(target), stopRequested_);
+    if (!targets) {
+        return targets.error();
     }
-    const auto inputs = core::jointInputsOf(views, targets);
+    const auto inputs = core::jointInputsOf(views, targets.value());
     if (!inputs) {
         return inputs.error();
     }
     Clock::time_point last{};
-    return core::registerViews(
-        inputs.value(), views.front().options, {}, [this, &last](const core::IterationReport& report) {
-            if (const auto now = Clock::now(); now - last > reportPause) {
-                last = now;
-                QMetaObject::invokeMethod(
-                    this, [this, report] { emit advanced(report); }, Qt::QueuedConnection);
-            }
-            return stopRequested_ ? core::Verdict::Stop : core::Verdict::Continue;
-        });
+    const auto observe = [this, &last](const core::IterationReport& report) {
+        if (const auto now = Clock::now(); now - last > reportPause) {
+            last = now;
+            QMetaObject::invokeMethod(
+                this, [this, report] { emit advanced(report); }, Qt::QueuedConnection);
+        }
+        return stopRequested_ ? core::Verdict::Stop : core::Verdict::Continue;
+    };
+    auto solved = core::registerViews(inputs.value(), views.front().options, {}, observe);
+    if (!solved) {
+        return solved.error();
+    }
+    core::MultiViewResult joint = std::move(solved).value();
+    for (core::RegistrationResult& view : joint.views) {   // one run found them all
+        view.time.totalMs = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+    }
+    return joint;
 }
 
 void JointJob::publish()

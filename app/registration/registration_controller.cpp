@@ -117,7 +117,8 @@ void RegistrationController::applyJoint(const core::MultiViewResult& joint)
     end();
     const JointPoses poses = jointPosesOf(document_.current(), joint);
     document_.push(std::make_unique<ApplyJointRun>(
-        document_, ApplyJointRun::Values{poses.own.cameraFromPatient, poses.own.result, poses.own.snapshots, poses.others},
+        document_,
+        ApplyJointRun::Values{poses.own.cameraFromPatient, poses.own.result, poses.own.snapshots, poses.others},
         tr("Register all views")));
     emit finished(*poses.own.result);
 }

@@ -26,8 +26,8 @@ FollowController::FollowController(const Parts& parts, QObject* parent) : QObjec
     connect(&on_.window.result().motion(), &ui::MotionPlot::frameRequested, &on_.review, &ReviewController::showFrame);
     connect(&job_, &FollowJob::advanced, this, [this](double fraction) {
         if (job_.isRunning()) {
-            on_.window.strip().showProgress(tr("Following the vessels through the run: %1 %").arg(100.0 * fraction, 0, 'f', 0),
-                                            fraction);
+            on_.window.strip().showProgress(
+                tr("Following the vessels through the run: %1 %").arg(100.0 * fraction, 0, 'f', 0), fraction);
         }
     });
     connect(&job_, &FollowJob::finished, this, &FollowController::take);
@@ -78,10 +78,10 @@ void FollowController::take(const std::vector<core::FollowedFrame>& frames)
     showMotion();
     const auto lost = std::ranges::count_if(frames_, [](const auto& each) { return !each.tracked.isTrustworthy; });
     const auto count = static_cast<int>(frames_.size());
-    on_.notices.showNote(lost == 0 ? tr("Followed through %1 frames: scroll or play them").arg(count)
-                                   : tr("Followed through %1 frames; %2 of them do not show the vessels well enough")
-                                         .arg(count)
-                                         .arg(lost));
+    on_.notices.showNote(
+        lost == 0
+            ? tr("Followed through %1 frames: scroll or play them").arg(count)
+            : tr("Followed through %1 frames; %2 of them do not show the vessels well enough").arg(count).arg(lost));
 }
 
 std::optional<core::RigidTransform> FollowController::poseOf(int frame) const
@@ -145,6 +145,7 @@ void FollowController::showMotion()
 void FollowController::forget()
 {
     frames_.clear();
+    startedFrom_ = {};   // a run is large
     showMotion();
 }
 
@@ -153,8 +154,9 @@ void FollowController::exportPoses()
     if (frames_.empty()) {
         return;
     }
-    on_.exporting.askFile({tr("Export followed poses"), tr("Tables (*.csv)"), QStringLiteral("poses.csv")},
-                          [frames = frames_](const QString& path) { return io::writePoseTable(frames, path.toStdString()); });
+    on_.exporting.askFile(
+        {tr("Export followed poses"), tr("Tables (*.csv)"), QStringLiteral("poses.csv")},
+        [frames = frames_](const QString& path) { return io::writePoseTable(frames, path.toStdString()); });
 }
 
 }   // namespace app

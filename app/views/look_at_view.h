@@ -19,8 +19,8 @@ struct ViewLook {
     std::shared_ptr<const core::Centerline2d> target;   ///< as it was traced for the metrics
 };
 
-/// Looks at the case's own view, whose target is `ownTarget` (null: none yet), and at the others, in this order. What is
-/// traced already is taken from `known`. For a worker: takes a tenth of a second per view and more.
+/// Looks at the case's own view, whose target is `ownTarget` (null: none yet), and at the others, in this order. What
+/// is traced already is taken from `known`. For a worker: takes a tenth of a second per view and more.
 std::vector<ViewLook> lookAtViews(const core::RegistrationCase& registrationCase,
                                   const std::shared_ptr<const core::Centerline2d>& ownTarget,
                                   const std::vector<ViewLook>& known, int widthPx);

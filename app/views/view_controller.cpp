@@ -109,14 +109,9 @@ void ViewController::followDocument()
     showLines();
     Seen seen;
     if (areSeveral) {
-        seen = {current.tree,
-                current.angiogram,
-                current.frame,
-                current.cameraFromPatient.matrix(),
-                current.otherViews,
-                current.excludedBranchIds,
-                current.hiddenBranchIds,
-                target_.current()};
+        seen = {
+            current.tree,       current.angiogram,         current.frame,           current.cameraFromPatient.matrix(),
+            current.otherViews, current.excludedBranchIds, current.hiddenBranchIds, target_.current()};
     }
     if (seen != seen_) {
         seen_ = seen;
@@ -145,14 +140,16 @@ void ViewController::showLines()
         shown = place == 0 ? static_cast<int>(lines.size()) : shown;
         QString agreement;
         if (look && look->metrics) {
-            agreement = tr("%1 mm · %2 px").arg(look->metrics->medianMm, 0, 'f', 2).arg(look->metrics->medianPx, 0, 'f', 1);
+            agreement =
+                tr("%1 mm · %2 px").arg(look->metrics->medianMm, 0, 'f', 2).arg(look->metrics->medianPx, 0, 'f', 1);
         } else {
             agreement = view && view->angiogram ? QStringLiteral("…") : tr("not found");
         }
         const QString problem = look && !look->problem.empty() ? ui::coreText(look->problem) : QString();
         lines.push_back({anglesOf(current, place) + QLatin1Char('\n') + agreement,
-                         problem.isEmpty() ? tr("%1. A click shows it, Delete takes the shown view out.").arg(nameOf(current, place))
-                                           : nameOf(current, place) + QStringLiteral(": ") + problem});
+                         problem.isEmpty()
+                             ? tr("%1. A click shows it, Delete takes the shown view out.").arg(nameOf(current, place))
+                             : nameOf(current, place) + QStringLiteral(": ") + problem});
     }
     window_.views().showViews(lines, shown);
 }
@@ -166,10 +163,9 @@ void ViewController::look()
     if (seen_.others.empty()) {
         return;
     }
-    looking_.setFuture(QtConcurrent::run([snapshot = document_.current(), target = target_.current(), known = looks_,
-                                          widthPx = window_.views().pictureWidthPx()] {
-        return lookAtViews(snapshot, target, known, widthPx);
-    }));
+    looking_.setFuture(QtConcurrent::run(
+        [snapshot = document_.current(), target = target_.current(), known = looks_,
+         widthPx = window_.views().pictureWidthPx()] { return lookAtViews(snapshot, target, known, widthPx); }));
 }
 
 void ViewController::showPictures()
@@ -198,8 +194,8 @@ void ViewController::show(int line)
     if (!view || !view->angiogram) {
         emit refused(tr("The image of this view could not be read."));
     } else {
-        document_.push(
-            showView(document_, core::showingView(current, place - 1), tr("Show view %1").arg(anglesOf(current, place))));
+        document_.push(showView(document_, core::showingView(current, place - 1),
+                                tr("Show view %1").arg(anglesOf(current, place))));
     }
     showLines();   // the mark goes back where it was refused
 }
@@ -219,7 +215,8 @@ void ViewController::remove(int line)
     std::size_t place = order_[static_cast<std::size_t>(line)];
     if (place == 0) {
         const auto& others = wanted.otherViews;
-        const auto next = std::ranges::find_if(others, [](const auto& other) { return other.view && other.view->angiogram; });
+        const auto next =
+            std::ranges::find_if(others, [](const auto& other) { return other.view && other.view->angiogram; });
         if (next == others.end()) {
             emit refused(tr("No other view can be shown in its place."));
             return;

@@ -33,8 +33,7 @@ fs::path ownCurves(const Owner& owner)
 {
     const fs::path& casePath = owner.casePath;
     const auto input = openInput(casePath.string());
-    const Json view =
-        viewIn(input ? Json::parse(input.value().view(), nullptr, false) : Json(), owner.otherView);
+    const Json view = viewIn(input ? Json::parse(input.value().view(), nullptr, false) : Json(), owner.otherView);
     const Json angiogram = view.is_object() ? view.value("angiogram", Json::object()) : Json::object();
     const Json centerline = angiogram.is_object() ? angiogram.value("centerline", Json()) : Json();
     if (!centerline.is_object() || centerline.value("origin", "") != "edited") {

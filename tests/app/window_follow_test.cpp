@@ -1,8 +1,6 @@
 #include "tests/app/open_window.h"
 #include "tests/support/test_data.h"
 
-
-
 namespace app {
 namespace {
 

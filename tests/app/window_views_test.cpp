@@ -30,6 +30,8 @@ void answer(OpenWindow& w, const QString& verb)
     ASSERT_EQ(questions.size(), 1);
     OpenWindow::clickButton(questions.front(), verb);
     QApplication::processEvents();
+    w.window.activateWindow();   // no window manager does it here
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&w.window));
 }
 
 void openBothViews(OpenWindow& w)

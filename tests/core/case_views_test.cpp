@@ -31,7 +31,8 @@ RegistrationCase twoViews()
     values.title = "both";
     values.excludedBranchIds = {4};
     values.options.maxIterations = 17;
-    values.otherViews = {{{"/cases/other.angiopose", ""}, std::make_shared<const RegistrationCase>(viewWith(5, 650.0))}};
+    values.otherViews = {
+        {{"/cases/other.angiopose", ""}, std::make_shared<const RegistrationCase>(viewWith(5, 650.0))}};
     return values;
 }
 

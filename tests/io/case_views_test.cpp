@@ -55,7 +55,7 @@ TEST(CaseViews, StandInTheCaseToTheLastBit)
     ASSERT_TRUE(io::saveCase(original, folder.path("both.angiopose")));
     std::vector<std::string> warnings;
     const core::RegistrationCase copy = loadedFrom(folder.path("both.angiopose"), warnings);
-    EXPECT_TRUE(warnings.empty()) << warnings.front();
+    EXPECT_EQ(warnings.size(), 1U);   // of both images: their pixel spacing is derived
     ASSERT_EQ(copy.otherViews.size(), 1U);
     EXPECT_TRUE(copy.otherViews[0].file.path.empty());
     const core::RegistrationCase& view = *copy.otherViews[0].view;
@@ -80,8 +80,9 @@ TEST(CaseViews, OfACaseFileAreReadWithItsGeometryButWithTheCasesVessels)
     ASSERT_TRUE(io::saveCase(values, folder.path("both.angiopose")));
     const core::RegistrationCase copy = loadedFrom(folder.path("both.angiopose"));
     ASSERT_EQ(copy.otherViews.size(), 1U);
-    EXPECT_EQ(fs::path(copy.otherViews[0].file.path), fs::path(phantomPath(3)));
+    EXPECT_TRUE(fs::equivalent(copy.otherViews[0].file.path, phantomPath(3)));
     ASSERT_TRUE(copy.otherViews[0].view && copy.otherViews[0].view->angiogram);
+    EXPECT_EQ(copy.otherViews[0].file.sha256.size(), 64U);   // by which it is found when it moves
     EXPECT_EQ(copy.otherViews[0].view->cameraOverride, loadedFrom(phantomPath(3)).cameraOverride);
     EXPECT_FALSE(copy.otherViews[0].view->tree);
 }
@@ -128,12 +129,13 @@ TEST(CaseViews, ThatCannotBeReadAreAWarningAndAreNotLost)
 
     std::vector<std::string> warnings;
     core::RegistrationCase without = loadedFrom(folder.path("both.angiopose"), warnings);
-    ASSERT_EQ(warnings.size(), 1U);
-    EXPECT_NE(warnings[0].find("moving.dcm"), std::string::npos) << warnings[0];
+    ASSERT_FALSE(warnings.empty());
+    EXPECT_NE(warnings.back().find("moving.dcm"), std::string::npos) << warnings.back();
     EXPECT_FALSE(without.otherViews[0].view->angiogram);
     ASSERT_TRUE(io::saveCase(without, folder.path("again.angiopose")));
 
-    const auto found = io::findMovedInputs(io::missingInputs(folder.path("again.angiopose")).value(), {folder.path("")});
+    const auto found =
+        io::findMovedInputs(io::missingInputs(folder.path("again.angiopose")).value(), {folder.path("")});
     warnings.clear();
     const auto again = io::loadCase(folder.path("again.angiopose"), warnings, {}, found);
     ASSERT_TRUE(again) << again.error().message;

@@ -15,7 +15,10 @@ constexpr int dialogWidth = 620;
 
 MissingInputs::MissingInputs(const QString& caseName, const QStringList& missing, const QString& startFolder,
                              QWidget* parent)
-    : QDialog(parent), startFolder_(startFolder), open_(new QPushButton(tr("Open"))), without_(new QPushButton(tr("Open without")))
+    : QDialog(parent),
+      startFolder_(startFolder),
+      open_(new QPushButton(tr("Open"))),
+      without_(new QPushButton(tr("Open without")))
 {
     setObjectName(QStringLiteral("missingInputs"));
     setWindowTitle(tr("Where are the inputs?"));

@@ -57,8 +57,9 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
     lockNote_->setWordWrap(true);
     contentLayout()->addLayout(buttons);
     allViews_->setChecked(true);
-    allViews_->setToolTip(tr("One pose for all views, found by AngioPose's own method: depth in one view is a shift in "
-                             "another. Without the tick only the shown view is registered."));
+    allViews_->setToolTip(
+        tr("One pose for all views, found by AngioPose's own method: depth in one view is a shift in "
+           "another. Without the tick only the shown view is registered."));
     contentLayout()->addWidget(allViews_);
     contentLayout()->addWidget(lockNote_);
     contentLayout()->addWidget(optionSection_);

@@ -112,7 +112,9 @@ void ViewStrip::showPicture(int index, const core::ColorImage& picture)
     const QImage image(bytes, picture.width, picture.height, 3 * picture.width, QImage::Format_RGB888);
     QPixmap pixmap = QPixmap::fromImage(image.copy());   // the picture goes away
     pixmap.setDevicePixelRatio(devicePixelRatioF());
-    item->setIcon(QIcon(pixmap));
+    QIcon icon(pixmap);
+    icon.addPixmap(pixmap, QIcon::Selected);   // no tint over the picture
+    item->setIcon(icon);
 }
 
 }   // namespace ui
