@@ -32,6 +32,9 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       steps_({document_, target_, pose_, registration_, treeActions_, session_, window}),
       poses_({document_, target_, branches_, session_, review_, replay_, judgement_, sync_, notices_, window}),
       places_(window),
+      views_(document_, target_, window),
+      follow_({document_, review_, sync_, session_.exporting(), notices_, window}),
+      radiograph_({document_, target_, sync_, look_, window}),
       habits_(branches_, window),
       help_(window)
 {
@@ -52,6 +55,7 @@ void CaseController::connectNotes()
             [this] { notices_.showNote(tr("A registration is running. Stop it to edit.")); });
     connect(&branches_, &BranchController::refused, &notices_, &Notices::showNote);
     connect(&treeActions_, &TreeActions::refused, &notices_, &Notices::showNote);
+    connect(&views_, &ViewController::refused, &notices_, &Notices::showNote);
     connect(&landmarks_, &LandmarkController::refused, &notices_, &Notices::showNote);
     connect(&landmarks_, &LandmarkController::placed, &notices_, &Notices::showNote);
     connect(&start_, &StartPoseController::refused, &notices_, &Notices::showNote);

@@ -20,15 +20,18 @@
 #include "app/registration/registration_controller.h"
 #include "app/registration/run_controller.h"
 #include "app/registration/target_provider.h"
+#include "app/review/follow_controller.h"
 #include "app/review/judgement_controller.h"
 #include "app/review/look_controller.h"
 #include "app/review/pose_tools.h"
+#include "app/review/radiograph_controller.h"
 #include "app/review/replay_controller.h"
 #include "app/review/review_controller.h"
 #include "app/review/slice_controller.h"
 #include "app/review/view_places_controller.h"
 #include "app/review/view_sync.h"
 #include "app/step_controller.h"
+#include "app/views/view_controller.h"
 #include "ui/main_window.h"
 
 namespace app {
@@ -54,6 +57,7 @@ public:
     TargetProvider& target() { return target_; }
     TracingController& tracing() { return tracing_; }
     PoseTools& poses() { return poses_; }
+    FollowController& following() { return follow_; }
     const SharedJudgement& judgement() const { return judgement_.current(); }
 
 private:
@@ -91,6 +95,9 @@ private:
     StepController steps_;
     PoseTools poses_;
     ViewPlacesController places_;
+    ViewController views_;
+    FollowController follow_;
+    RadiographController radiograph_;
     Habits habits_;
     HelpController help_;
 };

@@ -27,6 +27,7 @@ inline const Setting<QString> saveFolder{"files/saveFolder", {}};   ///< of expo
 inline const Setting<QStringList> recentCases{"files/recentCases", {}};
 inline const Setting<QByteArray> windowLayout{"window/layout", {}};
 inline const Setting<QString> theme{"window/theme", QStringLiteral("dark")};   ///< dark, light or system
+inline const Setting<QString> colors{"window/colors", QStringLiteral("blue-amber")};   ///< see ColorController
 inline const Setting<QString> language{"window/language", QStringLiteral("system")};   ///< system, en, de or zh_CN
 inline const Setting<QString> mouse{"window/mouse", QStringLiteral("radiology")};   ///< radiology, slicer or scroll
 inline const Setting<bool> tourSeen{"window/tourSeen", false};

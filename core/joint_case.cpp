@@ -19,10 +19,11 @@ RegistrationCase withVesselsOf(const RegistrationCase& first, RegistrationCase v
     return view;
 }
 
-/// From camera to camera: a turn about the isocentre, on which both beams meet.
-Result<RigidTransform> viewFromFirst(const RegistrationCase& first, const RegistrationCase& view)
+}   // namespace
+
+Result<RigidTransform> viewFromView(const RegistrationCase& first, const RegistrationCase& view)
 {
-    const Eigen::Vector3d anyIsocentre = Eigen::Vector3d::Zero();   // the same for both, it cancels
+    const Eigen::Vector3d anyIsocentre = Eigen::Vector3d::Zero();   // the same for both: it cancels
     const auto gantryOfFirst = cameraFromPatient(cArmOfFrame(first), anyIsocentre);
     const auto gantry = cameraFromPatient(cArmOfFrame(view), anyIsocentre);
     if (gantryOfFirst && gantry) {
@@ -35,8 +36,6 @@ Result<RigidTransform> viewFromFirst(const RegistrationCase& first, const Regist
                                  : start.error();
 }
 
-}   // namespace
-
 Result<std::vector<RegistrationInput>> jointInputsOf(std::span<const RegistrationCase> views,
                                                      std::span<const Centerline2d> targets)
 {
@@ -46,7 +45,7 @@ Result<std::vector<RegistrationInput>> jointInputsOf(std::span<const Registratio
     for (std::size_t k = 0; k < views.size(); ++k) {
         RegistrationCase view = withVesselsOf(first, views[k]);
         if (k > 0) {
-            const auto fromFirst = viewFromFirst(first, view);
+            const auto fromFirst = viewFromView(first, view);
             if (!fromFirst) {
                 return inView(k, fromFirst.error());
             }

@@ -27,6 +27,18 @@ struct InputFile {
     bool operator==(const InputFile&) const = default;
 };
 
+struct RegistrationCase;
+
+/// Another angiogram of the same vessels, registered together with the case's own.
+struct OtherView {
+    InputFile file;   ///< the case file it stands in; no path: it stands in this case itself
+    /// Its image, geometry and pose, see viewOf; null where only the file is known. Without an angiogram where that
+    /// could not be read.
+    std::shared_ptr<const RegistrationCase> view;
+
+    bool operator==(const OtherView&) const = default;
+};
+
 /// Everything one session edits; saved and loaded as a whole, and small enough to copy for undo and for workers.
 /// The large inputs are shared and never change once loaded.
 struct RegistrationCase {
@@ -64,7 +76,7 @@ struct RegistrationCase {
     bool hasInitialPose = false;   ///< false: the start pose follows from the angles
     RigidTransform cameraFromPatient;   ///< where the tree is now
     std::vector<Landmark> landmarks;   ///< pairs the start pose can be found from
-    std::vector<InputFile> otherViews;   ///< cases of the same vessels in other views, registered together with this
+    std::vector<OtherView> otherViews;
 
     RegistrationOptions options;
     std::string extraKeys;   ///< JSON object with the keys of the case file that this version does not know

@@ -5,17 +5,18 @@
 #include "io/case/case_document.h"
 #include "io/case/case_inputs.h"
 #include "io/case/case_schema.h"
-#include "io/case/edited_curves.h"
-#include "io/file_hash.h"
+#include "io/case/saved_files.h"
+#include "io/case/view_inputs.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/support/json_text.h"
-#include "io/vessel_input_file.h"
 
-#include <array>
+#include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <memory>
+#include <utility>
 
 namespace io {
 namespace {
@@ -54,16 +55,66 @@ CaseDocument examine(const std::string& text)
     return document.problems.empty() ? parseCaseDocument(text) : document;
 }
 
-std::array<core::InputFile*, 3> inputsOf(RegistrationCase& values)
+/// The document of a case file, its paths absolute. Fails where the file is no case, or one that makes no sense.
+core::Result<CaseDocument> readDocument(const std::string& path)
 {
-    return {&values.centerlineFile, &values.imageFile, &values.targetFile};
+    const auto text = readCaseText(path);
+    if (!text) {
+        return text.error();
+    }
+    CaseDocument document = examine(text.value());
+    if (!document.problems.empty()) {
+        return fileError(path, document.problems.front());
+    }
+    makePathsAbsolute(document, path);
+    return document;
+}
+
+/// A view that stands in the case, or in a case file of its own.
+core::Result<CaseDocument> documentOf(const core::OtherView& other, std::vector<CaseDocument>& standing)
+{
+    if (!other.file.path.empty()) {
+        return readDocument(other.file.path);
+    }
+    CaseDocument document = std::move(standing.front());
+    standing.erase(standing.begin());
+    return document;
+}
+
+/// A view that cannot be had is a warning: the case opens without.
+void loadOtherViews(RegistrationCase& loaded, std::vector<CaseDocument> standing, const std::string& path,
+                    std::vector<std::string>& warnings)
+{
+    std::vector<std::string> found;
+    for (core::OtherView& other : loaded.otherViews) {
+        auto document = documentOf(other, standing);
+        if (document) {
+            other.view = std::make_shared<const RegistrationCase>(
+                loadOtherView(std::move(document).value(), loaded, path, found));
+        } else {
+            found.push_back("Another view is left out: " + document.error().message);
+        }
+    }
+    for (std::string& warning : found) {   // what holds for all images of a study is said once
+        if (std::ranges::find(warnings, warning) == warnings.end()) {
+            warnings.push_back(std::move(warning));
+        }
+    }
 }
 
 /// The input that `path` is, if any.
 std::string inputAt(const RegistrationCase& registrationCase, const std::string& path)
 {
-    for (const core::InputFile* file : {&registrationCase.centerlineFile, &registrationCase.scanFile,
-                                        &registrationCase.imageFile, &registrationCase.targetFile}) {
+    std::vector<const core::InputFile*> files{&registrationCase.centerlineFile, &registrationCase.scanFile,
+                                              &registrationCase.imageFile, &registrationCase.targetFile};
+    for (const core::OtherView& other : registrationCase.otherViews) {
+        files.push_back(&other.file);
+        if (other.view) {
+            files.push_back(&other.view->imageFile);
+            files.push_back(&other.view->targetFile);
+        }
+    }
+    for (const core::InputFile* file : files) {
         std::error_code absent;
         if (!file->path.empty() && fs::equivalent(file->path, path, absent)) {
             return file->path;
@@ -90,21 +141,24 @@ std::string findUnsavable(const RegistrationCase& values)
 core::Result<RegistrationCase> loadCase(const std::string& path, std::vector<std::string>& warnings,
                                         const ReadObserver& observe, const MovedInputs& moved)
 {
-    const auto text = readCaseText(path);
-    if (!text) {
-        return text.error();
-    }
     try {
-        CaseDocument document = examine(text.value());
-        if (!document.problems.empty()) {
-            return fileError(path, document.problems.front());
+        auto read = readDocument(path);
+        if (!read) {
+            return read.error();
         }
-        makePathsAbsolute(document.values, path);
-        for (core::InputFile* file : inputsOf(document.values)) {
+        CaseDocument document = std::move(read).value();
+        for (core::InputFile* file : inputsOf(document)) {
             const auto place = moved.find(file->path);
             file->path = place == moved.end() ? file->path : place->second;
         }
-        return loadInputs(std::move(document), path, warnings, observe);
+        std::vector<CaseDocument> standing = std::move(document.views);
+        auto loaded = loadInputs(std::move(document), path, warnings, observe);
+        if (!loaded) {
+            return loaded.error();
+        }
+        RegistrationCase values = std::move(loaded).value();
+        loadOtherViews(values, std::move(standing), path, warnings);
+        return values;
     } catch (const std::exception&) {   // a value the schema let through
         return fileError(path, "a value in it has the wrong kind. Compare it with the published schema.");
     }
@@ -112,20 +166,19 @@ core::Result<RegistrationCase> loadCase(const std::string& path, std::vector<std
 
 core::Result<std::vector<MissingInput>> missingInputs(const std::string& casePath)
 {
-    const auto text = readCaseText(casePath);
-    if (!text) {
-        return text.error();
-    }
     try {
-        CaseDocument document = examine(text.value());
-        if (!document.problems.empty()) {
-            return fileError(casePath, document.problems.front());
+        auto read = readDocument(casePath);
+        if (!read) {
+            return read.error();
         }
-        makePathsAbsolute(document.values, casePath);
+        CaseDocument document = std::move(read).value();
+        const RegistrationCase& values = document.values;
         std::vector<MissingInput> missing;
-        for (const core::InputFile* file : inputsOf(document.values)) {
-            if (std::error_code failed; !file->path.empty() && !fs::exists(file->path, failed)) {
-                missing.push_back({file->path, file->sha256});
+        for (const core::InputFile* file : inputsOf(document)) {
+            const bool isNeeded =
+                file == &values.centerlineFile || file == &values.imageFile || file == &values.targetFile;
+            if (std::error_code failed; !fs::exists(file->path, failed)) {
+                missing.push_back({file->path, file->sha256, !isNeeded});
             }
         }
         return missing;
@@ -142,7 +195,7 @@ core::Result<std::vector<std::string>> validateCase(const std::string& path)
     }
     try {
         CaseDocument document = examine(text.value());
-        makePathsAbsolute(document.values, path);
+        makePathsAbsolute(document, path);
         for (const core::InputFile* file :
              {&document.values.centerlineFile, &document.values.imageFile, &document.values.targetFile}) {
             const bool isSeries = document.values.vesselInput.kind == core::VesselInputKind::Volume &&
@@ -167,8 +220,9 @@ core::Result<std::vector<std::string>> doubtsOfCase(const std::string& path)
         return text.error();
     }
     try {
-        RegistrationCase values = examine(text.value()).values;
-        makePathsAbsolute(values, path);
+        CaseDocument document = examine(text.value());
+        makePathsAbsolute(document, path);
+        RegistrationCase& values = document.values;
         const auto angiogram = readAngiogram(values.imageFile.path);
         if (!angiogram) {
             return angiogram.error();
@@ -196,19 +250,8 @@ core::Status saveCase(const RegistrationCase& registrationCase, const std::strin
         return fileError(path, unsavable);
     }
     RegistrationCase hashed = registrationCase;
-    if (hashed.editedFrame && hashed.givenTarget) {
-        auto curves = keepEditedCurves(hashed, path);
-        if (!curves) {
-            return curves.error();
-        }
-        hashed.targetFile = std::move(curves).value();
-    }
-    for (core::InputFile* file : {&hashed.centerlineFile, &hashed.imageFile, &hashed.targetFile}) {
-        if (!file->path.empty() && file->sha256.empty()) {
-            auto hash = file == &hashed.centerlineFile ? sha256OfVesselInput(file->path, hashed.vesselInput)
-                                                       : sha256OfFile(file->path);
-            file->sha256 = hash ? std::move(hash).value() : std::string();
-        }
+    if (const auto completed = completeFiles(hashed, path); !completed) {
+        return completed;
     }
     try {
         const fs::path folder = fs::weakly_canonical(fs::absolute(path).parent_path());

@@ -13,6 +13,7 @@ namespace io {
 struct MissingInput {
     std::string path;   ///< absolute, as the case has it
     std::string sha256;   ///< of the content it had; empty: not known
+    bool isOptional = false;   ///< the case opens without it: a scan beside the vessels, another view
 
     bool operator==(const MissingInput&) const = default;
 };

@@ -56,9 +56,10 @@ MainWindow::MainWindow(QWidget* parent)
       slicesPage_(new SlicesPage(*slices_)),
       tracing_(new TracingPanel),
       angiogramView_(new AngiogramView),
+      views_(new ViewStrip),
       welcome_(new WelcomePage),
       centre_(new QStackedWidget),
-      imageFrame_(new ViewFrame(*angiogramView_, tr("AngioPose: angiogram"))),
+      imageFrame_(new ViewFrame(*makeImagePlace(), tr("AngioPose: angiogram"))),
       cornerFrame_(new ViewFrame(*corner_, tr("AngioPose: 3-D and slices"))),
       slicesFrame_(new ViewFrame(*slicesPage_, tr("AngioPose: slices"))),
       angiogramPanel_(new AngiogramPanel),
@@ -119,6 +120,19 @@ QWidget* MainWindow::makeLeftColumn()
     leftSplitter_->setChildrenCollapsible(false);
     leftSplitter_->setMinimumWidth(230);
     return leftSplitter_;
+}
+
+/// The angiogram with the strip of its views: they leave together.
+QWidget* MainWindow::makeImagePlace()
+{
+    auto* place = new QWidget;
+    auto* layout = new QVBoxLayout(place);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(views_);
+    layout->addWidget(angiogramView_, 1);
+    place->setFocusProxy(angiogramView_);
+    return place;
 }
 
 QWidget* MainWindow::makeCentre()

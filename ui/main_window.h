@@ -13,6 +13,7 @@
 #include "ui/panels/snapshot_panel.h"
 #include "ui/panels/step_bar.h"
 #include "ui/panels/trial_bar.h"
+#include "ui/panels/view_strip.h"
 #include "ui/panels/welcome_page.h"
 #include "ui/slices/slice_model.h"
 #include "ui/slices/tracing_panel.h"
@@ -43,6 +44,7 @@ public:
     explicit MainWindow(QWidget* parent = nullptr);
 
     AngiogramView& angiogramView() { return *angiogramView_; }
+    ViewStrip& views() { return *views_; }
     TreeView& treeView() { return *treeView_; }
     SliceModel& slices() { return *slices_; }
     CornerViews& corner() { return *corner_; }
@@ -95,6 +97,7 @@ protected:
 private:
     QWidget* makeLeftColumn();
     QWidget* makeCentre();
+    QWidget* makeImagePlace();
     void connectSlices();
     void connectFrames();
     void placeViews();
@@ -112,6 +115,7 @@ private:
     SlicesPage* slicesPage_;
     TracingPanel* tracing_;
     AngiogramView* angiogramView_;
+    ViewStrip* views_;
     WelcomePage* welcome_;
     QStackedWidget* centre_;
     ViewFrame* imageFrame_;

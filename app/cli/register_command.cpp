@@ -66,7 +66,7 @@ int runRegister(const RegisterArguments& arguments)
         return exitUsage;
     }
     for (const std::string& path : arguments.otherViews) {
-        registrationCase.otherViews.push_back({fs::absolute(path).string(), ""});
+        registrationCase.otherViews.push_back({{fs::absolute(path).string(), ""}, nullptr});
     }
     if (!registrationCase.otherViews.empty()) {
         return registerViewsOf(registrationCase, arguments, outputFolderOf(arguments));

@@ -3,6 +3,7 @@
 #include "app/cli/case_input.h"
 #include "app/cli/register_case.h"
 #include "app/texts/number_text.h"
+#include "core/case_views.h"
 #include "core/joint_case.h"
 #include "core/registration/register_views.h"
 #include "io/result_file.h"
@@ -27,15 +28,27 @@ struct Views {
     std::vector<core::Centerline2d> targets;
 };
 
+/// As it stands in the case, or in the case file it refers to.
+core::Result<core::RegistrationCase> readView(const core::RegistrationCase& first, const core::OtherView& other)
+{
+    if (other.view && other.view->angiogram) {
+        return core::withView(first, *other.view);
+    }
+    if (other.file.path.empty()) {
+        return core::Error{other.view->imageFile.path + ": the image of this view could not be read."};
+    }
+    return loadCaseForCommand(other.file.path, std::nullopt);
+}
+
 core::Result<Views> readViews(const core::RegistrationCase& first)
 {
     Views views{{first}, {}};
-    for (const core::InputFile& other : first.otherViews) {
-        auto loaded = loadCaseForCommand(other.path, std::nullopt);
-        if (!loaded) {
-            return loaded.error();
+    for (const core::OtherView& other : first.otherViews) {
+        auto read = readView(first, other);
+        if (!read) {
+            return read.error();
         }
-        views.cases.push_back(std::move(loaded).value());
+        views.cases.push_back(std::move(read).value());
     }
     for (const core::RegistrationCase& view : views.cases) {
         auto target = core::targetOf(view);

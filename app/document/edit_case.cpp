@@ -60,6 +60,32 @@ std::unique_ptr<QUndoCommand> takeTrace(CaseDocument& document, const TracedTree
                                        text);
 }
 
+std::unique_ptr<QUndoCommand> showView(CaseDocument& document, const RegistrationCase& wanted, const QString& text)
+{
+    return std::make_unique<ShowView>(document,
+                                      ShowView::Values{wanted.otherViews,
+                                                       wanted.imageFile,
+                                                       wanted.angiogram,
+                                                       wanted.storedRun,
+                                                       wanted.headerPlan,
+                                                       wanted.treatment,
+                                                       wanted.frame,
+                                                       wanted.targetFile,
+                                                       wanted.givenTarget,
+                                                       wanted.editedFrame,
+                                                       wanted.acceptedCurveIds,
+                                                       wanted.traceOptions,
+                                                       wanted.cArm,
+                                                       wanted.cameraOverride,
+                                                       wanted.hasInitialPose,
+                                                       wanted.initialCameraFromPatient,
+                                                       wanted.cameraFromPatient,
+                                                       wanted.landmarks,
+                                                       wanted.result,
+                                                       wanted.snapshots},
+                                      text);
+}
+
 std::unique_ptr<QUndoCommand> joinInputs(CaseDocument& document, const RegistrationCase& wanted, const QString& text)
 {
     return std::make_unique<JoinInputs>(document,

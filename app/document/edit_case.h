@@ -43,6 +43,22 @@ using TraceTree = SetFields<&RegistrationCase::vesselInput, &RegistrationCase::l
 using ChangeOptions = SetFields<&RegistrationCase::options>;
 using ChangeGeometry = SetFields<&RegistrationCase::cArm, &RegistrationCase::cameraOverride,
                                  &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
+using ChangeViews = SetFields<&RegistrationCase::otherViews>;
+
+/// What a run over all views found, in each of them.
+using ApplyJointRun = SetFields<&RegistrationCase::cameraFromPatient, &RegistrationCase::result,
+                                &RegistrationCase::snapshots, &RegistrationCase::otherViews>;
+
+/// Another view in the place of the shown one, which takes its place among the others.
+using ShowView =
+    SetFields<&RegistrationCase::otherViews, &RegistrationCase::imageFile, &RegistrationCase::angiogram,
+              &RegistrationCase::storedRun, &RegistrationCase::headerPlan, &RegistrationCase::treatment,
+              &RegistrationCase::frame, &RegistrationCase::targetFile, &RegistrationCase::givenTarget,
+              &RegistrationCase::editedFrame, &RegistrationCase::acceptedCurveIds, &RegistrationCase::traceOptions,
+              &RegistrationCase::cArm, &RegistrationCase::cameraOverride, &RegistrationCase::hasInitialPose,
+              &RegistrationCase::initialCameraFromPatient, &RegistrationCase::cameraFromPatient,
+              &RegistrationCase::landmarks, &RegistrationCase::result, &RegistrationCase::snapshots>;
+
 using ChangeLandmarks = SetFields<&RegistrationCase::landmarks>;
 
 /// A start pose found by hand or landmarks becomes the case's own.
@@ -84,6 +100,9 @@ struct TracedTree {
     std::shared_ptr<const core::VesselTree> tree;
 };
 std::unique_ptr<QUndoCommand> takeTrace(CaseDocument& document, const TracedTree& traced, const QString& text);
+
+/// The edit that makes the document's case like `wanted`, as far as views go; see core::showingView.
+std::unique_ptr<QUndoCommand> showView(CaseDocument& document, const RegistrationCase& wanted, const QString& text);
 
 /// The edit that takes over the inputs of `wanted` and all that hangs on them.
 std::unique_ptr<QUndoCommand> joinInputs(CaseDocument& document, const RegistrationCase& wanted, const QString& text);

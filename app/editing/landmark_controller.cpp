@@ -66,6 +66,20 @@ QString verdictOf(const core::LandmarkPose& pose)
         .arg(pose.depthStdMm, 0, 'f', 0);
 }
 
+/// Numbered from 1; the pair that waits for its place in the image comes last.
+std::vector<ui::SliceMark> sliceMarksAt(const std::vector<Eigen::Vector3d>& points,
+                                        const std::optional<Eigen::Vector3d>& pending)
+{
+    std::vector<ui::SliceMark> marks;
+    for (const Eigen::Vector3d& point : points) {
+        marks.push_back({point, QString::number(marks.size() + 1)});
+    }
+    if (pending) {
+        marks.push_back({*pending, QString::number(marks.size() + 1)});
+    }
+    return marks;
+}
+
 }   // namespace
 
 LandmarkController::LandmarkController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
@@ -216,6 +230,8 @@ void LandmarkController::showState()
         points.push_back(landmark.pointInPatient);
     }
     window_.treeView().showLandmarks(isOn ? points : std::vector<Eigen::Vector3d>{}, pendingPoint_);
+    window_.slices().setPoints(ui::SliceMarkKind::Landmark,
+                               isOn ? sliceMarksAt(points, pendingPoint_) : std::vector<ui::SliceMark>{});
 
     ui::LandmarkState state;
     state.landmarks = current.landmarks;

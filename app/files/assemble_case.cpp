@@ -5,19 +5,6 @@
 namespace app {
 namespace {
 
-/// Whether most of a tree lies within a scan: then it is of this scan, however it was made.
-bool liesIn(const core::VolumeGeometry& scan, const core::VesselTree& tree)
-{
-    const Eigen::Affine3d voxelFromPatient = scan.patientFromVoxel().inverse();
-    std::size_t inside = 0;
-    for (const core::VesselBranch& branch : tree.branches) {
-        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
-            inside += scan.contains((voxelFromPatient * point).array().round().cast<int>()) ? 1 : 0;
-        }
-    }
-    return 2 * inside > tree.pointCount();
-}
-
 /// The scan of the case stays beside vessels that come from elsewhere but lie in it.
 void putScan(core::RegistrationCase& target, const LoadedInputs& inputs)
 {
@@ -83,10 +70,28 @@ bool isSame(const core::RigidTransform& a, const core::RigidTransform& b)
 
 }   // namespace
 
+bool liesIn(const core::VolumeGeometry& scan, const core::VesselTree& tree)
+{
+    const Eigen::Affine3d voxelFromPatient = scan.patientFromVoxel().inverse();
+    std::size_t inside = 0;
+    for (const core::VesselBranch& branch : tree.branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            inside += scan.contains((voxelFromPatient * point).array().round().cast<int>()) ? 1 : 0;
+        }
+    }
+    return 2 * inside > tree.pointCount();
+}
+
 core::RegistrationCase withInputs(core::RegistrationCase base, const LoadedInputs& inputs)
 {
     if (inputs.tree) {
         putTree(base, inputs);
+    }
+    if (inputs.volume && !inputs.tree) {
+        base.volume = inputs.volume;
+        base.scanIdentity = inputs.scanIdentity;
+        base.scanFile = inputs.scanFile;
+        base.scanSeriesId = inputs.scanSeriesId;
     }
     if (inputs.angiogram) {
         putImage(base, inputs);

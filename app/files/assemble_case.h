@@ -9,6 +9,9 @@ namespace app {
 /// forgets branch choices, and the pose goes to the start pose where one can be had.
 core::RegistrationCase withInputs(core::RegistrationCase base, const LoadedInputs& inputs);
 
+/// Whether most of a tree lies within a scan: then it is of this scan, however it was made.
+bool liesIn(const core::VolumeGeometry& scan, const core::VesselTree& tree);
+
 /// True when the files make a case by themselves: a vessel tree and an angiogram.
 bool makesNewCase(const LoadedInputs& inputs);
 

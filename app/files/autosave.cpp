@@ -48,8 +48,11 @@ void removeCopy(const QString& path)
 {
     QFile::remove(path);
     QFile::remove(sidecarOf(path));
-    QFile::remove(QFileInfo(path).path() + QLatin1Char('/') + QFileInfo(path).completeBaseName() +
-                  QStringLiteral(".curves.csv"));
+    QDir folder = QFileInfo(path).dir();   // its edited curves, and those of its other views
+    for (const QString& curves :
+         folder.entryList({QFileInfo(path).completeBaseName() + QStringLiteral(".*curves.csv")})) {
+        folder.remove(curves);
+    }
 }
 
 }   // namespace

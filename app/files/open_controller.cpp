@@ -3,12 +3,17 @@
 #include "app/document/edit_case.h"
 #include "app/files/assemble_case.h"
 #include "app/files/recent_cases.h"
+#include "app/files/view_from_inputs.h"
 #include "app/settings.h"
+#include "core/case_views.h"
 #include "core/imaging/patient_match.h"
 #include "ui/words/core_texts.h"
 
 #include <QDir>
 #include <QFileInfo>
+
+#include <algorithm>
+#include <utility>
 
 namespace app {
 namespace {
@@ -36,6 +41,15 @@ QStringList notesOf(const LoadedInputs& inputs, const core::RegistrationCase& op
     return notes;
 }
 
+/// A scan beside vessels of another origin has to have their axes.
+QString noteOnScan(const LoadedInputs& inputs, const core::RegistrationCase& opened)
+{
+    const bool isBeside = inputs.volume && !inputs.tree && opened.tree;
+    return isBeside && !liesIn(inputs.volume->geometry, *opened.tree)
+               ? OpenController::tr("The vessels do not lie in this scan: it may be another one, or have other axes.")
+               : QString();
+}
+
 /// Where the user has been lately.
 QStringList foldersInUse()
 {
@@ -57,6 +71,30 @@ OpenController::OpenController(CaseDocument& document, QObject* parent) : QObjec
 void OpenController::open(const QStringList& paths)
 {
     original_.reset();
+    asView_ = false;
+    OpenHints hints{{}, {}, foldersInUse()};
+    hints.scanUse = scanUse();
+    load(paths, hints);
+}
+
+/// Vessels of a file without a scan: a scan that is opened may be theirs.
+ScanUse OpenController::scanUse() const
+{
+    const core::RegistrationCase& current = document_.current();
+    const bool isOfFile = current.vesselInput.kind != core::VesselInputKind::Volume;
+    return current.tree && !current.volume && isOfFile ? ScanUse::Ask : ScanUse::Trace;
+}
+
+void OpenController::openScan(ScanUse use)
+{
+    OpenHints hints{askedSeries_, {}, {}};
+    hints.scanUse = use;
+    load(askedPaths_, hints);
+}
+
+void OpenController::openView(const QStringList& paths)
+{
+    asView_ = true;
     load(paths, {{}, {}, foldersInUse()});
 }
 
@@ -66,6 +104,7 @@ void OpenController::openCopy(const QString& copy, const QString& original)
     if (!original.isEmpty()) {
         hints.searchFolders.prepend(QFileInfo(original).absolutePath());
     }
+    asView_ = false;
     original_ = original;
     copy_ = copy;
     load({copy}, hints);
@@ -73,7 +112,9 @@ void OpenController::openCopy(const QString& copy, const QString& original)
 
 void OpenController::openSeries(const QString& seriesId)
 {
-    load(askedPaths_, {seriesId, {}, {}});
+    OpenHints hints{seriesId, {}, {}};
+    hints.scanUse = scanUse();
+    load(askedPaths_, hints);
 }
 
 void OpenController::openWithInputs(const io::MovedInputs& moved, const QString& searchFolder)
@@ -84,6 +125,27 @@ void OpenController::openWithInputs(const io::MovedInputs& moved, const QString&
         hints.searchFolders.prepend(searchFolder);
     }
     load(askedPaths_, hints);
+}
+
+void OpenController::openWithoutOptional()
+{
+    OpenHints hints{{}, moved_, {}};
+    hints.withoutOptional = true;
+    load(askedPaths_, hints);
+}
+
+void OpenController::addWaitingView()
+{
+    if (const auto inputs = std::exchange(waiting_, std::nullopt)) {
+        addView(*inputs, askedPaths_);
+    }
+}
+
+void OpenController::replaceImage()
+{
+    if (const auto inputs = std::exchange(waiting_, std::nullopt)) {
+        join(*inputs, askedPaths_);
+    }
 }
 
 void OpenController::load(const QStringList& paths, const OpenHints& hints)
@@ -101,8 +163,9 @@ void OpenController::load(const QStringList& paths, const OpenHints& hints)
     }
     abandon();
     job_ = new LoadJob(this);
-    connect(job_, &LoadJob::finished, this, [this, paths](const LoadedInputs& inputs) {
+    connect(job_, &LoadJob::finished, this, [this, paths, series = hints.seriesId](const LoadedInputs& inputs) {
         finish();
+        askedSeries_ = series;
         take(inputs, paths);
     });
     connect(job_, &LoadJob::failed, this, [this, paths](const QString& reason) {
@@ -146,6 +209,11 @@ void OpenController::take(const LoadedInputs& inputs, const QStringList& paths)
         emit seriesChoiceNeeded(paths.join(QStringLiteral(", ")), inputs.offered);
         return;
     }
+    if (inputs.isScanAsked) {
+        askedPaths_ = paths;
+        emit scanChoiceNeeded(namesOf(paths));
+        return;
+    }
     if (!inputs.missing.empty()) {
         askedPaths_ = paths;
         moved_ = inputs.moved;
@@ -153,10 +221,20 @@ void OpenController::take(const LoadedInputs& inputs, const QStringList& paths)
         for (const io::MissingInput& each : inputs.missing) {
             missing << QString::fromStdString(each.path);
         }
-        emit inputsMissing(paths.front(), missing);
+        emit inputsMissing(paths.front(), missing, std::ranges::all_of(inputs.missing, &io::MissingInput::isOptional));
+        return;
+    }
+    if (std::exchange(asView_, false)) {
+        addView(inputs, paths);
         return;
     }
     const bool replaces = inputs.wholeCase || makesNewCase(inputs);
+    if (isAnotherView(inputs)) {
+        waiting_ = inputs;
+        askedPaths_ = paths;
+        emit viewChoiceNeeded(namesOf(paths));
+        return;
+    }
     if (!replaces) {
         join(inputs, paths);
         return;
@@ -190,6 +268,28 @@ void OpenController::replaceWith(const LoadedInputs& inputs, const QString& path
     emit opened(notesOf(inputs, document_.current()));
 }
 
+bool OpenController::isAnotherView(const LoadedInputs& inputs) const
+{
+    const core::RegistrationCase& current = document_.current();
+    const bool isNew = inputs.imageFile.path != current.imageFile.path;
+    return inputs.angiogram && !inputs.tree && !inputs.wholeCase && current.tree && current.angiogram && isNew;
+}
+
+void OpenController::addView(const LoadedInputs& inputs, const QStringList& paths)
+{
+    auto added = viewFrom(document_.current(), inputs, paths.front().toStdString());
+    if (!added) {
+        emit failed(ui::coreText(added.error().message), paths);
+        return;
+    }
+    auto views = document_.current().otherViews;
+    views.push_back(std::move(added).value());
+    const QStringList notes = notesOf(inputs, core::withView(document_.current(), *views.back().view));
+    document_.push(std::make_unique<ChangeViews>(document_, ChangeViews::Values{std::move(views)},
+                                                 tr("Add view %1").arg(namesOf(paths))));
+    emit opened(notes + QStringList{tr("View added: a click in the strip above the image shows it.")});
+}
+
 void OpenController::join(const LoadedInputs& inputs, const QStringList& paths)
 {
     if (document_.isEmpty()) {
@@ -198,7 +298,11 @@ void OpenController::join(const LoadedInputs& inputs, const QStringList& paths)
         document_.push(
             joinInputs(document_, withInputs(document_.current(), inputs), tr("Open %1").arg(namesOf(paths))));
     }
-    emit opened(notesOf(inputs, document_.current()));
+    QStringList notes = notesOf(inputs, document_.current());
+    if (const QString note = noteOnScan(inputs, document_.current()); !note.isEmpty()) {
+        notes << note;
+    }
+    emit opened(notes);
 }
 
 }   // namespace app

@@ -19,6 +19,15 @@ public:
     void openCopy(const QString& copy, const QString& original);
     /// Answers `seriesChoiceNeeded`: opens one of the series that were offered.
     void openSeries(const QString& seriesId);
+    /// Opens an angiogram, or the image of a case, as another view of the open case's vessels.
+    void openView(const QStringList& paths);
+    /// Answers `scanChoiceNeeded`.
+    void openScan(ScanUse use);
+    /// Answers `viewChoiceNeeded`.
+    void addWaitingView();
+    void replaceImage();
+    /// Answers `inputsMissing`: opens without those that can be done without.
+    void openWithoutOptional();
     /// Answers `inputsMissing`: where some of them lie, or another folder to search.
     void openWithInputs(const io::MovedInputs& moved, const QString& searchFolder = {});
     /// The copy that the open case came from; empty when it is no copy.
@@ -33,7 +42,13 @@ signals:
     void seriesChoiceNeeded(const QString& folder, const std::vector<io::DicomSeries>& series);
     void ended();
     /// A case refers to files that were found nowhere; answer with `openWithInputs` or nothing.
-    void inputsMissing(const QString& casePath, const QStringList& missing);
+    void inputsMissing(const QString& casePath, const QStringList& missing, bool areOptional);
+    /// A scan was opened while the case has vessels of a file: to be seen beside them, or to trace vessels from?
+    /// Answer with `openScan` or nothing.
+    void scanChoiceNeeded(const QString& name);
+    /// An angiogram was opened while the case has one: another view, or instead of it? Answer with `addWaitingView`,
+    /// `replaceImage` or nothing.
+    void viewChoiceNeeded(const QString& name);
     void opened(const QStringList& notes);   ///< what to know about the files, in words
     void failed(const QString& reason, const QStringList& paths);
     /// Asked before the open case, with unsaved changes, is replaced; answer with `replaceOpenCase` or nothing.
@@ -47,13 +62,19 @@ private:
     void take(const LoadedInputs& inputs, const QStringList& paths);
     void replaceWith(const LoadedInputs& inputs, const QString& path);
     void join(const LoadedInputs& inputs, const QStringList& paths);
+    void addView(const LoadedInputs& inputs, const QStringList& paths);
+    bool isAnotherView(const LoadedInputs& inputs) const;
     void finish();
 
     CaseDocument& document_;
     LoadJob* job_ = nullptr;
     std::optional<LoadedInputs> waiting_;   ///< read, but the user still has to agree
     QString waitingPath_;
+    ScanUse scanUse() const;
+
+    QString askedSeries_;   ///< of the scan that is asked about
     QStringList askedPaths_;   ///< what was opened when a choice of series or the place of inputs was asked for
+    bool asView_ = false;   ///< what is being opened becomes another view
     io::MovedInputs moved_;   ///< inputs found so far of the case that lacks some
     std::optional<QString> original_;   ///< of a copy, the last that was opened: where its case lives
     QString copy_;

@@ -5,6 +5,7 @@
 #include "ui/plots/convergence_plot.h"
 #include "ui/plots/frame_bars.h"
 #include "ui/plots/histogram_plot.h"
+#include "ui/plots/motion_plot.h"
 #include "ui/theme/active_theme.h"
 
 #include <QBuffer>
@@ -26,6 +27,9 @@ QList<QWidget*> plotsOf(const ui::MainWindow& window)
         plots << plot;
     }
     for (auto* plot : window.findChildren<ui::ConvergencePlot*>()) {
+        plots << plot;
+    }
+    for (auto* plot : window.findChildren<ui::MotionPlot*>()) {
         plots << plot;
     }
     for (auto* plot : window.findChildren<ui::FrameBars*>()) {

@@ -117,6 +117,9 @@ void SessionController::connectOpening()
         notices_.showProblem(paths.size() == 1 ? tr("Could not open the file") : tr("Could not open the files"), reason,
                              paths);
     });
+    connect(&open_, &OpenController::scanChoiceNeeded, this, &SessionController::askWhatScan);
+    connect(&open_, &OpenController::viewChoiceNeeded, this, &SessionController::askWhichView);
+    connect(window_.actions()[ui::Command::AddView], &QAction::triggered, this, &SessionController::askView);
     connect(&open_, &OpenController::replacementNeedsConsent, this, &SessionController::askToReplace);
 }
 
@@ -185,10 +188,65 @@ void SessionController::chooseSeries(const QString& folder, const std::vector<io
     chooser->open();
 }
 
-void SessionController::askForInputs(const QString& casePath, const QStringList& missing)
+void SessionController::askView()
+{
+    auto* dialog = new QFileDialog(&window_, tr("Add a view"), settings::lastFolder.read(),
+                                   openFilters().join(QStringLiteral(";;")));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        settings::lastFolder.write(QFileInfo(path).absolutePath());
+        open_.openView({path});
+    });
+    dialog->open();
+}
+
+void SessionController::askWhichView(const QString& name)
+{
+    auto* question = new ui::QuestionDialog(
+        {tr("Another view of the same vessels?"),
+         tr("The case has an angiogram. “%1” can stand beside it, to register both together, or take its place.")
+             .arg(name),
+         {}},
+        {tr("Add as a view"), tr("Replace the angiogram"), tr("Cancel")}, &window_);
+    question->setObjectName(QStringLiteral("viewQuestion"));
+    connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
+        if (index == 0) {
+            open_.addWaitingView();
+        } else if (index == 1) {
+            open_.replaceImage();
+        } else {
+            open_.abandon();
+        }
+    });
+    question->open();
+}
+
+void SessionController::askWhatScan(const QString& name)
+{
+    auto* question =
+        new ui::QuestionDialog({tr("A scan beside the vessels?"),
+                                tr("The case has its vessels from a file. “%1” can be shown in slices with them, or "
+                                   "its own vessels are traced "
+                                   "and take their place.")
+                                    .arg(name),
+                                {}},
+                               {tr("Show beside the vessels"), tr("Trace its vessels"), tr("Cancel")}, &window_);
+    question->setObjectName(QStringLiteral("scanQuestion"));
+    connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
+        if (index < 2) {
+            open_.openScan(index == 0 ? ScanUse::Beside : ScanUse::Trace);
+        }
+    });
+    question->open();
+}
+
+void SessionController::askForInputs(const QString& casePath, const QStringList& missing, bool areOptional)
 {
     const QFileInfo file(casePath);
     auto* dialog = new ui::MissingInputs(file.fileName(), missing, file.absolutePath(), &window_);
+    dialog->offerWithout(areOptional);
+    connect(dialog, &ui::MissingInputs::withoutRequested, &open_, &OpenController::openWithoutOptional);
     connect(dialog, &ui::MissingInputs::located, this, [this](const std::map<QString, QString>& places) {
         io::MovedInputs moved;
         for (const auto& [wanted, place] : places) {

@@ -50,7 +50,10 @@ private:
     void askFiles();
     void askFolder();
     void chooseSeries(const QString& folder, const std::vector<io::DicomSeries>& series);
-    void askForInputs(const QString& casePath, const QStringList& missing);
+    void askForInputs(const QString& casePath, const QStringList& missing, bool areOptional);
+    void askView();
+    void askWhichView(const QString& name);
+    void askWhatScan(const QString& name);
     void openSample();
     void askToReplace();
     void requestClose();

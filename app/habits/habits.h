@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/habits/color_controller.h"
 #include "app/habits/language_controller.h"
 #include "app/habits/menu_controller.h"
 #include "app/habits/mouse_controller.h"
@@ -12,11 +13,17 @@ namespace app {
 class Habits {
 public:
     Habits(BranchController& branches, ui::MainWindow& window)
-        : language_(window), mouse_(window), shortcuts_(window), menus_(branches, window), pictures_(window)
+        : colors_(window),
+          language_(window),
+          mouse_(window),
+          shortcuts_(window),
+          menus_(branches, window),
+          pictures_(window)
     {
     }
 
 private:
+    ColorController colors_;
     LanguageController language_;
     MouseController mouse_;
     ShortcutController shortcuts_;

@@ -40,6 +40,9 @@ core::Status findInputs(LoadedInputs& inputs, const QString& path, const OpenHin
         inputs.moved.merge(io::findMovedInputs(inputs.missing, folders, observe));
         std::erase_if(inputs.missing, isFound);
     }
+    if (hints.withoutOptional) {
+        std::erase_if(inputs.missing, [](const io::MissingInput& each) { return each.isOptional; });
+    }
     return core::Done{};
 }
 
@@ -77,7 +80,30 @@ bool isOfSameSeries(const LoadedInputs& inputs, const QString& path)
            QFileInfo(path).absolutePath() == opened.absolutePath() && !io::isVolumeFile(path.toStdString());
 }
 
-core::Status addVessels(LoadedInputs& inputs, const QString& path, const QString& seriesId,
+/// A scan to be seen beside vessels that are there already.
+core::Status addScan(LoadedInputs& inputs, const QString& path, const QString& seriesId,
+                     const io::ReadObserver& observe)
+{
+    auto read = io::readVolume(path.toStdString(), seriesId.toStdString(), observe);
+    if (!read) {
+        return read.error();
+    }
+    io::LoadedVolume scan = std::move(read).value();
+    inputs.scanIdentity = scan.identity;
+    inputs.volume = std::make_shared<const core::Volume>(std::move(scan.volume));
+    inputs.warnings.insert(inputs.warnings.end(), scan.warnings.begin(), scan.warnings.end());
+    inputs.scanFile.path = path.toStdString();
+    inputs.scanSeriesId = seriesId.toStdString();
+    core::VesselInput asVolume;
+    asVolume.kind = core::VesselInputKind::Volume;
+    asVolume.seriesId = inputs.scanSeriesId;
+    if (const auto hash = io::sha256OfVesselInput(inputs.scanFile.path, asVolume)) {
+        inputs.scanFile.sha256 = hash.value();
+    }
+    return core::Done{};
+}
+
+core::Status addVessels(LoadedInputs& inputs, const QString& path, const OpenHints& hints, const QString& seriesId,
                         const io::ReadObserver& observe)
 {
     if (inputs.tree) {
@@ -86,6 +112,10 @@ core::Status addVessels(LoadedInputs& inputs, const QString& path, const QString
     const auto kind = io::vesselInputKindOf(path.toStdString());
     if (!kind) {
         return kind.error();
+    }
+    if (kind.value() == core::VesselInputKind::Volume && hints.scanUse != ScanUse::Trace) {
+        inputs.isScanAsked = hints.scanUse == ScanUse::Ask;
+        return inputs.isScanAsked ? core::Status(core::Done{}) : addScan(inputs, path, seriesId, observe);
     }
     core::VesselInput input;
     input.kind = kind.value();
@@ -139,9 +169,10 @@ core::Status addTarget(LoadedInputs& inputs, const QString& path)
 }
 
 /// Opens the chosen series of a folder, or the only one; several are offered.
-core::Status addFolder(LoadedInputs& inputs, const QString& path, const QString& seriesId,
+core::Status addFolder(LoadedInputs& inputs, const QString& path, const OpenHints& hints,
                        const io::ReadObserver& observe)
 {
+    const QString& seriesId = hints.seriesId;
     auto listed = io::listSeries(path.toStdString(), io::partOf(observe, 0.0, 0.1));
     if (!listed) {
         return listed.error();
@@ -161,11 +192,10 @@ core::Status addFolder(LoadedInputs& inputs, const QString& path, const QString&
     }
     return found->isAngiogram
                ? addImage(inputs, QString::fromStdString(found->slices.front().path))
-               : addVessels(inputs, path, QString::fromStdString(found->id), io::partOf(observe, 0.1, 1.0));
+               : addVessels(inputs, path, hints, QString::fromStdString(found->id), io::partOf(observe, 0.1, 1.0));
 }
 
-core::Status addFile(LoadedInputs& inputs, const QString& path, const QString& seriesId,
-                     const io::ReadObserver& observe)
+core::Status addFile(LoadedInputs& inputs, const QString& path, const OpenHints& hints, const io::ReadObserver& observe)
 {
     const auto kind = inputKindOf(path);
     if (!kind) {
@@ -174,9 +204,9 @@ core::Status addFile(LoadedInputs& inputs, const QString& path, const QString& s
     switch (kind.value()) {
         case InputKind::Centerline:
         case InputKind::Vessels:
-            return addVessels(inputs, path, {}, observe);
+            return addVessels(inputs, path, hints, {}, observe);
         case InputKind::Folder:
-            return addFolder(inputs, path, seriesId, observe);
+            return addFolder(inputs, path, hints, observe);
         case InputKind::Image:
             return addImage(inputs, path);
         case InputKind::Target:
@@ -219,7 +249,7 @@ core::Result<LoadedInputs> readInputs(const QStringList& paths, const OpenHints&
     for (qsizetype i = 0; i < paths.size(); ++i) {
         const auto share = 1.0 / static_cast<double>(paths.size());
         const auto part = io::partOf(observe, share * static_cast<double>(i), share * static_cast<double>(i + 1));
-        if (const auto added = addFile(inputs, paths[i], hints.seriesId, part); !added) {
+        if (const auto added = addFile(inputs, paths[i], hints, part); !added) {
             return added.error();
         }
         if (!inputs.offered.empty()) {

@@ -23,6 +23,9 @@ struct LoadedInputs {
     std::shared_ptr<const core::Volume> volume;
     std::shared_ptr<const core::VoxelMask> lumen;
     core::StudyIdentity scanIdentity;
+    core::InputFile scanFile;   ///< of a scan that is to be seen only: `volume` without a tree
+    std::string scanSeriesId;   ///< of `scanFile`, where that is a DICOM folder
+    bool isScanAsked = false;   ///< it is a scan: nothing was read, see ScanUse::Ask
     std::shared_ptr<const core::VesselTree> tree;
     core::InputFile imageFile;
     std::shared_ptr<const core::Angiogram> angiogram;
@@ -35,11 +38,16 @@ struct LoadedInputs {
     io::MovedInputs moved;   ///< inputs of the case that were found elsewhere
 };
 
+/// What a scan is opened for: its vessels, or to be seen beside vessels that are there.
+enum class ScanUse { Trace, Beside, Ask };
+
 /// What helps to open files beside their paths.
 struct OpenHints {
     QString seriesId;   ///< of a DICOM folder among them; empty: where there are several, they are offered
     io::MovedInputs moved;   ///< where inputs of a case lie now
     QStringList searchFolders;   ///< where inputs of a case are looked for that are not in their place
+    ScanUse scanUse = ScanUse::Trace;   ///< Ask: a scan is not read but told
+    bool withoutOptional = false;   ///< a case opens without what it can do without and is found nowhere
 };
 
 /// Reads files together: either one case file, or at most one of each kind of input. Scans, segmentations and surfaces

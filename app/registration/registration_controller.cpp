@@ -1,7 +1,9 @@
 #include "app/registration/registration_controller.h"
 
 #include "app/document/edit_case.h"
+#include "app/registration/joint_poses.h"
 #include "app/review/snapshot_texts.h"
+#include "core/case_views.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/words/core_texts.h"
 
@@ -13,10 +15,10 @@ RegistrationController::RegistrationController(CaseDocument& document, TargetPro
     connect(&target_, &TargetProvider::changed, this, &RegistrationController::continueAfterTracing);
     connect(&job_, &RegistrationJob::advanced, this, &RegistrationController::advanced);
     connect(&job_, &RegistrationJob::finished, this, &RegistrationController::apply);
-    connect(&job_, &RegistrationJob::failed, this, [this](const QString& reason) {
-        end();
-        emit failed(reason);
-    });
+    connect(&job_, &RegistrationJob::failed, this, &RegistrationController::giveUp);
+    connect(&jointJob_, &JointJob::advanced, this, &RegistrationController::advanced);
+    connect(&jointJob_, &JointJob::finished, this, &RegistrationController::applyJoint);
+    connect(&jointJob_, &JointJob::failed, this, &RegistrationController::giveUp);
 }
 
 QString RegistrationController::whyNotReady() const
@@ -50,6 +52,7 @@ void RegistrationController::start()
         return;
     }
     phase_ = Phase::Tracing;
+    stopWished_ = false;
     document_.setLocked(true);
     emit runningChanged(true);
     emit tracingStarted();
@@ -62,7 +65,9 @@ void RegistrationController::stop()
     if (phase_ == Phase::Tracing) {
         end();
     } else if (phase_ == Phase::Solving) {
+        stopWished_ = true;
         job_.requestStop();
+        jointJob_.requestStop();
     }
 }
 
@@ -87,6 +92,11 @@ void RegistrationController::continueAfterTracing()
         return;
     }
     phase_ = Phase::Solving;
+    auto views = core::casesOfViews(document_.current());
+    if (allViews_ && views.size() > 1) {
+        jointJob_.start(std::move(views), *target_.current());
+        return;
+    }
     job_.start(std::move(input).value(), document_.current().options);
 }
 
@@ -100,6 +110,25 @@ void RegistrationController::apply(const core::RegistrationResult& result)
                          core::withSnapshot(current.snapshots, snapshotOfRun(result, current.frame))},
         tr("Register (%1)").arg(ui::methodWords(current.options.method))));
     emit finished(result);
+}
+
+void RegistrationController::applyJoint(const core::MultiViewResult& joint)
+{
+    end();
+    const JointPoses poses = jointPosesOf(document_.current(), joint);
+    document_.push(std::make_unique<ApplyJointRun>(
+        document_,
+        ApplyJointRun::Values{poses.own.cameraFromPatient, poses.own.result, poses.own.snapshots, poses.others},
+        tr("Register all views")));
+    emit finished(*poses.own.result);
+}
+
+void RegistrationController::giveUp(const QString& reason)
+{
+    end();
+    if (!stopWished_) {   // stopped before there was any pose: nothing to tell
+        emit failed(ui::coreText(reason.toStdString()));
+    }
 }
 
 void RegistrationController::end()

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/document/case_document.h"
+#include "app/jobs/joint_job.h"
 #include "app/jobs/registration_job.h"
 #include "app/registration/target_provider.h"
 
@@ -20,6 +21,7 @@ public:
     bool isRunning() const { return phase_ != Phase::Idle; }
     void start();
     void stop();   ///< returns at once
+    void setAllViews(bool together) { allViews_ = together; }   ///< where the case has several
 
 signals:
     void runningChanged(bool running);
@@ -32,11 +34,16 @@ private:
     enum class Phase { Idle, Tracing, Solving };
     void continueAfterTracing();
     void apply(const core::RegistrationResult& result);
+    void applyJoint(const core::MultiViewResult& joint);
+    void giveUp(const QString& reason);
     void end();
 
     CaseDocument& document_;
     TargetProvider& target_;
     RegistrationJob job_;
+    JointJob jointJob_;
+    bool allViews_ = true;
+    bool stopWished_ = false;
     Phase phase_ = Phase::Idle;
 };
 

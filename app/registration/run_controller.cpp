@@ -25,6 +25,7 @@ void RunController::connectCommands()
     connect(&panel, &ui::RegistrationPanel::registerRequested, &on_.registration, &RegistrationController::start);
     connect(&panel, &ui::RegistrationPanel::stopRequested, &on_.registration, &RegistrationController::stop);
     connect(&panel, &ui::RegistrationPanel::optionsEdited, this, &RunController::changeOptions);
+    connect(&panel, &ui::RegistrationPanel::allViewsToggled, &on_.registration, &RegistrationController::setAllViews);
     connect(actions[ui::Command::Register], &QAction::triggered, this, &RunController::start);
     connect(actions[ui::Command::Stop], &QAction::triggered, &on_.registration, &RegistrationController::stop);
     connect(&on_.window.strip(), &ui::BottomStrip::stopRequested, this, &RunController::stop);

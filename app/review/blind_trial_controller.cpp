@@ -16,12 +16,12 @@ namespace {
 
 /// What would tell how good a pose is, show another one, or take the trial's state out of the program.
 constexpr std::array hiddenCommands{
-    ui::Command::Register,        ui::Command::WorstBranch,  ui::Command::Replay,   ui::Command::Swing,
-    ui::Command::NextSolution,    ui::Command::TakeSolution, ui::Command::KeepPose, ui::Command::SwitchPoses,
-    ui::Command::ComparePoses,    ui::Command::Save,         ui::Command::SaveAs,   ui::Command::ExportOverlay,
-    ui::Command::ExportResult,    ui::Command::ExportPose,   ui::Command::Open,     ui::Command::OpenFolder,
-    ui::Command::OpenSample,      ui::Command::BlindTrial,   ui::Command::CopyPose, ui::Command::Landmarks,
-    ui::Command::PlaceByLandmarks};
+    ui::Command::Register,         ui::Command::WorstBranch,  ui::Command::Replay,   ui::Command::Swing,
+    ui::Command::NextSolution,     ui::Command::TakeSolution, ui::Command::KeepPose, ui::Command::SwitchPoses,
+    ui::Command::ComparePoses,     ui::Command::Save,         ui::Command::SaveAs,   ui::Command::ExportOverlay,
+    ui::Command::ExportResult,     ui::Command::ExportPose,   ui::Command::Open,     ui::Command::OpenFolder,
+    ui::Command::OpenSample,       ui::Command::BlindTrial,   ui::Command::CopyPose, ui::Command::Landmarks,
+    ui::Command::PlaceByLandmarks, ui::Command::AddView,      ui::Command::NextView, ui::Command::FollowFrames};
 
 std::uint64_t nextSeed(const std::vector<core::PoseSnapshot>& snapshots)
 {

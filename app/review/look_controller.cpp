@@ -63,6 +63,16 @@ void LookController::connectBrightness()
     ui::WindowActions& actions = window_.actions();
     ui::AngiogramView& view = window_.angiogramView();
     connect(actions[ui::Command::AutoWindow], &QAction::triggered, &view, &ui::AngiogramView::autoWindowLevel);
+    connect(actions[ui::Command::VesselWindow], &QAction::triggered, this, [this] {
+        const auto& angiogram = document_.current().angiogram;
+        const core::Polarity polarity = angiogram ? angiogram->polarity : core::Polarity::VesselsDark;
+        showRange(core::vesselRange(window_.angiogramView().scene().frame(), polarity));
+    });
+    connect(actions[ui::Command::SoftWindow], &QAction::triggered, this, [this] {
+        constexpr double soft = 1.8;
+        window_.angiogramView().autoWindowLevel();
+        scaleWindow(soft);
+    });
     connect(actions[ui::Command::FullRange], &QAction::triggered, this, &LookController::showFullRange);
     connect(actions[ui::Command::MoreContrast], &QAction::triggered, this, [this] { scaleWindow(0.5); });
     connect(actions[ui::Command::LessContrast], &QAction::triggered, this, [this] { scaleWindow(2.0); });
@@ -74,8 +84,9 @@ void LookController::connectBrightness()
 
 void LookController::showStyle()
 {
-    window_.angiogramView().scene().setMode(heldHidden_ ? ui::OverlayMode::Hidden : style_);
+    window_.angiogramView().scene().setMode(heldHidden_ || isRadiograph_ ? ui::OverlayMode::Hidden : style_);
     window_.angiogramView().update();
+    emit radiographWanted(isRadiograph_ && !heldHidden_);
 }
 
 bool LookController::hasRadii() const
@@ -86,17 +97,22 @@ bool LookController::hasRadii() const
            });
 }
 
+QString LookController::radiographWords() const
+{
+    return document_.current().volume ? tr("Vessels as a radiograph of the scan (DRR)")
+                                      : tr("Vessels as a radiograph of tubes (DRR)");
+}
+
 void LookController::nextStyle()
 {
     using enum ui::OverlayMode;
-    if (document_.current().tree && !hasRadii()) {
-        window_.strip().showStatus(tr("This tree knows no radii: only centrelines can be shown."));
-        return;
-    }
-    style_ = style_ == Centerline ? Outline : style_ == Outline ? Tube : Centerline;
-    window_.strip().showStatus(style_ == Centerline ? tr("Vessels as centrelines")
-                               : style_ == Outline  ? tr("Vessels as outlines")
-                                                    : tr("Vessels as tubes"));
+    const bool isLast = style_ == Tube || !hasRadii();   // without radii there are no outlines and tubes
+    style_ = isRadiograph_ || isLast ? Centerline : style_ == Centerline ? Outline : Tube;
+    isRadiograph_ = !isRadiograph_ && isLast;
+    window_.strip().showStatus(isRadiograph_          ? radiographWords()
+                               : style_ == Centerline ? tr("Vessels as centrelines")
+                               : style_ == Outline    ? tr("Vessels as outlines")
+                                                      : tr("Vessels as tubes"));
     showStyle();
 }
 
@@ -124,6 +140,11 @@ void LookController::scaleWindow(double factor)
     ui::AngiogramView& view = window_.angiogramView();
     const core::DisplayRange shown = view.shownRange();
     view.setWindowLevel(factor * shown.window(), shown.level());
+}
+
+void LookController::showRange(const core::DisplayRange& range)
+{
+    window_.angiogramView().setWindowLevel(range.window(), range.level());
 }
 
 void LookController::showFullRange()

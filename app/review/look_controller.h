@@ -3,6 +3,7 @@
 #include "app/document/case_document.h"
 #include "app/review/brightness_memory.h"
 #include "app/review/view_sync.h"
+#include "core/imaging/display_range.h"
 #include "core/registration/registration.h"
 
 #include <QObject>
@@ -27,15 +28,18 @@ public:
 
 signals:
     void branchWanted(int branchId);   ///< to be selected
+    void radiographWanted(bool wanted);   ///< of the vessels, in place of their lines
 
 private:
     void connectOverlay();
     void connectBrightness();
     void showStyle();
     void nextStyle();
+    QString radiographWords() const;
     void nextCutout();
     void changeOpacity(double by);
     void scaleWindow(double factor);
+    void showRange(const core::DisplayRange& range);
     void showFullRange();
     void showNextWorst();
 
@@ -46,6 +50,7 @@ private:
     ui::MainWindow& window_;
     BrightnessMemory brightness_;
     ui::OverlayMode style_ = ui::OverlayMode::Centerline;
+    bool isRadiograph_ = false;   ///< in place of `style_`
     bool heldHidden_ = false;
     std::vector<core::BranchResidual> worstFirst_;
     double millimetresPerPixel_ = 0.0;

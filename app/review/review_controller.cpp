@@ -104,7 +104,11 @@ void ReviewController::showFrame(int frame)
         ++frameBurst_;
     }
     lastFrameMs_ = now;
-    const core::RegistrationCase turned = core::withFrame(document_.current(), frame);
+    core::RegistrationCase turned = core::withFrame(document_.current(), frame);
+    if (const auto followed = poseOfFrame_ ? poseOfFrame_(frame) : std::nullopt) {
+        turned.cameraFromPatient = *followed;
+        turned.result.reset();
+    }
     document_.push(std::make_unique<ShowFrame>(
         document_, ShowFrame::Values{frame, turned.initialCameraFromPatient, turned.cameraFromPatient, turned.result},
         tr("Choose another frame"), frameBursts + frameBurst_));

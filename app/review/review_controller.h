@@ -6,6 +6,10 @@
 #include <QObject>
 #include <QTimer>
 
+#include <functional>
+#include <optional>
+#include <utility>
+
 namespace ui {
 class MainWindow;
 }
@@ -16,10 +20,14 @@ namespace app {
 class ReviewController : public QObject {
     Q_OBJECT
 public:
+    /// The pose of a frame, where following the vessels through the run has found it.
+    using PoseOfFrame = std::function<std::optional<core::RigidTransform>(int frame)>;
+
     ReviewController(CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent = nullptr);
 
     void stepFrame(int step);   ///< as AngiogramView::frameStepRequested
     void showFrame(int frame);
+    void setFramePoses(PoseOfFrame poseOfFrame) { poseOfFrame_ = std::move(poseOfFrame); }
     void stopMotion();   ///< ends whatever moves by itself
 
 private:
@@ -33,6 +41,7 @@ private:
     CaseDocument& document_;
     ViewSync& sync_;
     ui::MainWindow& window_;
+    PoseOfFrame poseOfFrame_;
     QTimer flickerTimer_;
     QTimer cineTimer_;
     bool showsStart_ = false;

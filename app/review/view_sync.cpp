@@ -153,6 +153,7 @@ void ViewSync::showPose(const core::RigidTransform& cameraFromPatient)
     window_.treeView().scene().setPose(cameraFromPatient);
     window_.angiogramView().update();
     window_.treeView().requestRender();
+    emit poseShown(cameraFromPatient);
 }
 
 void ViewSync::showPreview(const core::RigidTransform& cameraFromPatient, ResidualColors colors)

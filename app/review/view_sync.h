@@ -43,6 +43,7 @@ public:
 signals:
     void runMeasured();   ///< `frameCurve`, `suggestedMasks`
     void frameShown(int frame);
+    void poseShown(const core::RigidTransform& cameraFromPatient);   ///< of the document, or a preview
 
 private:
     struct Measured {

@@ -31,32 +31,53 @@ double quantile(const std::vector<float>& sorted, double fraction)
     return sorted[static_cast<std::size_t>(std::lround(fraction * last))];
 }
 
-}   // namespace
-
-DisplayRange displayRange(const ImageF& frame)
+/// Without a large border of one extreme value.
+std::vector<float> exposedField(const std::vector<float>& sample)
 {
-    std::vector<float> sample = sortedSample(frame);
-    if (sample.empty()) {
-        return {};
-    }
     const auto enough = static_cast<std::ptrdiff_t>(borderShare * static_cast<double>(sample.size()));
     const auto afterLowest = std::upper_bound(sample.begin(), sample.end(), sample.front());
     const auto firstHighest = std::lower_bound(afterLowest, sample.end(), sample.back());
     const bool leavesEnough = firstHighest - afterLowest > 10 * enough;   // else the extreme is the picture itself
     const bool dropsLowest = leavesEnough && afterLowest - sample.begin() > enough;
     const bool dropsHighest = leavesEnough && sample.end() - firstHighest > enough;
-    const std::vector<float> exposed(dropsLowest ? afterLowest : sample.begin(),
-                                     dropsHighest ? firstHighest : sample.end());
+    return {dropsLowest ? afterLowest : sample.begin(), dropsHighest ? firstHighest : sample.end()};
+}
 
+DisplayRange notEmpty(DisplayRange range)
+{
+    if (!(range.high > range.low)) {
+        range.high = range.low + 1.0;
+    }
+    return range;
+}
+
+}   // namespace
+
+DisplayRange displayRange(const ImageF& frame)
+{
+    const std::vector<float> sample = sortedSample(frame);
+    if (sample.empty()) {
+        return {};
+    }
+    const std::vector<float> exposed = exposedField(sample);
     DisplayRange range{quantile(exposed, 0.005), quantile(exposed, 0.995)};
     // Thin dark vessels (or bright ones) hardly move the median: keep it away from white (from black).
     const double background = quantile(exposed, 0.5);
     range.high = std::max(range.high, background + backgroundRoom * (background - range.low));
     range.low = std::min(range.low, background - backgroundRoom * (range.high - background));
-    if (!(range.high > range.low)) {
-        range.high = range.low + 1.0;
+    return notEmpty(range);
+}
+
+DisplayRange vesselRange(const ImageF& frame, Polarity polarity)
+{
+    const std::vector<float> sample = sortedSample(frame);
+    if (sample.empty()) {
+        return {};
     }
-    return range;
+    const std::vector<float> exposed = exposedField(sample);
+    const double background = quantile(exposed, 0.5);
+    return notEmpty(polarity == Polarity::VesselsDark ? DisplayRange{quantile(exposed, 0.005), background}
+                                                      : DisplayRange{background, quantile(exposed, 0.995)});
 }
 
 }   // namespace core

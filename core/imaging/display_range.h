@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/imaging/angiogram.h"
 #include "core/imaging/image2d.h"
 
 namespace core {
@@ -17,5 +18,9 @@ struct DisplayRange {
 /// (a large border of one extreme value does not count), widened so that the background stays a middle grey.
 /// Never empty: high > low.
 DisplayRange displayRange(const ImageF& frame);
+
+/// Range for the vessels alone: from their extreme to the background (the median inside the exposed field), which
+/// becomes white behind dark vessels and black behind bright ones. Never empty.
+DisplayRange vesselRange(const ImageF& frame, Polarity polarity);
 
 }   // namespace core

@@ -26,6 +26,7 @@ struct CaseDocument {
     bool hasCurrentPose = false;
     std::optional<SubtractionKeys> subtraction;
     std::string sopInstanceUid;   ///< of the image, when noted
+    std::vector<CaseDocument> views;   ///< of `values.otherViews`, in order, those without a file of their own
     std::vector<std::string> problems;   ///< what makes no sense, each with key and remedy
 };
 

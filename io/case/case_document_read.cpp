@@ -318,6 +318,40 @@ void readOptions(const Json& root, CaseDocument& document)
     }
 }
 
+void readSnapshots(const Json& root, CaseDocument& document)
+{
+    if (const Json& snapshots = member(root, "snapshots"); snapshots.is_array()) {
+        document.values.snapshots = snapshotsFromJson(snapshots.dump(), document.problems);
+    }
+}
+
+/// Image, geometry and poses, of the case itself or of a view that stands in it.
+void readView(const Json& view, CaseDocument& document)
+{
+    readAngiogram(view["angiogram"], document);
+    const Json& geometry = member(view, "geometry");
+    readCArm(geometry, document.values.cArm);
+    readCamera(member(geometry, "camera"), document);
+    readPoses(member(view, "pose"), document);
+    readSnapshots(view, document);
+}
+
+void readOtherViews(const Json& root, CaseDocument& document)
+{
+    for (const Json& view : root.value("views", Json::array())) {
+        if (!view.contains("angiogram")) {
+            document.values.otherViews.push_back({inputFile(view), nullptr});
+            continue;
+        }
+        CaseDocument& own = document.views.emplace_back();
+        readView(view, own);
+        for (const std::string& problem : own.problems) {
+            document.problems.push_back("views: " + problem);
+        }
+        document.values.otherViews.emplace_back();
+    }
+}
+
 }   // namespace
 
 CaseDocument parseCaseDocument(std::string_view json)
@@ -330,18 +364,9 @@ CaseDocument parseCaseDocument(std::string_view json)
     }
     document.values.title = root.value("title", "");
     readVessel(root["vessel"], document);
-    readAngiogram(root["angiogram"], document);
-    const Json& geometry = member(root, "geometry");
-    readCArm(geometry, document.values.cArm);
-    readCamera(member(geometry, "camera"), document);
-    readPoses(member(root, "pose"), document);
-    for (const Json& view : root.value("views", Json::array())) {
-        document.values.otherViews.push_back(inputFile(view));
-    }
+    readView(root, document);
+    readOtherViews(root, document);
     readOptions(root, document);
-    if (const Json& snapshots = member(root, "snapshots"); snapshots.is_array()) {
-        document.values.snapshots = snapshotsFromJson(snapshots.dump(), document.problems);
-    }
     document.values.extraKeys = unknownKeys(json, knownCaseKeys(document.values.vesselInput.kind));
     return document;
 }

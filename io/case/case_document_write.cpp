@@ -232,6 +232,41 @@ Json landmarkJson(const core::Landmark& landmark)
     return json;
 }
 
+Json poseJson(const core::RegistrationCase& view)
+{
+    Json pose;
+    if (view.hasInitialPose) {
+        pose["initial"]["cameraFromPatient"] = rowsOf(view.initialCameraFromPatient);
+    }
+    pose["current"]["cameraFromPatient"] = rowsOf(view.cameraFromPatient);
+    if (core::isAnyLocked(view.options.locks)) {
+        pose["locked"] = lockedJson(view.options.locks);
+    }
+    for (const core::Landmark& landmark : view.landmarks) {
+        pose["landmarks"].push_back(landmarkJson(landmark));
+    }
+    return pose;
+}
+
+void addSnapshots(Json& json, const core::RegistrationCase& view)
+{
+    if (!view.snapshots.empty()) {
+        json["snapshots"] = Json::parse(snapshotsJson(view.snapshots));
+    }
+}
+
+Json otherViewJson(const core::OtherView& other, const std::filesystem::path& folder)
+{
+    if (!other.file.path.empty() || !other.view) {
+        return fileJson(other.file, folder);
+    }
+    Json json{{"angiogram", angiogramJson(*other.view, folder)},
+              {"geometry", geometryJson(*other.view)},
+              {"pose", poseJson(*other.view)}};
+    addSnapshots(json, *other.view);
+    return json;
+}
+
 }   // namespace
 
 std::string caseDocumentText(const core::RegistrationCase& registrationCase, const std::filesystem::path& folder)
@@ -243,24 +278,13 @@ std::string caseDocumentText(const core::RegistrationCase& registrationCase, con
     root["vessel"] = vesselJson(registrationCase, folder);
     root["angiogram"] = angiogramJson(registrationCase, folder);
     root["geometry"] = geometryJson(registrationCase);
-    if (registrationCase.hasInitialPose) {
-        root["pose"]["initial"]["cameraFromPatient"] = rowsOf(registrationCase.initialCameraFromPatient);
-    }
-    root["pose"]["current"]["cameraFromPatient"] = rowsOf(registrationCase.cameraFromPatient);
-    if (core::isAnyLocked(registrationCase.options.locks)) {
-        root["pose"]["locked"] = lockedJson(registrationCase.options.locks);
-    }
-    for (const core::Landmark& landmark : registrationCase.landmarks) {
-        root["pose"]["landmarks"].push_back(landmarkJson(landmark));
-    }
-    for (const core::InputFile& view : registrationCase.otherViews) {
-        root["views"].push_back(fileJson(view, folder));
+    root["pose"] = poseJson(registrationCase);
+    for (const core::OtherView& other : registrationCase.otherViews) {
+        root["views"].push_back(otherViewJson(other, folder));
     }
     root["method"] = registrationCase.options.method;
     root["options"] = Json::parse(optionsJson(registrationCase.options));
-    if (!registrationCase.snapshots.empty()) {
-        root["snapshots"] = Json::parse(snapshotsJson(registrationCase.snapshots));
-    }
+    addSnapshots(root, registrationCase);
     return prettyJson(withExtraKeys(root.dump(), registrationCase.extraKeys));
 }
 

@@ -9,14 +9,14 @@
 
 namespace io {
 
-/// Paths of a case file are relative to its folder.
-void makePathsAbsolute(core::RegistrationCase& values, const std::string& casePath);
+/// Every file that the case refers to: vessels, scan, image, target, other views and theirs.
+std::vector<core::InputFile*> inputsOf(CaseDocument& document);
 
-/// The case's own values win over the header's.
-void fillFromHeader(core::CArm& cArm, const core::CArm& header);
+/// Paths of a case file are relative to its folder.
+void makePathsAbsolute(CaseDocument& document, const std::string& casePath);
 
 /// The case with its inputs (absolute paths) read and checked against what it says: frame, camera size, branches,
-/// hashes, start pose.
+/// hashes, start pose. Other views are not read.
 core::Result<core::RegistrationCase> loadInputs(CaseDocument document, const std::string& casePath,
                                                 std::vector<std::string>& warnings, const ReadObserver& observe);
 

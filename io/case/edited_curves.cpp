@@ -13,22 +13,41 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// The curves that the case file, as it is now, calls its own; empty when there are none.
-fs::path ownCurves(const fs::path& casePath)
+/// Whose curves: the case's own, or those of one of its other views.
+struct Owner {
+    fs::path casePath;
+    std::optional<std::size_t> otherView;
+};
+
+Json viewIn(const Json& root, std::optional<std::size_t> otherView)
 {
+    if (!otherView || !root.is_object()) {
+        return root;
+    }
+    const Json views = root.value("views", Json::array());
+    return views.is_array() && *otherView < views.size() ? views[*otherView] : Json();
+}
+
+/// The curves that the case file, as it is now, calls its own; empty when there are none.
+fs::path ownCurves(const Owner& owner)
+{
+    const fs::path& casePath = owner.casePath;
     const auto input = openInput(casePath.string());
-    const Json root = input ? Json::parse(input.value().view(), nullptr, false) : Json();
-    const Json centerline = root.is_object() ? root.value("angiogram", Json()).value("centerline", Json()) : Json();
+    const Json view = viewIn(input ? Json::parse(input.value().view(), nullptr, false) : Json(), owner.otherView);
+    const Json angiogram = view.is_object() ? view.value("angiogram", Json::object()) : Json::object();
+    const Json centerline = angiogram.is_object() ? angiogram.value("centerline", Json()) : Json();
     if (!centerline.is_object() || centerline.value("origin", "") != "edited") {
         return {};
     }
     return (casePath.parent_path() / centerline.value("path", "")).lexically_normal();
 }
 
-fs::path freePath(const fs::path& casePath)
+fs::path freePath(const Owner& owner)
 {
-    const fs::path own = ownCurves(casePath);
-    const std::string stem = casePath.stem().string() + ".curves";
+    const fs::path& casePath = owner.casePath;
+    const fs::path own = ownCurves(owner);
+    const std::string view = owner.otherView ? ".view-" + std::to_string(*owner.otherView + 2) : std::string();
+    const std::string stem = casePath.stem().string() + view + ".curves";
     for (int number = 1;; ++number) {
         const std::string name = number == 1 ? stem : stem + "-" + std::to_string(number);
         fs::path path = (casePath.parent_path() / (name + ".csv")).lexically_normal();
@@ -42,13 +61,14 @@ fs::path freePath(const fs::path& casePath)
 }   // namespace
 
 core::Result<core::InputFile> keepEditedCurves(const core::RegistrationCase& registrationCase,
-                                               const std::string& casePath)
+                                               const std::string& casePath, std::optional<std::size_t> otherView)
 {
+    const Owner owner{fs::absolute(casePath), otherView};
     const core::InputFile& former = registrationCase.targetFile;
-    if (!former.path.empty() && former.path == ownCurves(fs::absolute(casePath)).string()) {
+    if (!former.path.empty() && former.path == ownCurves(owner).string()) {
         return former;
     }
-    const std::string path = freePath(fs::absolute(casePath)).string();
+    const std::string path = freePath(owner).string();
     if (const auto written = writeCenterline2d(*registrationCase.givenTarget, path); !written) {
         return written.error();
     }

@@ -3,14 +3,18 @@
 #include "core/registration_case.h"
 #include "core/support/result.h"
 
+#include <cstddef>
+#include <optional>
 #include <string>
 
 namespace io {
 
 /// The file of the case's edited 2-D curves, with its hash: each case has its own, `<case>.curves.csv` beside it.
 /// Written unless it is there already; the file of an earlier save of the same case is replaced, any other of that name
-/// is left alone and a number added to the name.
+/// is left alone and a number added to the name. `otherView`: for the edited curves of that view of the case,
+/// `<case>.view-2.curves.csv` and on.
 core::Result<core::InputFile> keepEditedCurves(const core::RegistrationCase& registrationCase,
-                                               const std::string& casePath);
+                                               const std::string& casePath,
+                                               std::optional<std::size_t> otherView = std::nullopt);
 
 }   // namespace io

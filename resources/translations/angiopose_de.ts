@@ -127,105 +127,6 @@
     </message>
 </context>
 <context>
-    <name>app::HistoryController</name>
-    <message>
-        <source>Undo: %1</source>
-        <translation>Rückgängig: %1</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-    <message>
-        <source>Redo: %1</source>
-        <translation>Wiederholen: %1</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Wiederholen</translation>
-    </message>
-</context>
-<context>
-    <name>app::TitleController</name>
-    <message>
-        <source>%1 frames</source>
-        <translation>%1 Bilder</translation>
-    </message>
-    <message>
-        <source>1 frame</source>
-        <translation>1 Bild</translation>
-    </message>
-    <message>
-        <source>Untitled case</source>
-        <translation>Unbenannter Fall</translation>
-    </message>
-    <message>
-        <source>AngioPose · not for clinical use</source>
-        <translation>AngioPose · nicht für den klinischen Einsatz</translation>
-    </message>
-    <message>
-        <source>%1 · AngioPose · not for clinical use</source>
-        <translation>%1 · AngioPose · nicht für den klinischen Einsatz</translation>
-    </message>
-</context>
-<context>
-    <name>app::GeometryController</name>
-    <message>
-        <source>Change %1</source>
-        <translation>%1 ändern</translation>
-    </message>
-    <message>
-        <source>Use distances and spacing</source>
-        <translation>Abstände und Pixelgröße verwenden</translation>
-    </message>
-</context>
-<context>
-    <name>app::PoseGestures</name>
-    <message>
-        <source>Nudge mode: arrows move, drag moves or rolls, N ends</source>
-        <translation>Justiermodus: Pfeile schieben, Ziehen schiebt oder dreht, N beendet</translation>
-    </message>
-    <message>
-        <source>Nudge mode off</source>
-        <translation>Justiermodus aus</translation>
-    </message>
-    <message>
-        <source>Copied: camera from patient, 4 × 4, mm</source>
-        <translation>Kopiert: Kamera aus Patient, 4 × 4, mm</translation>
-    </message>
-</context>
-<context>
-    <name>app::RunController</name>
-    <message>
-        <source>Ready</source>
-        <translation>Bereit</translation>
-    </message>
-    <message>
-        <source>Change option “%1”</source>
-        <translation>Option „%1“ ändern</translation>
-    </message>
-    <message>
-        <source>Tracing the vessels of this frame …</source>
-        <translation>Gefäße dieses Bildes werden erkannt …</translation>
-    </message>
-    <message>
-        <source>Registration cannot run</source>
-        <translation>Die Registrierung kann nicht laufen</translation>
-    </message>
-    <message>
-        <source>Registering: %1 · %2 % · %3 px</source>
-        <translation>Registrierung: %1 · %2 % · %3 px</translation>
-    </message>
-    <message>
-        <source>Stopped: the best pose so far is kept, undo takes it back</source>
-        <translation>Angehalten: die bisher beste Lage bleibt, Rückgängig nimmt sie zurück</translation>
-    </message>
-    <message>
-        <source>Registered: median %1 mm</source>
-        <translation>Registriert: Median %1 mm</translation>
-    </message>
-</context>
-<context>
     <name>app::CaseController</name>
     <message>
         <source>A registration is running. Stop it to edit.</source>
@@ -315,6 +216,64 @@
     </message>
 </context>
 <context>
+    <name>app::FollowController</name>
+    <message>
+        <source>Following the vessels through the run: %1 %</source>
+        <translation>Gefäße werden durch die Serie verfolgt: %1 %</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation type="unfinished">Bereit</translation>
+    </message>
+    <message>
+        <source>The vessels cannot be followed</source>
+        <translation>Die Gefäße können nicht verfolgt werden</translation>
+    </message>
+    <message>
+        <source>Something else is under way. Let it end first.</source>
+        <translation>Etwas anderes läuft gerade. Warten Sie, bis es endet.</translation>
+    </message>
+    <message>
+        <source>Open vessels and an angiogram first.</source>
+        <translation>Öffnen Sie zuerst Gefäße und ein Angiogramm.</translation>
+    </message>
+    <message>
+        <source>Following the vessels through the run …</source>
+        <translation>Gefäße werden durch die Serie verfolgt …</translation>
+    </message>
+    <message>
+        <source>The vessels were moved meanwhile: follow them again.</source>
+        <translation>Die Gefäße wurden inzwischen bewegt: verfolgen Sie sie erneut.</translation>
+    </message>
+    <message>
+        <source>Followed through %1 frames: scroll or play them</source>
+        <translation>Durch %1 Bilder verfolgt: blättern oder abspielen</translation>
+    </message>
+    <message>
+        <source>Followed through %1 frames; %2 of them do not show the vessels well enough</source>
+        <translation>Durch %1 Bilder verfolgt; %2 davon zeigen die Gefäße nicht gut genug</translation>
+    </message>
+    <message>
+        <source>Export followed poses</source>
+        <translation>Verfolgte Lagen exportieren</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation type="unfinished">Tabellen (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>app::GeometryController</name>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>Use distances and spacing</source>
+        <translation>Abstände und Pixelgröße verwenden</translation>
+    </message>
+</context>
+<context>
     <name>app::HelpController</name>
     <message>
         <source>AngioPose %1</source>
@@ -391,6 +350,25 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>F1 explains what the mouse points at, ? lists and changes all keys. This tour is under Help.</source>
         <translation>F1 erklärt, worauf die Maus zeigt, ? zeigt und ändert alle Tasten. Dieser Rundgang steht unter Hilfe.</translation>
+    </message>
+</context>
+<context>
+    <name>app::HistoryController</name>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
     </message>
 </context>
 <context>
@@ -496,10 +474,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Tiefenhinweis aus</translation>
     </message>
     <message>
-        <source>This tree knows no radii: only centrelines can be shown.</source>
-        <translation>Dieser Gefäßbaum kennt keine Radien: nur Mittellinien sind darstellbar.</translation>
-    </message>
-    <message>
         <source>Vessels as centrelines</source>
         <translation>Gefäße als Mittellinien</translation>
     </message>
@@ -542,6 +516,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Seen from the detector</source>
         <translation>Vom Detektor gesehen</translation>
+    </message>
+    <message>
+        <source>Vessels as a radiograph of the scan (DRR)</source>
+        <translation>Gefäße als Röntgenbild des Scans (DRR)</translation>
+    </message>
+    <message>
+        <source>Vessels as a radiograph of tubes (DRR)</source>
+        <translation>Gefäße als Röntgenbild aus Röhren (DRR)</translation>
     </message>
 </context>
 <context>
@@ -587,6 +569,18 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>A blind trial was started meanwhile. Open the file again when it has ended.</source>
         <translation>Inzwischen begann ein Blindversuch. Die Datei nach dessen Ende erneut öffnen.</translation>
+    </message>
+    <message>
+        <source>The vessels do not lie in this scan: it may be another one, or have other axes.</source>
+        <translation>Die Gefäße liegen nicht in diesem Scan: er kann ein anderer sein oder andere Achsen haben.</translation>
+    </message>
+    <message>
+        <source>Add view %1</source>
+        <translation>Ansicht %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>View added: a click in the strip above the image shows it.</source>
+        <translation>Ansicht hinzugefügt: ein Klick in der Leiste über dem Bild zeigt sie.</translation>
     </message>
 </context>
 <context>
@@ -671,6 +665,21 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
+    <name>app::PoseGestures</name>
+    <message>
+        <source>Nudge mode: arrows move, drag moves or rolls, N ends</source>
+        <translation>Justiermodus: Pfeile schieben, Ziehen schiebt oder dreht, N beendet</translation>
+    </message>
+    <message>
+        <source>Nudge mode off</source>
+        <translation>Justiermodus aus</translation>
+    </message>
+    <message>
+        <source>Copied: camera from patient, 4 × 4, mm</source>
+        <translation>Kopiert: Kamera aus Patient, 4 × 4, mm</translation>
+    </message>
+</context>
+<context>
     <name>app::PoseTableController</name>
     <message>
         <source>There are no poses to compare yet.</source>
@@ -745,6 +754,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>A blind trial is fitted by hand.</source>
         <translation>Ein Blindversuch wird von Hand eingepasst.</translation>
+    </message>
+    <message>
+        <source>Register all views</source>
+        <translation>Alle Ansichten registrieren</translation>
     </message>
 </context>
 <context>
@@ -831,6 +844,37 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>After: pose as it is</source>
         <translation>Nachher: jetzige Lage</translation>
+    </message>
+</context>
+<context>
+    <name>app::RunController</name>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Change option “%1”</source>
+        <translation>Option „%1“ ändern</translation>
+    </message>
+    <message>
+        <source>Tracing the vessels of this frame …</source>
+        <translation>Gefäße dieses Bildes werden erkannt …</translation>
+    </message>
+    <message>
+        <source>Registration cannot run</source>
+        <translation>Die Registrierung kann nicht laufen</translation>
+    </message>
+    <message>
+        <source>Registering: %1 · %2 % · %3 px</source>
+        <translation>Registrierung: %1 · %2 % · %3 px</translation>
+    </message>
+    <message>
+        <source>Stopped: the best pose so far is kept, undo takes it back</source>
+        <translation>Angehalten: die bisher beste Lage bleibt, Rückgängig nimmt sie zurück</translation>
+    </message>
+    <message>
+        <source>Registered: median %1 mm</source>
+        <translation>Registriert: Median %1 mm</translation>
     </message>
 </context>
 <context>
@@ -1008,6 +1052,46 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Not the same patient?</source>
         <translation>Nicht derselbe Patient?</translation>
+    </message>
+    <message>
+        <source>Add a view</source>
+        <translation>Ansicht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Another view of the same vessels?</source>
+        <translation>Eine weitere Ansicht derselben Gefäße?</translation>
+    </message>
+    <message>
+        <source>The case has an angiogram. “%1” can stand beside it, to register both together, or take its place.</source>
+        <translation>Der Fall hat ein Angiogramm. „%1“ kann daneben stehen, um beide zusammen zu registrieren, oder es ersetzen.</translation>
+    </message>
+    <message>
+        <source>Add as a view</source>
+        <translation>Als Ansicht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Replace the angiogram</source>
+        <translation>Angiogramm ersetzen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">Abbrechen</translation>
+    </message>
+    <message>
+        <source>A scan beside the vessels?</source>
+        <translation>Ein Scan neben den Gefäßen?</translation>
+    </message>
+    <message>
+        <source>The case has its vessels from a file. “%1” can be shown in slices with them, or its own vessels are traced and take their place.</source>
+        <translation>Der Fall hat seine Gefäße aus einer Datei. „%1“ kann mit ihnen in Schichten gezeigt werden, oder seine eigenen Gefäße werden verfolgt und ersetzen sie.</translation>
+    </message>
+    <message>
+        <source>Show beside the vessels</source>
+        <translation>Neben den Gefäßen zeigen</translation>
+    </message>
+    <message>
+        <source>Trace its vessels</source>
+        <translation>Seine Gefäße verfolgen</translation>
     </message>
 </context>
 <context>
@@ -1266,6 +1350,29 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
+    <name>app::TitleController</name>
+    <message>
+        <source>%1 frames</source>
+        <translation>%1 Bilder</translation>
+    </message>
+    <message>
+        <source>1 frame</source>
+        <translation>1 Bild</translation>
+    </message>
+    <message>
+        <source>Untitled case</source>
+        <translation>Unbenannter Fall</translation>
+    </message>
+    <message>
+        <source>AngioPose · not for clinical use</source>
+        <translation>AngioPose · nicht für den klinischen Einsatz</translation>
+    </message>
+    <message>
+        <source>%1 · AngioPose · not for clinical use</source>
+        <translation>%1 · AngioPose · nicht für den klinischen Einsatz</translation>
+    </message>
+</context>
+<context>
     <name>app::TracingController</name>
     <message>
         <source>Tracing the vessels of the scan … %1 %</source>
@@ -1408,6 +1515,45 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Set generation of %1</source>
         <translation>Generation von %1 setzen</translation>
+    </message>
+</context>
+<context>
+    <name>app::ViewController</name>
+    <message>
+        <source>Show this view</source>
+        <translation>Diese Ansicht zeigen</translation>
+    </message>
+    <message>
+        <source>Take this view out</source>
+        <translation>Diese Ansicht herausnehmen</translation>
+    </message>
+    <message>
+        <source>%1 mm · %2 px</source>
+        <translation>%1 mm · %2 px</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
+    </message>
+    <message>
+        <source>%1. A click shows it, Delete takes the shown view out.</source>
+        <translation>%1. Ein Klick zeigt sie, Entf nimmt die gezeigte Ansicht heraus.</translation>
+    </message>
+    <message>
+        <source>The image of this view could not be read.</source>
+        <translation>Das Bild dieser Ansicht konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Show view %1</source>
+        <translation>Ansicht %1 zeigen</translation>
+    </message>
+    <message>
+        <source>No other view can be shown in its place.</source>
+        <translation>Keine andere Ansicht kann an ihrer Stelle gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Take a view out</source>
+        <translation>Ansicht herausnehmen</translation>
     </message>
 </context>
 <context>
@@ -3871,6 +4017,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>No contrast-filled vessels were found: soft tissue has %1, and nothing even is as much brighter as contrast medium makes blood. Is this the arterial phase? Choose the CT angiogram, or give the threshold at which the vessels begin.</source>
         <translation>Es wurden keine kontrastierten Gefäße gefunden: Weichgewebe hat %1, und nichts Gleichmäßiges ist so viel heller, wie Kontrastmittel das Blut macht. Ist dies die arterielle Phase? Die CT-Angiographie wählen oder die Schwelle angeben, ab der die Gefäße beginnen.</translation>
     </message>
+    <message>
+        <source>Another view is left out: %1</source>
+        <translation>Eine weitere Ansicht wird ausgelassen: %1</translation>
+    </message>
+    <message>
+        <source>Stopped before the run began.</source>
+        <translation>Angehalten, bevor der Lauf begann.</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -4585,10 +4739,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Weniger Kontrast</translation>
     </message>
     <message>
-        <source>Vessels: centreline, outline, tube</source>
-        <translation>Gefäße: Mittellinie, Umriss, Röhre</translation>
-    </message>
-    <message>
         <source>Near vessels bright, far ones dim</source>
         <translation>Nahe Gefäße hell, ferne dunkel</translation>
     </message>
@@ -4911,6 +5061,54 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Views alone and in windows</source>
         <translation>Ansichten allein und in Fenstern</translation>
+    </message>
+    <message>
+        <source>Export followed poses …</source>
+        <translation>Verfolgte Lagen exportieren …</translation>
+    </message>
+    <message>
+        <source>Add a view …</source>
+        <translation>Ansicht hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Show the next view</source>
+        <translation>Nächste Ansicht zeigen</translation>
+    </message>
+    <message>
+        <source>Follow the vessels through the run</source>
+        <translation>Gefäße durch die Serie verfolgen</translation>
+    </message>
+    <message>
+        <source>Vessels: centreline, outline, tube, radiograph</source>
+        <translation>Gefäße: Mittellinie, Umriss, Röhre, Röntgenbild</translation>
+    </message>
+    <message>
+        <source>Brightness: the vessels alone</source>
+        <translation>Helligkeit: nur die Gefäße</translation>
+    </message>
+    <message>
+        <source>Brightness: soft, with bone and catheter</source>
+        <translation>Helligkeit: weich, mit Knochen und Katheter</translation>
+    </message>
+    <message>
+        <source>Blue to amber</source>
+        <translation>Blau bis Bernstein</translation>
+    </message>
+    <message>
+        <source>Blue, white, red</source>
+        <translation>Blau, weiß, rot</translation>
+    </message>
+    <message>
+        <source>Brightness alone</source>
+        <translation>Nur Helligkeit</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>Colours of vessels and residuals</source>
+        <translation>Farben von Gefäßen und Abständen</translation>
     </message>
 </context>
 <context>
@@ -5948,6 +6146,37 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Search a folder</source>
         <translation>Ordner durchsuchen</translation>
     </message>
+    <message>
+        <source>Open without</source>
+        <translation>Ohne öffnen</translation>
+    </message>
+    <message>
+        <source>What is missing is a scan beside the vessels, or another view: the rest opens.</source>
+        <translation>Es fehlt ein Scan neben den Gefäßen oder eine weitere Ansicht: der Rest öffnet sich.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::MotionPlot</name>
+    <message>
+        <source>Motion of the vessels by frame</source>
+        <translation>Bewegung der Gefäße je Bild</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation type="unfinished">Bild %1</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished">%1 mm</translation>
+    </message>
+    <message>
+        <source>frame %1: %2 mm across, %3 mm in depth, %4°</source>
+        <translation>Bild %1: %2 mm quer, %3 mm in der Tiefe, %4°</translation>
+    </message>
+    <message>
+        <source>%1 (not explained by the vessels)</source>
+        <translation>%1 (durch die Gefäße nicht erklärt)</translation>
+    </message>
 </context>
 <context>
     <name>ui::NudgeTool</name>
@@ -6344,6 +6573,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Register keeps the %1 locked degrees of freedom.</source>
         <translation>Registrieren hält die %1 gesperrten Freiheitsgrade.</translation>
     </message>
+    <message>
+        <source>One pose for all views, found by AngioPose&apos;s own method: depth in one view is a shift in another. Without the tick only the shown view is registered.</source>
+        <translation>Eine Lage für alle Ansichten, gefunden mit dem eigenen Verfahren von AngioPose: Tiefe in der einen ist Verschiebung in der anderen. Ohne Haken wird nur die gezeigte registriert.</translation>
+    </message>
+    <message>
+        <source>All %1 views together</source>
+        <translation>Alle %1 Ansichten zusammen</translation>
+    </message>
 </context>
 <context>
     <name>ui::ResultPanel</name>
@@ -6434,6 +6671,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>median %1 → %2 px, steps: %3</source>
         <translation>Median %1 → %2 px, Schritte: %3</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>mm across, by frame</source>
+        <translation>mm quer, je Bild</translation>
     </message>
 </context>
 <context>
@@ -6938,6 +7183,21 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Bring it back</source>
         <translation>Zurückholen</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ViewStrip</name>
+    <message>
+        <source>Views of the case</source>
+        <translation>Ansichten des Falls</translation>
+    </message>
+    <message>
+        <source>Add a view</source>
+        <translation>Ansicht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Another angiogram of the same vessels (Ctrl+Shift+V)</source>
+        <translation>Ein weiteres Angiogramm derselben Gefäße (Strg+Umschalt+V)</translation>
     </message>
 </context>
 <context>

@@ -127,105 +127,6 @@
     </message>
 </context>
 <context>
-    <name>app::HistoryController</name>
-    <message>
-        <source>Undo: %1</source>
-        <translation>撤销：%1</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>撤销</translation>
-    </message>
-    <message>
-        <source>Redo: %1</source>
-        <translation>重做：%1</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>重做</translation>
-    </message>
-</context>
-<context>
-    <name>app::TitleController</name>
-    <message>
-        <source>%1 frames</source>
-        <translation>%1 帧</translation>
-    </message>
-    <message>
-        <source>1 frame</source>
-        <translation>1 帧</translation>
-    </message>
-    <message>
-        <source>Untitled case</source>
-        <translation>未命名病例</translation>
-    </message>
-    <message>
-        <source>AngioPose · not for clinical use</source>
-        <translation>AngioPose · 不得用于临床</translation>
-    </message>
-    <message>
-        <source>%1 · AngioPose · not for clinical use</source>
-        <translation>%1 · AngioPose · 不得用于临床</translation>
-    </message>
-</context>
-<context>
-    <name>app::GeometryController</name>
-    <message>
-        <source>Change %1</source>
-        <translation>更改 %1</translation>
-    </message>
-    <message>
-        <source>Use distances and spacing</source>
-        <translation>使用距离和像素间距</translation>
-    </message>
-</context>
-<context>
-    <name>app::PoseGestures</name>
-    <message>
-        <source>Nudge mode: arrows move, drag moves or rolls, N ends</source>
-        <translation>微调模式：方向键平移，拖动平移或旋转，N 结束</translation>
-    </message>
-    <message>
-        <source>Nudge mode off</source>
-        <translation>微调模式已关闭</translation>
-    </message>
-    <message>
-        <source>Copied: camera from patient, 4 × 4, mm</source>
-        <translation>已复制：患者到相机的 4 × 4 矩阵（mm）</translation>
-    </message>
-</context>
-<context>
-    <name>app::RunController</name>
-    <message>
-        <source>Ready</source>
-        <translation>就绪</translation>
-    </message>
-    <message>
-        <source>Change option “%1”</source>
-        <translation>更改选项“%1”</translation>
-    </message>
-    <message>
-        <source>Tracing the vessels of this frame …</source>
-        <translation>正在提取此帧的血管……</translation>
-    </message>
-    <message>
-        <source>Registration cannot run</source>
-        <translation>无法进行配准</translation>
-    </message>
-    <message>
-        <source>Registering: %1 · %2 % · %3 px</source>
-        <translation>配准中：%1 · %2 % · %3 px</translation>
-    </message>
-    <message>
-        <source>Stopped: the best pose so far is kept, undo takes it back</source>
-        <translation>已停止：保留目前最佳位姿，可撤销</translation>
-    </message>
-    <message>
-        <source>Registered: median %1 mm</source>
-        <translation>配准完成：中位数 %1 mm</translation>
-    </message>
-</context>
-<context>
     <name>app::CaseController</name>
     <message>
         <source>A registration is running. Stop it to edit.</source>
@@ -315,6 +216,64 @@
     </message>
 </context>
 <context>
+    <name>app::FollowController</name>
+    <message>
+        <source>Following the vessels through the run: %1 %</source>
+        <translation>正在序列中跟踪血管：%1 %</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation type="unfinished">就绪</translation>
+    </message>
+    <message>
+        <source>The vessels cannot be followed</source>
+        <translation>无法跟踪血管</translation>
+    </message>
+    <message>
+        <source>Something else is under way. Let it end first.</source>
+        <translation>其他任务正在进行，请等待其结束。</translation>
+    </message>
+    <message>
+        <source>Open vessels and an angiogram first.</source>
+        <translation>请先打开血管和血管造影。</translation>
+    </message>
+    <message>
+        <source>Following the vessels through the run …</source>
+        <translation>正在序列中跟踪血管…</translation>
+    </message>
+    <message>
+        <source>The vessels were moved meanwhile: follow them again.</source>
+        <translation>血管已被移动：请重新跟踪。</translation>
+    </message>
+    <message>
+        <source>Followed through %1 frames: scroll or play them</source>
+        <translation>已跟踪 %1 帧：可滚动或播放</translation>
+    </message>
+    <message>
+        <source>Followed through %1 frames; %2 of them do not show the vessels well enough</source>
+        <translation>已跟踪 %1 帧；其中 %2 帧未能充分显示血管</translation>
+    </message>
+    <message>
+        <source>Export followed poses</source>
+        <translation>导出跟踪位姿</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation type="unfinished">表格 (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>app::GeometryController</name>
+    <message>
+        <source>Change %1</source>
+        <translation>更改 %1</translation>
+    </message>
+    <message>
+        <source>Use distances and spacing</source>
+        <translation>使用距离和像素间距</translation>
+    </message>
+</context>
+<context>
     <name>app::HelpController</name>
     <message>
         <source>AngioPose %1</source>
@@ -391,6 +350,25 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>F1 explains what the mouse points at, ? lists and changes all keys. This tour is under Help.</source>
         <translation>F1 解释鼠标所指内容，? 列出并修改快捷键。本导览在“帮助”菜单中。</translation>
+    </message>
+</context>
+<context>
+    <name>app::HistoryController</name>
+    <message>
+        <source>Undo: %1</source>
+        <translation>撤销：%1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>重做：%1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
     </message>
 </context>
 <context>
@@ -496,10 +474,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>深度提示已关闭</translation>
     </message>
     <message>
-        <source>This tree knows no radii: only centrelines can be shown.</source>
-        <translation>此血管树没有半径：只能显示中心线。</translation>
-    </message>
-    <message>
         <source>Vessels as centrelines</source>
         <translation>以中心线显示血管</translation>
     </message>
@@ -542,6 +516,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Seen from the detector</source>
         <translation>从探测器方向看</translation>
+    </message>
+    <message>
+        <source>Vessels as a radiograph of the scan (DRR)</source>
+        <translation>血管显示为扫描的 X 射线像（DRR）</translation>
+    </message>
+    <message>
+        <source>Vessels as a radiograph of tubes (DRR)</source>
+        <translation>血管显示为管状模型的 X 射线像（DRR）</translation>
     </message>
 </context>
 <context>
@@ -587,6 +569,18 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>A blind trial was started meanwhile. Open the file again when it has ended.</source>
         <translation>期间已开始盲法试验。请在结束后重新打开文件。</translation>
+    </message>
+    <message>
+        <source>The vessels do not lie in this scan: it may be another one, or have other axes.</source>
+        <translation>血管不在此扫描内：可能是其他扫描，或坐标轴不同。</translation>
+    </message>
+    <message>
+        <source>Add view %1</source>
+        <translation>添加视图 %1</translation>
+    </message>
+    <message>
+        <source>View added: a click in the strip above the image shows it.</source>
+        <translation>已添加视图：单击图像上方的条即可显示。</translation>
     </message>
 </context>
 <context>
@@ -671,6 +665,21 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
+    <name>app::PoseGestures</name>
+    <message>
+        <source>Nudge mode: arrows move, drag moves or rolls, N ends</source>
+        <translation>微调模式：方向键平移，拖动平移或旋转，N 结束</translation>
+    </message>
+    <message>
+        <source>Nudge mode off</source>
+        <translation>微调模式已关闭</translation>
+    </message>
+    <message>
+        <source>Copied: camera from patient, 4 × 4, mm</source>
+        <translation>已复制：患者到相机的 4 × 4 矩阵（mm）</translation>
+    </message>
+</context>
+<context>
     <name>app::PoseTableController</name>
     <message>
         <source>There are no poses to compare yet.</source>
@@ -745,6 +754,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>A blind trial is fitted by hand.</source>
         <translation>盲法试验须手动配准。</translation>
+    </message>
+    <message>
+        <source>Register all views</source>
+        <translation>配准所有视图</translation>
     </message>
 </context>
 <context>
@@ -831,6 +844,37 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>After: pose as it is</source>
         <translation>之后：当前位姿</translation>
+    </message>
+</context>
+<context>
+    <name>app::RunController</name>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>Change option “%1”</source>
+        <translation>更改选项“%1”</translation>
+    </message>
+    <message>
+        <source>Tracing the vessels of this frame …</source>
+        <translation>正在提取此帧的血管……</translation>
+    </message>
+    <message>
+        <source>Registration cannot run</source>
+        <translation>无法进行配准</translation>
+    </message>
+    <message>
+        <source>Registering: %1 · %2 % · %3 px</source>
+        <translation>配准中：%1 · %2 % · %3 px</translation>
+    </message>
+    <message>
+        <source>Stopped: the best pose so far is kept, undo takes it back</source>
+        <translation>已停止：保留目前最佳位姿，可撤销</translation>
+    </message>
+    <message>
+        <source>Registered: median %1 mm</source>
+        <translation>配准完成：中位数 %1 mm</translation>
     </message>
 </context>
 <context>
@@ -1008,6 +1052,46 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Not the same patient?</source>
         <translation>不是同一患者？</translation>
+    </message>
+    <message>
+        <source>Add a view</source>
+        <translation>添加视图</translation>
+    </message>
+    <message>
+        <source>Another view of the same vessels?</source>
+        <translation>同一血管的另一视图？</translation>
+    </message>
+    <message>
+        <source>The case has an angiogram. “%1” can stand beside it, to register both together, or take its place.</source>
+        <translation>病例已有血管造影。“%1”可与其并列以一起配准，或替换它。</translation>
+    </message>
+    <message>
+        <source>Add as a view</source>
+        <translation>添加为视图</translation>
+    </message>
+    <message>
+        <source>Replace the angiogram</source>
+        <translation>替换血管造影</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">取消</translation>
+    </message>
+    <message>
+        <source>A scan beside the vessels?</source>
+        <translation>扫描与血管并列？</translation>
+    </message>
+    <message>
+        <source>The case has its vessels from a file. “%1” can be shown in slices with them, or its own vessels are traced and take their place.</source>
+        <translation>病例的血管来自文件。“%1”可与其一起在切片中显示，或重新提取其血管并替换。</translation>
+    </message>
+    <message>
+        <source>Show beside the vessels</source>
+        <translation>与血管并列显示</translation>
+    </message>
+    <message>
+        <source>Trace its vessels</source>
+        <translation>提取其血管</translation>
     </message>
 </context>
 <context>
@@ -1266,6 +1350,29 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
+    <name>app::TitleController</name>
+    <message>
+        <source>%1 frames</source>
+        <translation>%1 帧</translation>
+    </message>
+    <message>
+        <source>1 frame</source>
+        <translation>1 帧</translation>
+    </message>
+    <message>
+        <source>Untitled case</source>
+        <translation>未命名病例</translation>
+    </message>
+    <message>
+        <source>AngioPose · not for clinical use</source>
+        <translation>AngioPose · 不得用于临床</translation>
+    </message>
+    <message>
+        <source>%1 · AngioPose · not for clinical use</source>
+        <translation>%1 · AngioPose · 不得用于临床</translation>
+    </message>
+</context>
+<context>
     <name>app::TracingController</name>
     <message>
         <source>Tracing the vessels of the scan … %1 %</source>
@@ -1408,6 +1515,45 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Set generation of %1</source>
         <translation>设置 %1 的级别</translation>
+    </message>
+</context>
+<context>
+    <name>app::ViewController</name>
+    <message>
+        <source>Show this view</source>
+        <translation>显示此视图</translation>
+    </message>
+    <message>
+        <source>Take this view out</source>
+        <translation>移除此视图</translation>
+    </message>
+    <message>
+        <source>%1 mm · %2 px</source>
+        <translation>%1 mm · %2 px</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>未找到</translation>
+    </message>
+    <message>
+        <source>%1. A click shows it, Delete takes the shown view out.</source>
+        <translation>%1。单击显示，Delete 移除所示视图。</translation>
+    </message>
+    <message>
+        <source>The image of this view could not be read.</source>
+        <translation>无法读取此视图的图像。</translation>
+    </message>
+    <message>
+        <source>Show view %1</source>
+        <translation>显示视图 %1</translation>
+    </message>
+    <message>
+        <source>No other view can be shown in its place.</source>
+        <translation>没有其他视图可替代显示。</translation>
+    </message>
+    <message>
+        <source>Take a view out</source>
+        <translation>移除视图</translation>
     </message>
 </context>
 <context>
@@ -3871,6 +4017,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>No contrast-filled vessels were found: soft tissue has %1, and nothing even is as much brighter as contrast medium makes blood. Is this the arterial phase? Choose the CT angiogram, or give the threshold at which the vessels begin.</source>
         <translation>未找到对比剂充盈的血管：软组织为 %1，没有均匀区域达到对比剂使血液增亮的程度。这是动脉期吗？请选择 CT 血管造影，或给出血管起始阈值。</translation>
     </message>
+    <message>
+        <source>Another view is left out: %1</source>
+        <translation>省略另一视图：%1</translation>
+    </message>
+    <message>
+        <source>Stopped before the run began.</source>
+        <translation>运行开始前已停止。</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -4585,10 +4739,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>降低对比度</translation>
     </message>
     <message>
-        <source>Vessels: centreline, outline, tube</source>
-        <translation>血管：中心线、轮廓、管状</translation>
-    </message>
-    <message>
         <source>Near vessels bright, far ones dim</source>
         <translation>近处血管亮、远处血管暗</translation>
     </message>
@@ -4911,6 +5061,54 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Views alone and in windows</source>
         <translation>视图独占与独立窗口</translation>
+    </message>
+    <message>
+        <source>Export followed poses …</source>
+        <translation>导出跟踪位姿…</translation>
+    </message>
+    <message>
+        <source>Add a view …</source>
+        <translation>添加视图…</translation>
+    </message>
+    <message>
+        <source>Show the next view</source>
+        <translation>显示下一视图</translation>
+    </message>
+    <message>
+        <source>Follow the vessels through the run</source>
+        <translation>在整个序列中跟踪血管</translation>
+    </message>
+    <message>
+        <source>Vessels: centreline, outline, tube, radiograph</source>
+        <translation>血管：中心线、轮廓、管状、X 射线像</translation>
+    </message>
+    <message>
+        <source>Brightness: the vessels alone</source>
+        <translation>亮度：仅血管</translation>
+    </message>
+    <message>
+        <source>Brightness: soft, with bone and catheter</source>
+        <translation>亮度：柔和，含骨骼与导管</translation>
+    </message>
+    <message>
+        <source>Blue to amber</source>
+        <translation>蓝至琥珀</translation>
+    </message>
+    <message>
+        <source>Blue, white, red</source>
+        <translation>蓝、白、红</translation>
+    </message>
+    <message>
+        <source>Brightness alone</source>
+        <translation>仅亮度</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>亮度</translation>
+    </message>
+    <message>
+        <source>Colours of vessels and residuals</source>
+        <translation>血管与残差的颜色</translation>
     </message>
 </context>
 <context>
@@ -5948,6 +6146,37 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Search a folder</source>
         <translation>搜索文件夹</translation>
     </message>
+    <message>
+        <source>Open without</source>
+        <translation>不含缺失项打开</translation>
+    </message>
+    <message>
+        <source>What is missing is a scan beside the vessels, or another view: the rest opens.</source>
+        <translation>缺少的是血管旁的扫描或另一视图：其余可打开。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::MotionPlot</name>
+    <message>
+        <source>Motion of the vessels by frame</source>
+        <translation>血管逐帧运动</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation type="unfinished">第 %1 帧</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished">%1 mm</translation>
+    </message>
+    <message>
+        <source>frame %1: %2 mm across, %3 mm in depth, %4°</source>
+        <translation>第 %1 帧：横向 %2 mm，深度 %3 mm，%4°</translation>
+    </message>
+    <message>
+        <source>%1 (not explained by the vessels)</source>
+        <translation>%1（血管无法解释）</translation>
+    </message>
 </context>
 <context>
     <name>ui::NudgeTool</name>
@@ -6344,6 +6573,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Register keeps the %1 locked degrees of freedom.</source>
         <translation>配准保持 %1 个锁定的自由度。</translation>
     </message>
+    <message>
+        <source>One pose for all views, found by AngioPose&apos;s own method: depth in one view is a shift in another. Without the tick only the shown view is registered.</source>
+        <translation>用 AngioPose 自有方法求所有视图的同一位姿：一个视图的深度在另一视图中是平移。不勾选则仅配准所示视图。</translation>
+    </message>
+    <message>
+        <source>All %1 views together</source>
+        <translation>%1 个视图一起配准</translation>
+    </message>
 </context>
 <context>
     <name>ui::ResultPanel</name>
@@ -6434,6 +6671,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>median %1 → %2 px, steps: %3</source>
         <translation>中位数 %1 → %2 px，步数：%3</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>运动</translation>
+    </message>
+    <message>
+        <source>mm across, by frame</source>
+        <translation>横向 mm，逐帧</translation>
     </message>
 </context>
 <context>
@@ -6937,6 +7182,21 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Bring it back</source>
         <translation>移回</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ViewStrip</name>
+    <message>
+        <source>Views of the case</source>
+        <translation>病例的视图</translation>
+    </message>
+    <message>
+        <source>Add a view</source>
+        <translation>添加视图</translation>
+    </message>
+    <message>
+        <source>Another angiogram of the same vessels (Ctrl+Shift+V)</source>
+        <translation>同一血管的另一血管造影（Ctrl+Shift+V）</translation>
     </message>
 </context>
 <context>

@@ -131,6 +131,18 @@ TEST(WindowFiles, WriteAnOverlayWithItsProvenance)
     EXPECT_TRUE(picture.text(QStringLiteral("Disclaimer")).contains(QStringLiteral("clinical")));
 }
 
+/// The sample has vessels and an angiogram: another one could stand beside them.
+void takeInsteadOfWhatIsOpen(OpenWindow& w)
+{
+    for (const auto& [question, verb] : {std::pair{"scanQuestion", QStringLiteral("Trace its vessels")},
+                                         std::pair{"viewQuestion", QStringLiteral("Replace the angiogram")}}) {
+        for (QDialog* asked : w.dialogs(question)) {
+            OpenWindow::clickButton(asked, verb);
+            EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.controller.isLoading(); }, test::patienceMs));
+        }
+    }
+}
+
 /// Whatever is dropped on the window loads or is refused by one message, and the open case survives a refusal.
 class WindowBadFiles : public ::testing::TestWithParam<const char*> {};
 
@@ -150,6 +162,7 @@ TEST_P(WindowBadFiles, LoadOrAreRefusedByOneMessage)
         const auto imageBefore = w.current().angiogram;
 
         w.drop({path});
+        takeInsteadOfWhatIsOpen(w);
 
         const auto messages = w.dialogs("messageDialog");
         const bool untouched =

@@ -1,3 +1,5 @@
+#include "app/document/edit_case.h"
+#include "io/vessel_tree_file.h"
 #include "io/volume_file.h"
 #include "tests/app/open_window.h"
 #include "tests/support/forked_vessel.h"
@@ -277,6 +279,80 @@ TEST_F(WindowSlices, GoWithTheScan)
     EXPECT_FALSE(model().hasScan());
     EXPECT_FALSE(w.window.slicesPage().isVisible());
     EXPECT_FALSE(w.window.actions()[ui::Command::SlicesLarge]->isEnabled());
+}
+
+TEST_F(WindowSlices, ShowTheLandmarksWhileTheseAreClicked)
+{
+    const Eigen::Vector3d place = w.current().tree->branches.front().pointsInPatient.front();
+    w.controller.document().push(std::make_unique<ChangeLandmarks>(
+        w.controller.document(), ChangeLandmarks::Values{{core::Landmark{place, {10.0, 20.0}, ""}}},
+        QStringLiteral("Click a pair")));
+    const auto shown = [this] {
+        const auto& points = model().points();
+        const auto found = points.find(ui::SliceMarkKind::Landmark);
+        return found == points.end() ? std::vector<ui::SliceMark>{} : found->second;
+    };
+    w.window.actions()[ui::Command::Landmarks]->setChecked(true);
+    ASSERT_EQ(shown().size(), 1U);
+    EXPECT_EQ(shown().front().pointInPatient, place);
+    EXPECT_EQ(shown().front().label, QStringLiteral("1"));
+    w.window.actions()[ui::Command::Landmarks]->setChecked(false);
+    EXPECT_TRUE(shown().empty());
+}
+
+/// The same vessels from a file, and then their scan.
+class WindowScanBeside : public ::testing::Test {
+protected:
+    void SetUp() override
+    {
+        const QString treePath = folder.filePath(QStringLiteral("tree.csv"));
+        const QString scanPath = folder.filePath(QStringLiteral("scan.nrrd"));
+        core::VesselTree tree;
+        tree.branches.push_back({1, "", {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {1.0, 1.0, 1.0}, -1});
+        const core::Volume scan = test::forkScan();
+        for (Eigen::Vector3d& point : tree.branches.front().pointsInPatient) {
+            point += scan.geometry.patientFromVoxel() * Eigen::Vector3d(10.0, 10.0, 10.0);
+        }
+        ASSERT_TRUE(io::writeVesselTree(tree, treePath.toStdString()));
+        ASSERT_TRUE(io::writeVolume(scan, scanPath.toStdString()));
+        w.drop({treePath});
+        ASSERT_TRUE(w.current().tree);
+        before = w.current().tree;
+        w.drop({scanPath});
+        ASSERT_EQ(w.dialogs("scanQuestion").size(), 1);
+    }
+    void answer(const QString& verb)
+    {
+        OpenWindow::clickButton(w.dialogs("scanQuestion").front(), verb);
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !w.controller.isLoading(); }, test::patienceMs));
+        w.window.activateWindow();   // no window manager does it here
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&w.window));
+    }
+
+    QTemporaryDir folder;
+    OpenWindow w;
+    std::shared_ptr<const core::VesselTree> before;
+};
+
+TEST_F(WindowScanBeside, IsShownInSlicesWithTheVesselsThatAreThere)
+{
+    answer(QStringLiteral("Show beside the vessels"));
+    ASSERT_TRUE(w.current().volume);
+    EXPECT_EQ(w.current().tree, before);
+    EXPECT_TRUE(w.current().centerlineFile.path.ends_with("tree.csv"));
+    EXPECT_TRUE(w.current().scanFile.path.ends_with("scan.nrrd"));
+    EXPECT_EQ(w.current().scanFile.sha256.size(), 64U);
+    EXPECT_TRUE(w.window.slices().hasScan());
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_FALSE(w.current().volume);
+}
+
+TEST_F(WindowScanBeside, OrItsVesselsAreTraced)
+{
+    answer(QStringLiteral("Trace its vessels"));
+    ASSERT_TRUE(w.current().volume);
+    EXPECT_NE(w.current().tree, before);
+    EXPECT_TRUE(w.current().centerlineFile.path.ends_with("scan.nrrd"));
 }
 
 }   // namespace

@@ -340,6 +340,24 @@ TEST(Cli, RegistersTwoViewsTogether)
     }
 }
 
+TEST(Cli, RegistersTheViewsThatStandInACase)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    const TemporaryFolder folder;
+    const fs::path cases = test::dataFile("coronary-phantom-xa/cases");
+    std::vector<std::string> warnings;
+    core::RegistrationCase both = io::loadCase((cases / "IM3.angiopose").string(), warnings).value();
+    both.otherViews = {{{},
+                        std::make_shared<const core::RegistrationCase>(
+                            io::loadCase((cases / "IM4.angiopose").string(), warnings).value())}};
+    ASSERT_TRUE(io::saveCase(both, folder.file("both.angiopose")));
+    const auto outcome =
+        runCli({"register", folder.file("both.angiopose"), "--output", folder.file("joint"), "--json"});
+    ASSERT_TRUE(outcome.exitCode == 0 || outcome.exitCode == 4) << outcome.messages;
+    EXPECT_EQ(nlohmann::json::parse(outcome.output)["views"].size(), 2U);
+    EXPECT_TRUE(fs::exists(fs::path(folder.file("joint")) / "view-2/result.json"));
+}
+
 TEST(Cli, FollowsTheVesselsThroughTheFramesOfARun)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");

@@ -14,6 +14,7 @@ enum class Command {
     ExportResult,
     ExportPose,
     ExportTrace,
+    ExportFollowed,
     SaveWindow,
     Close,
     // Edit
@@ -39,6 +40,9 @@ enum class Command {
     // Angiogram
     EditVessels,
     TraceAgain,
+    AddView,
+    NextView,
+    FollowFrames,
     Subtract,
     ShiftMask,
     MaskHere,
@@ -72,6 +76,8 @@ enum class Command {
     Fit,
     AutoWindow,
     Invert,
+    VesselWindow,
+    SoftWindow,
     FullRange,
     MoreContrast,
     LessContrast,
@@ -97,6 +103,10 @@ enum class Command {
     SlicesWindow,
     FullScreen,
     ReduceMotion,
+    // Colors
+    ColorsBlueAmber,
+    ColorsBlueRed,
+    ColorsBrightness,
     // Theme
     ThemeDark,
     ThemeLight,

@@ -16,6 +16,7 @@ std::span<const CommandRow> CommandTable::fileCommands()
         {Command::ExportResult, QT_TR_NOOP("Export result …")},
         {Command::ExportPose, QT_TR_NOOP("Export pose …")},
         {Command::ExportTrace, QT_TR_NOOP("Export traced vessels …")},
+        {Command::ExportFollowed, QT_TR_NOOP("Export followed poses …")},
         {Command::SaveWindow, QT_TR_NOOP("Save picture of the window …"), "F12"},
         {Command::Close, QT_TR_NOOP("Quit"), "Ctrl+Q", StartsGroup},
     };
@@ -59,6 +60,8 @@ std::span<const CommandRow> CommandTable::angiogramCommands()
     static constexpr CommandRow rows[]{
         {Command::EditVessels, QT_TR_NOOP("Edit traced vessels"), "E", Switch},
         {Command::TraceAgain, QT_TR_NOOP("Trace this frame again")},
+        {Command::AddView, QT_TR_NOOP("Add a view …"), "Ctrl+Shift+V", StartsGroup},
+        {Command::NextView, QT_TR_NOOP("Show the next view"), "Ctrl+Tab"},
         {Command::Subtract, QT_TR_NOOP("Subtract mask, native"), "B", Switch | StartsGroup},
         {Command::ShiftMask, QT_TR_NOOP("Move the mask by hand"), "Shift+B", Switch},
         {Command::MaskHere, QT_TR_NOOP("This frame is the mask"), "Ctrl+B"},
@@ -90,6 +93,7 @@ std::span<const CommandRow> CommandTable::registrationCommands()
     static constexpr CommandRow rows[]{
         {Command::Register, QT_TR_NOOP("Register"), "R"},
         {Command::Stop, QT_TR_NOOP("Stop and keep the best pose"), "Shift+R"},
+        {Command::FollowFrames, QT_TR_NOOP("Follow the vessels through the run"), "Shift+F"},
         {Command::NextSolution, QT_TR_NOOP("Show the run's other solutions"), "J", StartsGroup},
         {Command::TakeSolution, QT_TR_NOOP("Take the solution shown"), "Shift+J"},
         {Command::ToggleAuxiliary, QT_TR_NOOP("Selected branches auxiliary on or off"), "A", StartsGroup},
@@ -108,13 +112,8 @@ std::span<const CommandRow> CommandTable::viewCommands()
 {
     static constexpr CommandRow rows[]{
         {Command::Fit, QT_TR_NOOP("Fit the image to the window"), "1"},
-        {Command::AutoWindow, QT_TR_NOOP("Automatic brightness"), "0"},
-        {Command::Invert, QT_TR_NOOP("Invert grey values"), "I", Switch},
-        {Command::FullRange, QT_TR_NOOP("Brightness: every grey value"), "9"},
-        {Command::MoreContrast, QT_TR_NOOP("More contrast"), "8", Repeats},
-        {Command::LessContrast, QT_TR_NOOP("Less contrast"), "7", Repeats},
         {Command::FromSource, QT_TR_NOOP("Seen from the source (mirrored)"), "Q", Switch},
-        {Command::Outline, QT_TR_NOOP("Vessels: centreline, outline, tube"), "O", StartsGroup},
+        {Command::Outline, QT_TR_NOOP("Vessels: centreline, outline, tube, radiograph"), "O", StartsGroup},
         {Command::DepthCue, QT_TR_NOOP("Near vessels bright, far ones dim"), "D", Switch},
         {Command::ShowTrace, QT_TR_NOOP("Show traced vessels"), "T", Switch},
         {Command::LessOpacity, QT_TR_NOOP("Overlay fainter"), "[", Repeats},
@@ -130,6 +129,30 @@ std::span<const CommandRow> CommandTable::viewCommands()
         {Command::SlicesLarge, QT_TR_NOOP("Slices instead of the angiogram"), "M", Switch},
         {Command::FullScreen, QT_TR_NOOP("Full screen"), "F11", Switch},
         {Command::ReduceMotion, QT_TR_NOOP("Reduce motion"), "", Switch},
+    };
+    return rows;
+}
+
+std::span<const CommandRow> CommandTable::brightnessCommands()
+{
+    static constexpr CommandRow rows[]{
+        {Command::AutoWindow, QT_TR_NOOP("Automatic brightness"), "0"},
+        {Command::VesselWindow, QT_TR_NOOP("Brightness: the vessels alone"), "Ctrl+0"},
+        {Command::SoftWindow, QT_TR_NOOP("Brightness: soft, with bone and catheter"), "Ctrl+9"},
+        {Command::FullRange, QT_TR_NOOP("Brightness: every grey value"), "9"},
+        {Command::MoreContrast, QT_TR_NOOP("More contrast"), "8", Repeats | StartsGroup},
+        {Command::LessContrast, QT_TR_NOOP("Less contrast"), "7", Repeats},
+        {Command::Invert, QT_TR_NOOP("Invert grey values"), "I", Switch},
+    };
+    return rows;
+}
+
+std::span<const CommandRow> CommandTable::colorCommands()
+{
+    static constexpr CommandRow rows[]{
+        {Command::ColorsBlueAmber, QT_TR_NOOP("Blue to amber"), "", Switch},
+        {Command::ColorsBlueRed, QT_TR_NOOP("Blue, white, red"), "", Switch},
+        {Command::ColorsBrightness, QT_TR_NOOP("Brightness alone"), "", Switch},
     };
     return rows;
 }
@@ -199,7 +222,9 @@ std::span<const MenuRows> CommandTable::menus()
         MenuRows{Menu::Pose, QT_TR_NOOP("&Pose"), poseCommands()},
         MenuRows{Menu::Registration, QT_TR_NOOP("&Registration"), registrationCommands()},
         MenuRows{Menu::View, QT_TR_NOOP("&View"), viewCommands()},
+        MenuRows{Menu::Brightness, QT_TR_NOOP("Brightness"), brightnessCommands()},
         MenuRows{Menu::Places, QT_TR_NOOP("Views alone and in windows"), placesCommands()},
+        MenuRows{Menu::Colors, QT_TR_NOOP("Colours of vessels and residuals"), colorCommands()},
         MenuRows{Menu::Theme, QT_TR_NOOP("Theme"), themeCommands()},
         MenuRows{Menu::Language, QT_TR_NOOP("Language"), languageCommands()},
         MenuRows{Menu::Mouse, QT_TR_NOOP("Mouse"), mouseCommands()},

@@ -8,7 +8,22 @@
 
 namespace ui {
 
-enum class Menu { File, Edit, Vessels, Angiogram, Pose, Registration, View, Places, Theme, Language, Mouse, Help };
+enum class Menu {
+    File,
+    Edit,
+    Vessels,
+    Angiogram,
+    Pose,
+    Registration,
+    View,
+    Brightness,
+    Places,
+    Colors,
+    Theme,
+    Language,
+    Mouse,
+    Help
+};
 
 /// What a command says, its keys separated by "; ", and its traits.
 struct CommandRow {
@@ -34,7 +49,7 @@ public:
         Repeats = 4   ///< again and again while the key is held
     };
 
-    /// Menus in the order of the bar; Places, Theme, Language and Mouse lie in View.
+    /// Menus in the order of the bar; from Brightness to Mouse they lie in View.
     static std::span<const MenuRows> menus();
 
 private:
@@ -45,7 +60,9 @@ private:
     static std::span<const CommandRow> poseCommands();
     static std::span<const CommandRow> registrationCommands();
     static std::span<const CommandRow> viewCommands();
+    static std::span<const CommandRow> brightnessCommands();
     static std::span<const CommandRow> placesCommands();
+    static std::span<const CommandRow> colorCommands();
     static std::span<const CommandRow> themeCommands();
     static std::span<const CommandRow> languageCommands();
     static std::span<const CommandRow> mouseCommands();

@@ -14,7 +14,7 @@
 namespace ui {
 namespace {
 
-constexpr std::array choices{Menu::Theme, Menu::Language, Menu::Mouse};   ///< one of each is on
+constexpr std::array choices{Menu::Colors, Menu::Theme, Menu::Language, Menu::Mouse};   ///< one of each is on
 
 bool isChoice(Menu menu)
 {
@@ -23,7 +23,7 @@ bool isChoice(Menu menu)
 
 bool liesInView(Menu menu)
 {
-    return isChoice(menu) || menu == Menu::Places;
+    return isChoice(menu) || menu == Menu::Places || menu == Menu::Brightness;
 }
 
 QList<QKeySequence> shortcutsOf(const CommandRow& row)

@@ -15,7 +15,10 @@ constexpr int dialogWidth = 620;
 
 MissingInputs::MissingInputs(const QString& caseName, const QStringList& missing, const QString& startFolder,
                              QWidget* parent)
-    : QDialog(parent), startFolder_(startFolder), open_(new QPushButton(tr("Open")))
+    : QDialog(parent),
+      startFolder_(startFolder),
+      open_(new QPushButton(tr("Open"))),
+      without_(new QPushButton(tr("Open without")))
 {
     setObjectName(QStringLiteral("missingInputs"));
     setWindowTitle(tr("Where are the inputs?"));
@@ -73,6 +76,14 @@ QLayout* MissingInputs::makeButtons()
     buttons->addWidget(search);
     buttons->addStretch(1);
     buttons->addWidget(cancel);
+    buttons->addWidget(without_);
+    without_->setAutoDefault(false);
+    without_->setToolTip(tr("What is missing is a scan beside the vessels, or another view: the rest opens."));
+    without_->hide();
+    connect(without_, &QPushButton::clicked, this, [this] {
+        accept();
+        emit withoutRequested();
+    });
     buttons->addWidget(open_);
     connect(search, &QPushButton::clicked, this, &MissingInputs::searchFolder);
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
@@ -81,6 +92,11 @@ QLayout* MissingInputs::makeButtons()
         emit located(places_);
     });
     return buttons;
+}
+
+void MissingInputs::offerWithout(bool possible)
+{
+    without_->setVisible(possible);
 }
 
 void MissingInputs::locate(std::size_t row)

@@ -17,7 +17,10 @@ public:
     /// `missing` are full paths; `startFolder` is where looking begins.
     MissingInputs(const QString& caseName, const QStringList& missing, const QString& startFolder, QWidget* parent);
 
+    void offerWithout(bool possible);   ///< the case opens without all of them
+
 signals:
+    void withoutRequested();
     void located(const std::map<QString, QString>& placeOfMissing);   ///< some or all of them
     void searchRequested(const QString& folder);
 
@@ -35,6 +38,7 @@ private:
     std::map<QString, QString> places_;
     QString startFolder_;
     QPushButton* open_;
+    QPushButton* without_;
 };
 
 }   // namespace ui

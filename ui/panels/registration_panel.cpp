@@ -4,6 +4,7 @@
 #include "ui/panels/option_form.h"
 #include "ui/words/core_texts.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QPushButton>
@@ -29,7 +30,8 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
       optionSection_(new Section(tr("Method and options"), Folding::Foldable)),
       register_(new QPushButton(tr("Register  R"))),
       stop_(new QPushButton(tr("Stop"))),
-      lockNote_(roleLabel("hint"))
+      lockNote_(roleLabel("hint")),
+      allViews_(new QCheckBox)
 {
     register_->setProperty("role", "primary");
     register_->setAccessibleName(tr("Register"));
@@ -54,14 +56,21 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
 
     lockNote_->setWordWrap(true);
     contentLayout()->addLayout(buttons);
+    allViews_->setChecked(true);
+    allViews_->setToolTip(
+        tr("One pose for all views, found by AngioPose's own method: depth in one view is a shift in "
+           "another. Without the tick only the shown view is registered."));
+    contentLayout()->addWidget(allViews_);
     contentLayout()->addWidget(lockNote_);
     contentLayout()->addWidget(optionSection_);
 
     connect(register_, &QPushButton::clicked, this, &RegistrationPanel::registerRequested);
     connect(stop_, &QPushButton::clicked, this, &RegistrationPanel::stopRequested);
+    connect(allViews_, &QCheckBox::toggled, this, &RegistrationPanel::allViewsToggled);
     connect(method_, &QComboBox::activated, this, &RegistrationPanel::chooseMethod);
     connect(form_, &OptionForm::edited, this, &RegistrationPanel::optionsEdited);
     showOptions(options_);
+    showViewCount(1);
     updateButtons();
 }
 
@@ -110,6 +119,12 @@ void RegistrationPanel::showLocks(int count)
                                   : tr("Register keeps the %1 locked degrees of freedom.").arg(count));
 }
 
+void RegistrationPanel::showViewCount(int count)
+{
+    allViews_->setVisible(count > 1);
+    allViews_->setText(tr("All %1 views together").arg(count));
+}
+
 void RegistrationPanel::showReady(const QString& whyNot)
 {
     whyNot_ = whyNot;
@@ -138,6 +153,7 @@ void RegistrationPanel::updateButtons()
     stop_->setEnabled(running_);
     method_->setEnabled(!running_);
     form_->setEnabled(!running_);
+    allViews_->setEnabled(!running_);
 }
 
 }   // namespace ui

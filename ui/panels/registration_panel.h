@@ -3,6 +3,7 @@
 #include "core/registration/registration_options.h"
 #include "ui/panels/section.h"
 
+class QCheckBox;
 class QComboBox;
 class QHBoxLayout;
 class QPushButton;
@@ -19,6 +20,7 @@ public:
 
     void showOptions(const core::RegistrationOptions& options);   ///< silent
     void showAuxiliary(int branchCount);   ///< 0: the nodes
+    void showViewCount(int count);   ///< of views that can be registered together; one: no choice
     void showReady(const QString& whyNot);   ///< empty: Register can be pressed
     void setRunning(bool running);
     QPushButton* registerButton() const { return register_; }
@@ -27,6 +29,7 @@ signals:
     void optionsEdited(const core::RegistrationOptions& options, const QString& fieldLabel);
     void registerRequested();
     void stopRequested();
+    void allViewsToggled(bool together);
 
 private:
     void showLocks(int count);
@@ -42,6 +45,7 @@ private:
     QPushButton* register_;
     QPushButton* stop_;
     QLabel* lockNote_;
+    QCheckBox* allViews_;
     QString whyNot_;
     int auxiliaryCount_ = 0;
     bool running_ = false;

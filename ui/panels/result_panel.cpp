@@ -56,10 +56,12 @@ ResultPanel::ResultPanel(QWidget* parent)
       solutions_(new SolutionStrip),
       residualSection_(new Section(tr("Residuals"), Folding::Foldable)),
       convergenceSection_(new Section(tr("Convergence"), Folding::Foldable)),
+      motionSection_(new Section(tr("Motion"), Folding::Foldable)),
       certain_(sentenceBox("fineBox")),
       doubtful_(sentenceBox("attentionBox")),
       histogram_(new HistogramPlot),
-      convergence_(new ConvergencePlot)
+      convergence_(new ConvergencePlot),
+      motion_(new MotionPlot)
 {
     auto* numbers = new QHBoxLayout;
     numbers->setSpacing(4);
@@ -76,15 +78,25 @@ ResultPanel::ResultPanel(QWidget* parent)
     residualSection_->setHint(tr("mm, all points"));
     residualSection_->contentLayout()->addWidget(histogram_);
     convergenceSection_->contentLayout()->addWidget(convergence_);
+    motionSection_->setHint(tr("mm across, by frame"));
+    motionSection_->contentLayout()->addWidget(motion_);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(section_);
     layout->addWidget(solutions_);
+    layout->addWidget(motionSection_);
     layout->addWidget(residualSection_);
     layout->addWidget(convergenceSection_);
+    showMotion({});
     showNothing(tr("nothing to judge yet"));
+}
+
+void ResultPanel::showMotion(const std::vector<FrameMotion>& motion)
+{
+    motion_->showMotion(motion);
+    motionSection_->setVisible(!motion.empty());
 }
 
 QWidget* ResultPanel::makeNumber(QLabel*& value, const QString& caption, const QString& toolTip)

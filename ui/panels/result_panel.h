@@ -4,6 +4,7 @@
 #include "core/vessel/vessel_tree.h"
 #include "ui/panels/section.h"
 #include "ui/panels/solution_strip.h"
+#include "ui/plots/motion_plot.h"
 
 namespace ui {
 
@@ -34,6 +35,8 @@ public:
     void showProgress(const core::IterationReport& report);
     void showHistory(const std::vector<core::IterationReport>& history);
     SolutionStrip& solutions() { return *solutions_; }
+    void showMotion(const std::vector<FrameMotion>& motion);   ///< hidden while there is none
+    MotionPlot& motion() { return *motion_; }
 
 private:
     QWidget* makeNumber(QLabel*& value, const QString& caption, const QString& toolTip);
@@ -43,6 +46,7 @@ private:
     SolutionStrip* solutions_;
     Section* residualSection_;
     Section* convergenceSection_;
+    Section* motionSection_;
     QLabel* median_ = nullptr;
     QLabel* p95_ = nullptr;
     QLabel* coverage_ = nullptr;
@@ -50,6 +54,7 @@ private:
     QLabel* doubtful_;
     HistogramPlot* histogram_;
     ConvergencePlot* convergence_;
+    MotionPlot* motion_;
 };
 
 }   // namespace ui

@@ -4,14 +4,15 @@ namespace ui {
 
 BranchStyle branchStyle(int branchId, const BranchMarks& marks, const Palette& tones)
 {
-    BranchStyle style{.color = mixed(tones.text, tones.accent, 0.45)};
+    const BranchColors colors = branchColors(tones);
+    BranchStyle style{.color = colors.plain};
     if (marks.excluded.contains(branchId)) {
         style = {.color = tones.label, .widthFactor = 0.8, .opacity = 0.75, .pattern = LinePattern::Dashed, .rank = -1};
     } else if (marks.auxiliary.contains(branchId)) {
-        style = {.color = tones.accent, .widthFactor = 1.15, .hasEndDots = true, .rank = 1};
+        style = {.color = colors.auxiliary, .widthFactor = 1.15, .hasEndDots = true, .rank = 1};
     }
     if (marks.selected.contains(branchId)) {
-        style.color = tones.accent;
+        style.color = colors.selected;
         style.widthFactor = 1.6;
         style.opacity = 1.0;
         style.glow = Glow::Strong;

@@ -193,6 +193,11 @@ void OverlayScene::setResiduals(const std::map<int, std::vector<double>>& residu
     ++parts_->revision;
 }
 
+void OverlayScene::recolor()
+{
+    ++parts_->revision;
+}
+
 void OverlayScene::clearResiduals()
 {
     setResiduals({}, 0.0);

@@ -63,6 +63,7 @@ public:
 
     /// Colours the tree by distance to the traced vessels; `residualPx[branch id]` holds one value per tree point.
     void setResiduals(const std::map<int, std::vector<double>>& residualPx, double scaleMaximumPx);
+    void recolor();   ///< after another colour scheme was chosen
     void clearResiduals();
 
     void setViewRect(const ViewRect& rect);

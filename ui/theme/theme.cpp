@@ -1,6 +1,7 @@
 #include "ui/theme/theme.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 
@@ -39,8 +40,22 @@ constexpr Palette light{.title = {0xdb, 0xdf, 0xe4},
                         .error = {0xb4, 0x2a, 0x20},
                         .canvas = {0x00, 0x00, 0x00}};
 
-constexpr Color rampMiddle{0x9d, 0xc2, 0xa6};
-constexpr Color aboveRamp{0xe0, 0x78, 0x3c};
+/// Colours of residuals from fitting to the end of the scale, and above.
+struct Ramp {
+    Color fits, middle, end, above;
+};
+
+constexpr Ramp blueAmber{dark.accent, {0x9d, 0xc2, 0xa6}, dark.attention, {0xe0, 0x78, 0x3c}};
+constexpr Ramp blueRed{{0x3f, 0x8c, 0xff}, {0xf2, 0xf2, 0xf2}, {0xff, 0x5a, 0x46}, {0xff, 0x3a, 0xd0}};
+constexpr Ramp brightness{{0x5c, 0x5c, 0x5c}, {0x98, 0x98, 0x98}, {0xd4, 0xd4, 0xd4}, {0xff, 0xff, 0xff}};
+
+std::atomic<ColorScheme> activeScheme{ColorScheme::BlueAmber};
+
+const Ramp& activeRamp()
+{
+    const ColorScheme scheme = activeScheme;
+    return scheme == ColorScheme::BlueRed ? blueRed : scheme == ColorScheme::Brightness ? brightness : blueAmber;
+}
 
 }   // namespace
 
@@ -65,15 +80,39 @@ Color mixed(const Color& a, const Color& b, double shareOfB)
     return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
 }
 
+ColorScheme colorScheme()
+{
+    return activeScheme;
+}
+
+void setColorScheme(ColorScheme scheme)
+{
+    activeScheme = scheme;
+}
+
+BranchColors branchColors(const Palette& tones)
+{
+    switch (colorScheme()) {
+        case ColorScheme::BlueRed:
+            return {mixed(tones.text, tones.label, 0.3), blueRed.fits, blueRed.end};
+        case ColorScheme::Brightness:
+            return {tones.label, tones.text, tones.textStrong};
+        case ColorScheme::BlueAmber:
+            break;
+    }
+    return {mixed(tones.text, tones.accent, 0.45), tones.accent, tones.accent};
+}
+
 Color residualColor(double fraction)
 {
+    const Ramp& ramp = activeRamp();
     const double f = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 1.0;
-    return f < 0.5 ? mixed(dark.accent, rampMiddle, 2.0 * f) : mixed(rampMiddle, dark.attention, 2.0 * f - 1.0);
+    return f < 0.5 ? mixed(ramp.fits, ramp.middle, 2.0 * f) : mixed(ramp.middle, ramp.end, 2.0 * f - 1.0);
 }
 
 Color residualColorAboveScale()
 {
-    return aboveRamp;
+    return activeRamp().above;
 }
 
 }   // namespace ui

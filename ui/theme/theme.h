@@ -33,7 +33,22 @@ const Palette& palette(ThemeMode mode);
 /// `a` where `shareOfB` is 0, `b` where it is 1, mixed in sRGB.
 Color mixed(const Color& a, const Color& b, double shareOfB);
 
-/// Residual ramp from accent blue over green-grey to amber, safe for colour-vision deficiency; `fraction` 0…1.
+/// How vessels and residuals are coloured. Every scheme can be read with any colour vision; the last by brightness
+/// alone.
+enum class ColorScheme { BlueAmber, BlueRed, Brightness };
+
+/// The scheme of the whole program; workers that draw pictures ask too.
+ColorScheme colorScheme();
+void setColorScheme(ColorScheme scheme);
+
+struct BranchColors {
+    Color plain, auxiliary, selected;
+};
+
+/// `tones` are those of the ground the branches lie on.
+BranchColors branchColors(const Palette& tones);
+
+/// The scheme's residual ramp, `fraction` 0…1: by default from accent blue over green-grey to amber.
 Color residualColor(double fraction);
 
 /// For residuals that lie above the end of the scale.

@@ -15,6 +15,7 @@ struct AngiogramView::Interaction {
     ImageViewport viewport;
     AngiogramAnnotations annotations;
     bool hasFrame = false;
+    QImage radiograph;   ///< of the vessels, over the whole frame at any resolution; null: nothing
     QImage keptOut;   ///< over the frame, one pixel for each of its; null: nothing
     bool isOrientationKnown = false;
     std::pair<int, int> frameSize{0, 0};

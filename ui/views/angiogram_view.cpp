@@ -128,6 +128,23 @@ ImageTool* AngiogramView::tool() const
     return interaction_->tool;
 }
 
+void AngiogramView::setRadiograph(const QImage& picture)
+{
+    interaction_->radiograph = picture;
+    update();
+}
+
+void AngiogramView::paintRadiograph(QPainter& painter) const
+{
+    const core::ImageF& frame = scene_.frame();
+    const QPointF topLeft = widgetFromImage({-0.5, -0.5});
+    const QPointF bottomRight = widgetFromImage({frame.width - 0.5, frame.height - 0.5});
+    const bool isMirrored = topLeft.x() > bottomRight.x();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(QRectF(topLeft, bottomRight).normalized(),
+                      isMirrored ? interaction_->radiograph.mirrored(true, false) : interaction_->radiograph);
+}
+
 void AngiogramView::setKeptOut(const core::Mask2d& fieldMask)
 {
     interaction_->keptOut = fieldMask.isEmpty() ? QImage() : hatched(fieldMask);
@@ -308,6 +325,9 @@ void AngiogramView::paintEvent(QPaintEvent*)
     painter.drawImage(QPointF(0.0, 0.0), picture_);
     if (!interaction_->hasFrame) {
         return;
+    }
+    if (!interaction_->radiograph.isNull()) {
+        paintRadiograph(painter);
     }
     if (!interaction_->keptOut.isNull()) {
         const QPointF topLeft = widgetFromImage({-0.5, -0.5});

@@ -11,6 +11,8 @@
 #include <memory>
 #include <optional>
 
+class QPainter;
+
 namespace ui {
 
 class ImageTool;
@@ -36,6 +38,7 @@ public:
     ImageTool* tool() const;
     void addBar(QWidget* bar);   ///< of a tool: at the bottom of the image, in the middle
     bool filterToolKey(QKeyEvent& event);   ///< true when the key is the tool's, or an Esc that it ends by
+    void setRadiograph(const QImage& picture);   ///< lies over the whole frame, below the texts; null: nothing
     void setKeptOut(const core::Mask2d& fieldMask);   ///< hatches where it is 0; empty: nothing
     void setMousePreset(const MousePreset& preset);
     void setResidualScale(double maximumPx, double maximumMm);   ///< 0 hides the scale
@@ -94,6 +97,7 @@ private:
     QString sideMark() const;
     void dragBy(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void startDrag();
+    void paintRadiograph(QPainter& painter) const;
     void adjustWindowLevel(const QPointF& step);
     void scrollFrames(double frames);
     void zoomAt(const QPointF& position, double factor);

@@ -51,6 +51,23 @@ TEST(DisplayRange, IsNeverEmptyWhateverTheImage)
     EXPECT_GT(displayRange(ImageF{}).window(), 0.0);
 }
 
+TEST(DisplayRange, OfTheVesselsEndsAtTheBackground)
+{
+    ImageF image(100, 100, 100.0F);
+    for (int y = 0; y < 100; ++y) {
+        image.at(40, y) = 60.0F;
+        image.at(70, y) = 180.0F;   // a catheter, the other way
+    }
+    const DisplayRange dark = vesselRange(image, Polarity::VesselsDark);
+    EXPECT_EQ(dark.low, 60.0);
+    EXPECT_EQ(dark.high, 100.0);
+    const DisplayRange bright = vesselRange(image, Polarity::VesselsBright);
+    EXPECT_EQ(bright.low, 100.0);
+    EXPECT_EQ(bright.high, 180.0);
+    EXPECT_GT(vesselRange(ImageF(10, 10, 7.0F), Polarity::VesselsDark).window(), 0.0);
+    EXPECT_GT(vesselRange(ImageF{}, Polarity::VesselsDark).window(), 0.0);
+}
+
 TEST(DisplayRange, KeepsATwoValuedImage)
 {
     ImageF image(10, 10, 0.0F);

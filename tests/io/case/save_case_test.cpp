@@ -42,7 +42,7 @@ TEST(SaveCase, RestoresEveryBit)
     original.cArm.isocentreInPatientMm = {Eigen::Vector3d(0.1, -1.0 / 3.0, 7e5), core::Origin::Derived, "clicked"};
     original.landmarks = {{{1.0 / 3.0, -2.0, 600.5}, {10.1, 511.0 / 3.0}, "bifurcation 3 / 5"},
                           {{1, 2, 3}, {4, 5}, ""}};
-    original.otherViews = {{folder.file("other.angiopose"), ""}};
+    original.otherViews = {{{folder.file("other.angiopose"), ""}, nullptr}};
     original.cameraFromPatient.translation.x() = 1.0 / 3.0;
     ASSERT_TRUE(io::saveCase(original, folder.file("copy.angiopose")));
 

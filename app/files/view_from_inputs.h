@@ -1,0 +1,16 @@
+#pragma once
+
+#include "app/jobs/load_job.h"
+#include "core/registration_case.h"
+
+#include <string>
+
+namespace app {
+
+/// What was opened as another view of the case's vessels: an angiogram, or the image of a whole case, which `path` then
+/// is. Its pose is where the geometry between the views puts the vessels now; where that is not known, its start pose.
+/// Fails where there is no angiogram in it.
+core::Result<core::OtherView> viewFrom(const core::RegistrationCase& registrationCase, const LoadedInputs& inputs,
+                                       const std::string& path);
+
+}   // namespace app

@@ -1,0 +1,57 @@
+#include "app/habits/color_controller.h"
+
+#include "app/settings.h"
+#include "ui/main_window.h"
+#include "ui/theme/active_theme.h"
+#include "ui/views/angiogram_view.h"
+#include "ui/views/tree_view.h"
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+namespace {
+
+struct Choice {
+    ui::Command command;
+    const char* name;
+    ui::ColorScheme scheme;
+};
+
+constexpr std::array choices{Choice{ui::Command::ColorsBlueAmber, "blue-amber", ui::ColorScheme::BlueAmber},
+                             Choice{ui::Command::ColorsBlueRed, "blue-red", ui::ColorScheme::BlueRed},
+                             Choice{ui::Command::ColorsBrightness, "brightness", ui::ColorScheme::Brightness}};
+
+const Choice& chosen()
+{
+    const QString name = settings::colors.read();
+    const auto* found =
+        std::ranges::find_if(choices, [&name](const Choice& choice) { return name == QLatin1String(choice.name); });
+    return found == choices.end() ? choices.front() : *found;
+}
+
+}   // namespace
+
+ColorController::ColorController(ui::MainWindow& window, QObject* parent) : QObject(parent), window_(window)
+{
+    for (const Choice& choice : choices) {
+        connect(window.actions()[choice.command], &QAction::triggered, this, [this, &choice] {
+            settings::colors.write(QString::fromLatin1(choice.name));
+            apply(choice.scheme);
+        });
+    }
+    window.actions()[chosen().command]->setChecked(true);
+    apply(chosen().scheme);
+}
+
+void ColorController::apply(ui::ColorScheme scheme)
+{
+    ui::setColorScheme(scheme);
+    window_.angiogramView().scene().recolor();
+    window_.treeView().setTheme(ui::activeTheme());
+    for (QWidget* part : window_.findChildren<QWidget*>()) {
+        part->update();
+    }
+}
+
+}   // namespace app

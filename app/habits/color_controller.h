@@ -1,0 +1,24 @@
+#pragma once
+
+#include <QObject>
+
+namespace ui {
+class MainWindow;
+enum class ColorScheme;
+}   // namespace ui
+
+namespace app {
+
+/// The menu of colours for vessels and residuals, each readable with any colour vision.
+class ColorController : public QObject {
+    Q_OBJECT
+public:
+    explicit ColorController(ui::MainWindow& window, QObject* parent = nullptr);
+
+private:
+    void apply(ui::ColorScheme scheme);
+
+    ui::MainWindow& window_;
+};
+
+}   // namespace app

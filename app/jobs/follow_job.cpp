@@ -1,0 +1,49 @@
+#include "app/jobs/follow_job.h"
+
+#include "app/jobs/guarded.h"
+
+#include <QtConcurrentRun>
+
+#include <utility>
+
+namespace app {
+
+FollowJob::FollowJob(QObject* parent) : QObject(parent)
+{
+    connect(&watcher_, &QFutureWatcherBase::finished, this, &FollowJob::publish);
+}
+
+FollowJob::~FollowJob()
+{
+    requestStop();
+    watcher_.waitForFinished();
+}
+
+void FollowJob::start(core::RegistrationCase registrationCase)
+{
+    Q_ASSERT(!running_);
+    running_ = true;
+    stopRequested_ = false;
+    watcher_.setFuture(QtConcurrent::run([this, followed = std::move(registrationCase)]() -> Outcome {
+        return guarded<std::vector<core::FollowedFrame>>([&] {
+            return core::followFrames(followed, [this](double fraction) {
+                QMetaObject::invokeMethod(
+                    this, [this, fraction] { emit advanced(fraction); }, Qt::QueuedConnection);
+                return stopRequested_ ? core::Verdict::Stop : core::Verdict::Continue;
+            });
+        });
+    }));
+}
+
+void FollowJob::publish()
+{
+    running_ = false;
+    const Outcome outcome = watcher_.result();
+    if (outcome) {
+        emit finished(outcome.value());
+    } else {
+        emit failed(QString::fromStdString(outcome.error().message));
+    }
+}
+
+}   // namespace app

@@ -1,0 +1,101 @@
+#include "app/jobs/joint_job.h"
+
+#include "app/jobs/guarded.h"
+#include "core/joint_case.h"
+
+#include <QtConcurrentRun>
+
+#include <chrono>
+#include <utility>
+
+namespace app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::milliseconds reportPause{33};   // what the eye can follow
+
+core::Error inView(std::size_t index, const core::Error& error)
+{
+    return {"View " + std::to_string(index + 1) + ": " + error.message};
+}
+
+core::Result<std::vector<core::Centerline2d>> targetsOf(const std::vector<core::RegistrationCase>& views,
+                                                        core::Centerline2d target, const std::atomic<bool>& isStopped)
+{
+    std::vector<core::Centerline2d> targets{std::move(target)};
+    for (std::size_t k = 1; k < views.size(); ++k) {
+        auto traced = isStopped ? core::Result<core::Centerline2d>(core::Error{"Stopped before the run began."})
+                                : core::targetOf(views[k]);
+        if (!traced) {
+            return inView(k, traced.error());
+        }
+        targets.push_back(std::move(traced).value());
+    }
+    return targets;
+}
+
+}   // namespace
+
+JointJob::JointJob(QObject* parent) : QObject(parent)
+{
+    connect(&watcher_, &QFutureWatcherBase::finished, this, &JointJob::publish);
+}
+
+JointJob::~JointJob()
+{
+    requestStop();
+    watcher_.waitForFinished();
+}
+
+void JointJob::start(std::vector<core::RegistrationCase> views, core::Centerline2d target)
+{
+    Q_ASSERT(!watcher_.isRunning());
+    stopRequested_ = false;
+    watcher_.setFuture(
+        QtConcurrent::run([this, views = std::move(views), target = std::move(target)]() mutable -> Outcome {
+            return guarded<core::MultiViewResult>([&] { return solve(views, std::move(target)); });
+        }));
+}
+
+JointJob::Outcome JointJob::solve(const std::vector<core::RegistrationCase>& views, core::Centerline2d target)
+{
+    const auto begin = Clock::now();
+    const auto targets = targetsOf(views, std::move(target), stopRequested_);
+    if (!targets) {
+        return targets.error();
+    }
+    const auto inputs = core::jointInputsOf(views, targets.value());
+    if (!inputs) {
+        return inputs.error();
+    }
+    Clock::time_point last{};
+    const auto observe = [this, &last](const core::IterationReport& report) {
+        if (const auto now = Clock::now(); now - last > reportPause) {
+            last = now;
+            QMetaObject::invokeMethod(
+                this, [this, report] { emit advanced(report); }, Qt::QueuedConnection);
+        }
+        return stopRequested_ ? core::Verdict::Stop : core::Verdict::Continue;
+    };
+    auto solved = core::registerViews(inputs.value(), views.front().options, {}, observe);
+    if (!solved) {
+        return solved.error();
+    }
+    core::MultiViewResult joint = std::move(solved).value();
+    for (core::RegistrationResult& view : joint.views) {   // one run found them all
+        view.time.totalMs = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+    }
+    return joint;
+}
+
+void JointJob::publish()
+{
+    const Outcome outcome = watcher_.result();
+    if (outcome) {
+        emit finished(outcome.value());
+    } else {
+        emit failed(QString::fromStdString(outcome.error().message));
+    }
+}
+
+}   // namespace app

@@ -1,0 +1,98 @@
+#include "app/jobs/radiograph_job.h"
+
+#include "app/jobs/guarded.h"
+#include "core/registration/picture/radiograph.h"
+
+#include <QtConcurrentRun>
+
+#include <utility>
+
+namespace app {
+
+/// Used by one worker at a time: the job never starts a second one.
+class RadiographSource {
+public:
+    RadiographSource(core::RegistrationInput input, core::RegistrationOptions options)
+        : input_(std::move(input)), options_(std::move(options))
+    {
+    }
+
+    core::Result<core::ImageF> from(const core::RigidTransform& cameraFromPatient)
+    {
+        if (!radiograph_) {
+            auto problem = core::makeProblem(input_, options_);
+            if (!problem) {
+                return problem.error();
+            }
+            problem_ = std::make_unique<core::RegistrationProblem>(std::move(problem).value());
+            radiograph_.emplace(*problem_);
+        }
+        return radiograph_->from(cameraFromPatient);
+    }
+
+private:
+    core::RegistrationInput input_;
+    core::RegistrationOptions options_;
+    std::unique_ptr<core::RegistrationProblem> problem_;   ///< the radiograph looks into it
+    std::optional<core::Radiograph> radiograph_;
+};
+
+RadiographJob::RadiographJob(QObject* parent) : QObject(parent)
+{
+    connect(&watcher_, &QFutureWatcherBase::finished, this, &RadiographJob::publish);
+}
+
+RadiographJob::~RadiographJob()
+{
+    watcher_.waitForFinished();
+}
+
+void RadiographJob::setInput(core::RegistrationInput input, core::RegistrationOptions options)
+{
+    cancel();
+    source_ = std::make_shared<RadiographSource>(std::move(input), std::move(options));
+}
+
+void RadiographJob::cancel()
+{
+    waiting_.reset();
+    cancelled_ = running_;
+}
+
+void RadiographJob::request(const core::RigidTransform& cameraFromPatient)
+{
+    if (running_) {
+        waiting_ = cameraFromPatient;
+    } else if (source_) {
+        start(cameraFromPatient);
+    }
+}
+
+void RadiographJob::start(const core::RigidTransform& cameraFromPatient)
+{
+    running_ = true;
+    cancelled_ = false;
+    watcher_.setFuture(QtConcurrent::run([source = source_, cameraFromPatient] {
+        return guarded<core::ImageF>([&] { return source->from(cameraFromPatient); });
+    }));
+}
+
+void RadiographJob::publish()
+{
+    running_ = false;
+    const core::Result<core::ImageF> outcome = watcher_.result();
+    const bool wasCancelled = std::exchange(cancelled_, false);
+    if (const auto next = std::exchange(waiting_, std::nullopt)) {
+        start(*next);
+    }
+    if (wasCancelled) {
+        return;
+    }
+    if (outcome) {
+        emit made(outcome.value());
+    } else {
+        emit failed(QString::fromStdString(outcome.error().message));
+    }
+}
+
+}   // namespace app

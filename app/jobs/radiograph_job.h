@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/imaging/image2d.h"
+#include "core/registration/registration.h"
+
+#include <QFutureWatcher>
+#include <QObject>
+
+#include <memory>
+#include <optional>
+
+namespace app {
+
+/// The vessels of a case, ready to be X-rayed from any pose; shared with a worker.
+class RadiographSource;
+
+/// Makes radiographs of the vessels (of the CTA inside them, or of tubes) off the GUI thread, always from the newest
+/// pose: a wish while one is being made replaces the waiting one.
+class RadiographJob : public QObject {
+    Q_OBJECT
+public:
+    explicit RadiographJob(QObject* parent = nullptr);
+    ~RadiographJob() override;   ///< waits, for one radiograph at most
+
+    void setInput(core::RegistrationInput input,
+                  core::RegistrationOptions options);   ///< made ready with the next wish
+    void request(const core::RigidTransform& cameraFromPatient);
+    void cancel();   ///< drops what waits and what is being made
+
+signals:
+    void made(const core::ImageF& picture);   ///< vessels bright on 0, at half the image's resolution
+    void failed(const QString& reason);
+
+private:
+    void start(const core::RigidTransform& cameraFromPatient);
+    void publish();
+
+    std::shared_ptr<RadiographSource> source_;
+    std::optional<core::RigidTransform> waiting_;
+    QFutureWatcher<core::Result<core::ImageF>> watcher_;
+    bool running_ = false;
+    bool cancelled_ = false;
+};
+
+}   // namespace app

@@ -1,0 +1,162 @@
+#include "app/review/follow_controller.h"
+
+#include "core/geometry/pose_difference.h"
+#include "io/pose_table.h"
+#include "ui/main_window.h"
+#include "ui/words/core_texts.h"
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+bool isSame(const core::RigidTransform& a, const core::RigidTransform& b)
+{
+    return a.matrix() == b.matrix();
+}
+
+}   // namespace
+
+FollowController::FollowController(const Parts& parts, QObject* parent) : QObject(parent), on_(parts)
+{
+    const ui::WindowActions& actions = on_.window.actions();
+    connect(actions[ui::Command::FollowFrames], &QAction::triggered, this, &FollowController::start);
+    connect(actions[ui::Command::ExportFollowed], &QAction::triggered, this, &FollowController::exportPoses);
+    connect(&on_.window.strip(), &ui::BottomStrip::stopRequested, &job_, &FollowJob::requestStop);
+    connect(&on_.window.result().motion(), &ui::MotionPlot::frameRequested, &on_.review, &ReviewController::showFrame);
+    connect(&job_, &FollowJob::advanced, this, [this](double fraction) {
+        if (job_.isRunning()) {
+            on_.window.strip().showProgress(
+                tr("Following the vessels through the run: %1 %").arg(100.0 * fraction, 0, 'f', 0), fraction);
+        }
+    });
+    connect(&job_, &FollowJob::finished, this, &FollowController::take);
+    connect(&job_, &FollowJob::failed, this, [this](const QString& reason) {
+        on_.window.strip().showIdle(tr("Ready"));
+        on_.notices.showProblem(tr("The vessels cannot be followed"), ui::coreText(reason.toStdString()));
+    });
+    connect(&on_.document, &CaseDocument::changed, this, &FollowController::followDocument);
+    connect(&on_.sync, &ViewSync::frameShown, this, &FollowController::showFrame);
+    on_.review.setFramePoses([this](int frame) { return poseOf(frame); });
+    followDocument();
+}
+
+QString FollowController::whyNot() const
+{
+    const core::RegistrationCase& current = on_.document.current();
+    if (on_.document.isInTrial() || on_.document.isLocked()) {
+        return tr("Something else is under way. Let it end first.");
+    }
+    return !current.tree || !current.angiogram ? tr("Open vessels and an angiogram first.") : QString();
+}
+
+void FollowController::start()
+{
+    if (job_.isRunning()) {
+        return;
+    }
+    if (const QString why = whyNot(); !why.isEmpty()) {
+        on_.notices.showNote(why);
+        return;
+    }
+    on_.review.stopMotion();
+    forget();
+    startedFrom_ = on_.document.current();
+    on_.window.strip().showBusy(tr("Following the vessels through the run …"));
+    job_.start(startedFrom_);
+}
+
+void FollowController::take(const std::vector<core::FollowedFrame>& frames)
+{
+    on_.window.strip().showIdle(tr("Ready"));
+    frames_ = frames;
+    if (!holds()) {
+        forget();
+        on_.notices.showNote(tr("The vessels were moved meanwhile: follow them again."));
+        return;
+    }
+    showMotion();
+    const auto lost = std::ranges::count_if(frames_, [](const auto& each) { return !each.tracked.isTrustworthy; });
+    const auto count = static_cast<int>(frames_.size());
+    on_.notices.showNote(
+        lost == 0
+            ? tr("Followed through %1 frames: scroll or play them").arg(count)
+            : tr("Followed through %1 frames; %2 of them do not show the vessels well enough").arg(count).arg(lost));
+}
+
+std::optional<core::RigidTransform> FollowController::poseOf(int frame) const
+{
+    const auto found = std::ranges::find(frames_, frame, &core::FollowedFrame::frame);
+    return found == frames_.end() ? std::nullopt : std::optional(found->tracked.cameraFromPatient);
+}
+
+/// Whether the poses still are of these vessels, in this run, from this pose on.
+bool FollowController::holds() const
+{
+    const core::RegistrationCase& current = on_.document.current();
+    const auto pose = poseOf(current.frame);
+    return current.tree == startedFrom_.tree && current.angiogram == startedFrom_.angiogram &&
+           current.excludedBranchIds == startedFrom_.excludedBranchIds && core::cameraOf(current) &&
+           core::cameraOf(startedFrom_) && core::cameraOf(current).value() == core::cameraOf(startedFrom_).value() &&
+           (!pose || isSame(*pose, current.cameraFromPatient));
+}
+
+void FollowController::followDocument()
+{
+    const auto& angiogram = on_.document.current().angiogram;
+    const bool isRun = angiogram && angiogram->frameCount() > 1 && on_.document.current().tree;
+    on_.window.actions()[ui::Command::FollowFrames]->setEnabled(isRun);
+    if (!frames_.empty() && !holds()) {
+        forget();
+    }
+    on_.window.actions()[ui::Command::ExportFollowed]->setEnabled(!frames_.empty());
+}
+
+/// While frames play, each is shown with its pose; the document's own frame has it already.
+void FollowController::showFrame(int frame)
+{
+    on_.window.result().motion().showCurrent(frame);
+    if (frames_.empty() || on_.document.isLocked()) {
+        return;
+    }
+    const auto pose = poseOf(frame);
+    if (frame == on_.document.current().frame || !pose) {
+        on_.sync.endPreview();
+    } else {
+        on_.sync.showPreview(*pose, ResidualColors::Hidden);
+    }
+}
+
+void FollowController::showMotion()
+{
+    const core::RegistrationCase& current = on_.document.current();
+    std::vector<ui::FrameMotion> motion;
+    const Eigen::Vector3d pivot = current.tree ? core::centroidInPatient(*current.tree) : Eigen::Vector3d::Zero();
+    for (const core::FollowedFrame& each : frames_) {
+        const core::PoseDifference from =
+            core::differenceBetween(startedFrom_.cameraFromPatient, each.tracked.cameraFromPatient, pivot);
+        motion.push_back({each.frame, from.inPlaneMm, from.depthMm, from.rotationDeg, each.tracked.isTrustworthy});
+    }
+    on_.window.result().showMotion(motion);
+    on_.window.result().motion().showCurrent(on_.sync.shownFrame());
+    on_.window.actions()[ui::Command::ExportFollowed]->setEnabled(!frames_.empty());
+}
+
+void FollowController::forget()
+{
+    frames_.clear();
+    startedFrom_ = {};   // a run is large
+    showMotion();
+}
+
+void FollowController::exportPoses()
+{
+    if (frames_.empty()) {
+        return;
+    }
+    on_.exporting.askFile(
+        {tr("Export followed poses"), tr("Tables (*.csv)"), QStringLiteral("poses.csv")},
+        [frames = frames_](const QString& path) { return io::writePoseTable(frames, path.toStdString()); });
+}
+
+}   // namespace app

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "app/files/export_controller.h"
+#include "app/jobs/follow_job.h"
+#include "app/notices.h"
+#include "app/review/review_controller.h"
+#include "app/review/view_sync.h"
+
+#include <QObject>
+
+#include <optional>
+#include <vector>
+
+namespace app {
+
+/// Follows the vessels through the frames of the run from the frame and pose that are shown, then shows each frame with
+/// its own pose. The poses hold until something else moves the vessels.
+class FollowController : public QObject {
+    Q_OBJECT
+public:
+    /// What it works on and tells.
+    struct Parts {
+        CaseDocument& document;
+        ReviewController& review;
+        ViewSync& sync;
+        ExportController& exporting;
+        Notices& notices;
+        ui::MainWindow& window;
+    };
+    explicit FollowController(const Parts& parts, QObject* parent = nullptr);
+
+    bool isRunning() const { return job_.isRunning(); }
+    const std::vector<core::FollowedFrame>& frames() const { return frames_; }
+
+private:
+    QString whyNot() const;
+    void start();
+    void take(const std::vector<core::FollowedFrame>& frames);
+    void followDocument();
+    void showFrame(int frame);
+    void showMotion();
+    void forget();
+    void exportPoses();
+    bool holds() const;
+    std::optional<core::RigidTransform> poseOf(int frame) const;
+
+    Parts on_;
+    FollowJob job_;
+    core::RegistrationCase startedFrom_;
+    std::vector<core::FollowedFrame> frames_;
+};
+
+}   // namespace app

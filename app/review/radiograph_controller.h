@@ -1,0 +1,41 @@
+#pragma once
+
+#include "app/jobs/radiograph_job.h"
+#include "app/registration/target_provider.h"
+#include "app/review/look_controller.h"
+#include "app/review/view_sync.h"
+
+#include <QObject>
+
+namespace app {
+
+/// The vessels as X-rays would show them, over the angiogram: a radiograph made anew wherever the pose moves.
+class RadiographController : public QObject {
+    Q_OBJECT
+public:
+    /// What it shows and follows.
+    struct Parts {
+        const CaseDocument& document;
+        const TargetProvider& target;
+        const ViewSync& sync;
+        const LookController& look;
+        ui::MainWindow& window;
+    };
+    explicit RadiographController(const Parts& parts, QObject* parent = nullptr);
+
+private:
+    void setWanted(bool wanted);
+    void followDocument();
+    void show(const core::ImageF& picture);
+
+    Parts on_;
+    RadiographJob job_;
+    bool isWanted_ = false;
+    bool isReady_ = false;   ///< the job has the vessels that `tree_` … are
+    std::shared_ptr<const core::VesselTree> tree_;
+    std::shared_ptr<const core::Volume> volume_;
+    std::optional<core::ProjectionCamera> camera_;
+    std::vector<int> excluded_;
+};
+
+}   // namespace app

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/registration/target_provider.h"
+#include "app/views/look_at_view.h"
+
+#include <QFutureWatcher>
+#include <QObject>
+#include <QTimer>
+
+#include <cstddef>
+#include <vector>
+
+namespace ui {
+class MainWindow;
+}
+
+namespace app {
+
+/// Several angiograms of the same vessels: the strip of views with how each agrees, which of them is shown, taking one
+/// out. Showing another view is a step of undo.
+class ViewController : public QObject {
+    Q_OBJECT
+public:
+    ViewController(CaseDocument& document, const TargetProvider& target, ui::MainWindow& window,
+                   QObject* parent = nullptr);
+    ~ViewController() override;
+
+    void showNext();
+    void remove(int line);   ///< in place of the shown view the next one is shown
+
+signals:
+    void refused(const QString& reason);
+
+private:
+    /// Something of a case that the pictures and numbers hang on.
+    struct Seen {
+        std::shared_ptr<const core::VesselTree> tree;
+        std::shared_ptr<const core::Angiogram> angiogram;
+        int frame = 0;
+        Eigen::Matrix4d pose = Eigen::Matrix4d::Zero();
+        std::vector<core::OtherView> others;
+        std::vector<int> excluded;
+        std::vector<int> hidden;
+        SharedCenterline target;
+
+        bool operator==(const Seen&) const = default;
+    };
+    void connectWindow();
+    void followDocument();
+    void show(int line);
+    void showLines();
+    void showPictures();
+    void look();
+    const ViewLook* lookOf(std::size_t place) const;
+
+    CaseDocument& document_;
+    const TargetProvider& target_;
+    ui::MainWindow& window_;
+    std::vector<std::size_t> order_;   ///< of the lines: 0 the case's own view, k its other view k − 1
+    Seen seen_;
+    std::vector<ViewLook> looks_;
+    QTimer pause_;   ///< pictures are drawn when things have come to rest
+    QFutureWatcher<std::vector<ViewLook>> looking_;
+};
+
+}   // namespace app

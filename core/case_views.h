@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/registration_case.h"
+
+namespace core {
+
+/// What belongs to one view of a case: image, target, geometry, poses, result, snapshots. No vessels, no options.
+RegistrationCase viewOf(const RegistrationCase& registrationCase);
+
+/// The case with another view's image, geometry and poses in place of its own. Its list of other views stays.
+RegistrationCase withView(RegistrationCase registrationCase, const RegistrationCase& view);
+
+/// The case that shows its other view `index`, and has its own among the others at that place.
+RegistrationCase showingView(RegistrationCase registrationCase, std::size_t index);
+
+/// The case of each view, the case's own first: with the case's vessels and options. Views whose image is not there
+/// are left out.
+std::vector<RegistrationCase> casesOfViews(const RegistrationCase& registrationCase);
+
+}   // namespace core

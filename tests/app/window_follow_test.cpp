@@ -1,0 +1,112 @@
+#include "tests/app/open_window.h"
+#include "tests/support/test_data.h"
+
+namespace app {
+namespace {
+
+using test::OpenWindow;
+
+/// The phantom's run of ten frames, registered.
+void openRegisteredRun(OpenWindow& w)
+{
+    w.drop({QString::fromStdString(test::dataFile("coronary-phantom-xa/cases/IM4.angiopose").string())});
+    w.waitForJudgement();
+    w.press(Qt::Key_R);
+    w.waitForRun();
+    ASSERT_TRUE(w.current().result);
+}
+
+void follow(OpenWindow& w)
+{
+    w.press(Qt::Key_F, Qt::ShiftModifier);
+    ASSERT_TRUE(w.controller.following().isRunning());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !w.controller.following().isRunning(); }, test::patienceMs));
+    QApplication::processEvents();
+}
+
+const core::FollowedFrame& followed(OpenWindow& w, int frame)
+{
+    return w.controller.following().frames().at(static_cast<std::size_t>(frame));
+}
+
+TEST(WindowFollow, ShowsEachFrameWithItsOwnPose)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    OpenWindow w;
+    openRegisteredRun(w);
+    const int first = w.current().frame;
+    const Eigen::Matrix4d found = w.current().cameraFromPatient.matrix();
+    EXPECT_FALSE(w.window.result().motion().isVisible());
+    follow(w);
+    ASSERT_EQ(w.controller.following().frames().size(), 10U);
+    EXPECT_EQ(w.current().cameraFromPatient.matrix(), found);
+    EXPECT_TRUE(w.window.result().motion().isVisible());
+
+    w.press(Qt::Key_Down);
+    const int next = w.current().frame;
+    ASSERT_EQ(next, first + 1);
+    EXPECT_EQ(w.current().cameraFromPatient.matrix(), followed(w, next).tracked.cameraFromPatient.matrix());
+    w.press(Qt::Key_Up);
+    EXPECT_EQ(w.current().cameraFromPatient.matrix(), found);
+    EXPECT_EQ(w.controller.following().frames().size(), 10U);   // they still hold
+}
+
+TEST(WindowFollow, AClickInThePlotShowsThatFrame)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    OpenWindow w;
+    openRegisteredRun(w);
+    follow(w);
+    ui::MotionPlot& plot = w.window.result().motion();
+    QTest::mouseClick(&plot, Qt::LeftButton, {}, {plot.width() - 5, plot.height() / 2});
+    EXPECT_EQ(w.current().frame, 9);
+    EXPECT_EQ(w.current().cameraFromPatient.matrix(), followed(w, 9).tracked.cameraFromPatient.matrix());
+    plot.setFocus();
+    QTest::keyClick(&plot, Qt::Key_Left);
+    EXPECT_EQ(w.current().frame, 8);
+}
+
+TEST(WindowFollow, PosesAreForgottenWhenTheVesselsAreMoved)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    OpenWindow w;
+    openRegisteredRun(w);
+    follow(w);
+    EXPECT_TRUE(w.window.actions()[ui::Command::ExportFollowed]->isEnabled());
+    w.press(Qt::Key_N);
+    w.press(Qt::Key_Right);
+    EXPECT_TRUE(w.controller.following().frames().empty());
+    EXPECT_FALSE(w.window.result().motion().isVisible());
+    EXPECT_FALSE(w.window.actions()[ui::Command::ExportFollowed]->isEnabled());
+    const Eigen::Matrix4d nudged = w.current().cameraFromPatient.matrix();
+    w.press(Qt::Key_N);
+    w.press(Qt::Key_Down);
+    EXPECT_EQ(w.current().cameraFromPatient.matrix(), nudged);   // frames share the pose again
+}
+
+TEST(WindowFollow, StopKeepsTheFramesItCameTo)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    OpenWindow w;
+    openRegisteredRun(w);
+    w.press(Qt::Key_F, Qt::ShiftModifier);
+    ASSERT_TRUE(w.controller.following().isRunning());
+    emit w.window.strip().stopRequested();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !w.controller.following().isRunning(); }, test::patienceMs));
+    QApplication::processEvents();
+    EXPECT_GE(w.controller.following().frames().size(), 1U);
+    EXPECT_LT(w.controller.following().frames().size(), 10U);
+}
+
+TEST(WindowFollow, OneFrameIsNothingToFollow)
+{
+    OpenWindow w;
+    w.openSample();
+    if (w.current().angiogram->frameCount() > 1) {
+        GTEST_SKIP() << "the sample is a run";
+    }
+    EXPECT_FALSE(w.window.actions()[ui::Command::FollowFrames]->isEnabled());
+}
+
+}   // namespace
+}   // namespace app

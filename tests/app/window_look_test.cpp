@@ -1,0 +1,87 @@
+#include "core/imaging/display_range.h"
+#include "tests/app/open_window.h"
+#include "ui/theme/theme.h"
+
+namespace app {
+namespace {
+
+using test::OpenWindow;
+
+QImage grabbed(OpenWindow& w)
+{
+    QApplication::processEvents();
+    return w.window.angiogramView().grab().toImage();
+}
+
+int differentPixels(const QImage& a, const QImage& b)
+{
+    int count = 0;
+    for (int y = 0; y < std::min(a.height(), b.height()); ++y) {
+        for (int x = 0; x < std::min(a.width(), b.width()); ++x) {
+            count += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+TEST(WindowLook, ShowsARadiographOfTheVesselsThatFollowsThePose)
+{
+    OpenWindow w;
+    w.openSample();
+    for (int press = 0; press < 3; ++press) {   // outline, tube, radiograph
+        w.press(Qt::Key_O);
+    }
+    QTest::keyPress(&w.window.angiogramView(), Qt::Key_H);
+    const QImage bare = grabbed(w);
+    QTest::keyRelease(&w.window.angiogramView(), Qt::Key_H);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return differentPixels(grabbed(w), bare) > 1000; }, test::patienceMs));
+    const QImage atStart = grabbed(w);
+
+    w.press(Qt::Key_N);
+    for (int press = 0; press < 3; ++press) {
+        w.press(Qt::Key_Right, Qt::ShiftModifier);   // 30 mm
+    }
+    w.press(Qt::Key_N);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return differentPixels(grabbed(w), atStart) > 1000; }, test::patienceMs));
+
+    w.press(Qt::Key_O);   // centrelines again
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return w.window.angiogramView().scene().treePasses(w.window.angiogramView().scene().viewRect()); },
+        test::patienceMs));
+}
+
+TEST(WindowLook, HasBrightnessPresets)
+{
+    OpenWindow w;
+    w.openSample();
+    ui::AngiogramView& view = w.window.angiogramView();
+    w.press(Qt::Key_0, Qt::ControlModifier);
+    const core::DisplayRange vessels = core::vesselRange(view.scene().frame(), w.current().angiogram->polarity);
+    EXPECT_NEAR(view.shownRange().low, vessels.low, 1e-6 * vessels.window());
+    EXPECT_NEAR(view.shownRange().high, vessels.high, 1e-6 * vessels.window());
+    w.press(Qt::Key_0);
+    const double automatic = view.shownRange().window();
+    w.press(Qt::Key_9, Qt::ControlModifier);
+    EXPECT_NEAR(view.shownRange().window(), 1.8 * automatic, 1e-6 * automatic);
+}
+
+TEST(WindowLook, RemembersTheColoursOfVesselsAndResiduals)
+{
+    {
+        OpenWindow w;
+        w.openSample();
+        const QImage before = grabbed(w);
+        w.window.actions()[ui::Command::ColorsBrightness]->trigger();
+        EXPECT_EQ(ui::colorScheme(), ui::ColorScheme::Brightness);
+        EXPECT_GT(differentPixels(grabbed(w), before), 100);
+    }
+    {
+        OpenWindow again;
+        EXPECT_TRUE(again.window.actions()[ui::Command::ColorsBrightness]->isChecked());
+        again.window.actions()[ui::Command::ColorsBlueAmber]->trigger();
+    }
+    EXPECT_EQ(ui::colorScheme(), ui::ColorScheme::BlueAmber);
+}
+
+}   // namespace
+}   // namespace app

@@ -1,0 +1,207 @@
+#include "tests/app/open_window.h"
+#include "tests/support/test_data.h"
+
+#include "ui/dialogs/missing_inputs.h"
+
+#include <QCheckBox>
+#include <QFile>
+#include <QListWidget>
+#include <QTemporaryDir>
+
+namespace app {
+namespace {
+
+using test::OpenWindow;
+
+QString phantom(const char* relative)
+{
+    return QString::fromStdString(test::dataFile(std::string("coronary-phantom-xa/") + relative).string());
+}
+
+QListWidget& strip(OpenWindow& w)
+{
+    return *w.window.views().findChild<QListWidget*>();
+}
+
+/// Answers the question that dropping a second angiogram asks.
+void answer(OpenWindow& w, const QString& verb)
+{
+    const auto questions = w.dialogs("viewQuestion");
+    ASSERT_EQ(questions.size(), 1);
+    OpenWindow::clickButton(questions.front(), verb);
+    QApplication::processEvents();
+    w.window.activateWindow();   // no window manager does it here
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&w.window));
+}
+
+void openBothViews(OpenWindow& w)
+{
+    w.drop({phantom("cases/IM4.angiopose")});
+    w.waitForJudgement();
+    w.drop({phantom("views-A/IM3.dcm")});
+    answer(w, QStringLiteral("Add as a view"));
+}
+
+QString wordsOf(OpenWindow& w, int line)
+{
+    return strip(w).item(line)->text();
+}
+
+TEST(WindowViews, ASecondAngiogramStandsBesideTheFirst)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    OpenWindow w;
+    w.drop({phantom("cases/IM4.angiopose")});
+    EXPECT_FALSE(w.window.views().isVisible());
+    const auto first = w.current().angiogram;
+    w.drop({phantom("views-A/IM3.dcm")});
+    answer(w, QStringLiteral("Add as a view"));
+
+    EXPECT_EQ(w.current().angiogram, first);
+    ASSERT_EQ(w.current().otherViews.size(), 1U);
+    EXPECT_TRUE(w.window.views().isVisible());
+    EXPECT_EQ(w.window.views().count(), 2);
+    // how each agrees is judged by itself
+    EXPECT_TRUE(QTest::qWaitFor([&] { return wordsOf(w, 0).contains("mm ·") && wordsOf(w, 1).contains("mm ·"); },
+                                test::patienceMs));
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_TRUE(w.current().otherViews.empty());
+    EXPECT_FALSE(w.window.views().isVisible());
+}
+
+TEST(WindowViews, ASecondAngiogramCanTakeThePlaceOfTheFirst)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    OpenWindow w;
+    w.drop({phantom("cases/IM4.angiopose")});
+    const auto first = w.current().angiogram;
+    w.drop({phantom("views-A/IM3.dcm")});
+    answer(w, QStringLiteral("Cancel"));
+    EXPECT_EQ(w.current().angiogram, first);
+    w.drop({phantom("views-A/IM3.dcm")});
+    answer(w, QStringLiteral("Replace the angiogram"));
+    EXPECT_NE(w.current().angiogram, first);
+    EXPECT_TRUE(w.current().otherViews.empty());
+}
+
+TEST(WindowViews, AClickInTheStripShowsAnotherAndUndoTheFirst)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    OpenWindow w;
+    openBothViews(w);
+    const auto first = w.current().angiogram;
+    const auto tree = w.current().tree;
+    const int shown = strip(w).currentRow();
+    const QRect other = strip(w).visualItemRect(strip(w).item(1 - shown));
+    QTest::mouseClick(strip(w).viewport(), Qt::LeftButton, {}, other.center());
+    QApplication::processEvents();
+    EXPECT_NE(w.current().angiogram, first);
+    EXPECT_EQ(w.current().tree, tree);
+    EXPECT_EQ(strip(w).currentRow(), 1 - shown);   // lines keep their places
+    EXPECT_NE(w.current().imageFile.path.find("IM3"), std::string::npos);
+
+    w.press(Qt::Key_Tab, Qt::ControlModifier);
+    EXPECT_EQ(w.current().angiogram, first);
+    EXPECT_EQ(strip(w).currentRow(), shown);
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(w.current().angiogram, first);
+}
+
+TEST(WindowViews, RegisterFindsOnePoseForAllAndIsOneStep)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    OpenWindow w;
+    openBothViews(w);
+    const core::RigidTransform before = w.current().cameraFromPatient;
+    w.press(Qt::Key_R);
+    w.waitForRun();
+    ASSERT_TRUE(w.current().result);
+    EXPECT_LT(w.current().result->metrics.medianPx, 3.0);
+    ASSERT_TRUE(w.current().otherViews[0].view->result);
+    EXPECT_LT(w.current().otherViews[0].view->result->metrics.medianPx, 3.0);
+    const double jointDepthMm = w.current().result->uncertainty.depthMm;
+    EXPECT_EQ(w.current().snapshots.size(), 1U);
+
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(w.current().cameraFromPatient.matrix(), before.matrix());
+    EXPECT_FALSE(w.current().otherViews[0].view->result);
+
+    auto* together = w.window.registration().findChild<QCheckBox*>();
+    ASSERT_TRUE(together->isVisible());
+    QTest::mouseClick(together, Qt::LeftButton, {}, {8, together->height() / 2});
+    ASSERT_FALSE(together->isChecked());
+    w.press(Qt::Key_R);
+    w.waitForRun();
+    ASSERT_TRUE(w.current().result);
+    EXPECT_FALSE(w.current().otherViews[0].view->result);
+    EXPECT_GT(w.current().result->uncertainty.depthMm, jointDepthMm);   // what the second view is for
+}
+
+TEST(WindowViews, ASavedCaseShowsThemAgain)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("both.angiopose"));
+    Eigen::Matrix4d otherPose;
+    {
+        OpenWindow w;
+        openBothViews(w);
+        otherPose = w.current().otherViews[0].view->cameraFromPatient.matrix();
+        w.controller.saving().saveTo(path);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !w.controller.document().isModified(); }, test::patienceMs));
+    }
+    OpenWindow again;
+    again.drop({path});
+    ASSERT_EQ(again.current().otherViews.size(), 1U);
+    ASSERT_TRUE(again.current().otherViews[0].view && again.current().otherViews[0].view->angiogram);
+    EXPECT_EQ(again.current().otherViews[0].view->cameraFromPatient.matrix(), otherPose);
+    EXPECT_EQ(again.window.views().count(), 2);
+}
+
+TEST(WindowViews, AViewThatHasMovedIsLookedForAndTheCaseOpensWithout)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    const QTemporaryDir folder;
+    const QTemporaryDir elsewhere;
+    const QString path = folder.filePath(QStringLiteral("both.angiopose"));
+    const QString image = elsewhere.filePath(QStringLiteral("second.dcm"));
+    QFile::copy(phantom("views-A/IM3.dcm"), image);
+    {
+        OpenWindow w;
+        w.drop({phantom("cases/IM4.angiopose")});
+        w.drop({image});
+        answer(w, QStringLiteral("Add as a view"));
+        w.controller.saving().saveTo(path);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !w.controller.document().isModified(); }, test::patienceMs));
+    }
+    ASSERT_TRUE(QFile::rename(image, elsewhere.filePath(QStringLiteral("renamed.dat"))));
+    OpenWindow again;
+    again.drop({path});
+    const auto dialogs = again.dialogs("missingInputs");
+    ASSERT_EQ(dialogs.size(), 1);
+    OpenWindow::clickButton(dialogs.front(), QStringLiteral("Open without"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return again.current().angiogram != nullptr; }, test::patienceMs));
+    ASSERT_EQ(again.current().otherViews.size(), 1U);   // kept in the case, though not seen
+    EXPECT_FALSE(again.current().otherViews[0].view->angiogram);
+    EXPECT_TRUE(wordsOf(again, 1 - strip(again).currentRow()).contains("not found"));
+}
+
+TEST(WindowViews, DeleteTakesTheShownOneOutAndShowsTheNext)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    OpenWindow w;
+    openBothViews(w);
+    strip(w).setFocus();
+    QTest::keyClick(&strip(w), Qt::Key_Delete);
+    EXPECT_TRUE(w.current().otherViews.empty());
+    EXPECT_NE(w.current().imageFile.path.find("IM3"), std::string::npos);
+    EXPECT_TRUE(w.current().tree);   // no branch was deleted
+    EXPECT_EQ(w.current().tree->branches.size(), 11U);
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(w.current().otherViews.size(), 1U);
+    EXPECT_NE(w.current().imageFile.path.find("IM4"), std::string::npos);
+}
+
+}   // namespace
+}   // namespace app

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/imaging/image2d.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QListWidget;
+
+namespace ui {
+
+/// One view in the strip.
+struct ViewLine {
+    QString words;   ///< angles; below them how the view agrees
+    QString toolTip;
+};
+
+/// The views of the case as small pictures, the shown one marked; hidden while there is only one.
+class ViewStrip : public QWidget {
+    Q_OBJECT
+public:
+    explicit ViewStrip(QWidget* parent = nullptr);
+
+    void showViews(const std::vector<ViewLine>& views, int shown);   ///< keeps pictures while their number stays
+    void showPicture(int index, const core::ColorImage& picture);
+    int pictureWidthPx() const;   ///< in device pixels
+    int count() const;
+
+signals:
+    void viewPicked(int index);
+    void addRequested();
+    void removeRequested(int index);
+    void menuRequested(int index, const QPoint& globalPosition);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    QListWidget* list_;
+    bool showing_ = false;
+};
+
+}   // namespace ui

@@ -1,0 +1,158 @@
+#include "ui/plots/motion_plot.h"
+
+#include "ui/theme/active_theme.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPolygonF>
+#include <QToolTip>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+namespace {
+
+constexpr int labelHeight = 18;
+constexpr double dotPx = 2.2;
+constexpr double leastHighestMm = 0.5;   // stillness looks still
+
+}   // namespace
+
+MotionPlot::MotionPlot(QWidget* parent) : QWidget(parent)
+{
+    setMinimumHeight(92);
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setAccessibleName(tr("Motion of the vessels by frame"));
+}
+
+void MotionPlot::showMotion(const std::vector<FrameMotion>& motion)
+{
+    motion_ = motion;
+    highestMm_ = leastHighestMm;
+    for (const FrameMotion& frame : motion_) {
+        highestMm_ = std::max(highestMm_, frame.inPlaneMm);
+    }
+    update();
+}
+
+void MotionPlot::showCurrent(int frame)
+{
+    current_ = frame;
+    update();
+}
+
+QRectF MotionPlot::area() const
+{
+    return QRectF(rect()).adjusted(4, 6, -4, -labelHeight);
+}
+
+double MotionPlot::xOf(std::size_t index) const
+{
+    const double last = static_cast<double>(std::max<std::size_t>(motion_.size(), 2) - 1);
+    return area().left() + area().width() * static_cast<double>(index) / last;
+}
+
+std::size_t MotionPlot::indexAt(double x) const
+{
+    const double share = std::clamp((x - area().left()) / std::max(1.0, area().width()), 0.0, 1.0);
+    return static_cast<std::size_t>(std::lround(share * static_cast<double>(motion_.size() - 1)));
+}
+
+void MotionPlot::paintLine(QPainter& painter) const
+{
+    const Palette& tones = activePalette();
+    const QRectF plot = area();
+    const auto placeOf = [&](std::size_t i) {
+        return QPointF(xOf(i), plot.bottom() - motion_[i].inPlaneMm / highestMm_ * plot.height());
+    };
+    QPolygonF line;
+    for (std::size_t i = 0; i < motion_.size(); ++i) {
+        line << placeOf(i);
+    }
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(toQColor(tones.accent), 1.5));
+    painter.drawPolyline(line);
+    for (std::size_t i = 0; i < motion_.size(); ++i) {
+        const bool isSure = motion_[i].isTrustworthy;
+        painter.setPen(QPen(toQColor(isSure ? tones.accent : tones.attention), 1.3));
+        painter.setBrush(toQColor(isSure ? tones.accent : tones.panel));
+        painter.drawEllipse(placeOf(i), isSure ? dotPx : dotPx + 1.0, isSure ? dotPx : dotPx + 1.0);
+    }
+}
+
+void MotionPlot::paintEvent(QPaintEvent*)
+{
+    const Palette& tones = activePalette();
+    QPainter painter(this);
+    const QRectF plot = area();
+    painter.setPen(toQColor(tones.line));
+    painter.drawLine(plot.bottomLeft(), plot.bottomRight());
+    if (motion_.empty()) {
+        return;
+    }
+    const auto shown = std::ranges::find(motion_, current_, &FrameMotion::frame);
+    if (shown != motion_.end()) {
+        const double x = xOf(static_cast<std::size_t>(shown - motion_.begin()));
+        painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+    }
+    paintLine(painter);
+    painter.setPen(toQColor(tones.hint));
+    const QRectF labels(plot.left(), plot.bottom() + 2, plot.width(), labelHeight - 2);
+    painter.drawText(labels, Qt::AlignLeft | Qt::AlignTop, tr("frame %1").arg(motion_.front().frame));
+    painter.drawText(labels, Qt::AlignRight | Qt::AlignTop, QString::number(motion_.back().frame));
+    painter.drawText(plot, Qt::AlignLeft | Qt::AlignTop, tr("%1 mm").arg(highestMm_, 0, 'f', 1));
+    if (hasFocus()) {
+        painter.setPen(toQColor(tones.accent));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    }
+}
+
+void MotionPlot::request(std::size_t index)
+{
+    if (index < motion_.size() && motion_[index].frame != current_) {
+        emit frameRequested(motion_[index].frame);
+    }
+}
+
+void MotionPlot::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton && !motion_.empty()) {
+        request(indexAt(event->position().x()));
+    }
+}
+
+void MotionPlot::mouseMoveEvent(QMouseEvent* event)
+{
+    if (motion_.empty()) {
+        return;
+    }
+    const FrameMotion& at = motion_[indexAt(event->position().x())];
+    const QString words = tr("frame %1: %2 mm across, %3 mm in depth, %4°")
+                              .arg(at.frame)
+                              .arg(at.inPlaneMm, 0, 'f', 2)
+                              .arg(at.depthMm, 0, 'f', 1)
+                              .arg(at.rotationDeg, 0, 'f', 1);
+    QToolTip::showText(event->globalPosition().toPoint(),
+                       at.isTrustworthy ? words : tr("%1 (not explained by the vessels)").arg(words), this);
+    if (event->buttons().testFlag(Qt::LeftButton)) {
+        request(indexAt(event->position().x()));
+    }
+}
+
+void MotionPlot::keyPressEvent(QKeyEvent* event)
+{
+    const auto shown = std::ranges::find(motion_, current_, &FrameMotion::frame);
+    const bool isStep = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
+    if (!isStep || shown == motion_.end()) {
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    const auto index = static_cast<std::size_t>(shown - motion_.begin());
+    request(event->key() == Qt::Key_Right ? index + 1 : index - (index > 0 ? 1 : 0));
+}
+
+}   // namespace ui

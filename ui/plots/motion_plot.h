@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QWidget>
+
+#include <vector>
+
+namespace ui {
+
+/// How far the vessels are in one frame from where they were found.
+struct FrameMotion {
+    int frame = 0;
+    double inPlaneMm = 0.0;
+    double depthMm = 0.0;   ///< positive: away from the source
+    double rotationDeg = 0.0;
+    bool isTrustworthy = false;
+};
+
+/// Motion over the frames of a run: the shift across the image as a line, frames that could not be explained as open
+/// dots. A click or ← → shows a frame.
+class MotionPlot : public QWidget {
+    Q_OBJECT
+public:
+    explicit MotionPlot(QWidget* parent = nullptr);
+
+    void showMotion(const std::vector<FrameMotion>& motion);
+    void showCurrent(int frame);
+    QSize sizeHint() const override { return {240, 100}; }
+
+signals:
+    void frameRequested(int frame);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    QRectF area() const;
+    double xOf(std::size_t index) const;
+    std::size_t indexAt(double x) const;
+    void paintLine(QPainter& painter) const;
+    void request(std::size_t index);
+
+    std::vector<FrameMotion> motion_;
+    double highestMm_ = 1.0;
+    int current_ = 0;
+};
+
+}   // namespace ui
