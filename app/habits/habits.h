@@ -22,6 +22,9 @@ public:
     {
     }
 
+    LanguageController& language() { return language_; }
+    ShortcutController& shortcuts() { return shortcuts_; }
+
 private:
     ColorController colors_;
     LanguageController language_;

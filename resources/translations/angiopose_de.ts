@@ -223,7 +223,7 @@
     </message>
     <message>
         <source>Ready</source>
-        <translation type="unfinished">Bereit</translation>
+        <translation>Bereit</translation>
     </message>
     <message>
         <source>The vessels cannot be followed</source>
@@ -259,7 +259,7 @@
     </message>
     <message>
         <source>Tables (*.csv)</source>
-        <translation type="unfinished">Tabellen (*.csv)</translation>
+        <translation>Tabellen (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -450,17 +450,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Place vessels by landmarks</source>
         <translation>Gefäße nach Landmarken legen</translation>
-    </message>
-</context>
-<context>
-    <name>app::LanguageController</name>
-    <message>
-        <source>Language</source>
-        <translation>Sprache</translation>
-    </message>
-    <message>
-        <source>The new language holds from the next start of AngioPose.</source>
-        <translation>Die neue Sprache gilt ab dem nächsten Start von AngioPose.</translation>
     </message>
 </context>
 <context>
@@ -819,16 +808,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Lösung selbst</translation>
     </message>
     <message>
-        <source>Other solution %1 of %2, score %3 · Shift+J takes it</source>
-        <translation>Andere Lösung %1 von %2, Güte %3 · Umschalt+J übernimmt</translation>
-    </message>
-    <message>
         <source>J shows the other solutions first.</source>
         <translation>J zeigt zuerst die anderen Lösungen.</translation>
     </message>
     <message>
         <source>Take solution %1</source>
         <translation>Lösung %1 übernehmen</translation>
+    </message>
+    <message>
+        <source>Other solution %1 of %2, score %3 · %4 takes it</source>
+        <translation>Andere Lösung %1 von %2, Güte %3 · %4 übernimmt</translation>
     </message>
 </context>
 <context>
@@ -1075,7 +1064,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Abbrechen</translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>A scan beside the vessels?</source>
@@ -1559,12 +1548,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>app::ViewSync</name>
     <message>
-        <source>Opacification by frame · frame %1 of 0–%2 · fullest: %3 · play C</source>
-        <translation>Kontrastfüllung je Bild · Bild %1 von 0–%2 · vollstes: %3 · Abspielen C</translation>
-    </message>
-    <message>
         <source>Single frame</source>
         <translation>Einzelbild</translation>
+    </message>
+    <message>
+        <source>Opacification by frame · frame %1 of 0–%2 · fullest: %3 · play %4</source>
+        <translation>Kontrastfüllung je Bild · Bild %1 von 0–%2 · vollstes: %3 · Abspielen %4</translation>
+    </message>
+</context>
+<context>
+    <name>app::WindowHost</name>
+    <message>
+        <source>Takes effect as soon as this has ended.</source>
+        <translation>Gilt, sobald dies beendet ist.</translation>
     </message>
 </context>
 <context>
@@ -4025,6 +4021,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Stopped before the run began.</source>
         <translation>Angehalten, bevor der Lauf begann.</translation>
     </message>
+    <message>
+        <source>frame %1 of 0–%2</source>
+        <translation>Bild %1 von 0–%2</translation>
+    </message>
+    <message>
+        <source>Not for clinical use</source>
+        <translation>Nicht für den klinischen Einsatz</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -4063,10 +4067,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Angiogramm</translation>
     </message>
     <message>
-        <source>Subtract mask  B</source>
-        <translation>Maske abziehen  B</translation>
-    </message>
-    <message>
         <source>Whole run in one picture</source>
         <translation>Ganze Serie in einem Bild</translation>
     </message>
@@ -4087,24 +4087,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Von Hand</translation>
     </message>
     <message>
-        <source>Move the mask with arrows or the mouse (Shift+B)</source>
-        <translation>Maske mit Pfeilen oder Maus verschieben (Umschalt+B)</translation>
-    </message>
-    <message>
         <source>Defaults</source>
         <translation>Vorgaben</translation>
     </message>
     <message>
         <source>Trace as the program would by itself</source>
         <translation>Erfassen, wie das Programm es von selbst täte</translation>
-    </message>
-    <message>
-        <source>Take away what the mask frames show as well: bones and organs (B)</source>
-        <translation>Wegnehmen, was auch die Maskenbilder zeigen: Knochen und Organe (B)</translation>
-    </message>
-    <message>
-        <source>Every frame shows the darkest value of each pixel over the run (Shift+C)</source>
-        <translation>Jedes Bild zeigt den dunkelsten Wert jedes Pixels der Serie (Umschalt+C)</translation>
     </message>
     <message>
         <source>Subtract mask</source>
@@ -4239,14 +4227,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Vorgabe der Erkennung</translation>
     </message>
     <message>
-        <source>Edit vessels  E</source>
-        <translation>Gefäße bearbeiten  E</translation>
-    </message>
-    <message>
-        <source>Leave out, erase, draw and cut traced curves (E)</source>
-        <translation>Erkannte Kurven weglassen, radieren, zeichnen, trennen (E)</translation>
-    </message>
-    <message>
         <source>Tracing</source>
         <translation>Erkennung</translation>
     </message>
@@ -4265,6 +4245,26 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>native</source>
         <translation>nativ</translation>
+    </message>
+    <message>
+        <source>Move the mask with arrows or the mouse</source>
+        <translation>Maske mit Pfeilen oder Maus verschieben</translation>
+    </message>
+    <message>
+        <source>Take away what the mask frames show as well: bones and organs</source>
+        <translation>Wegnehmen, was auch die Maskenbilder zeigen: Knochen und Organe</translation>
+    </message>
+    <message>
+        <source>Every frame shows the darkest value of each pixel over the run</source>
+        <translation>Jedes Bild zeigt den dunkelsten Wert jedes Pixels der Serie</translation>
+    </message>
+    <message>
+        <source>Edit vessels</source>
+        <translation>Gefäße bearbeiten</translation>
+    </message>
+    <message>
+        <source>Leave out, erase, draw and cut traced curves</source>
+        <translation>Erkannte Kurven weglassen, radieren, zeichnen, trennen</translation>
     </message>
 </context>
 <context>
@@ -4357,22 +4357,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Kleinster Radius</translation>
     </message>
     <message>
-        <source>Lasso  Ctrl+L</source>
-        <translation>Lasso  Strg+L</translation>
-    </message>
-    <message>
-        <source>Draw around the branches on the image (Ctrl+L).</source>
-        <translation>Die Äste im Bild umfahren (Strg+L).</translation>
-    </message>
-    <message>
-        <source>In view  V</source>
-        <translation>Im Blick  V</translation>
-    </message>
-    <message>
-        <source>The branches that lie wholly in the view (V).</source>
-        <translation>Die Äste, die ganz im Blickfeld liegen (V).</translation>
-    </message>
-    <message>
         <source>None</source>
         <translation>Keine</translation>
     </message>
@@ -4399,6 +4383,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>This tree knows no radii.</source>
         <translation>Dieser Gefäßbaum kennt keine Radien.</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Draw around the branches on the image.</source>
+        <translation>Die Äste im Bild umfahren.</translation>
+    </message>
+    <message>
+        <source>In view</source>
+        <translation>Im Blick</translation>
+    </message>
+    <message>
+        <source>The branches that lie wholly in the view.</source>
+        <translation>Die Äste, die ganz im Blickfeld liegen.</translation>
     </message>
 </context>
 <context>
@@ -4544,14 +4544,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Äste</translation>
     </message>
     <message>
-        <source>No vessels yet. Open a centreline: VTP, VTK, CSV or SWC.</source>
-        <translation>Noch keine Gefäße. Eine Mittellinie öffnen: VTP, VTK, CSV oder SWC.</translation>
-    </message>
-    <message>
-        <source>A auxiliary · X exclude</source>
-        <translation>A Hilfsast · X ausschließen</translation>
-    </message>
-    <message>
         <source>Auxiliary on or off	A</source>
         <translation>Hilfsast an oder aus	A</translation>
     </message>
@@ -4604,10 +4596,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Verbinden</translation>
     </message>
     <message>
-        <source>Closes the gap; undo opens it again (Ctrl+G).</source>
-        <translation>Schließt die Lücke; Rückgängig öffnet sie wieder (Strg+G).</translation>
-    </message>
-    <message>
         <source>Show</source>
         <translation>Zeigen</translation>
     </message>
@@ -4622,6 +4610,18 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>unknown</source>
         <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>No vessels yet. Open a CT scan, a mask of vessels or a centreline.</source>
+        <translation>Noch keine Gefäße. Ein CT, eine Gefäßmaske oder eine Mittellinie öffnen.</translation>
+    </message>
+    <message>
+        <source>Closes the gap; undo opens it again.</source>
+        <translation>Schließt die Lücke; Rückgängig öffnet sie wieder.</translation>
+    </message>
+    <message>
+        <source>%1 auxiliary · %2 exclude</source>
+        <translation>%1 Hilfsast · %2 ausschließen</translation>
     </message>
 </context>
 <context>
@@ -5141,8 +5141,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>In eigenem Fenster, und zurück</translation>
     </message>
     <message>
-        <source>Double click: only this view in the window, and back (5)</source>
-        <translation>Doppelklick: nur diese Ansicht im Fenster, und zurück (5)</translation>
+        <source>Double click: only this view in the window, and back</source>
+        <translation>Doppelklick: nur diese Ansicht im Fenster, und zurück</translation>
     </message>
 </context>
 <context>
@@ -5208,12 +5208,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Fertig</translation>
     </message>
     <message>
-        <source>%1 curves, %2 suspect</source>
-        <translation>%1 Kurven, %2 verdächtig</translation>
-    </message>
-    <message>
         <source>%1 curves</source>
         <translation>%1 Kurven</translation>
+    </message>
+    <message>
+        <source>%1 curves, %2 suspect (S)</source>
+        <translation>%1 Kurven, %2 verdächtig (S)</translation>
     </message>
 </context>
 <context>
@@ -5270,6 +5270,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Draw a curve</source>
         <translation>Kurve zeichnen</translation>
     </message>
+    <message>
+        <source>Perhaps a catheter: A keeps it, Delete leaves it out, S shows the next</source>
+        <translation>Vielleicht ein Katheter: A behält, Entf lässt weg, S zeigt den nächsten</translation>
+    </message>
 </context>
 <context>
     <name>ui::ExportDialog</name>
@@ -5311,7 +5315,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>The picture always says “Not for clinical use” and carries inputs, method and pose in its text fields.</source>
-        <translation>Das Bild trägt immer „Not for clinical use“ und in seinen Textfeldern Eingaben, Methode und Lage.</translation>
+        <translation>Das Bild trägt immer „Nicht für den klinischen Einsatz“ und in seinen Textfeldern Eingaben, Methode und Lage.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -5324,6 +5328,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>%1 × %2 px</source>
         <translation>%1 × %2 px</translation>
+    </message>
+    <message>
+        <source>Texts in English</source>
+        <translation>Texte auf Englisch</translation>
     </message>
 </context>
 <context>
@@ -5926,6 +5934,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>this view alone, and back</source>
         <translation>nur diese Ansicht, und zurück</translation>
     </message>
+    <message>
+        <source>S, then A or Del</source>
+        <translation>S, dann A oder Entf</translation>
+    </message>
+    <message>
+        <source>the next of the dashed curves: keep or leave out</source>
+        <translation>die nächste der gestrichelten Kurven: behalten oder weglassen</translation>
+    </message>
 </context>
 <context>
     <name>ui::KeySheet</name>
@@ -5997,10 +6013,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Landmarken</translation>
     </message>
     <message>
-        <source>Click pairs  L</source>
-        <translation>Paare klicken  L</translation>
-    </message>
-    <message>
         <source>Place vessels</source>
         <translation>Gefäße legen</translation>
     </message>
@@ -6011,10 +6023,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Landmarks and how far each is off</source>
         <translation>Landmarken und ihre Abweichung</translation>
-    </message>
-    <message>
-        <source>A place on the vessels in 3-D (or a slice), then the same place in the image: L</source>
-        <translation>Eine Stelle an den Gefäßen in 3-D (oder einer Schicht), dann dieselbe im Bild: L</translation>
     </message>
     <message>
         <source>Find the start pose from the pairs: Enter while clicking. Undo brings the old one back.</source>
@@ -6033,12 +6041,20 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>nicht im Bild</translation>
     </message>
     <message>
-        <source>L pairs places by clicks</source>
-        <translation>L paart Stellen durch Klicks</translation>
-    </message>
-    <message>
         <source>%1 pairs</source>
         <translation>%1 Paare</translation>
+    </message>
+    <message>
+        <source>Click pairs</source>
+        <translation>Paare klicken</translation>
+    </message>
+    <message>
+        <source>A place on the vessels in 3-D (or a slice), then the same place in the image.</source>
+        <translation>Eine Stelle an den Gefäßen in 3-D (oder einer Schicht), dann dieselbe im Bild.</translation>
+    </message>
+    <message>
+        <source>%1 pairs places by clicks</source>
+        <translation>%1 paart Stellen durch Klicks</translation>
     </message>
 </context>
 <context>
@@ -6163,11 +6179,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>frame %1</source>
-        <translation type="unfinished">Bild %1</translation>
+        <translation>Bild %1</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished">%1 mm</translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>frame %1: %2 mm across, %3 mm in depth, %4°</source>
@@ -6262,10 +6278,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zurück zur Startlage</translation>
     </message>
     <message>
-        <source>Backspace. Undo brings the pose back.</source>
-        <translation>Rücktaste. Rückgängig bringt die Lage zurück.</translation>
-    </message>
-    <message>
         <source>Pose %1</source>
         <translation>Lage %1</translation>
     </message>
@@ -6274,16 +6286,20 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 sperren</translation>
     </message>
     <message>
-        <source>nudging · arrows · N ends</source>
-        <translation>justieren · Pfeile · N beendet</translation>
-    </message>
-    <message>
-        <source>nudge N · fine Ctrl · coarse Shift</source>
-        <translation>justieren N · fein Strg · grob Umschalt</translation>
-    </message>
-    <message>
         <source>Keep this value: nudging, dragging, typing and Register leave it as it is.</source>
         <translation>Diesen Wert halten: Justieren, Ziehen, Tippen und Registrieren lassen ihn.</translation>
+    </message>
+    <message>
+        <source>Undo brings the pose back.</source>
+        <translation>Rückgängig bringt die Lage zurück.</translation>
+    </message>
+    <message>
+        <source>nudging · arrows · %1 ends</source>
+        <translation>justieren · Pfeile · %1 beendet</translation>
+    </message>
+    <message>
+        <source>nudge %1 · fine Ctrl · coarse Shift</source>
+        <translation>justieren %1 · fein Strg · grob Umschalt</translation>
     </message>
 </context>
 <context>
@@ -6510,10 +6526,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Methode und Optionen</translation>
     </message>
     <message>
-        <source>Register  R</source>
-        <translation>Registrieren  R</translation>
-    </message>
-    <message>
         <source>Stop</source>
         <translation>Stopp</translation>
     </message>
@@ -6558,10 +6570,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Methode</translation>
     </message>
     <message>
-        <source>Finds the pose that lays the vessels onto the angiogram (R).</source>
-        <translation>Findet die Lage, die die Gefäße auf das Angiogramm legt (R).</translation>
-    </message>
-    <message>
         <source>Registering …</source>
         <translation>Registriert …</translation>
     </message>
@@ -6580,6 +6588,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>All %1 views together</source>
         <translation>Alle %1 Ansichten zusammen</translation>
+    </message>
+    <message>
+        <source>Finds the pose that lays the vessels onto the angiogram.</source>
+        <translation>Findet die Lage, die die Gefäße auf das Angiogramm legt.</translation>
     </message>
 </context>
 <context>
@@ -6877,10 +6889,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Lagen</translation>
     </message>
     <message>
-        <source>K keeps the pose; Y goes between two. Every run leaves its pose here.</source>
-        <translation>K behält die Lage; Y wechselt zwischen zweien. Jeder Lauf hinterlässt seine Lage hier.</translation>
-    </message>
-    <message>
         <source>Compare …</source>
         <translation>Vergleichen …</translation>
     </message>
@@ -6889,24 +6897,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Behaltene Lagen</translation>
     </message>
     <message>
-        <source>Keep pose  K</source>
-        <translation>Lage behalten  K</translation>
-    </message>
-    <message>
-        <source>Keeps this pose with its numbers under a name (K).</source>
-        <translation>Behält diese Lage mit ihren Zahlen unter einem Namen (K).</translation>
-    </message>
-    <message>
-        <source>Poses and methods side by side, as a table (Shift+K).</source>
-        <translation>Lagen und Methoden nebeneinander als Tabelle (Umschalt+K).</translation>
-    </message>
-    <message>
         <source>Runs (%1)</source>
         <translation>Läufe (%1)</translation>
-    </message>
-    <message>
-        <source>median mm · Y: A ⇄ B</source>
-        <translation>Median mm · Y: A ⇄ B</translation>
     </message>
     <message>
         <source>A</source>
@@ -6937,12 +6929,28 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Löschen	Entf</translation>
     </message>
     <message>
-        <source>Compare …	Shift+K</source>
-        <translation>Vergleichen …	Umschalt+K</translation>
-    </message>
-    <message>
         <source>by hand</source>
         <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>%1 keeps the pose; %2 goes between two. Every run leaves its pose here.</source>
+        <translation>%1 behält die Lage; %2 wechselt zwischen zweien. Jeder Lauf hinterlässt seine Lage hier.</translation>
+    </message>
+    <message>
+        <source>Keep pose</source>
+        <translation>Lage behalten</translation>
+    </message>
+    <message>
+        <source>Keeps this pose with its numbers under a name.</source>
+        <translation>Behält diese Lage mit ihren Zahlen unter einem Namen.</translation>
+    </message>
+    <message>
+        <source>Poses and methods side by side, as a table.</source>
+        <translation>Lagen und Methoden nebeneinander als Tabelle.</translation>
+    </message>
+    <message>
+        <source>median mm · %1: A ⇄ B</source>
+        <translation>Median mm · %1: A ⇄ B</translation>
     </message>
 </context>
 <context>
@@ -6952,12 +6960,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Lösungen</translation>
     </message>
     <message>
-        <source>J shows the next · Shift+J takes it</source>
-        <translation>J zeigt die nächste · Umschalt+J übernimmt</translation>
-    </message>
-    <message>
         <source>Solutions of the run</source>
         <translation>Lösungen des Laufs</translation>
+    </message>
+    <message>
+        <source>%1 shows the next · %2 takes it</source>
+        <translation>%1 zeigt die nächste · %2 übernimmt</translation>
     </message>
 </context>
 <context>
@@ -7158,20 +7166,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Beendet den Versuch; das Protokoll nennt ihn abgebrochen.</translation>
     </message>
     <message>
-        <source>Done  Ctrl+Return</source>
-        <translation>Fertig  Strg+Eingabe</translation>
-    </message>
-    <message>
         <source>Done</source>
         <translation>Fertig</translation>
     </message>
     <message>
-        <source>Logs time and pose, and brings the numbers back (Ctrl+Return).</source>
-        <translation>Protokolliert Zeit und Lage und zeigt die Zahlen wieder (Strg+Eingabe).</translation>
-    </message>
-    <message>
         <source>Blind trial of %1: lay the vessels onto the image. Numbers come back when you are done.</source>
         <translation>Blindversuch von %1: die Gefäße auf das Bild legen. Die Zahlen erscheinen danach wieder.</translation>
+    </message>
+    <message>
+        <source>Logs time and pose, and brings the numbers back.</source>
+        <translation>Protokolliert Zeit und Lage und zeigt die Zahlen wieder.</translation>
     </message>
 </context>
 <context>
@@ -7214,24 +7218,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Einen Gefäßbaum auf sein Angiogramm legen</translation>
     </message>
     <message>
-        <source>Drop a case here, or a centreline together with an angiogram.</source>
-        <translation>Hier einen Fall ablegen, oder eine Mittellinie mit einem Angiogramm.</translation>
-    </message>
-    <message>
-        <source>Centrelines: VTP, VTK, CSV, SWC.  Angiograms: DICOM XA, PNG, TIFF.</source>
-        <translation>Mittellinien: VTP, VTK, CSV, SWC.  Angiogramme: DICOM XA, PNG, TIFF.</translation>
-    </message>
-    <message>
-        <source>Open …  Ctrl+O</source>
-        <translation>Öffnen …  Strg+O</translation>
-    </message>
-    <message>
         <source>Open the sample case</source>
         <translation>Beispielfall öffnen</translation>
     </message>
     <message>
         <source>%1 (missing)</source>
         <translation>%1 (fehlt)</translation>
+    </message>
+    <message>
+        <source>Drop a case here, or vessels together with an angiogram.</source>
+        <translation>Hier einen Fall ablegen, oder Gefäße mit einem Angiogramm.</translation>
+    </message>
+    <message>
+        <source>Vessels: CT as DICOM folder, NIfTI, NRRD or MetaImage, masks, centrelines (VTP, VTK, CSV, SWC).  Angiograms: DICOM XA, PNG, TIFF.</source>
+        <translation>Gefäße: CT als DICOM-Ordner, NIfTI, NRRD oder MetaImage, Masken, Mittellinien (VTP, VTK, CSV, SWC).  Angiogramme: DICOM XA, PNG, TIFF.</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>Öffnen …</translation>
     </message>
 </context>
 <context>
