@@ -211,7 +211,7 @@ TEST_F(WindowSubtraction, ThePlotShowsFramesAndChoosesThem)
     ASSERT_TRUE(QTest::qWaitFor(
         [this, plot] { return plot->pointOf(0).x() < plot->pointOf(stored->frameCount() - 1).x(); }, 5000));
     QTest::mouseMove(plot, plot->pointOf(2).toPoint());
-    EXPECT_EQ(plot->hoveredFrame(), 2);
+    EXPECT_TRUE(QTest::qWaitFor([plot] { return plot->hoveredFrame() == 2; }, 5000));
     QTest::mouseClick(plot, Qt::LeftButton, {}, plot->pointOf(2).toPoint());
     EXPECT_EQ(w.current().frame, 2);
     open.front()->close();

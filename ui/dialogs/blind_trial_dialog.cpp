@@ -10,7 +10,7 @@
 namespace ui {
 namespace {
 
-constexpr int dialogWidth = 520;
+constexpr int dialogWidth = 560;
 
 NumberField* numberField(const QString& name, const NumberFormat& format, double value)
 {

@@ -66,7 +66,7 @@ TEST_F(TreeViewTest, ShowsTheTreeAndFindsItsBranchUnderTheMouse)
     QObject::connect(view_.get(), &ui::TreeView::branchHovered, [&hovered](auto id) { hovered = id; });
     QTest::mouseMove(view_.get(), {5, 5});
     QTest::mouseMove(view_.get(), {150, 150});
-    EXPECT_EQ(hovered, 7);
+    EXPECT_TRUE(QTest::qWaitFor([&hovered] { return hovered == 7; }, patienceMs));
 }
 
 TEST_F(TreeViewTest, ManyChangesMakeOneRedrawAndOneMoreWhenAtRest)
