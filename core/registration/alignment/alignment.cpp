@@ -42,6 +42,9 @@ Alignment::Alignment(std::vector<AlignmentPoint> points, const ProjectionCamera&
         count = std::max(count, 1.0);
     }
     visibility_.assign(pointCount_.size(), 1.0);
+    buffers_.current.branchWeight.reserve(pointCount_.size());
+    buffers_.trial.branchWeight.reserve(pointCount_.size());
+    buffers_.residuals.reserve(points_.size());
 }
 
 inline bool Alignment::match(const AlignmentPoint& point, const CentroidPose& pose, double limitPx, Match& match) const

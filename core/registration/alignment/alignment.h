@@ -59,7 +59,7 @@ public:
 
     std::size_t size() const { return points_.size(); }
 
-    /// What a refinement writes to, kept from one to the next: its steps allocate nothing.
+    /// What a refinement writes to, made once: its steps allocate nothing.
     struct Buffers {
         Agreement current;
         Agreement trial;

@@ -26,6 +26,7 @@ PoseRanking::PoseRanking(const RegistrationProblem& problem, const TargetLines& 
       agreement_(problem, target)
 {
     ranked_.reserve(mostHypotheses);
+    distances_.reserve(points_.size());
 }
 
 void PoseRanking::add(const CentroidPose& hypothesis)
