@@ -16,8 +16,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::size_t rememberedRuns = 3;
-
 core::Result<std::shared_ptr<const core::Angiogram>> make(const core::Angiogram& stored,
                                                           const core::RunTreatment& treatment,
                                                           const std::atomic<bool>& stop)
@@ -134,15 +132,10 @@ void SubtractionController::change(const core::RunTreatment& wanted, const QStri
         wish_.reset();   // back to what is there before the other was made
     } else if (!wanted.changesFrames()) {
         take(*std::exchange(wish_, std::nullopt), nullptr);
+    } else if (const SharedRun known = made_.find(wish_->stored, wanted)) {
+        take(*std::exchange(wish_, std::nullopt), known);
     } else {
-        const auto known = std::ranges::find_if(made_, [this](const Made& made) {
-            return made.stored == wish_->stored && made.treatment == wish_->treatment;
-        });
-        if (known != made_.end()) {
-            take(*std::exchange(wish_, std::nullopt), known->run);
-        } else {
-            compute();
-        }
+        compute();
     }
     showState();
 }
@@ -162,13 +155,10 @@ void SubtractionController::compute()
 
 void SubtractionController::publish()
 {
-    const Outcome outcome = run_.result();
+    const Outcome outcome = run_.future().takeResult();   // the future must not keep the run alive
     const Wish done = *std::exchange(computing_, std::nullopt);
     if (outcome) {
-        made_.push_back({done.stored, done.treatment, outcome.value()});
-        if (made_.size() > rememberedRuns) {
-            made_.pop_front();
-        }
+        made_.remember(done.stored, done.treatment, outcome.value());
     }
     if (!wish_) {
         return;
@@ -269,6 +259,7 @@ void SubtractionController::settleShift()
 void SubtractionController::follow()
 {
     const core::RegistrationCase& current = document_.current();
+    made_.forgetAllBut(core::storedRunOf(current));
     if (window_.angiogramView().tool() == shiftTool_ && current.treatment.plan.maskShiftPx && !rest_.isActive() &&
         !wish_) {
         shiftBegan_ = *current.treatment.plan.maskShiftPx;   // an undo

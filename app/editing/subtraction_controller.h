@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/editing/angiogram_parts.h"
+#include "app/editing/treated_runs.h"
 #include "ui/views/tools/mask_shift_tool.h"
 
 #include <QFutureWatcher>
@@ -8,7 +9,6 @@
 #include <QTimer>
 
 #include <atomic>
-#include <deque>
 #include <memory>
 #include <optional>
 
@@ -28,18 +28,13 @@ public:
     bool isFindingShift() const { return !isShiftFound_; }   ///< that moving by hand begins with
 
 private:
-    using SharedRun = std::shared_ptr<const core::Angiogram>;
+    using SharedRun = TreatedRuns::SharedRun;
     using Outcome = core::Result<SharedRun>;
     using Picture = core::Result<std::shared_ptr<const core::SubtractedFrame>>;
     struct Wish {
         SharedRun stored;
         core::RunTreatment treatment;
         QString what;
-    };
-    struct Made {
-        SharedRun stored;
-        core::RunTreatment treatment;
-        SharedRun run;
     };
 
     void connectCommands();
@@ -66,7 +61,7 @@ private:
     std::optional<Wish> computing_;
     std::shared_ptr<std::atomic<bool>> stop_;
     QFutureWatcher<Outcome> run_;
-    std::deque<Made> made_;   ///< of late, so that switching to and fro costs nothing
+    TreatedRuns made_;
     QFutureWatcher<Picture> preview_;
     std::optional<core::SubtractionPlan> wantedPreview_;
     bool isShiftFound_ = true;   ///< false: the automatic shift of the frame, where the hand begins, is on its way

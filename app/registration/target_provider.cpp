@@ -5,7 +5,12 @@
 namespace app {
 namespace {
 
-constexpr std::size_t rememberedTraces = 64;
+constexpr std::size_t rememberedBytes = 16U << 20U;   // of masks, the largest part: 64 frames of 512 × 512
+
+std::size_t bytesOf(const SharedTrace& trace)
+{
+    return trace->fieldMask.pixels.size();
+}
 
 std::optional<TraceRequest> requestFor(const core::RegistrationCase& registrationCase)
 {
@@ -54,9 +59,8 @@ void TargetProvider::startWanted()
         settle(SharedTrace(), {});
         return;
     }
-    const auto known = std::ranges::find(traced_, *wanted_, &std::pair<TraceRequest, SharedTrace>::first);
-    if (known != traced_.end()) {
-        settle(known->second, {});
+    if (const SharedTrace trace = known(*wanted_)) {
+        settle(trace, {});
         return;
     }
     settle(SharedTrace(), {});
@@ -65,10 +69,25 @@ void TargetProvider::startWanted()
     }
 }
 
+SharedTrace TargetProvider::known(const TraceRequest& request)
+{
+    std::erase_if(traced_, [](const Remembered& one) { return one.run.expired(); });
+    const auto found = std::ranges::find_if(traced_, [&request](const Remembered& one) {
+        return one.run.lock() == request.angiogram && one.frame == request.frame && one.options == request.options;
+    });
+    return found == traced_.end() ? nullptr : found->trace;
+}
+
 void TargetProvider::remember(const SharedTrace& traced)
 {
-    traced_.emplace_back(job_.request(), traced);
-    if (traced_.size() > rememberedTraces) {
+    const TraceRequest& asked = job_.request();
+    traced_.push_back({asked.angiogram, asked.frame, asked.options, traced});
+    std::size_t bytes = 0;
+    for (const Remembered& one : traced_) {
+        bytes += bytesOf(one.trace);
+    }
+    while (bytes > rememberedBytes && traced_.size() > 1) {
+        bytes -= bytesOf(traced_.front().trace);
         traced_.pop_front();
     }
 }

@@ -6,8 +6,8 @@
 #include <QObject>
 
 #include <deque>
+#include <memory>
 #include <optional>
-#include <utility>
 
 namespace app {
 
@@ -28,7 +28,15 @@ signals:
     void changed();   ///< `current` or `problem`
 
 private:
+    struct Remembered {
+        std::weak_ptr<const core::Angiogram> run;   ///< kept alive by the case and its history only
+        int frame = 0;
+        core::TraceOptions options;
+        SharedTrace trace;
+    };
+
     void startWanted();
+    SharedTrace known(const TraceRequest& request);
     void remember(const SharedTrace& traced);
     void settle(const SharedTrace& trace, const QString& problem);
     void settleGiven(const SharedCenterline& given);
@@ -36,7 +44,7 @@ private:
 
     TraceJob job_;
     std::optional<TraceRequest> wanted_;
-    std::deque<std::pair<TraceRequest, SharedTrace>> traced_;   ///< newest last
+    std::deque<Remembered> traced_;   ///< newest last
     SharedCenterline current_;
     SharedTrace trace_;
     QString problem_;
