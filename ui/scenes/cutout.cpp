@@ -28,7 +28,8 @@ Span spanOf(const Cutout& cutout, const Eigen::Vector2d& centre, double radius, 
 
 }   // namespace
 
-void applyCutout(const Cutout& cutout, const ViewRect& rect, const std::vector<std::uint32_t>& bare, Canvas canvas)
+void applyCutout(const Cutout& cutout, const ViewRect& rect, const std::vector<std::uint32_t>& bare, Canvas canvas,
+                 const Rows& rows)
 {
     if (cutout.shape == Cutout::Shape::None) {
         return;
@@ -37,7 +38,7 @@ void applyCutout(const Cutout& cutout, const ViewRect& rect, const std::vector<s
     const Eigen::Vector2d centre((cutout.at.x() - rect.left) * scale,
                                  (cutout.at.y() - rect.top) * canvas.height / rect.height());
     const std::uint32_t edge = packed(palette(ThemeMode::Dark).label);
-    for (int y = 0; y < canvas.height; ++y) {
+    for (int y = rows.from; y < rows.to; ++y) {
         const Span span = spanOf(cutout, centre, cutout.radiusPx * scale, y, canvas.width);
         if (span.from >= span.to) {
             continue;

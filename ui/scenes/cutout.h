@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/scenes/canvas.h"
+#include "ui/scenes/row_bands.h"
 #include "ui/scenes/view_rect.h"
 
 #include <Eigen/Core>
@@ -19,7 +20,8 @@ struct Cutout {
     bool operator==(const Cutout&) const = default;
 };
 
-/// Puts the bare pixels back inside the cutout and draws its edge; `rect` is what the canvas shows.
-void applyCutout(const Cutout& cutout, const ViewRect& rect, const std::vector<std::uint32_t>& bare, Canvas canvas);
+/// Puts the bare pixels back inside the cutout and draws its edge, in these rows; `rect` is what the canvas shows.
+void applyCutout(const Cutout& cutout, const ViewRect& rect, const std::vector<std::uint32_t>& bare, Canvas canvas,
+                 const Rows& rows);
 
 }   // namespace ui

@@ -75,10 +75,26 @@ std::uint32_t blended(std::uint32_t under, const std::array<float, 4>& over)
     return 0xFF000000U | (mix(under >> 16U, over[0]) << 16U) | (mix(under >> 8U, over[1]) << 8U) | mix(under, over[2]);
 }
 
+/// The inside of an opaque line: nothing of what lies below is needed.
+void coverSpan(const Shade& shade, std::array<float, 4> value, int from, int to, std::uint32_t* row)
+{
+    const auto channel = [](float tone) { return static_cast<std::uint32_t>(std::clamp(tone + 0.5F, 0.0F, 255.0F)); };
+    for (int x = from; x < to; ++x) {
+        row[x] = 0xFF000000U | (channel(value[0]) << 16U) | (channel(value[1]) << 8U) | channel(value[2]);
+        for (std::size_t i = 0; i < 3; ++i) {
+            value[i] += shade.perX[i];
+        }
+    }
+}
+
 void fillSpan(const Shade& shade, int y, int from, int to, Canvas canvas)
 {
     std::array<float, 4> value = shade.at(static_cast<float>(from) + 0.5F, static_cast<float>(y) + 0.5F);
     std::uint32_t* row = canvas.row(y);
+    if (value[3] == 1.0F && shade.perX[3] == 0.0F) {
+        coverSpan(shade, value, from, to, row);
+        return;
+    }
     for (int x = from; x < to; ++x) {
         row[x] = blended(row[x], value);
         for (std::size_t i = 0; i < 4; ++i) {
@@ -87,7 +103,7 @@ void fillSpan(const Shade& shade, int y, int from, int to, Canvas canvas)
     }
 }
 
-void fillTriangle(Corner a, Corner b, Corner c, Canvas canvas)
+void fillTriangle(Corner a, Corner b, Corner c, Canvas canvas, const Rows& rows)
 {
     if (b.y < a.y) {
         std::swap(a, b);
@@ -98,8 +114,8 @@ void fillTriangle(Corner a, Corner b, Corner c, Canvas canvas)
     if (c.y < b.y) {
         std::swap(b, c);
     }
-    const int top = std::max(0, firstInside(a.y));
-    const int bottom = std::min(canvas.height, firstInside(c.y));
+    const int top = std::max(rows.from, firstInside(a.y));
+    const int bottom = std::min(rows.to, firstInside(c.y));
     const float doubleArea = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
     if (top >= bottom || std::abs(doubleArea) < 1e-9F) {
         return;
@@ -117,14 +133,30 @@ void fillTriangle(Corner a, Corner b, Corner c, Canvas canvas)
     }
 }
 
+/// Whether the triangle, its y counted up from the mesh's origin, reaches between two heights.
+bool reaches(const StrokeMesh& mesh, const std::int32_t* triangle, float lower, float upper)
+{
+    const auto y = [&](int corner) { return mesh.points[3 * static_cast<std::size_t>(triangle[corner]) + 1]; };
+    return !(y(0) < lower && y(1) < lower && y(2) < lower) && !(y(0) > upper && y(1) > upper && y(2) > upper);
+}
+
 }   // namespace
 
 void fillStrokes(const StrokeMesh& mesh, double topOfMesh, Canvas canvas)
 {
+    fillStrokes(mesh, topOfMesh, canvas, {0, canvas.height});
+}
+
+void fillStrokes(const StrokeMesh& mesh, double topOfMesh, Canvas canvas, const Rows& rows)
+{
     const auto top = static_cast<float>(topOfMesh);
+    const float upper = top - static_cast<float>(rows.from) + 1.0F;
+    const float lower = top - static_cast<float>(rows.to) - 1.0F;
     for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
-        fillTriangle(cornerOf(mesh, mesh.triangles[i], top), cornerOf(mesh, mesh.triangles[i + 1], top),
-                     cornerOf(mesh, mesh.triangles[i + 2], top), canvas);
+        if (reaches(mesh, &mesh.triangles[i], lower, upper)) {
+            fillTriangle(cornerOf(mesh, mesh.triangles[i], top), cornerOf(mesh, mesh.triangles[i + 1], top),
+                         cornerOf(mesh, mesh.triangles[i + 2], top), canvas, rows);
+        }
     }
 }
 

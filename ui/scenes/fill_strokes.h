@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/scenes/canvas.h"
+#include "ui/scenes/row_bands.h"
 #include "ui/scenes/stroke_mesh.h"
 
 namespace ui {
@@ -9,5 +10,8 @@ namespace ui {
 /// edge (the canvas's height when they cover the same area). Triangles that share an edge neither overlap nor gap: a
 /// pixel belongs to the one that holds its centre.
 void fillStrokes(const StrokeMesh& mesh, double topOfMesh, Canvas canvas);
+
+/// The same for some rows of the canvas only.
+void fillStrokes(const StrokeMesh& mesh, double topOfMesh, Canvas canvas, const Rows& rows);
 
 }   // namespace ui

@@ -125,8 +125,11 @@ void OverlayScene::setCamera(const core::ProjectionCamera& camera)
 
 void OverlayScene::setPose(const core::RigidTransform& cameraFromPatient)
 {
-    parts_->cameraFromPatient = cameraFromPatient;
-    parts_->markProjectionStale();
+    const core::RigidTransform& former = parts_->cameraFromPatient;
+    if (former.rotation != cameraFromPatient.rotation || former.translation != cameraFromPatient.translation) {
+        parts_->cameraFromPatient = cameraFromPatient;
+        parts_->markProjectionStale();
+    }
 }
 
 void OverlayScene::setMarks(const BranchMarks& marks)
@@ -188,9 +191,11 @@ void OverlayScene::showTracedCenterline(bool shown)
 
 void OverlayScene::setResiduals(const std::map<int, std::vector<double>>& residualPx, double scaleMaximumPx)
 {
-    parts_->content.residualPx = residualPx;
-    parts_->content.scaleMaximumPx = scaleMaximumPx;
-    ++parts_->revision;
+    if (parts_->content.residualPx != residualPx || parts_->content.scaleMaximumPx != scaleMaximumPx) {
+        parts_->content.residualPx = residualPx;
+        parts_->content.scaleMaximumPx = scaleMaximumPx;
+        ++parts_->revision;
+    }
 }
 
 void OverlayScene::clearResiduals()
@@ -226,9 +231,19 @@ void OverlayScene::drawRows(Canvas canvas, int firstRow, int rowCount)
     part.top += rowHeight * firstRow;
     part.bottom = part.top + rowHeight * canvas.height;
     const std::vector<std::uint32_t>& bare = p.backdrop.of(p.frame, part, p.interpolation, canvas);
-    std::ranges::copy(bare, canvas.pixels);
-    fillStrokes(p.meshFor(canvas.width, rowCount), rowCount - firstRow, canvas);
-    applyCutout(p.cutout, part, bare, canvas);
+    const StrokeMesh& mesh = p.meshFor(canvas.width, rowCount);
+    forBands(canvas.height, [&](const Rows& rows) {
+        std::copy(bare.data() + (canvas.row(rows.from) - canvas.pixels),
+                  bare.data() + (canvas.row(rows.to) - canvas.pixels), canvas.row(rows.from));
+        fillStrokes(mesh, rowCount - firstRow, canvas, rows);
+        applyCutout(p.cutout, part, bare, canvas, rows);
+    });
+}
+
+OverlayScene::Stamp OverlayScene::stamp() const
+{
+    const Parts& p = *parts_;
+    return {p.revision, p.frame.revision(), p.viewRect, p.cutout, p.interpolation};
 }
 
 std::optional<int> OverlayScene::branchAt(const Eigen::Vector2d& imagePoint, double tolerancePx) const

@@ -76,6 +76,18 @@ public:
     /// The same for a part of a taller picture: rows `firstRow` … of `rowCount`.
     void drawRows(Canvas canvas, int firstRow, int rowCount);
 
+    /// What the picture hangs on besides its size: equal stamps of one scene, equal pictures.
+    struct Stamp {
+        std::uint64_t overlay = 0;
+        std::uint64_t frame = 0;
+        ViewRect rect;
+        Cutout cutout;
+        Interpolation interpolation = Interpolation::Smooth;
+
+        bool operator==(const Stamp&) const = default;
+    };
+    Stamp stamp() const;
+
     /// Branch whose projection passes within `tolerancePx` (image px) of an image point; the nearest one.
     std::optional<int> branchAt(const Eigen::Vector2d& imagePoint, double tolerancePx) const;
 

@@ -1,5 +1,7 @@
 #include "ui/scenes/resample_frame.h"
 
+#include "ui/scenes/row_bands.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -92,16 +94,18 @@ void resampleFrame(const core::Image2d<std::uint8_t>& grey, const ViewRect& rect
     const std::uint32_t outside = packed(around);
     const Taps across = tapsOf(rect.left, rect.right, canvas.width, grey.width, interpolation);
     const Taps down = tapsOf(rect.top, rect.bottom, canvas.height, grey.height, interpolation);
-    std::vector<float> line(static_cast<std::size_t>(grey.width));
-    for (int y = 0; y < canvas.height; ++y) {
-        const Taps::Target& target = down.targets[static_cast<std::size_t>(y)];
-        if (target.count == 0) {
-            std::fill_n(canvas.row(y), canvas.width, outside);
-            continue;
+    forBands(canvas.height, [&](const Rows& rows) {
+        std::vector<float> line(static_cast<std::size_t>(grey.width));
+        for (int y = rows.from; y < rows.to; ++y) {
+            const Taps::Target& target = down.targets[static_cast<std::size_t>(y)];
+            if (target.count == 0) {
+                std::fill_n(canvas.row(y), canvas.width, outside);
+                continue;
+            }
+            blendRows(grey, down, target, line);
+            blendColumns(line, across, outside, canvas.row(y));
         }
-        blendRows(grey, down, target, line);
-        blendColumns(line, across, outside, canvas.row(y));
-    }
+    });
 }
 
 }   // namespace ui

@@ -191,7 +191,12 @@ QString AngiogramView::sideMark() const
 void AngiogramView::zoomTo(const ViewRect& part)
 {
     const double margin = 0.25 * std::max({part.width(), part.height(), 40.0});
-    interaction_->viewport.show({part.left - margin, part.right + margin, part.top - margin, part.bottom + margin});
+    showPart({part.left - margin, part.right + margin, part.top - margin, part.bottom + margin});
+}
+
+void AngiogramView::showPart(const ViewRect& part)
+{
+    interaction_->viewport.show(part);
     emit zoomChanged(zoom());
     update();
 }
@@ -225,6 +230,11 @@ core::DisplayRange AngiogramView::shownRange() const
 ViewRect AngiogramView::visiblePart() const
 {
     return interaction_->viewport.rect();
+}
+
+bool AngiogramView::isFitted() const
+{
+    return interaction_->viewport.isFitted();
 }
 
 double AngiogramView::zoom() const
@@ -280,7 +290,8 @@ void AngiogramView::drawPicture()
 {
     const double ratio = devicePixelRatio();
     const QSize device = deviceSize();
-    if (picture_.size() != device) {
+    const bool isNew = picture_.size() != device;
+    if (isNew) {
         picture_ = QImage(device, QImage::Format_RGB32);
     }
     picture_.setDevicePixelRatio(ratio);
@@ -289,6 +300,12 @@ void AngiogramView::drawPicture()
     // At fractional scale factors the picture is a whole number of pixels, not exactly size × ratio.
     scene_.setViewRect(
         interaction_->viewport.imageRectOf({0.0, 0.0}, {device.width() / ratio, device.height() / ratio}));
+    const std::optional<PictureState> wanted =
+        interaction_->tool ? std::nullopt : std::optional(PictureState{scene_.stamp(), isFromSource()});
+    if (wanted && wanted == drawn_ && !isNew) {
+        return;   // only what lies over it changed
+    }
+    drawn_ = wanted;
     scene_.draw(canvas);
     if (isFromSource()) {
         for (int row = 0; row < canvas.height; ++row) {

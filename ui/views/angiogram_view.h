@@ -47,10 +47,12 @@ public:
     bool isFromSource() const;
     void fitToWindow();
     void zoomTo(const ViewRect& part);   ///< image px; leaves room around it
+    void showPart(const ViewRect& part);   ///< image px; as large as the window allows
     void autoWindowLevel();
     void setWindowLevel(double window, double level);
     core::DisplayRange shownRange() const;
     ViewRect visiblePart() const;   ///< of the image
+    bool isFitted() const;
     double zoom() const;   ///< device-independent px per image px
     const core::ProjectionCamera& camera() const;
     const core::RigidTransform& cameraFromPatient() const;
@@ -106,7 +108,15 @@ private:
     void showCursor();
 
     OverlayScene scene_;
+    /// What the picture was drawn from.
+    struct PictureState {
+        OverlayScene::Stamp scene;
+        bool isMirrored = false;
+
+        bool operator==(const PictureState&) const = default;
+    };
     QImage picture_;   ///< angiogram with tree and handles, in device px
+    std::optional<PictureState> drawn_;   ///< not set: with a tool, whose strokes change at will
     int renderCount_ = 0;
     std::unique_ptr<Interaction> interaction_;
     Cutout::Shape cutout_ = Cutout::Shape::None;

@@ -15,6 +15,7 @@ public:
     void panBy(const Eigen::Vector2d& step);   ///< the image follows the mouse
     void setMirrored(bool mirrored);   ///< left and right exchanged in the widget; what it shows stays
     bool isMirrored() const { return mirrored_; }
+    bool isFitted() const { return isFitted_; }   ///< stays so when the widget changes its size
 
     double zoom() const { return zoom_; }   ///< widget px per image px
     ViewRect rect() const;

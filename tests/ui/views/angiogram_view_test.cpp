@@ -161,7 +161,7 @@ TEST_F(AngiogramViewInput, ClickPicksTheBranchAndHoverAnnouncesIt)
     const core::VesselBranch branch = test::treeOfDots().branches[5];
     const QPoint at = onWidget(branch.pointsInPatient.front());
     QTest::mouseMove(view_.get(), at);
-    EXPECT_EQ(hovered, branch.id);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return hovered == branch.id; }));
     QTest::mouseClick(view_.get(), Qt::LeftButton, {}, at);
     EXPECT_EQ(clicked, branch.id);
     QTest::mouseClick(view_.get(), Qt::LeftButton, {}, {5, 5});

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/support/parallel_for.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace ui {
+
+/// Rows `from` … `to` − 1 of a canvas.
+struct Rows {
+    int from = 0;
+    int to = 0;
+};
+
+/// Calls `draw` for all rows of a canvas, some at a time and on several threads. What is drawn in a row must not hang
+/// on the others, so that the picture is the same for any number of threads.
+template <class Draw>
+void forBands(int height, const Draw& draw)
+{
+    constexpr int bandRows = 160;   // each looks at all triangles once
+    constexpr int mostThreads = 4;
+    const int bands = std::max(1, (height + bandRows - 1) / bandRows);
+    const auto band = [&](std::size_t index) {
+        const int from = static_cast<int>(index) * bandRows;
+        draw(Rows{from, std::min(from + bandRows, height)});
+    };
+    core::parallelFor(static_cast<std::size_t>(bands), std::min({bands, mostThreads, core::threadCount(0)}), band,
+                      [](double) { return true; });
+}
+
+}   // namespace ui
