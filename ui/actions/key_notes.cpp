@@ -64,7 +64,8 @@ void KeyNotes::addModes(std::vector<KeyLine>& lines)
          {tr("D"), tr("draw: Enter ends, Backspace takes a point back, Shift straight")},
          {tr("C"), tr("cut a curve")},
          {tr("B L"), tr("box or lasso around what counts; Ctrl: around what does not")},
-         {tr("✓ ✗"), tr("dashed curves may be a catheter: keep or leave out")}});
+         {tr("✓ ✗"), tr("dashed curves may be a catheter: keep or leave out")},
+         {tr("S, then A or Del"), tr("the next of the dashed curves: keep or leave out")}});
 }
 
 void KeyNotes::addAngiogram(std::vector<KeyLine>& lines, const MousePreset& mouse)

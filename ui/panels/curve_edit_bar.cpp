@@ -90,7 +90,8 @@ void CurveEditBar::showEdit(CurveEdit edit)
 
 void CurveEditBar::showCurves(int count, int suspects)
 {
-    count_->setText(suspects > 0 ? tr("%1 curves, %2 suspect").arg(count).arg(suspects) : tr("%1 curves").arg(count));
+    count_->setText(suspects > 0 ? tr("%1 curves, %2 suspect (S)").arg(count).arg(suspects)
+                                 : tr("%1 curves").arg(count));
 }
 
 void CurveEditBar::setEdited(bool edited)

@@ -1,14 +1,11 @@
-// What EditCurvesTool shows: curves, brush, region, path under way, and the signs of suspects.
+// What EditCurvesTool draws: curves, brush, region, path under way.
 #include "core/tracing/edit_centerline.h"
 #include "ui/scenes/fill_strokes.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/edit_curves_tool.h"
 
-#include <QPainter>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -16,8 +13,6 @@
 namespace ui {
 namespace {
 
-constexpr double signRadius = 10.0;
-constexpr double signGap = 26.0;
 constexpr double thinningStepPx = 0.7;
 constexpr double curveWidth = 2.2;   ///< px at 100 %
 
@@ -60,13 +55,6 @@ Eigen::Vector2d nearestPoint(const core::Centerline2d& curves, int id, const Eig
 
 }   // namespace
 
-/// A tick or a cross beside a suspect curve, in widget px.
-struct EditCurvesTool::Sign {
-    QPointF centre;
-    int curveId = 0;
-    bool accepts = false;
-};
-
 Eigen::Vector2d EditCurvesTool::onCanvas(const Eigen::Vector2d& imagePx, Canvas canvas) const
 {
     const QPointF at = view().widgetFromImage(imagePx) * view().devicePixelRatio();
@@ -107,7 +95,7 @@ void EditCurvesTool::addCurves(StrokeMesh& mesh, Canvas canvas) const
     }
     for (const core::Curve2d& curve : shown_.curves) {
         const bool isSuspect = std::ranges::find(suspects_, curve.id) != suspects_.end();
-        if (curve.id == hovered_) {
+        if (curve.id == hovered_ || curve.id == chosenSuspect_) {
             addShadowedLine(mesh, lineOnCanvas(curve.pointsPx, tones().textStrong, canvas), 2.0 * width, 1.0);
         } else if (isSuspect) {
             addDashes(mesh, lineOnCanvas(curve.pointsPx, tones().attention, canvas), width, 7.0 * ratio);
@@ -161,59 +149,6 @@ bool EditCurvesTool::brushes() const
 double EditCurvesTool::brushPx() const
 {
     return brushRadius_ / view().zoom();
-}
-
-std::vector<EditCurvesTool::Sign> EditCurvesTool::signs() const
-{
-    std::vector<Sign> all;
-    if (!isReady_ || isDragging_) {
-        return all;
-    }
-    for (const core::Curve2d& curve : curves_.curves) {
-        if (std::ranges::find(suspects_, curve.id) != suspects_.end()) {
-            const QPointF middle = view().widgetFromImage(curve.pointsPx[curve.pointsPx.size() / 2]);
-            all.push_back({middle + QPointF(16.0, -0.5 * signGap), curve.id, true});
-            all.push_back({middle + QPointF(16.0, 0.5 * signGap), curve.id, false});
-        }
-    }
-    return all;
-}
-
-bool EditCurvesTool::clickSign(const ToolPoint& point)
-{
-    const std::vector<Sign> all = signs();
-    const auto hit = std::ranges::find_if(all, [&](const Sign& sign) {
-        const QPointF way = point.position - sign.centre;
-        return std::hypot(way.x(), way.y()) <= signRadius + 2.0;
-    });
-    if (hit == all.end()) {
-        return false;
-    }
-    if (hit->accepts) {
-        emit suspectAccepted(hit->curveId);
-    } else {
-        report(core::withoutCurve(curves_, hit->curveId), tr("Mark as not a vessel"));
-    }
-    return true;
-}
-
-void EditCurvesTool::paint(QPainter& painter) const
-{
-    for (const Sign& sign : signs()) {
-        const Color& tone = sign.accepts ? tones().fine : tones().attention;
-        painter.setPen(QPen(toQColor(tone), 1.5));
-        painter.setBrush(toQColor(tones().field, 0.85));
-        painter.drawEllipse(sign.centre, signRadius, signRadius);
-        painter.setPen(QPen(toQColor(tone), 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        const QPointF c = sign.centre;
-        if (sign.accepts) {
-            const std::array tick{c + QPointF(-4.5, 0.0), c + QPointF(-1.0, 3.5), c + QPointF(4.5, -3.5)};
-            painter.drawPolyline(tick.data(), static_cast<int>(tick.size()));
-        } else {
-            painter.drawLine(c + QPointF(-3.5, -3.5), c + QPointF(3.5, 3.5));
-            painter.drawLine(c + QPointF(-3.5, 3.5), c + QPointF(3.5, -3.5));
-        }
-    }
 }
 
 }   // namespace ui

@@ -3,10 +3,7 @@
 #include "core/tracing/edit_centerline.h"
 #include "ui/views/angiogram_view.h"
 
-#include <QKeyEvent>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -16,23 +13,6 @@ namespace {
 constexpr double reachOnScreenPx = 9.0;
 constexpr double smallestBrush = 4.0;
 constexpr double largestBrush = 80.0;
-constexpr double brushStep = 1.25;
-
-struct EditKey {
-    Qt::Key key;
-    CurveEdit edit;
-};
-constexpr std::array editKeys{EditKey{Qt::Key_E, CurveEdit::Erase}, EditKey{Qt::Key_D, CurveEdit::Draw},
-                              EditKey{Qt::Key_C, CurveEdit::Cut},   EditKey{Qt::Key_X, CurveEdit::Remove},
-                              EditKey{Qt::Key_B, CurveEdit::Box},   EditKey{Qt::Key_L, CurveEdit::Lasso}};
-
-std::optional<CurveEdit> editOf(const QKeyEvent& event)
-{
-    const auto* found =
-        std::ranges::find(editKeys, event.key(), [](const EditKey& row) { return static_cast<int>(row.key); });
-    const bool isPlain = event.modifiers() == Qt::NoModifier;
-    return isPlain && found != editKeys.end() ? std::optional(found->edit) : std::nullopt;
-}
 
 bool isSame(const core::Centerline2d& a, const core::Centerline2d& b)
 {
@@ -54,6 +34,9 @@ void EditCurvesTool::showCurves(const core::Centerline2d& curves, const std::vec
 {
     curves_ = shown_ = curves;
     suspects_ = suspectIds;
+    if (std::ranges::find(suspects_, chosenSuspect_) == suspects_.end()) {
+        chosenSuspect_ = -1;
+    }
     hovered_ = -1;
     region_.clear();
     view().update();
@@ -92,6 +75,9 @@ QString EditCurvesTool::caption() const
     if (!isReady_) {
         return tr("Edit vessels: tracing this frame …");
     }
+    if (chosenSuspect_ >= 0) {
+        return tr("Perhaps a catheter: A keeps it, Delete leaves it out, S shows the next");
+    }
     switch (edit_) {
         case CurveEdit::Erase:
             return tr("Erase: brush over curves, [ ] size of the brush, Esc ends");
@@ -119,7 +105,7 @@ void EditCurvesTool::end()
     path_.clear();
     region_.clear();
     mouse_.reset();
-    hovered_ = -1;
+    hovered_ = chosenSuspect_ = -1;
 }
 
 double EditCurvesTool::reachPx() const
@@ -262,37 +248,6 @@ void EditCurvesTool::leave()
 {
     mouse_.reset();
     hovered_ = -1;
-}
-
-bool EditCurvesTool::takesKey(const QKeyEvent& event) const
-{
-    const bool isBrush = edit_ == CurveEdit::Erase && event.modifiers() == Qt::NoModifier &&
-                         (event.key() == Qt::Key_BracketLeft || event.key() == Qt::Key_BracketRight);
-    const bool isPath = !path_.isEmpty() && (event.key() == Qt::Key_Backspace || event.key() == Qt::Key_Return ||
-                                             event.key() == Qt::Key_Enter);
-    // Backspace would move the pose: in this mode it belongs to the path, even where there is none.
-    return isBrush || isPath || event.key() == Qt::Key_Backspace || editOf(event).has_value();
-}
-
-void EditCurvesTool::keyPress(const QKeyEvent& event)
-{
-    if (const auto chosen = editOf(event)) {
-        setEdit(*chosen);
-    } else if (event.key() == Qt::Key_BracketLeft || event.key() == Qt::Key_BracketRight) {
-        setBrush(brushRadius_ * (event.key() == Qt::Key_BracketLeft ? 1.0 / brushStep : brushStep));
-    } else if (event.key() == Qt::Key_Backspace) {
-        path_.takeBack(ground_ ? &ground_->wire : nullptr);
-        view().update();
-    } else {
-        finishPath();
-    }
-}
-
-bool EditCurvesTool::takeBack()
-{
-    const bool wasDrawing = !path_.isEmpty();
-    path_.clear();
-    return wasDrawing;
 }
 
 std::optional<QCursor> EditCurvesTool::cursor(bool) const

@@ -21,7 +21,8 @@ struct CurveGround {
 };
 
 /// Edits the traced curves of the frame by mouse: see `CurveEdit`. Curves that may be catheters are dashed amber, with
-/// a tick and a cross to click. Shows the curves it is told, and reports what they would be after each edit.
+/// a tick and a cross to click; S goes to the next of them, A keeps it, Delete leaves it out. Shows the curves it is
+/// told, and reports what they would be after each edit.
 class EditCurvesTool : public ImageTool {
     Q_OBJECT
 public:
@@ -76,6 +77,10 @@ private:
     bool clickSign(const ToolPoint& point);
     bool brushes() const;
     double brushPx() const;   ///< its radius in image px
+    bool isSuspectKey(const QKeyEvent& event) const;
+    void suspectKey(const QKeyEvent& event);
+    void chooseSuspect(int step);
+    void decide(int curveId, bool isVessel);
     Eigen::Vector2d onCanvas(const Eigen::Vector2d& imagePx, Canvas canvas) const;
     StrokeLine lineOnCanvas(const std::vector<Eigen::Vector2d>& points, const Color& tone, Canvas canvas) const;
     void addCurves(StrokeMesh& mesh, Canvas canvas) const;
@@ -86,6 +91,7 @@ private:
     core::Centerline2d curves_;
     core::Centerline2d shown_;   ///< with the drag under way
     std::vector<int> suspects_;
+    int chosenSuspect_ = -1;   ///< by keys; −1: none
     std::shared_ptr<CurveGround> ground_;
     bool isReady_ = false;
     CurveEdit edit_ = CurveEdit::Remove;
