@@ -42,6 +42,7 @@ inline const Setting<double> trialRangeMm{"user/trialRangeMm", 15.0};
 inline const Setting<double> trialRangeDeg{"user/trialRangeDeg", 8.0};
 inline const Setting<int> exportWidthPx{"export/widthPx", 1024};
 inline const Setting<bool> exportResiduals{"export/residuals", true};
+inline const Setting<bool> exportEnglish{"export/english", false};   ///< whatever language the window speaks
 }   // namespace settings
 
 }   // namespace app

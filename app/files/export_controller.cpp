@@ -68,11 +68,13 @@ void ExportController::askOverlay()
     const auto viewWidth = static_cast<int>(std::lround(view.zoom() * run.width() * view.devicePixelRatioF()));
     auto* dialog =
         new ui::ExportDialog(std::max(64, viewWidth), static_cast<double>(run.height()) / run.width(), &window_);
-    dialog->showChoice({settings::exportWidthPx.read(),
-                        settings::exportResiduals.read() ? ui::Choice::On : ui::Choice::Off, ui::Choice::Off});
+    const auto chosen = [](const Setting<bool>& setting) { return setting.read() ? ui::Choice::On : ui::Choice::Off; };
+    dialog->showChoice({settings::exportWidthPx.read(), chosen(settings::exportResiduals), ui::Choice::Off,
+                        chosen(settings::exportEnglish)});
     connect(dialog, &ui::ExportDialog::chosen, this, [this](const ui::ExportChoice& choice) {
         settings::exportWidthPx.write(choice.widthPx);
         settings::exportResiduals.write(choice.residualColors == ui::Choice::On);
+        settings::exportEnglish.write(choice.english == ui::Choice::On);
         askFile({tr("Export overlay"), tr("PNG pictures (*.png)"), QStringLiteral("png")}, overlayWriter(choice));
     });
     dialog->open();
@@ -83,7 +85,8 @@ ExportController::Write ExportController::overlayWriter(const ui::ExportChoice& 
     const OverlayPictureOptions options{
         choice.widthPx,
         choice.residualColors == ui::Choice::On ? OverlayColoring::Residuals : OverlayColoring::Branches,
-        choice.identity == ui::Choice::On ? Identity::Shown : Identity::Hidden};
+        choice.identity == ui::Choice::On ? Identity::Shown : Identity::Hidden,
+        choice.english == ui::Choice::On ? PictureLanguage::English : PictureLanguage::Window};
     return [snapshot = document_.current(), target = target_.current(), options](const QString& path) -> core::Status {
         auto picture = drawOverlay(snapshot, target ? *target : core::Centerline2d{}, options);
         if (!picture) {

@@ -4,6 +4,7 @@
 #include "core/evaluation/branch_distances.h"
 #include "core/imaging/display_range.h"
 #include "ui/scenes/overlay_scene.h"
+#include "ui/words/core_texts.h"
 
 #include <cmath>
 
@@ -23,18 +24,32 @@ ui::ViewRect wholeImage(const core::ImageF& frame)
     return {-0.5, frame.width - 0.5, -0.5, frame.height - 0.5};
 }
 
-ui::CornerTexts exportTexts(const core::RegistrationCase& registrationCase, Identity identity)
+void translate(ui::CornerTexts& texts)
 {
-    ui::CornerTexts texts = cornerTexts(registrationCase, identity);
-    texts.topLeft.insert(texts.topLeft.begin(), registrationCase.title);
+    for (auto* lines : {&texts.topLeft, &texts.topRight, &texts.bottomLeft, &texts.bottomRight}) {
+        for (std::string& line : *lines) {
+            line = ui::coreText(line).toStdString();
+        }
+    }
+}
+
+ui::CornerTexts exportTexts(const core::RegistrationCase& registrationCase, const OverlayPictureOptions& options)
+{
+    ui::CornerTexts texts = cornerTexts(registrationCase, options.identity);
     texts.topRight.insert(texts.topRight.begin(), notForClinicalUse);
-    texts.bottomLeft.push_back("frame " + std::to_string(registrationCase.frame + 1) + " / " +
-                               std::to_string(registrationCase.angiogram->frameCount()));
+    if (const int count = registrationCase.angiogram->frameCount(); count > 1) {
+        texts.bottomLeft.push_back("frame " + std::to_string(registrationCase.frame) + " of 0–" +
+                                   std::to_string(count - 1));
+    }
     if (registrationCase.result) {
         const core::RegistrationResult& result = *registrationCase.result;
         texts.bottomLeft.push_back(result.method + " · median " + fixedText(result.metrics.medianPx, 2) + " px" +
                                    (result.trustworthy ? "" : " · not trustworthy"));
     }
+    if (options.language == PictureLanguage::Window) {
+        translate(texts);
+    }
+    texts.topLeft.insert(texts.topLeft.begin(), registrationCase.title);   // the user's words
     return texts;
 }
 
@@ -98,7 +113,7 @@ core::Result<core::ColorImage> drawOverlay(const core::RegistrationCase& registr
     const int height =
         std::max(1, static_cast<int>(std::lround(static_cast<double>(width) * frame.height / frame.width)));
     scene.setLineWidthPx(std::max(1.5, width / 512.0 * 1.5));
-    return ui::renderOffscreen(scene, width, height, wholeImage(frame), exportTexts(registrationCase, options.identity),
+    return ui::renderOffscreen(scene, width, height, wholeImage(frame), exportTexts(registrationCase, options),
                                scaleMaximumPx, residualScaleMaximumMm);
 }
 

@@ -11,12 +11,14 @@
 namespace app {
 
 enum class OverlayColoring { Residuals, Branches };
+enum class PictureLanguage { English, Window };   ///< of the texts burned in; the command line knows English only
 
 /// How an exported overlay looks.
 struct OverlayPictureOptions {
     int widthPx = 0;   ///< 0: twice the image; the height follows from the image
     OverlayColoring coloring = OverlayColoring::Residuals;
     Identity identity = Identity::Hidden;
+    PictureLanguage language = PictureLanguage::English;
 };
 
 /// The picture that reports carry: angiogram, projected tree at the case's pose, residual colours against `target`

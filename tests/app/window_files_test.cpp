@@ -1,5 +1,7 @@
+#include "app/texts/overlay_picture.h"
 #include "tests/app/open_window.h"
 #include "tests/support/test_data.h"
+#include "ui/words/language.h"
 
 #include "app/document/edit_case.h"
 #include "app/settings.h"
@@ -129,6 +131,23 @@ TEST(WindowFiles, WriteAnOverlayWithItsProvenance)
     EXPECT_EQ(picture.width(), 600);
     EXPECT_TRUE(picture.textKeys().contains(QStringLiteral("cameraFromPatient")));
     EXPECT_TRUE(picture.text(QStringLiteral("Disclaimer")).contains(QStringLiteral("clinical")));
+}
+
+TEST(WindowFiles, SpeakTheLanguageOfTheWindowInAnOverlay)
+{
+    OpenWindow w;
+    w.openSample();
+    const auto pictureIn = [&w](const char* windowLanguage, PictureLanguage language) {
+        ui::applyLanguage(QString::fromLatin1(windowLanguage));
+        const auto picture = drawOverlay(w.current(), {}, {400, OverlayColoring::Branches, Identity::Hidden, language});
+        ui::applyLanguage(QStringLiteral("en"));
+        return picture ? picture.value().rgb : std::vector<std::uint8_t>{};
+    };
+    const auto english = pictureIn("en", PictureLanguage::Window);
+    ASSERT_FALSE(english.empty());
+    EXPECT_NE(pictureIn("de", PictureLanguage::Window), english);
+    EXPECT_NE(pictureIn("zh_CN", PictureLanguage::Window), pictureIn("de", PictureLanguage::Window));
+    EXPECT_EQ(pictureIn("de", PictureLanguage::English), english);
 }
 
 /// Whatever is dropped on the window loads or is refused by one message, and the open case survives a refusal.

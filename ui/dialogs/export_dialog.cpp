@@ -2,6 +2,7 @@
 
 #include "ui/panels/number_field.h"
 #include "ui/panels/section.h"
+#include "ui/words/language.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -28,7 +29,8 @@ ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
       widthLabel_(roleLabel("label", tr("Width"))),
       resulting_(roleLabel("hint")),
       residuals_(new QCheckBox(tr("Residual colours with their scale"))),
-      identity_(new QCheckBox(tr("Patient identity in the picture")))
+      identity_(new QCheckBox(tr("Patient identity in the picture"))),
+      english_(new QCheckBox(tr("Texts in English")))
 {
     setObjectName(QStringLiteral("exportDialog"));
     setWindowTitle(tr("Export overlay"));
@@ -45,6 +47,8 @@ ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
     form->addRow(QString(), resulting_);
     form->addRow(QString(), residuals_);
     form->addRow(QString(), identity_);
+    form->addRow(QString(), english_);
+    english_->setVisible(currentLanguage() != languages().front());
     auto* notice = roleLabel("hint", tr("The picture always says “Not for clinical use” and carries inputs, "
                                         "method and pose in its text fields."));
     notice->setWordWrap(true);
@@ -82,6 +86,7 @@ void ExportDialog::showChoice(const ExportChoice& choice)
     }
     residuals_->setChecked(choice.residualColors == Choice::On);
     identity_->setChecked(choice.identity == Choice::On);
+    english_->setChecked(choice.english == Choice::On);
     showSize();
 }
 
@@ -103,6 +108,7 @@ ExportChoice ExportDialog::choice() const
     }
     result.residualColors = residuals_->isChecked() ? Choice::On : Choice::Off;
     result.identity = identity_->isChecked() ? Choice::On : Choice::Off;
+    result.english = english_->isChecked() ? Choice::On : Choice::Off;
     return result;
 }
 

@@ -18,6 +18,7 @@ struct ExportChoice {
     int widthPx = 1024;
     Choice residualColors = Choice::On;
     Choice identity = Choice::Off;
+    Choice english = Choice::Off;   ///< texts in the picture, where the window speaks another language
 };
 
 /// Asks size, residual colours and identity before an overlay is written. `chosen` follows on Export.
@@ -44,6 +45,7 @@ private:
     QLabel* resulting_;
     QCheckBox* residuals_;
     QCheckBox* identity_;
+    QCheckBox* english_;
 };
 
 }   // namespace ui

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 
 namespace ui {
@@ -27,10 +28,10 @@ Library openLibrary()
     return Library(FT_Init_FreeType(&library) == 0 ? library : nullptr);
 }
 
-Face openFace(const Library& library, int sizePx)
+Face openFace(const Library& library, const FontFace& font, int sizePx)
 {
     FT_Face face = nullptr;
-    if (!library || FT_New_Face(library.get(), interfaceFontFile().c_str(), 0, &face) != 0) {
+    if (!library || font.file.empty() || FT_New_Face(library.get(), font.file.c_str(), font.index, &face) != 0) {
         return {};
     }
     FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(sizePx));
@@ -38,16 +39,16 @@ Face openFace(const Library& library, int sizePx)
 }
 
 /// Code points of UTF-8; a broken sequence ends the text.
-std::vector<FT_ULong> codePoints(const std::string& text)
+std::vector<char32_t> codePoints(const std::string& text)
 {
-    std::vector<FT_ULong> points;
+    std::vector<char32_t> points;
     for (std::size_t i = 0; i < text.size();) {
         const auto lead = static_cast<unsigned char>(text[i]);
         const std::size_t length = lead < 0x80 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
         if (i + length > text.size()) {
             break;
         }
-        FT_ULong point = length == 1 ? lead : lead & (0x7fU >> length);
+        char32_t point = length == 1 ? lead : lead & (0x7fU >> length);
         for (std::size_t k = 1; k < length; ++k) {
             point = point << 6U | (static_cast<unsigned char>(text[i + k]) & 0x3fU);
         }
@@ -55,17 +56,6 @@ std::vector<FT_ULong> codePoints(const std::string& text)
         i += length;
     }
     return points;
-}
-
-int widthOf(FT_Face face, const std::string& line)
-{
-    int width = 0;
-    for (const FT_ULong point : codePoints(line)) {
-        if (FT_Load_Char(face, point, FT_LOAD_DEFAULT) == 0) {
-            width += static_cast<int>(face->glyph->advance.x >> 6);
-        }
-    }
-    return width;
 }
 
 void addGlyph(core::Mask2d& mask, const FT_GlyphSlot glyph, int penX, int baseline)
@@ -83,28 +73,70 @@ void addGlyph(core::Mask2d& mask, const FT_GlyphSlot glyph, int penX, int baseli
     }
 }
 
+/// The interface font, and one for the signs of the text that it lacks.
+class Fonts {
+public:
+    Fonts(const std::vector<std::string>& lines, int sizePx)
+        : library_(openLibrary()), usual_(openFace(library_, interfaceFont(), sizePx))
+    {
+        std::vector<char32_t> missing;
+        for (const std::string& line : lines) {
+            std::ranges::copy_if(codePoints(line), std::back_inserter(missing),
+                                 [this](char32_t sign) { return usual_ && !has(usual_, sign); });
+        }
+        if (!missing.empty()) {
+            other_ = openFace(library_, fontWith(missing), sizePx);
+        }
+    }
+    explicit operator bool() const { return usual_ != nullptr; }
+
+    /// The glyph of a sign, drawn where `flags` say so; null where there is none.
+    FT_GlyphSlot glyph(char32_t sign, FT_Int32 flags) const
+    {
+        const Face& face = other_ && !has(usual_, sign) ? other_ : usual_;
+        return FT_Load_Char(face.get(), sign, flags) == 0 ? face->glyph : nullptr;
+    }
+
+private:
+    static bool has(const Face& face, char32_t sign) { return FT_Get_Char_Index(face.get(), sign) != 0; }
+
+    Library library_;
+    Face usual_;
+    Face other_;
+};
+
+int widthOf(const Fonts& fonts, const std::string& line)
+{
+    int width = 0;
+    for (const char32_t sign : codePoints(line)) {
+        if (const FT_GlyphSlot glyph = fonts.glyph(sign, FT_LOAD_DEFAULT)) {
+            width += static_cast<int>(glyph->advance.x >> 6);
+        }
+    }
+    return width;
+}
+
 }   // namespace
 
 core::Mask2d textMask(const std::vector<std::string>& lines, int sizePx, TextAlign align)
 {
-    const Library library = openLibrary();
-    const Face face = openFace(library, sizePx);
-    if (!face || lines.empty()) {
+    const Fonts fonts(lines, sizePx);
+    if (!fonts || lines.empty()) {
         return {};
     }
     const int lineHeight = static_cast<int>(std::lround(1.4 * sizePx));
     int width = 0;
     for (const std::string& line : lines) {
-        width = std::max(width, widthOf(face.get(), line));
+        width = std::max(width, widthOf(fonts, line));
     }
     core::Mask2d mask(width + 2, lineHeight * static_cast<int>(lines.size()));
     int baseline = static_cast<int>(std::lround(1.05 * sizePx));
     for (const std::string& line : lines) {
-        int penX = align == TextAlign::Right ? width - widthOf(face.get(), line) : 0;
-        for (const FT_ULong point : codePoints(line)) {
-            if (FT_Load_Char(face.get(), point, FT_LOAD_RENDER) == 0) {
-                addGlyph(mask, face->glyph, penX, baseline);
-                penX += static_cast<int>(face->glyph->advance.x >> 6);
+        int penX = align == TextAlign::Right ? width - widthOf(fonts, line) : 0;
+        for (const char32_t sign : codePoints(line)) {
+            if (const FT_GlyphSlot glyph = fonts.glyph(sign, FT_LOAD_RENDER)) {
+                addGlyph(mask, glyph, penX, baseline);
+                penX += static_cast<int>(glyph->advance.x >> 6);
             }
         }
         baseline += lineHeight;

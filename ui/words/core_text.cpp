@@ -79,6 +79,15 @@ QString filled(const char* source, const QRegularExpressionMatch& match)
     return result + words.mid(end);
 }
 
+/// "0.39 mm/px at the detector · 0.31 mm/px at the vessels" are two parts, not one with a long number.
+bool joinsParts(const Template& candidate, const QRegularExpressionMatch& match)
+{
+    const QString separator = QStringLiteral(" · ");
+    const QStringList captured = match.capturedTexts().mid(1);
+    return !QString::fromUtf8(candidate.source).contains(separator) &&
+           std::ranges::any_of(captured, [&](const QString& hole) { return hole.contains(separator); });
+}
+
 std::optional<QString> translatedSentence(const QString& text)
 {
     static const QHash<QString, const char*> wholeTexts = makeWholeTexts();
@@ -88,7 +97,7 @@ std::optional<QString> translatedSentence(const QString& text)
     }
     for (const Template& candidate : templates) {
         if (text.startsWith(candidate.head) && text.endsWith(candidate.tail)) {
-            if (const auto match = candidate.pattern.match(text); match.hasMatch()) {
+            if (const auto match = candidate.pattern.match(text); match.hasMatch() && !joinsParts(candidate, match)) {
                 return filled(candidate.source, match);
             }
         }
