@@ -1,5 +1,6 @@
 #include "ui/main_window.h"
 
+#include "ui/panels/wheel_guard.h"
 #include "ui/places/view_frame.h"
 #include "ui/slices/corner_views.h"
 #include "ui/slices/slices_page.h"
@@ -105,6 +106,7 @@ MainWindow::MainWindow(QWidget* parent)
     });
     angiogramView_->setFocus();
     qApp->installEventFilter(this);
+    new WheelGuard(this);
 }
 
 QWidget* MainWindow::makeLeftColumn()

@@ -91,7 +91,6 @@ QWidget* OptionForm::makeEditor(const core::OptionField& field)
 {
     if (!field.choices.empty()) {
         auto* box = new QComboBox;
-        box->setFocusPolicy(Qt::StrongFocus);
         for (const std::string_view choice : field.choices) {
             box->addItem(choiceText(choice));
         }

@@ -3,6 +3,7 @@
 #include "ui/scenes/branch_style.h"
 #include "ui/theme/active_theme.h"
 
+#include <QFontMetricsF>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -14,6 +15,9 @@ namespace {
 
 constexpr double farthestMm = 3.0;
 constexpr int letterPx = 12;
+constexpr double letterWidthPx = 16.0;
+constexpr double letterHeightPx = 16.0;
+constexpr double letterGapPx = 2.0;
 constexpr int textPx = 11;
 constexpr double crosshairGapPx = 9.0;
 constexpr double markRadiusPx = 4.5;
@@ -112,6 +116,16 @@ void paintMark(QPainter& painter, const QPointF& at, SliceMarkKind kind, const Q
     }
 }
 
+/// In the middle of an edge; where a corner text reaches so far, to the right of it.
+QRectF letterBox(const QRectF& area, double top, const QRectF& taken)
+{
+    QRectF box(area.center().x() - 0.5 * letterWidthPx, top, letterWidthPx, letterHeightPx);
+    if (box.intersects(taken)) {
+        box.moveLeft(std::min(taken.right() + letterGapPx, area.right() - letterWidthPx));
+    }
+    return box;
+}
+
 }   // namespace
 
 double visibleDistanceMm(const core::SliceGrid& grid)
@@ -157,7 +171,7 @@ void paintCrosshair(QPainter& painter, const SliceOverlay& overlay)
     painter.drawLine(QLineF(at.x(), at.y() + crosshairGapPx, at.x(), area.bottom()));
 }
 
-void paintSides(QPainter& painter, const SliceOverlay& overlay)
+void paintSides(QPainter& painter, const SliceOverlay& overlay, const CornerRoom& taken)
 {
     const core::PlaneAxes axes = core::axesOf(overlay.plane);
     QFont font = painter.font();
@@ -168,11 +182,12 @@ void paintSides(QPainter& painter, const SliceOverlay& overlay)
     const QColor color = toQColor(tones().text);
     drawOutlined(painter, area, Qt::AlignLeft | Qt::AlignVCenter, sideOf(-axes.right), color);
     drawOutlined(painter, area, Qt::AlignRight | Qt::AlignVCenter, sideOf(axes.right), color);
-    drawOutlined(painter, area, Qt::AlignHCenter | Qt::AlignTop, sideOf(-axes.down), color);
-    drawOutlined(painter, area, Qt::AlignHCenter | Qt::AlignBottom, sideOf(axes.down), color);
+    drawOutlined(painter, letterBox(area, area.top(), taken.top), Qt::AlignCenter, sideOf(-axes.down), color);
+    drawOutlined(painter, letterBox(area, area.bottom() - letterHeightPx, taken.bottom), Qt::AlignCenter,
+                 sideOf(axes.down), color);
 }
 
-void paintTexts(QPainter& painter, const QRectF& area, const QStringList& top, const QStringList& bottom)
+CornerRoom paintTexts(QPainter& painter, const QRectF& area, const QStringList& top, const QStringList& bottom)
 {
     QFont font = painter.font();
     font.setPixelSize(textPx);
@@ -182,6 +197,9 @@ void paintTexts(QPainter& painter, const QRectF& area, const QStringList& top, c
     const QRectF inner = area.adjusted(8, 6, -8, -6);
     drawOutlined(painter, inner, Qt::AlignLeft | Qt::AlignTop, top.join(QLatin1Char('\n')), color);
     drawOutlined(painter, inner, Qt::AlignLeft | Qt::AlignBottom, bottom.join(QLatin1Char('\n')), color);
+    const QFontMetricsF metrics(font);
+    return {metrics.boundingRect(inner, Qt::AlignLeft | Qt::AlignTop, top.join(QLatin1Char('\n'))),
+            metrics.boundingRect(inner, Qt::AlignLeft | Qt::AlignBottom, bottom.join(QLatin1Char('\n')))};
 }
 
 }   // namespace ui

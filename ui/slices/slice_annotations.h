@@ -28,10 +28,16 @@ void paintBranches(QPainter& painter, const SliceOverlay& overlay);
 void paintPoints(QPainter& painter, const SliceOverlay& overlay);
 void paintCrosshair(QPainter& painter, const SliceOverlay& overlay);
 
-/// Letters of the patient's sides at the middle of the edges.
-void paintSides(QPainter& painter, const SliceOverlay& overlay);
+/// What the corner texts cover.
+struct CornerRoom {
+    QRectF top;
+    QRectF bottom;
+};
 
 /// Lines of text from the top left and from the bottom left, readable on any picture.
-void paintTexts(QPainter& painter, const QRectF& area, const QStringList& top, const QStringList& bottom);
+CornerRoom paintTexts(QPainter& painter, const QRectF& area, const QStringList& top, const QStringList& bottom);
+
+/// Letters of the patient's sides at the middle of the edges, clear of the corner texts.
+void paintSides(QPainter& painter, const SliceOverlay& overlay, const CornerRoom& taken);
 
 }   // namespace ui

@@ -128,8 +128,8 @@ void SliceView::paintEvent(QPaintEvent*)
     paintBranches(painter, overlay);
     paintPoints(painter, overlay);
     paintCrosshair(painter, overlay);
-    paintSides(painter, overlay);
-    paintTexts(painter, rect(), {sliceText()}, placeTexts());
+    const CornerRoom taken = paintTexts(painter, rect(), {sliceText()}, placeTexts());
+    paintSides(painter, overlay, taken);
     if (hasFocus()) {
         painter.setPen(QPen(toQColor(tones.accent, 0.7), 1.0));
         painter.setBrush(Qt::NoBrush);

@@ -268,24 +268,37 @@ void paintMode(QPainter& painter, const QSizeF& size, const ModeLabel& mode)
     drawShadowedText(painter, line, Qt::AlignHCenter | Qt::AlignVCenter, mode.text, tone);
 }
 
+/// How far up the bottom letter, how far down the top one has to go to stay clear of the corner texts.
+double clearHeight(double middle, double wanted, const std::vector<QRectF>& taken, double step)
+{
+    const auto covers = [&](const QRectF& block) {
+        return block.intersects(QRectF(middle - 10.0, wanted - 9.0, 20.0, 18.0));
+    };
+    const auto block = std::ranges::find_if(taken, covers);
+    return block == taken.end() ? wanted : clearHeight(middle, wanted + step, taken, step);
+}
+
 /// Letters in the middle of each edge: the side of the patient that lies there.
-void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations)
+void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations,
+                const std::vector<QRectF>& taken)
 {
     painter.setFont(sized(painter.font(), fullSizePx));
     const auto letter = [&painter](const QPointF& centre, const std::string& text) {
         drawShadowedText(painter, QRectF(centre - QPointF(20.0, 9.0), QSizeF(40.0, 18.0)), Qt::AlignCenter,
                          QString::fromStdString(text), colorOf(tones().textStrong));
     };
-    const double below = annotations.mode.text.isEmpty() ? 18.0 : 34.0;
+    constexpr double step = 8.0;
+    const double middle = 0.5 * size.width();
+    const double below = clearHeight(middle, annotations.mode.text.isEmpty() ? 18.0 : 34.0, taken, step);
     const double besideScale = annotations.scaleMaximumPx > 0.0 ? scaleBar(size).top() - 56.0 : 0.5 * size.height();
-    letter({0.5 * size.width(), below}, annotations.sides.top);
+    letter({middle, below}, annotations.sides.top);
     if (!annotations.sideMark.isEmpty()) {
         const double width = QFontMetricsF(painter.font()).horizontalAdvance(annotations.sideMark) + 16.0;
         painter.fillRect(QRectF(0.5 * (size.width() - width), below + 10.0, width, 18.0), colorOf(tones().canvas, 0.6));
         drawShadowedText(painter, QRectF(0.0, below + 10.0, size.width(), 18.0), Qt::AlignCenter, annotations.sideMark,
                          colorOf(tones().attention));
     }
-    letter({0.5 * size.width(), size.height() - 18.0}, annotations.sides.bottom);
+    letter({middle, clearHeight(middle, size.height() - 18.0, taken, -step)}, annotations.sides.bottom);
     letter({20.0, 0.5 * size.height()}, annotations.sides.left);
     letter({size.width() - 20.0, besideScale}, annotations.sides.right);
 }
@@ -298,14 +311,14 @@ void paintAnnotations(QPainter& painter, const QSizeF& size, const AngiogramAnno
     const Ground ground(viewport, scene);
     const CornerTexts& texts = annotations.texts;
     const QRectF topLeft = paintCorner(painter, size, Corner::TopLeft, toLines(texts.topLeft), ground);
-    paintCorner(painter, size, Corner::TopRight, toLines(texts.topRight), ground, topLeft);
+    const QRectF topRight = paintCorner(painter, size, Corner::TopRight, toLines(texts.topRight), ground, topLeft);
     const QRectF beside = paintCorner(painter, size, Corner::BottomRight, toLines(texts.bottomRight), ground);
     const QRectF below =
         paintCorner(painter, size, Corner::BottomLeft, ownLines(annotations, viewport.zoom()), ground, beside);
     if (annotations.mmPerImagePx > 0.0) {
         paintRuler(painter, size, below, viewport.zoom() / annotations.mmPerImagePx);
     }
-    paintSides(painter, size, annotations);
+    paintSides(painter, size, annotations, {topLeft, topRight, beside, below});
     if (annotations.scaleMaximumPx > 0.0) {
         paintScale(painter, size, annotations);
     }
