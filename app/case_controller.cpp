@@ -2,12 +2,21 @@
 
 #include "app/window_layout.h"
 
+#include <utility>
+
 namespace app {
 
 CaseController::CaseController(ui::MainWindow& window, QObject* parent)
+    : CaseController(window, std::make_shared<CaseDocument>(), parent)
+{
+}
+
+CaseController::CaseController(ui::MainWindow& window, std::shared_ptr<CaseDocument> document, QObject* parent)
     : QObject(parent),
       window_(window),
       notices_(window, [this] { return registration_.isRunning() || session_.isLoading() || tracing_.isRunning(); }),
+      owned_(std::move(document)),
+      document_(*owned_),
       sync_(window, document_),
       history_(document_, window),
       branches_(document_),
@@ -43,6 +52,11 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
     connect(&session_, &SessionController::noticeAccepted, &help_, &HelpController::offerTour);
     restoreWindowLayout(window_);
     followDocument();
+}
+
+bool CaseController::isBusy() const
+{
+    return registration_.isRunning() || session_.isLoading() || tracing_.isRunning() || document_.isInTrial();
 }
 
 /// Why an edit could not be made is said in the strip.

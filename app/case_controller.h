@@ -31,6 +31,8 @@
 #include "app/step_controller.h"
 #include "ui/main_window.h"
 
+#include <memory>
+
 namespace app {
 
 /// Connects the window with the document and the jobs; each sub-controller holds one of the user's intents.
@@ -38,11 +40,14 @@ class CaseController : public QObject {
     Q_OBJECT
 public:
     explicit CaseController(ui::MainWindow& window, QObject* parent = nullptr);
+    /// Goes on with a document whose former window is gone.
+    CaseController(ui::MainWindow& window, std::shared_ptr<CaseDocument> document, QObject* parent = nullptr);
 
     /// Notice, recovery offer and the files of the command line.
     void begin(const QStringList& paths) { session_.begin(paths); }
     void open(const QStringList& paths) { session_.open(paths); }
     bool isLoading() const { return session_.isLoading(); }
+    bool isBusy() const;   ///< with a run, files, tracing a scan, or a trial: the window must stay as it is
 
     CaseDocument& document() { return document_; }
     SaveController& saving() { return session_.saving(); }
@@ -54,6 +59,7 @@ public:
     TargetProvider& target() { return target_; }
     TracingController& tracing() { return tracing_; }
     PoseTools& poses() { return poses_; }
+    Habits& habits() { return habits_; }
     const SharedJudgement& judgement() const { return judgement_.current(); }
 
 private:
@@ -65,7 +71,8 @@ private:
 
     ui::MainWindow& window_;
     Notices notices_;
-    CaseDocument document_;
+    std::shared_ptr<CaseDocument> owned_;
+    CaseDocument& document_;
     TargetProvider target_;
     ViewSync sync_;
     HistoryController history_;

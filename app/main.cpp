@@ -1,7 +1,6 @@
-#include "app/case_controller.h"
 #include "app/language_choice.h"
 #include "app/theme_choice.h"
-#include "ui/main_window.h"
+#include "app/window_host.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -29,9 +28,7 @@ int main(int argc, char** argv)
     parser.process(application);
 
     app::applyChosenTheme(application);
-    ui::MainWindow window;
-    app::CaseController controller(window);
-    window.show();
-    controller.begin(parser.positionalArguments());
+    app::WindowHost host;
+    host.controller().begin(parser.positionalArguments());
     return QApplication::exec();
 }

@@ -16,6 +16,9 @@ public:
     {
     }
 
+    LanguageController& language() { return language_; }
+    ShortcutController& shortcuts() { return shortcuts_; }
+
 private:
     LanguageController language_;
     MouseController mouse_;

@@ -1,7 +1,6 @@
 #include "app/habits/language_controller.h"
 
 #include "app/settings.h"
-#include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
 
 #include <array>
@@ -24,12 +23,10 @@ LanguageController::LanguageController(ui::MainWindow& window, QObject* parent) 
 
 void LanguageController::choose(const QString& code)
 {
-    if (code == settings::language.read()) {
-        return;
+    if (code != settings::language.read()) {
+        settings::language.write(code);
+        emit chosen();
     }
-    settings::language.write(code);
-    ui::MessageDialog::show({tr("Language"), tr("The new language holds from the next start of AngioPose."), {}},
-                            &window_);
 }
 
 }   // namespace app

@@ -8,11 +8,14 @@ class MainWindow;
 
 namespace app {
 
-/// The language menu. A choice holds from the next start: the window that is open keeps its words.
+/// The language menu. A choice is remembered and reported: whoever owns the window makes it speak otherwise.
 class LanguageController : public QObject {
     Q_OBJECT
 public:
     explicit LanguageController(ui::MainWindow& window, QObject* parent = nullptr);
+
+signals:
+    void chosen();
 
 private:
     void choose(const QString& code);

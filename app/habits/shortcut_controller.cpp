@@ -5,6 +5,8 @@
 
 #include <QSettings>
 
+#include <utility>
+
 namespace app {
 namespace {
 
@@ -55,6 +57,11 @@ void ShortcutController::openSheet()
     sheet_ = new ui::KeySheet(keyLines(), &window_);
     connect(sheet_, &ui::KeySheet::keyChosen, this, &ShortcutController::choose);
     connect(sheet_, &ui::KeySheet::resetRequested, this, &ShortcutController::resetAll);
+    connect(sheet_, &QDialog::finished, this, [this] {
+        if (std::exchange(areNew_, false)) {
+            emit keysChanged();
+        }
+    });
     connect(sheet_, &QObject::destroyed, this, [this] { sheet_ = nullptr; });
     sheet_->open();
 }
@@ -85,6 +92,7 @@ void ShortcutController::resetAll()
 
 void ShortcutController::refresh()
 {
+    areNew_ = true;
     if (sheet_) {
         sheet_->showLines(keyLines());
     }

@@ -25,6 +25,9 @@ public:
 
     void openSheet();
 
+signals:
+    void keysChanged();   ///< the sheet was closed, and some key is another: what names keys should be made anew
+
 private:
     std::vector<ui::KeyLine> keyLines() const;
     void readStored();
@@ -35,6 +38,7 @@ private:
     ui::MainWindow& window_;
     std::map<QAction*, QList<QKeySequence>> usual_;   ///< as the program brings them
     ui::KeySheet* sheet_ = nullptr;
+    bool areNew_ = false;   ///< since the sheet was opened
 };
 
 }   // namespace app

@@ -1,5 +1,7 @@
 #include "app/review/replay_controller.h"
 
+#include "ui/actions/key_hint.h"
+
 #include "app/document/edit_case.h"
 #include "app/settings.h"
 #include "core/registration/pose/centroid_pose.h"
@@ -187,10 +189,11 @@ void ReplayController::showSolution(std::size_t index)
     solution_ = index;
     const core::Hypothesis& other = result->alternatives[index - 1];
     sync_.showPreview(other.cameraFromPatient, ResidualColors::Hidden);
-    window_.strip().showStatus(tr("Other solution %1 of %2, score %3 · Shift+J takes it")
+    window_.strip().showStatus(tr("Other solution %1 of %2, score %3 · %4 takes it")
                                    .arg(index)
                                    .arg(result->alternatives.size())
-                                   .arg(other.score, 0, 'f', 2));
+                                   .arg(other.score, 0, 'f', 2)
+                                   .arg(ui::keyOf(ui::Command::TakeSolution)));
     emit solutionChanged(index);
 }
 

@@ -1,5 +1,7 @@
 #include "app/review/view_sync.h"
 
+#include "ui/actions/key_hint.h"
+
 #include "app/texts/case_texts.h"
 #include "app/texts/overlay_picture.h"
 #include "core/tracing/subtract_run.h"
@@ -244,10 +246,11 @@ void ViewSync::showFrameNote()
         return;
     }
     const int count = shownAngiogram_->frameCount();
-    window_.strip().showFrameNote(count > 1 ? tr("Opacification by frame · frame %1 of 0–%2 · fullest: %3 · play C")
+    window_.strip().showFrameNote(count > 1 ? tr("Opacification by frame · frame %1 of 0–%2 · fullest: %3 · play %4")
                                                   .arg(shownFrame_)
                                                   .arg(count - 1)
                                                   .arg(shownAngiogram_->suggestedFrame)
+                                                  .arg(ui::keyOf(ui::Command::Cine))
                                             : tr("Single frame"));
 }
 

@@ -127,105 +127,6 @@
     </message>
 </context>
 <context>
-    <name>app::HistoryController</name>
-    <message>
-        <source>Undo: %1</source>
-        <translation>Rückgängig: %1</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-    <message>
-        <source>Redo: %1</source>
-        <translation>Wiederholen: %1</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Wiederholen</translation>
-    </message>
-</context>
-<context>
-    <name>app::TitleController</name>
-    <message>
-        <source>%1 frames</source>
-        <translation>%1 Bilder</translation>
-    </message>
-    <message>
-        <source>1 frame</source>
-        <translation>1 Bild</translation>
-    </message>
-    <message>
-        <source>Untitled case</source>
-        <translation>Unbenannter Fall</translation>
-    </message>
-    <message>
-        <source>AngioPose · not for clinical use</source>
-        <translation>AngioPose · nicht für den klinischen Einsatz</translation>
-    </message>
-    <message>
-        <source>%1 · AngioPose · not for clinical use</source>
-        <translation>%1 · AngioPose · nicht für den klinischen Einsatz</translation>
-    </message>
-</context>
-<context>
-    <name>app::GeometryController</name>
-    <message>
-        <source>Change %1</source>
-        <translation>%1 ändern</translation>
-    </message>
-    <message>
-        <source>Use distances and spacing</source>
-        <translation>Abstände und Pixelgröße verwenden</translation>
-    </message>
-</context>
-<context>
-    <name>app::PoseGestures</name>
-    <message>
-        <source>Nudge mode: arrows move, drag moves or rolls, N ends</source>
-        <translation>Justiermodus: Pfeile schieben, Ziehen schiebt oder dreht, N beendet</translation>
-    </message>
-    <message>
-        <source>Nudge mode off</source>
-        <translation>Justiermodus aus</translation>
-    </message>
-    <message>
-        <source>Copied: camera from patient, 4 × 4, mm</source>
-        <translation>Kopiert: Kamera aus Patient, 4 × 4, mm</translation>
-    </message>
-</context>
-<context>
-    <name>app::RunController</name>
-    <message>
-        <source>Ready</source>
-        <translation>Bereit</translation>
-    </message>
-    <message>
-        <source>Change option “%1”</source>
-        <translation>Option „%1“ ändern</translation>
-    </message>
-    <message>
-        <source>Tracing the vessels of this frame …</source>
-        <translation>Gefäße dieses Bildes werden erkannt …</translation>
-    </message>
-    <message>
-        <source>Registration cannot run</source>
-        <translation>Die Registrierung kann nicht laufen</translation>
-    </message>
-    <message>
-        <source>Registering: %1 · %2 % · %3 px</source>
-        <translation>Registrierung: %1 · %2 % · %3 px</translation>
-    </message>
-    <message>
-        <source>Stopped: the best pose so far is kept, undo takes it back</source>
-        <translation>Angehalten: die bisher beste Lage bleibt, Rückgängig nimmt sie zurück</translation>
-    </message>
-    <message>
-        <source>Registered: median %1 mm</source>
-        <translation>Registriert: Median %1 mm</translation>
-    </message>
-</context>
-<context>
     <name>app::CaseController</name>
     <message>
         <source>A registration is running. Stop it to edit.</source>
@@ -315,6 +216,17 @@
     </message>
 </context>
 <context>
+    <name>app::GeometryController</name>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>Use distances and spacing</source>
+        <translation>Abstände und Pixelgröße verwenden</translation>
+    </message>
+</context>
+<context>
     <name>app::HelpController</name>
     <message>
         <source>AngioPose %1</source>
@@ -391,6 +303,25 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>F1 explains what the mouse points at, ? lists and changes all keys. This tour is under Help.</source>
         <translation>F1 erklärt, worauf die Maus zeigt, ? zeigt und ändert alle Tasten. Dieser Rundgang steht unter Hilfe.</translation>
+    </message>
+</context>
+<context>
+    <name>app::HistoryController</name>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
     </message>
 </context>
 <context>
@@ -472,17 +403,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Place vessels by landmarks</source>
         <translation>Gefäße nach Landmarken legen</translation>
-    </message>
-</context>
-<context>
-    <name>app::LanguageController</name>
-    <message>
-        <source>Language</source>
-        <translation>Sprache</translation>
-    </message>
-    <message>
-        <source>The new language holds from the next start of AngioPose.</source>
-        <translation>Die neue Sprache gilt ab dem nächsten Start von AngioPose.</translation>
     </message>
 </context>
 <context>
@@ -671,6 +591,21 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
+    <name>app::PoseGestures</name>
+    <message>
+        <source>Nudge mode: arrows move, drag moves or rolls, N ends</source>
+        <translation>Justiermodus: Pfeile schieben, Ziehen schiebt oder dreht, N beendet</translation>
+    </message>
+    <message>
+        <source>Nudge mode off</source>
+        <translation>Justiermodus aus</translation>
+    </message>
+    <message>
+        <source>Copied: camera from patient, 4 × 4, mm</source>
+        <translation>Kopiert: Kamera aus Patient, 4 × 4, mm</translation>
+    </message>
+</context>
+<context>
     <name>app::PoseTableController</name>
     <message>
         <source>There are no poses to compare yet.</source>
@@ -806,16 +741,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Lösung selbst</translation>
     </message>
     <message>
-        <source>Other solution %1 of %2, score %3 · Shift+J takes it</source>
-        <translation>Andere Lösung %1 von %2, Güte %3 · Umschalt+J übernimmt</translation>
-    </message>
-    <message>
         <source>J shows the other solutions first.</source>
         <translation>J zeigt zuerst die anderen Lösungen.</translation>
     </message>
     <message>
         <source>Take solution %1</source>
         <translation>Lösung %1 übernehmen</translation>
+    </message>
+    <message>
+        <source>Other solution %1 of %2, score %3 · %4 takes it</source>
+        <translation>Andere Lösung %1 von %2, Güte %3 · %4 übernimmt</translation>
     </message>
 </context>
 <context>
@@ -831,6 +766,37 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>After: pose as it is</source>
         <translation>Nachher: jetzige Lage</translation>
+    </message>
+</context>
+<context>
+    <name>app::RunController</name>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Change option “%1”</source>
+        <translation>Option „%1“ ändern</translation>
+    </message>
+    <message>
+        <source>Tracing the vessels of this frame …</source>
+        <translation>Gefäße dieses Bildes werden erkannt …</translation>
+    </message>
+    <message>
+        <source>Registration cannot run</source>
+        <translation>Die Registrierung kann nicht laufen</translation>
+    </message>
+    <message>
+        <source>Registering: %1 · %2 % · %3 px</source>
+        <translation>Registrierung: %1 · %2 % · %3 px</translation>
+    </message>
+    <message>
+        <source>Stopped: the best pose so far is kept, undo takes it back</source>
+        <translation>Angehalten: die bisher beste Lage bleibt, Rückgängig nimmt sie zurück</translation>
+    </message>
+    <message>
+        <source>Registered: median %1 mm</source>
+        <translation>Registriert: Median %1 mm</translation>
     </message>
 </context>
 <context>
@@ -1266,6 +1232,29 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
+    <name>app::TitleController</name>
+    <message>
+        <source>%1 frames</source>
+        <translation>%1 Bilder</translation>
+    </message>
+    <message>
+        <source>1 frame</source>
+        <translation>1 Bild</translation>
+    </message>
+    <message>
+        <source>Untitled case</source>
+        <translation>Unbenannter Fall</translation>
+    </message>
+    <message>
+        <source>AngioPose · not for clinical use</source>
+        <translation>AngioPose · nicht für den klinischen Einsatz</translation>
+    </message>
+    <message>
+        <source>%1 · AngioPose · not for clinical use</source>
+        <translation>%1 · AngioPose · nicht für den klinischen Einsatz</translation>
+    </message>
+</context>
+<context>
     <name>app::TracingController</name>
     <message>
         <source>Tracing the vessels of the scan … %1 %</source>
@@ -1413,12 +1402,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>app::ViewSync</name>
     <message>
-        <source>Opacification by frame · frame %1 of 0–%2 · fullest: %3 · play C</source>
-        <translation>Kontrastfüllung je Bild · Bild %1 von 0–%2 · vollstes: %3 · Abspielen C</translation>
-    </message>
-    <message>
         <source>Single frame</source>
         <translation>Einzelbild</translation>
+    </message>
+    <message>
+        <source>Opacification by frame · frame %1 of 0–%2 · fullest: %3 · play %4</source>
+        <translation>Kontrastfüllung je Bild · Bild %1 von 0–%2 · vollstes: %3 · Abspielen %4</translation>
+    </message>
+</context>
+<context>
+    <name>app::WindowHost</name>
+    <message>
+        <source>Takes effect as soon as this has ended.</source>
+        <translation>Gilt, sobald dies beendet ist.</translation>
     </message>
 </context>
 <context>
@@ -3871,6 +3867,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>No contrast-filled vessels were found: soft tissue has %1, and nothing even is as much brighter as contrast medium makes blood. Is this the arterial phase? Choose the CT angiogram, or give the threshold at which the vessels begin.</source>
         <translation>Es wurden keine kontrastierten Gefäße gefunden: Weichgewebe hat %1, und nichts Gleichmäßiges ist so viel heller, wie Kontrastmittel das Blut macht. Ist dies die arterielle Phase? Die CT-Angiographie wählen oder die Schwelle angeben, ab der die Gefäße beginnen.</translation>
     </message>
+    <message>
+        <source>frame %1 of 0–%2</source>
+        <translation>Bild %1 von 0–%2</translation>
+    </message>
+    <message>
+        <source>Not for clinical use</source>
+        <translation>Nicht für den klinischen Einsatz</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -3909,10 +3913,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Angiogramm</translation>
     </message>
     <message>
-        <source>Subtract mask  B</source>
-        <translation>Maske abziehen  B</translation>
-    </message>
-    <message>
         <source>Whole run in one picture</source>
         <translation>Ganze Serie in einem Bild</translation>
     </message>
@@ -3933,24 +3933,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Von Hand</translation>
     </message>
     <message>
-        <source>Move the mask with arrows or the mouse (Shift+B)</source>
-        <translation>Maske mit Pfeilen oder Maus verschieben (Umschalt+B)</translation>
-    </message>
-    <message>
         <source>Defaults</source>
         <translation>Vorgaben</translation>
     </message>
     <message>
         <source>Trace as the program would by itself</source>
         <translation>Erfassen, wie das Programm es von selbst täte</translation>
-    </message>
-    <message>
-        <source>Take away what the mask frames show as well: bones and organs (B)</source>
-        <translation>Wegnehmen, was auch die Maskenbilder zeigen: Knochen und Organe (B)</translation>
-    </message>
-    <message>
-        <source>Every frame shows the darkest value of each pixel over the run (Shift+C)</source>
-        <translation>Jedes Bild zeigt den dunkelsten Wert jedes Pixels der Serie (Umschalt+C)</translation>
     </message>
     <message>
         <source>Subtract mask</source>
@@ -4085,14 +4073,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Vorgabe der Erkennung</translation>
     </message>
     <message>
-        <source>Edit vessels  E</source>
-        <translation>Gefäße bearbeiten  E</translation>
-    </message>
-    <message>
-        <source>Leave out, erase, draw and cut traced curves (E)</source>
-        <translation>Erkannte Kurven weglassen, radieren, zeichnen, trennen (E)</translation>
-    </message>
-    <message>
         <source>Tracing</source>
         <translation>Erkennung</translation>
     </message>
@@ -4111,6 +4091,26 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>native</source>
         <translation>nativ</translation>
+    </message>
+    <message>
+        <source>Move the mask with arrows or the mouse</source>
+        <translation>Maske mit Pfeilen oder Maus verschieben</translation>
+    </message>
+    <message>
+        <source>Take away what the mask frames show as well: bones and organs</source>
+        <translation>Wegnehmen, was auch die Maskenbilder zeigen: Knochen und Organe</translation>
+    </message>
+    <message>
+        <source>Every frame shows the darkest value of each pixel over the run</source>
+        <translation>Jedes Bild zeigt den dunkelsten Wert jedes Pixels der Serie</translation>
+    </message>
+    <message>
+        <source>Edit vessels</source>
+        <translation>Gefäße bearbeiten</translation>
+    </message>
+    <message>
+        <source>Leave out, erase, draw and cut traced curves</source>
+        <translation>Erkannte Kurven weglassen, radieren, zeichnen, trennen</translation>
     </message>
 </context>
 <context>
@@ -4203,22 +4203,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Kleinster Radius</translation>
     </message>
     <message>
-        <source>Lasso  Ctrl+L</source>
-        <translation>Lasso  Strg+L</translation>
-    </message>
-    <message>
-        <source>Draw around the branches on the image (Ctrl+L).</source>
-        <translation>Die Äste im Bild umfahren (Strg+L).</translation>
-    </message>
-    <message>
-        <source>In view  V</source>
-        <translation>Im Blick  V</translation>
-    </message>
-    <message>
-        <source>The branches that lie wholly in the view (V).</source>
-        <translation>Die Äste, die ganz im Blickfeld liegen (V).</translation>
-    </message>
-    <message>
         <source>None</source>
         <translation>Keine</translation>
     </message>
@@ -4245,6 +4229,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>This tree knows no radii.</source>
         <translation>Dieser Gefäßbaum kennt keine Radien.</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Draw around the branches on the image.</source>
+        <translation>Die Äste im Bild umfahren.</translation>
+    </message>
+    <message>
+        <source>In view</source>
+        <translation>Im Blick</translation>
+    </message>
+    <message>
+        <source>The branches that lie wholly in the view.</source>
+        <translation>Die Äste, die ganz im Blickfeld liegen.</translation>
     </message>
 </context>
 <context>
@@ -4390,14 +4390,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Äste</translation>
     </message>
     <message>
-        <source>No vessels yet. Open a centreline: VTP, VTK, CSV or SWC.</source>
-        <translation>Noch keine Gefäße. Eine Mittellinie öffnen: VTP, VTK, CSV oder SWC.</translation>
-    </message>
-    <message>
-        <source>A auxiliary · X exclude</source>
-        <translation>A Hilfsast · X ausschließen</translation>
-    </message>
-    <message>
         <source>Auxiliary on or off	A</source>
         <translation>Hilfsast an oder aus	A</translation>
     </message>
@@ -4450,10 +4442,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Verbinden</translation>
     </message>
     <message>
-        <source>Closes the gap; undo opens it again (Ctrl+G).</source>
-        <translation>Schließt die Lücke; Rückgängig öffnet sie wieder (Strg+G).</translation>
-    </message>
-    <message>
         <source>Show</source>
         <translation>Zeigen</translation>
     </message>
@@ -4468,6 +4456,18 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>unknown</source>
         <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>No vessels yet. Open a CT scan, a mask of vessels or a centreline.</source>
+        <translation>Noch keine Gefäße. Ein CT, eine Gefäßmaske oder eine Mittellinie öffnen.</translation>
+    </message>
+    <message>
+        <source>Closes the gap; undo opens it again.</source>
+        <translation>Schließt die Lücke; Rückgängig öffnet sie wieder.</translation>
+    </message>
+    <message>
+        <source>%1 auxiliary · %2 exclude</source>
+        <translation>%1 Hilfsast · %2 ausschließen</translation>
     </message>
 </context>
 <context>
@@ -4943,8 +4943,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>In eigenem Fenster, und zurück</translation>
     </message>
     <message>
-        <source>Double click: only this view in the window, and back (5)</source>
-        <translation>Doppelklick: nur diese Ansicht im Fenster, und zurück (5)</translation>
+        <source>Double click: only this view in the window, and back</source>
+        <translation>Doppelklick: nur diese Ansicht im Fenster, und zurück</translation>
     </message>
 </context>
 <context>
@@ -5010,12 +5010,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Fertig</translation>
     </message>
     <message>
-        <source>%1 curves, %2 suspect</source>
-        <translation>%1 Kurven, %2 verdächtig</translation>
-    </message>
-    <message>
         <source>%1 curves</source>
         <translation>%1 Kurven</translation>
+    </message>
+    <message>
+        <source>%1 curves, %2 suspect (S)</source>
+        <translation>%1 Kurven, %2 verdächtig (S)</translation>
     </message>
 </context>
 <context>
@@ -5072,6 +5072,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Draw a curve</source>
         <translation>Kurve zeichnen</translation>
     </message>
+    <message>
+        <source>Perhaps a catheter: A keeps it, Delete leaves it out, S shows the next</source>
+        <translation>Vielleicht ein Katheter: A behält, Entf lässt weg, S zeigt den nächsten</translation>
+    </message>
 </context>
 <context>
     <name>ui::ExportDialog</name>
@@ -5113,7 +5117,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>The picture always says “Not for clinical use” and carries inputs, method and pose in its text fields.</source>
-        <translation>Das Bild trägt immer „Not for clinical use“ und in seinen Textfeldern Eingaben, Methode und Lage.</translation>
+        <translation>Das Bild trägt immer „Nicht für den klinischen Einsatz“ und in seinen Textfeldern Eingaben, Methode und Lage.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -5126,6 +5130,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>%1 × %2 px</source>
         <translation>%1 × %2 px</translation>
+    </message>
+    <message>
+        <source>Texts in English</source>
+        <translation>Texte auf Englisch</translation>
     </message>
 </context>
 <context>
@@ -5728,6 +5736,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>this view alone, and back</source>
         <translation>nur diese Ansicht, und zurück</translation>
     </message>
+    <message>
+        <source>S, then A or Del</source>
+        <translation>S, dann A oder Entf</translation>
+    </message>
+    <message>
+        <source>the next of the dashed curves: keep or leave out</source>
+        <translation>die nächste der gestrichelten Kurven: behalten oder weglassen</translation>
+    </message>
 </context>
 <context>
     <name>ui::KeySheet</name>
@@ -5799,10 +5815,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Landmarken</translation>
     </message>
     <message>
-        <source>Click pairs  L</source>
-        <translation>Paare klicken  L</translation>
-    </message>
-    <message>
         <source>Place vessels</source>
         <translation>Gefäße legen</translation>
     </message>
@@ -5813,10 +5825,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Landmarks and how far each is off</source>
         <translation>Landmarken und ihre Abweichung</translation>
-    </message>
-    <message>
-        <source>A place on the vessels in 3-D (or a slice), then the same place in the image: L</source>
-        <translation>Eine Stelle an den Gefäßen in 3-D (oder einer Schicht), dann dieselbe im Bild: L</translation>
     </message>
     <message>
         <source>Find the start pose from the pairs: Enter while clicking. Undo brings the old one back.</source>
@@ -5835,12 +5843,20 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>nicht im Bild</translation>
     </message>
     <message>
-        <source>L pairs places by clicks</source>
-        <translation>L paart Stellen durch Klicks</translation>
-    </message>
-    <message>
         <source>%1 pairs</source>
         <translation>%1 Paare</translation>
+    </message>
+    <message>
+        <source>Click pairs</source>
+        <translation>Paare klicken</translation>
+    </message>
+    <message>
+        <source>A place on the vessels in 3-D (or a slice), then the same place in the image.</source>
+        <translation>Eine Stelle an den Gefäßen in 3-D (oder einer Schicht), dann dieselbe im Bild.</translation>
+    </message>
+    <message>
+        <source>%1 pairs places by clicks</source>
+        <translation>%1 paart Stellen durch Klicks</translation>
     </message>
 </context>
 <context>
@@ -6033,10 +6049,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zurück zur Startlage</translation>
     </message>
     <message>
-        <source>Backspace. Undo brings the pose back.</source>
-        <translation>Rücktaste. Rückgängig bringt die Lage zurück.</translation>
-    </message>
-    <message>
         <source>Pose %1</source>
         <translation>Lage %1</translation>
     </message>
@@ -6045,16 +6057,20 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 sperren</translation>
     </message>
     <message>
-        <source>nudging · arrows · N ends</source>
-        <translation>justieren · Pfeile · N beendet</translation>
-    </message>
-    <message>
-        <source>nudge N · fine Ctrl · coarse Shift</source>
-        <translation>justieren N · fein Strg · grob Umschalt</translation>
-    </message>
-    <message>
         <source>Keep this value: nudging, dragging, typing and Register leave it as it is.</source>
         <translation>Diesen Wert halten: Justieren, Ziehen, Tippen und Registrieren lassen ihn.</translation>
+    </message>
+    <message>
+        <source>Undo brings the pose back.</source>
+        <translation>Rückgängig bringt die Lage zurück.</translation>
+    </message>
+    <message>
+        <source>nudging · arrows · %1 ends</source>
+        <translation>justieren · Pfeile · %1 beendet</translation>
+    </message>
+    <message>
+        <source>nudge %1 · fine Ctrl · coarse Shift</source>
+        <translation>justieren %1 · fein Strg · grob Umschalt</translation>
     </message>
 </context>
 <context>
@@ -6281,10 +6297,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Methode und Optionen</translation>
     </message>
     <message>
-        <source>Register  R</source>
-        <translation>Registrieren  R</translation>
-    </message>
-    <message>
         <source>Stop</source>
         <translation>Stopp</translation>
     </message>
@@ -6329,10 +6341,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Methode</translation>
     </message>
     <message>
-        <source>Finds the pose that lays the vessels onto the angiogram (R).</source>
-        <translation>Findet die Lage, die die Gefäße auf das Angiogramm legt (R).</translation>
-    </message>
-    <message>
         <source>Registering …</source>
         <translation>Registriert …</translation>
     </message>
@@ -6343,6 +6351,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Register keeps the %1 locked degrees of freedom.</source>
         <translation>Registrieren hält die %1 gesperrten Freiheitsgrade.</translation>
+    </message>
+    <message>
+        <source>Finds the pose that lays the vessels onto the angiogram.</source>
+        <translation>Findet die Lage, die die Gefäße auf das Angiogramm legt.</translation>
     </message>
 </context>
 <context>
@@ -6632,10 +6644,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Lagen</translation>
     </message>
     <message>
-        <source>K keeps the pose; Y goes between two. Every run leaves its pose here.</source>
-        <translation>K behält die Lage; Y wechselt zwischen zweien. Jeder Lauf hinterlässt seine Lage hier.</translation>
-    </message>
-    <message>
         <source>Compare …</source>
         <translation>Vergleichen …</translation>
     </message>
@@ -6644,24 +6652,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Behaltene Lagen</translation>
     </message>
     <message>
-        <source>Keep pose  K</source>
-        <translation>Lage behalten  K</translation>
-    </message>
-    <message>
-        <source>Keeps this pose with its numbers under a name (K).</source>
-        <translation>Behält diese Lage mit ihren Zahlen unter einem Namen (K).</translation>
-    </message>
-    <message>
-        <source>Poses and methods side by side, as a table (Shift+K).</source>
-        <translation>Lagen und Methoden nebeneinander als Tabelle (Umschalt+K).</translation>
-    </message>
-    <message>
         <source>Runs (%1)</source>
         <translation>Läufe (%1)</translation>
-    </message>
-    <message>
-        <source>median mm · Y: A ⇄ B</source>
-        <translation>Median mm · Y: A ⇄ B</translation>
     </message>
     <message>
         <source>A</source>
@@ -6692,12 +6684,28 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Löschen	Entf</translation>
     </message>
     <message>
-        <source>Compare …	Shift+K</source>
-        <translation>Vergleichen …	Umschalt+K</translation>
-    </message>
-    <message>
         <source>by hand</source>
         <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>%1 keeps the pose; %2 goes between two. Every run leaves its pose here.</source>
+        <translation>%1 behält die Lage; %2 wechselt zwischen zweien. Jeder Lauf hinterlässt seine Lage hier.</translation>
+    </message>
+    <message>
+        <source>Keep pose</source>
+        <translation>Lage behalten</translation>
+    </message>
+    <message>
+        <source>Keeps this pose with its numbers under a name.</source>
+        <translation>Behält diese Lage mit ihren Zahlen unter einem Namen.</translation>
+    </message>
+    <message>
+        <source>Poses and methods side by side, as a table.</source>
+        <translation>Lagen und Methoden nebeneinander als Tabelle.</translation>
+    </message>
+    <message>
+        <source>median mm · %1: A ⇄ B</source>
+        <translation>Median mm · %1: A ⇄ B</translation>
     </message>
 </context>
 <context>
@@ -6707,12 +6715,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Lösungen</translation>
     </message>
     <message>
-        <source>J shows the next · Shift+J takes it</source>
-        <translation>J zeigt die nächste · Umschalt+J übernimmt</translation>
-    </message>
-    <message>
         <source>Solutions of the run</source>
         <translation>Lösungen des Laufs</translation>
+    </message>
+    <message>
+        <source>%1 shows the next · %2 takes it</source>
+        <translation>%1 zeigt die nächste · %2 übernimmt</translation>
     </message>
 </context>
 <context>
@@ -6913,20 +6921,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Beendet den Versuch; das Protokoll nennt ihn abgebrochen.</translation>
     </message>
     <message>
-        <source>Done  Ctrl+Return</source>
-        <translation>Fertig  Strg+Eingabe</translation>
-    </message>
-    <message>
         <source>Done</source>
         <translation>Fertig</translation>
     </message>
     <message>
-        <source>Logs time and pose, and brings the numbers back (Ctrl+Return).</source>
-        <translation>Protokolliert Zeit und Lage und zeigt die Zahlen wieder (Strg+Eingabe).</translation>
-    </message>
-    <message>
         <source>Blind trial of %1: lay the vessels onto the image. Numbers come back when you are done.</source>
         <translation>Blindversuch von %1: die Gefäße auf das Bild legen. Die Zahlen erscheinen danach wieder.</translation>
+    </message>
+    <message>
+        <source>Logs time and pose, and brings the numbers back.</source>
+        <translation>Protokolliert Zeit und Lage und zeigt die Zahlen wieder.</translation>
     </message>
 </context>
 <context>
@@ -6954,24 +6958,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Einen Gefäßbaum auf sein Angiogramm legen</translation>
     </message>
     <message>
-        <source>Drop a case here, or a centreline together with an angiogram.</source>
-        <translation>Hier einen Fall ablegen, oder eine Mittellinie mit einem Angiogramm.</translation>
-    </message>
-    <message>
-        <source>Centrelines: VTP, VTK, CSV, SWC.  Angiograms: DICOM XA, PNG, TIFF.</source>
-        <translation>Mittellinien: VTP, VTK, CSV, SWC.  Angiogramme: DICOM XA, PNG, TIFF.</translation>
-    </message>
-    <message>
-        <source>Open …  Ctrl+O</source>
-        <translation>Öffnen …  Strg+O</translation>
-    </message>
-    <message>
         <source>Open the sample case</source>
         <translation>Beispielfall öffnen</translation>
     </message>
     <message>
         <source>%1 (missing)</source>
         <translation>%1 (fehlt)</translation>
+    </message>
+    <message>
+        <source>Drop a case here, or vessels together with an angiogram.</source>
+        <translation>Hier einen Fall ablegen, oder Gefäße mit einem Angiogramm.</translation>
+    </message>
+    <message>
+        <source>Vessels: CT as DICOM folder, NIfTI, NRRD or MetaImage, masks, centrelines (VTP, VTK, CSV, SWC).  Angiograms: DICOM XA, PNG, TIFF.</source>
+        <translation>Gefäße: CT als DICOM-Ordner, NIfTI, NRRD oder MetaImage, Masken, Mittellinien (VTP, VTK, CSV, SWC).  Angiogramme: DICOM XA, PNG, TIFF.</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>Öffnen …</translation>
     </message>
 </context>
 <context>

@@ -127,105 +127,6 @@
     </message>
 </context>
 <context>
-    <name>app::HistoryController</name>
-    <message>
-        <source>Undo: %1</source>
-        <translation>撤销：%1</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>撤销</translation>
-    </message>
-    <message>
-        <source>Redo: %1</source>
-        <translation>重做：%1</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>重做</translation>
-    </message>
-</context>
-<context>
-    <name>app::TitleController</name>
-    <message>
-        <source>%1 frames</source>
-        <translation>%1 帧</translation>
-    </message>
-    <message>
-        <source>1 frame</source>
-        <translation>1 帧</translation>
-    </message>
-    <message>
-        <source>Untitled case</source>
-        <translation>未命名病例</translation>
-    </message>
-    <message>
-        <source>AngioPose · not for clinical use</source>
-        <translation>AngioPose · 不得用于临床</translation>
-    </message>
-    <message>
-        <source>%1 · AngioPose · not for clinical use</source>
-        <translation>%1 · AngioPose · 不得用于临床</translation>
-    </message>
-</context>
-<context>
-    <name>app::GeometryController</name>
-    <message>
-        <source>Change %1</source>
-        <translation>更改 %1</translation>
-    </message>
-    <message>
-        <source>Use distances and spacing</source>
-        <translation>使用距离和像素间距</translation>
-    </message>
-</context>
-<context>
-    <name>app::PoseGestures</name>
-    <message>
-        <source>Nudge mode: arrows move, drag moves or rolls, N ends</source>
-        <translation>微调模式：方向键平移，拖动平移或旋转，N 结束</translation>
-    </message>
-    <message>
-        <source>Nudge mode off</source>
-        <translation>微调模式已关闭</translation>
-    </message>
-    <message>
-        <source>Copied: camera from patient, 4 × 4, mm</source>
-        <translation>已复制：患者到相机的 4 × 4 矩阵（mm）</translation>
-    </message>
-</context>
-<context>
-    <name>app::RunController</name>
-    <message>
-        <source>Ready</source>
-        <translation>就绪</translation>
-    </message>
-    <message>
-        <source>Change option “%1”</source>
-        <translation>更改选项“%1”</translation>
-    </message>
-    <message>
-        <source>Tracing the vessels of this frame …</source>
-        <translation>正在提取此帧的血管……</translation>
-    </message>
-    <message>
-        <source>Registration cannot run</source>
-        <translation>无法进行配准</translation>
-    </message>
-    <message>
-        <source>Registering: %1 · %2 % · %3 px</source>
-        <translation>配准中：%1 · %2 % · %3 px</translation>
-    </message>
-    <message>
-        <source>Stopped: the best pose so far is kept, undo takes it back</source>
-        <translation>已停止：保留目前最佳位姿，可撤销</translation>
-    </message>
-    <message>
-        <source>Registered: median %1 mm</source>
-        <translation>配准完成：中位数 %1 mm</translation>
-    </message>
-</context>
-<context>
     <name>app::CaseController</name>
     <message>
         <source>A registration is running. Stop it to edit.</source>
@@ -315,6 +216,17 @@
     </message>
 </context>
 <context>
+    <name>app::GeometryController</name>
+    <message>
+        <source>Change %1</source>
+        <translation>更改 %1</translation>
+    </message>
+    <message>
+        <source>Use distances and spacing</source>
+        <translation>使用距离和像素间距</translation>
+    </message>
+</context>
+<context>
     <name>app::HelpController</name>
     <message>
         <source>AngioPose %1</source>
@@ -391,6 +303,25 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>F1 explains what the mouse points at, ? lists and changes all keys. This tour is under Help.</source>
         <translation>F1 解释鼠标所指内容，? 列出并修改快捷键。本导览在“帮助”菜单中。</translation>
+    </message>
+</context>
+<context>
+    <name>app::HistoryController</name>
+    <message>
+        <source>Undo: %1</source>
+        <translation>撤销：%1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>重做：%1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
     </message>
 </context>
 <context>
@@ -472,17 +403,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Place vessels by landmarks</source>
         <translation>按标志点放置血管</translation>
-    </message>
-</context>
-<context>
-    <name>app::LanguageController</name>
-    <message>
-        <source>Language</source>
-        <translation>语言</translation>
-    </message>
-    <message>
-        <source>The new language holds from the next start of AngioPose.</source>
-        <translation>新语言将在下次启动 AngioPose 时生效。</translation>
     </message>
 </context>
 <context>
@@ -671,6 +591,21 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
+    <name>app::PoseGestures</name>
+    <message>
+        <source>Nudge mode: arrows move, drag moves or rolls, N ends</source>
+        <translation>微调模式：方向键平移，拖动平移或旋转，N 结束</translation>
+    </message>
+    <message>
+        <source>Nudge mode off</source>
+        <translation>微调模式已关闭</translation>
+    </message>
+    <message>
+        <source>Copied: camera from patient, 4 × 4, mm</source>
+        <translation>已复制：患者到相机的 4 × 4 矩阵（mm）</translation>
+    </message>
+</context>
+<context>
     <name>app::PoseTableController</name>
     <message>
         <source>There are no poses to compare yet.</source>
@@ -806,16 +741,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>最优解本身</translation>
     </message>
     <message>
-        <source>Other solution %1 of %2, score %3 · Shift+J takes it</source>
-        <translation>其他解 %1 / %2，评分 %3 · Shift+J 采用</translation>
-    </message>
-    <message>
         <source>J shows the other solutions first.</source>
         <translation>请先按 J 显示其他解。</translation>
     </message>
     <message>
         <source>Take solution %1</source>
         <translation>采用解 %1</translation>
+    </message>
+    <message>
+        <source>Other solution %1 of %2, score %3 · %4 takes it</source>
+        <translation>其他解 %1 / %2，评分 %3 · %4 采用</translation>
     </message>
 </context>
 <context>
@@ -831,6 +766,37 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>After: pose as it is</source>
         <translation>之后：当前位姿</translation>
+    </message>
+</context>
+<context>
+    <name>app::RunController</name>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>Change option “%1”</source>
+        <translation>更改选项“%1”</translation>
+    </message>
+    <message>
+        <source>Tracing the vessels of this frame …</source>
+        <translation>正在提取此帧的血管……</translation>
+    </message>
+    <message>
+        <source>Registration cannot run</source>
+        <translation>无法进行配准</translation>
+    </message>
+    <message>
+        <source>Registering: %1 · %2 % · %3 px</source>
+        <translation>配准中：%1 · %2 % · %3 px</translation>
+    </message>
+    <message>
+        <source>Stopped: the best pose so far is kept, undo takes it back</source>
+        <translation>已停止：保留目前最佳位姿，可撤销</translation>
+    </message>
+    <message>
+        <source>Registered: median %1 mm</source>
+        <translation>配准完成：中位数 %1 mm</translation>
     </message>
 </context>
 <context>
@@ -1266,6 +1232,29 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
+    <name>app::TitleController</name>
+    <message>
+        <source>%1 frames</source>
+        <translation>%1 帧</translation>
+    </message>
+    <message>
+        <source>1 frame</source>
+        <translation>1 帧</translation>
+    </message>
+    <message>
+        <source>Untitled case</source>
+        <translation>未命名病例</translation>
+    </message>
+    <message>
+        <source>AngioPose · not for clinical use</source>
+        <translation>AngioPose · 不得用于临床</translation>
+    </message>
+    <message>
+        <source>%1 · AngioPose · not for clinical use</source>
+        <translation>%1 · AngioPose · 不得用于临床</translation>
+    </message>
+</context>
+<context>
     <name>app::TracingController</name>
     <message>
         <source>Tracing the vessels of the scan … %1 %</source>
@@ -1413,12 +1402,19 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>app::ViewSync</name>
     <message>
-        <source>Opacification by frame · frame %1 of 0–%2 · fullest: %3 · play C</source>
-        <translation>各帧充盈度 · 第 %1 帧（0–%2）· 最充盈：%3 · 播放 C</translation>
-    </message>
-    <message>
         <source>Single frame</source>
         <translation>单帧</translation>
+    </message>
+    <message>
+        <source>Opacification by frame · frame %1 of 0–%2 · fullest: %3 · play %4</source>
+        <translation>各帧充盈度 · 第 %1 帧（0–%2）· 最充盈：%3 · 播放 %4</translation>
+    </message>
+</context>
+<context>
+    <name>app::WindowHost</name>
+    <message>
+        <source>Takes effect as soon as this has ended.</source>
+        <translation>待当前任务结束后生效。</translation>
     </message>
 </context>
 <context>
@@ -3871,6 +3867,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>No contrast-filled vessels were found: soft tissue has %1, and nothing even is as much brighter as contrast medium makes blood. Is this the arterial phase? Choose the CT angiogram, or give the threshold at which the vessels begin.</source>
         <translation>未找到对比剂充盈的血管：软组织为 %1，没有均匀区域达到对比剂使血液增亮的程度。这是动脉期吗？请选择 CT 血管造影，或给出血管起始阈值。</translation>
     </message>
+    <message>
+        <source>frame %1 of 0–%2</source>
+        <translation>第 %1 帧（0–%2）</translation>
+    </message>
+    <message>
+        <source>Not for clinical use</source>
+        <translation>不得用于临床</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -3909,10 +3913,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>造影</translation>
     </message>
     <message>
-        <source>Subtract mask  B</source>
-        <translation>减去蒙片  B</translation>
-    </message>
-    <message>
         <source>Whole run in one picture</source>
         <translation>整个序列合成一幅</translation>
     </message>
@@ -3933,24 +3933,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>手动</translation>
     </message>
     <message>
-        <source>Move the mask with arrows or the mouse (Shift+B)</source>
-        <translation>用方向键或鼠标移动蒙片（Shift+B）</translation>
-    </message>
-    <message>
         <source>Defaults</source>
         <translation>默认值</translation>
     </message>
     <message>
         <source>Trace as the program would by itself</source>
         <translation>按程序默认方式提取</translation>
-    </message>
-    <message>
-        <source>Take away what the mask frames show as well: bones and organs (B)</source>
-        <translation>去除蒙片帧中同样可见的骨骼和器官（B）</translation>
-    </message>
-    <message>
-        <source>Every frame shows the darkest value of each pixel over the run (Shift+C)</source>
-        <translation>每帧显示各像素在序列中的最暗值（Shift+C）</translation>
     </message>
     <message>
         <source>Subtract mask</source>
@@ -4085,14 +4073,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>默认提取</translation>
     </message>
     <message>
-        <source>Edit vessels  E</source>
-        <translation>编辑血管  E</translation>
-    </message>
-    <message>
-        <source>Leave out, erase, draw and cut traced curves (E)</source>
-        <translation>排除、擦除、绘制和切断提取的曲线（E）</translation>
-    </message>
-    <message>
         <source>Tracing</source>
         <translation>提取</translation>
     </message>
@@ -4111,6 +4091,26 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>native</source>
         <translation>原始</translation>
+    </message>
+    <message>
+        <source>Move the mask with arrows or the mouse</source>
+        <translation>用方向键或鼠标移动蒙片</translation>
+    </message>
+    <message>
+        <source>Take away what the mask frames show as well: bones and organs</source>
+        <translation>去除蒙片帧中同样可见的骨骼和器官</translation>
+    </message>
+    <message>
+        <source>Every frame shows the darkest value of each pixel over the run</source>
+        <translation>每帧显示各像素在序列中的最暗值</translation>
+    </message>
+    <message>
+        <source>Edit vessels</source>
+        <translation>编辑血管</translation>
+    </message>
+    <message>
+        <source>Leave out, erase, draw and cut traced curves</source>
+        <translation>排除、擦除、绘制和切断提取的曲线</translation>
     </message>
 </context>
 <context>
@@ -4203,22 +4203,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>最小半径</translation>
     </message>
     <message>
-        <source>Lasso  Ctrl+L</source>
-        <translation>套索  Ctrl+L</translation>
-    </message>
-    <message>
-        <source>Draw around the branches on the image (Ctrl+L).</source>
-        <translation>在图像上圈选分支（Ctrl+L）。</translation>
-    </message>
-    <message>
-        <source>In view  V</source>
-        <translation>视野内  V</translation>
-    </message>
-    <message>
-        <source>The branches that lie wholly in the view (V).</source>
-        <translation>完全位于视野内的分支（V）。</translation>
-    </message>
-    <message>
         <source>None</source>
         <translation>无</translation>
     </message>
@@ -4245,6 +4229,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>This tree knows no radii.</source>
         <translation>此血管树没有半径信息。</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>套索</translation>
+    </message>
+    <message>
+        <source>Draw around the branches on the image.</source>
+        <translation>在图像上圈选分支。</translation>
+    </message>
+    <message>
+        <source>In view</source>
+        <translation>视野内</translation>
+    </message>
+    <message>
+        <source>The branches that lie wholly in the view.</source>
+        <translation>完全位于视野内的分支。</translation>
     </message>
 </context>
 <context>
@@ -4390,14 +4390,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>分支</translation>
     </message>
     <message>
-        <source>No vessels yet. Open a centreline: VTP, VTK, CSV or SWC.</source>
-        <translation>尚无血管。请打开中心线：VTP、VTK、CSV 或 SWC。</translation>
-    </message>
-    <message>
-        <source>A auxiliary · X exclude</source>
-        <translation>A 辅助 · X 排除</translation>
-    </message>
-    <message>
         <source>Auxiliary on or off	A</source>
         <translation>辅助开/关	A</translation>
     </message>
@@ -4450,10 +4442,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>连接</translation>
     </message>
     <message>
-        <source>Closes the gap; undo opens it again (Ctrl+G).</source>
-        <translation>闭合间隙；可撤销（Ctrl+G）。</translation>
-    </message>
-    <message>
         <source>Show</source>
         <translation>显示</translation>
     </message>
@@ -4468,6 +4456,18 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>unknown</source>
         <translation>未知</translation>
+    </message>
+    <message>
+        <source>No vessels yet. Open a CT scan, a mask of vessels or a centreline.</source>
+        <translation>尚无血管。请打开 CT、血管掩膜或中心线。</translation>
+    </message>
+    <message>
+        <source>Closes the gap; undo opens it again.</source>
+        <translation>闭合间隙；可撤销。</translation>
+    </message>
+    <message>
+        <source>%1 auxiliary · %2 exclude</source>
+        <translation>%1 辅助 · %2 排除</translation>
     </message>
 </context>
 <context>
@@ -4943,8 +4943,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>独立窗口，再次移回</translation>
     </message>
     <message>
-        <source>Double click: only this view in the window, and back (5)</source>
-        <translation>双击：窗口内仅此视图，再次恢复（5）</translation>
+        <source>Double click: only this view in the window, and back</source>
+        <translation>双击：窗口内仅此视图，再次恢复</translation>
     </message>
 </context>
 <context>
@@ -5010,12 +5010,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>完成</translation>
     </message>
     <message>
-        <source>%1 curves, %2 suspect</source>
-        <translation>%1 条曲线，%2 条可疑</translation>
-    </message>
-    <message>
         <source>%1 curves</source>
         <translation>%1 条曲线</translation>
+    </message>
+    <message>
+        <source>%1 curves, %2 suspect (S)</source>
+        <translation>%1 条曲线，%2 条可疑（S）</translation>
     </message>
 </context>
 <context>
@@ -5072,6 +5072,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Draw a curve</source>
         <translation>绘制曲线</translation>
     </message>
+    <message>
+        <source>Perhaps a catheter: A keeps it, Delete leaves it out, S shows the next</source>
+        <translation>可能是导管：A 保留，Delete 排除，S 下一条</translation>
+    </message>
 </context>
 <context>
     <name>ui::ExportDialog</name>
@@ -5113,7 +5117,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>The picture always says “Not for clinical use” and carries inputs, method and pose in its text fields.</source>
-        <translation>图片始终注明“Not for clinical use”，并在文本字段中记录输入、方法和位姿。</translation>
+        <translation>图片始终注明“不得用于临床”，并在文本字段中记录输入、方法和位姿。</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -5126,6 +5130,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>%1 × %2 px</source>
         <translation>%1 × %2 px</translation>
+    </message>
+    <message>
+        <source>Texts in English</source>
+        <translation>文字用英文</translation>
     </message>
 </context>
 <context>
@@ -5728,6 +5736,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>this view alone, and back</source>
         <translation>仅显示此视图，再次恢复</translation>
     </message>
+    <message>
+        <source>S, then A or Del</source>
+        <translation>S，再按 A 或 Del</translation>
+    </message>
+    <message>
+        <source>the next of the dashed curves: keep or leave out</source>
+        <translation>下一条虚线曲线：保留或排除</translation>
+    </message>
 </context>
 <context>
     <name>ui::KeySheet</name>
@@ -5799,10 +5815,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>标志点</translation>
     </message>
     <message>
-        <source>Click pairs  L</source>
-        <translation>点选成对  L</translation>
-    </message>
-    <message>
         <source>Place vessels</source>
         <translation>放置血管</translation>
     </message>
@@ -5813,10 +5825,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Landmarks and how far each is off</source>
         <translation>标志点及其偏差</translation>
-    </message>
-    <message>
-        <source>A place on the vessels in 3-D (or a slice), then the same place in the image: L</source>
-        <translation>先在三维（或断层）血管上，再在图像同一处：L</translation>
     </message>
     <message>
         <source>Find the start pose from the pairs: Enter while clicking. Undo brings the old one back.</source>
@@ -5835,12 +5843,20 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>不在视野内</translation>
     </message>
     <message>
-        <source>L pairs places by clicks</source>
-        <translation>L 点选成对</translation>
-    </message>
-    <message>
         <source>%1 pairs</source>
         <translation>%1 对</translation>
+    </message>
+    <message>
+        <source>Click pairs</source>
+        <translation>点选成对</translation>
+    </message>
+    <message>
+        <source>A place on the vessels in 3-D (or a slice), then the same place in the image.</source>
+        <translation>先在三维（或断层）血管上，再在图像同一处点选。</translation>
+    </message>
+    <message>
+        <source>%1 pairs places by clicks</source>
+        <translation>%1 点选成对</translation>
     </message>
 </context>
 <context>
@@ -6033,10 +6049,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>回到初始位姿</translation>
     </message>
     <message>
-        <source>Backspace. Undo brings the pose back.</source>
-        <translation>退格键。撤销可恢复位姿。</translation>
-    </message>
-    <message>
         <source>Pose %1</source>
         <translation>位姿 %1</translation>
     </message>
@@ -6045,16 +6057,20 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>锁定%1</translation>
     </message>
     <message>
-        <source>nudging · arrows · N ends</source>
-        <translation>微调中 · 方向键 · N 结束</translation>
-    </message>
-    <message>
-        <source>nudge N · fine Ctrl · coarse Shift</source>
-        <translation>微调 N · 精细 Ctrl · 粗调 Shift</translation>
-    </message>
-    <message>
         <source>Keep this value: nudging, dragging, typing and Register leave it as it is.</source>
         <translation>保持此值：微调、拖动、输入和配准均不改变。</translation>
+    </message>
+    <message>
+        <source>Undo brings the pose back.</source>
+        <translation>撤销可恢复位姿。</translation>
+    </message>
+    <message>
+        <source>nudging · arrows · %1 ends</source>
+        <translation>微调中 · 方向键 · %1 结束</translation>
+    </message>
+    <message>
+        <source>nudge %1 · fine Ctrl · coarse Shift</source>
+        <translation>微调 %1 · 精细 Ctrl · 粗调 Shift</translation>
     </message>
 </context>
 <context>
@@ -6281,10 +6297,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>方法和选项</translation>
     </message>
     <message>
-        <source>Register  R</source>
-        <translation>配准  R</translation>
-    </message>
-    <message>
         <source>Stop</source>
         <translation>停止</translation>
     </message>
@@ -6329,10 +6341,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>方法</translation>
     </message>
     <message>
-        <source>Finds the pose that lays the vessels onto the angiogram (R).</source>
-        <translation>求使血管与造影图像重合的位姿（R）。</translation>
-    </message>
-    <message>
         <source>Registering …</source>
         <translation>配准中……</translation>
     </message>
@@ -6343,6 +6351,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Register keeps the %1 locked degrees of freedom.</source>
         <translation>配准保持 %1 个锁定的自由度。</translation>
+    </message>
+    <message>
+        <source>Finds the pose that lays the vessels onto the angiogram.</source>
+        <translation>求使血管与造影图像重合的位姿。</translation>
     </message>
 </context>
 <context>
@@ -6631,10 +6643,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>位姿</translation>
     </message>
     <message>
-        <source>K keeps the pose; Y goes between two. Every run leaves its pose here.</source>
-        <translation>K 保留位姿；Y 在两者间切换。每次配准的位姿都留在此处。</translation>
-    </message>
-    <message>
         <source>Compare …</source>
         <translation>比较……</translation>
     </message>
@@ -6643,24 +6651,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>保留的位姿</translation>
     </message>
     <message>
-        <source>Keep pose  K</source>
-        <translation>保留位姿  K</translation>
-    </message>
-    <message>
-        <source>Keeps this pose with its numbers under a name (K).</source>
-        <translation>以名称保留此位姿及其数值（K）。</translation>
-    </message>
-    <message>
-        <source>Poses and methods side by side, as a table (Shift+K).</source>
-        <translation>位姿和方法并列成表（Shift+K）。</translation>
-    </message>
-    <message>
         <source>Runs (%1)</source>
         <translation>配准（%1）</translation>
-    </message>
-    <message>
-        <source>median mm · Y: A ⇄ B</source>
-        <translation>中位数 mm · Y：A ⇄ B</translation>
     </message>
     <message>
         <source>A</source>
@@ -6691,12 +6683,28 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>删除	Del</translation>
     </message>
     <message>
-        <source>Compare …	Shift+K</source>
-        <translation>比较……	Shift+K</translation>
-    </message>
-    <message>
         <source>by hand</source>
         <translation>手动</translation>
+    </message>
+    <message>
+        <source>%1 keeps the pose; %2 goes between two. Every run leaves its pose here.</source>
+        <translation>%1 保留位姿；%2 在两者间切换。每次配准的位姿都留在此处。</translation>
+    </message>
+    <message>
+        <source>Keep pose</source>
+        <translation>保留位姿</translation>
+    </message>
+    <message>
+        <source>Keeps this pose with its numbers under a name.</source>
+        <translation>以名称保留此位姿及其数值。</translation>
+    </message>
+    <message>
+        <source>Poses and methods side by side, as a table.</source>
+        <translation>位姿和方法并列成表。</translation>
+    </message>
+    <message>
+        <source>median mm · %1: A ⇄ B</source>
+        <translation>中位数 mm · %1：A ⇄ B</translation>
     </message>
 </context>
 <context>
@@ -6706,12 +6714,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>解</translation>
     </message>
     <message>
-        <source>J shows the next · Shift+J takes it</source>
-        <translation>J 下一个 · Shift+J 采用</translation>
-    </message>
-    <message>
         <source>Solutions of the run</source>
         <translation>本次配准的解</translation>
+    </message>
+    <message>
+        <source>%1 shows the next · %2 takes it</source>
+        <translation>%1 下一个 · %2 采用</translation>
     </message>
 </context>
 <context>
@@ -6912,20 +6920,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>结束试验；记录为放弃。</translation>
     </message>
     <message>
-        <source>Done  Ctrl+Return</source>
-        <translation>完成  Ctrl+Return</translation>
-    </message>
-    <message>
         <source>Done</source>
         <translation>完成</translation>
     </message>
     <message>
-        <source>Logs time and pose, and brings the numbers back (Ctrl+Return).</source>
-        <translation>记录时间和位姿，并恢复数值显示（Ctrl+Return）。</translation>
-    </message>
-    <message>
         <source>Blind trial of %1: lay the vessels onto the image. Numbers come back when you are done.</source>
         <translation>%1 的盲法试验：将血管对准图像。完成后恢复数值。</translation>
+    </message>
+    <message>
+        <source>Logs time and pose, and brings the numbers back.</source>
+        <translation>记录时间和位姿，并恢复数值显示。</translation>
     </message>
 </context>
 <context>
@@ -6953,24 +6957,24 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>将血管树对准造影图像</translation>
     </message>
     <message>
-        <source>Drop a case here, or a centreline together with an angiogram.</source>
-        <translation>将病例，或中心线与造影图像一起拖到此处。</translation>
-    </message>
-    <message>
-        <source>Centrelines: VTP, VTK, CSV, SWC.  Angiograms: DICOM XA, PNG, TIFF.</source>
-        <translation>中心线：VTP、VTK、CSV、SWC。造影图像：DICOM XA、PNG、TIFF。</translation>
-    </message>
-    <message>
-        <source>Open …  Ctrl+O</source>
-        <translation>打开……  Ctrl+O</translation>
-    </message>
-    <message>
         <source>Open the sample case</source>
         <translation>打开示例病例</translation>
     </message>
     <message>
         <source>%1 (missing)</source>
         <translation>%1（缺失）</translation>
+    </message>
+    <message>
+        <source>Drop a case here, or vessels together with an angiogram.</source>
+        <translation>将病例，或血管与造影图像一起拖到此处。</translation>
+    </message>
+    <message>
+        <source>Vessels: CT as DICOM folder, NIfTI, NRRD or MetaImage, masks, centrelines (VTP, VTK, CSV, SWC).  Angiograms: DICOM XA, PNG, TIFF.</source>
+        <translation>血管：CT（DICOM 文件夹、NIfTI、NRRD 或 MetaImage）、掩膜、中心线（VTP、VTK、CSV、SWC）。造影图像：DICOM XA、PNG、TIFF。</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>打开……</translation>
     </message>
 </context>
 <context>

@@ -1,8 +1,16 @@
 #include "ui/actions/command_table.h"
 
+#include <QRegularExpression>
+
 #include <array>
 
 namespace ui {
+
+QString CommandRow::name() const
+{
+    static const QRegularExpression rest(QStringLiteral("[^a-z0-9]+"));
+    return QString::fromUtf8(text).toLower().replace(rest, QStringLiteral("-"));
+}
 
 std::span<const CommandRow> CommandTable::fileCommands()
 {

@@ -16,6 +16,8 @@ struct CommandRow {
     const char* text;   ///< English, translated by CommandTable::tr
     const char* keys = "";
     unsigned traits = 0;
+
+    QString name() const;   ///< "copy-pose-as-matrix": in the settings, the same in every language
 };
 
 struct MenuRows {

@@ -5,7 +5,6 @@
 #include <QActionGroup>
 #include <QMenu>
 #include <QMenuBar>
-#include <QRegularExpression>
 
 #include <algorithm>
 #include <array>
@@ -32,13 +31,6 @@ QList<QKeySequence> shortcutsOf(const CommandRow& row)
     return keys.isEmpty() ? QList<QKeySequence>() : QKeySequence::listFromString(keys);
 }
 
-/// "Copy pose as matrix" → "copy-pose-as-matrix": the command's name in the settings, the same in every language.
-QString slugOf(const char* text)
-{
-    static const QRegularExpression rest(QStringLiteral("[^a-z0-9]+"));
-    return QString::fromUtf8(text).toLower().replace(rest, QStringLiteral("-"));
-}
-
 }   // namespace
 
 WindowActions::WindowActions(QWidget* window) : QObject(window), recent_(new QMenu(tr("Open recent"), window))
@@ -57,7 +49,7 @@ WindowActions::WindowActions(QWidget* window) : QObject(window), recent_(new QMe
 void WindowActions::addCommand(const CommandRow& row, QWidget* window)
 {
     auto* action = new QAction(CommandTable::tr(row.text), this);
-    action->setObjectName(slugOf(row.text));
+    action->setObjectName(row.name());
     action->setCheckable(row.traits & CommandTable::Switch);
     action->setAutoRepeat(row.traits & CommandTable::Repeats);
     action->setShortcuts(shortcutsOf(row));

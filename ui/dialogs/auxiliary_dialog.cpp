@@ -1,5 +1,6 @@
 #include "ui/dialogs/auxiliary_dialog.h"
 
+#include "ui/actions/key_hint.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/section.h"
 
@@ -94,8 +95,10 @@ QLayout* AuxiliaryDialog::makeWays()
     radius_->setAccessibleName(tr("Smallest radius"));
     generation_->showValue(1.0);
     radius_->showValue(1.0);
-    auto* lasso = button(tr("Lasso  Ctrl+L"), tr("Draw around the branches on the image (Ctrl+L)."));
-    auto* inView = button(tr("In view  V"), tr("The branches that lie wholly in the view (V)."));
+    auto* lasso = button(withKey(tr("Lasso"), Command::Lasso),
+                         tipWithKey(tr("Draw around the branches on the image."), Command::Lasso));
+    auto* inView = button(withKey(tr("In view"), Command::AuxiliaryInView),
+                          tipWithKey(tr("The branches that lie wholly in the view."), Command::AuxiliaryInView));
     auto* none = button(tr("None"), tr("Without chosen branches the nodes of the tree are used."));
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(8);

@@ -1,22 +1,17 @@
 #include "ui/panels/angiogram_panel.h"
 
+#include "ui/actions/key_hint.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QPushButton>
-#include <QWheelEvent>
 
 #include <cmath>
 
 namespace ui {
 namespace {
-
-/// The wheel scrolls the column; it must not change the case on its way.
-class CalmChoice : public QComboBox {
-protected:
-    void wheelEvent(QWheelEvent* event) override { event->ignore(); }
-};
 
 QPushButton* quietButton(const QString& text, const QString& help)
 {
@@ -62,16 +57,16 @@ QString maskText(const RunState& state)
 
 AngiogramPanel::AngiogramPanel(QWidget* parent)
     : Section(tr("Angiogram"), Folding::Foldable, parent),
-      subtract_(new QCheckBox(tr("Subtract mask  B"))),
+      subtract_(new QCheckBox(withKey(tr("Subtract mask"), Command::Subtract))),
       composite_(new QCheckBox(tr("Whole run in one picture"))),
       masks_(new ElidedLabel("label")),
       automaticMasks_(quietButton(tr("Automatic"), tr("Choose the frames before the contrast medium arrives"))),
       right_(new NumberField(shiftFormat())),
       down_(new NumberField(shiftFormat())),
       automaticShift_(quietButton(tr("Automatic"), tr("Find the shift of each frame"))),
-      byHand_(quietButton(tr("By hand"), tr("Move the mask with arrows or the mouse (Shift+B)"))),
-      relation_(new CalmChoice),
-      vessels_(new CalmChoice),
+      byHand_(quietButton(tr("By hand"), tipWithKey(tr("Move the mask with arrows or the mouse"), Command::ShiftMask))),
+      relation_(new QComboBox),
+      vessels_(new QComboBox),
       defaults_(quietButton(tr("Defaults"), tr("Trace as the program would by itself")))
 {
     buildSubtraction();
@@ -92,8 +87,10 @@ void AngiogramPanel::edit(const Change& change, const QString& what)
 
 void AngiogramPanel::buildSubtraction()
 {
-    subtract_->setToolTip(tr("Take away what the mask frames show as well: bones and organs (B)"));
-    composite_->setToolTip(tr("Every frame shows the darkest value of each pixel over the run (Shift+C)"));
+    subtract_->setToolTip(
+        tipWithKey(tr("Take away what the mask frames show as well: bones and organs"), Command::Subtract));
+    composite_->setToolTip(
+        tipWithKey(tr("Every frame shows the darkest value of each pixel over the run"), Command::Composite));
     connect(subtract_, &QCheckBox::clicked, this, [this](bool on) {
         edit([on](core::RunTreatment& wanted) { wanted.isSubtracted = on; },
              on ? tr("Subtract mask") : tr("Show native frames"));
@@ -153,8 +150,6 @@ void AngiogramPanel::editShift()
 
 void AngiogramPanel::buildPixels()
 {
-    relation_->setFocusPolicy(Qt::StrongFocus);
-    vessels_->setFocusPolicy(Qt::StrongFocus);
     relation_->addItems({tr("linear"), tr("logarithmic")});
     relation_->setToolTip(tr("How stored values relate to the X-ray intensity (0028,1040)"));
     relation_->setAccessibleName(tr("Pixel values"));
@@ -227,7 +222,9 @@ void AngiogramPanel::buildTracing()
                          {1.5, 40.0, 1, QStringLiteral("px"), 0.5}, &core::TraceOptions::maxVesselRadiusPx);
     connect(defaults_, &QPushButton::clicked, this,
             [this] { emit tracingEdited(core::TraceOptions{}, tr("Default tracing")); });
-    QPushButton* byHand = quietButton(tr("Edit vessels  E"), tr("Leave out, erase, draw and cut traced curves (E)"));
+    QPushButton* byHand =
+        quietButton(withKey(tr("Edit vessels"), Command::EditVessels),
+                    tipWithKey(tr("Leave out, erase, draw and cut traced curves"), Command::EditVessels));
     connect(byHand, &QPushButton::clicked, this, &AngiogramPanel::editingRequested);
     auto* heading = new QHBoxLayout;
     heading->addWidget(roleLabel("heading", tr("Tracing")), 1);

@@ -1,5 +1,6 @@
 #include "ui/panels/branch_panel.h"
 
+#include "ui/actions/key_hint.h"
 #include "ui/panels/branch_delegate.h"
 #include "ui/panels/branch_model.h"
 
@@ -53,7 +54,7 @@ BranchPanel::BranchPanel(QWidget* parent)
       order_(new QComboBox),
       filterRow_(makeFilterRow()),
       adviceRow_(makeAdviceRow()),
-      empty_(roleLabel("hint", tr("No vessels yet. Open a centreline: VTP, VTK, CSV or SWC.")))
+      empty_(roleLabel("hint", tr("No vessels yet. Open a CT scan, a mask of vessels or a centreline.")))
 {
     auto* delegate = new BranchDelegate(this);
     shown_->setSourceModel(model_);
@@ -127,7 +128,7 @@ QWidget* BranchPanel::makeAdviceRow()
     advice_->setWordWrap(true);
     mend_ = new QPushButton(tr("Join"));
     mend_->setProperty("role", "link");
-    mend_->setToolTip(tr("Closes the gap; undo opens it again (Ctrl+G)."));
+    mend_->setToolTip(tipWithKey(tr("Closes the gap; undo opens it again."), Command::MendGap));
     auto* show = new QPushButton(tr("Show"));
     show->setProperty("role", "link");
     show->setToolTip(tr("Selects both branches and moves the cross-hair to the gap."));
@@ -195,7 +196,9 @@ void BranchPanel::showTree(const core::VesselTree& tree)
     list_->setVisible(!tree.branches.empty());
     filterRow_->setVisible(!tree.branches.empty());
     selectMarked();
-    setHint(tree.branches.empty() ? QString() : tr("A auxiliary · X exclude"));
+    setHint(tree.branches.empty()
+                ? QString()
+                : tr("%1 auxiliary · %2 exclude").arg(keyOf(Command::ToggleAuxiliary), keyOf(Command::ToggleExcluded)));
 }
 
 void BranchPanel::showMarks(const BranchMarks& marks)

@@ -1,5 +1,7 @@
 #include "ui/panels/landmark_panel.h"
 
+#include "ui/actions/key_hint.h"
+
 #include <QAction>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -18,7 +20,7 @@ LandmarkPanel::LandmarkPanel(QWidget* parent)
     : Section(tr("Landmarks"), Folding::Foldable, parent),
       list_(new QListWidget),
       verdict_(roleLabel("hint")),
-      mode_(new QPushButton(tr("Click pairs  L"))),
+      mode_(new QPushButton(withKey(tr("Click pairs"), Command::Landmarks))),
       place_(new QPushButton(tr("Place vessels"))),
       remove_(new QPushButton(tr("Remove")))
 {
@@ -28,7 +30,8 @@ LandmarkPanel::LandmarkPanel(QWidget* parent)
     list_->installEventFilter(this);
     verdict_->setWordWrap(true);
     mode_->setCheckable(true);
-    mode_->setToolTip(tr("A place on the vessels in 3-D (or a slice), then the same place in the image: L"));
+    mode_->setToolTip(tipWithKey(tr("A place on the vessels in 3-D (or a slice), then the same place in the image."),
+                                 Command::Landmarks));
     place_->setToolTip(tr("Find the start pose from the pairs: Enter while clicking. Undo brings the old one back."));
     remove_->setToolTip(tr("Remove the chosen pairs: Delete"));
     remove_->setProperty("role", "quiet");
@@ -75,7 +78,8 @@ void LandmarkPanel::showLandmarks(const LandmarkState& state)
     verdict_->setVisible(!state.verdict.isEmpty());
     place_->setEnabled(state.isEnough);
     remove_->setEnabled(false);
-    setHint(state.landmarks.empty() ? tr("L pairs places by clicks") : tr("%1 pairs").arg(state.landmarks.size()));
+    setHint(state.landmarks.empty() ? tr("%1 pairs places by clicks").arg(keyOf(Command::Landmarks))
+                                    : tr("%1 pairs").arg(state.landmarks.size()));
 }
 
 void LandmarkPanel::removeSelected()

@@ -1,5 +1,6 @@
 #include "ui/panels/pose_panel.h"
 
+#include "ui/actions/key_hint.h"
 #include "ui/panels/lock_dot.h"
 
 #include <QGridLayout>
@@ -35,7 +36,7 @@ PosePanel::PosePanel(QWidget* parent) : Section(tr("Pose"), Folding::Fixed, pare
     }
     auto* reset = new QPushButton(tr("Back to start pose"));
     reset->setProperty("role", "quiet");
-    reset->setToolTip(tr("Backspace. Undo brings the pose back."));
+    reset->setToolTip(tipWithKey(tr("Undo brings the pose back."), Command::ResetPose));
     connect(reset, &QPushButton::clicked, this, &PosePanel::resetRequested);
     reset_ = reset;
     contentLayout()->addLayout(grid);
@@ -82,7 +83,8 @@ void PosePanel::showLocks(const PoseLocks& locks)
 
 void PosePanel::showNudgeMode(bool on)
 {
-    setHint(on ? tr("nudging · arrows · N ends") : tr("nudge N · fine Ctrl · coarse Shift"));
+    setHint(on ? tr("nudging · arrows · %1 ends").arg(keyOf(Command::Nudge))
+               : tr("nudge %1 · fine Ctrl · coarse Shift").arg(keyOf(Command::Nudge)));
 }
 
 void PosePanel::setActiveAxis(std::optional<PoseAxis> axis)

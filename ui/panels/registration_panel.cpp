@@ -1,5 +1,6 @@
 #include "ui/panels/registration_panel.h"
 
+#include "ui/actions/key_hint.h"
 #include "ui/help/help_page.h"
 #include "ui/panels/option_form.h"
 #include "ui/words/core_texts.h"
@@ -27,7 +28,7 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
       summary_(roleLabel("hint")),
       form_(new OptionForm),
       optionSection_(new Section(tr("Method and options"), Folding::Foldable)),
-      register_(new QPushButton(tr("Register  R"))),
+      register_(new QPushButton),
       stop_(new QPushButton(tr("Stop"))),
       lockNote_(roleLabel("hint"))
 {
@@ -40,7 +41,6 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
     buttons->addWidget(stop_, 2);
 
     method_->setAccessibleName(tr("Method"));
-    method_->setFocusPolicy(Qt::StrongFocus);
     for (const core::MethodInfo& info : core::methodInfos()) {
         method_->addItem(fromView(info.label), QByteArray(info.id.data(), static_cast<qsizetype>(info.id.size())));
         method_->setItemData(method_->count() - 1, coreText(info.summary), Qt::ToolTipRole);
@@ -132,9 +132,10 @@ void RegistrationPanel::chooseMethod(int index)
 void RegistrationPanel::updateButtons()
 {
     register_->setEnabled(!running_ && whyNot_.isEmpty());
-    register_->setToolTip(whyNot_.isEmpty() ? tr("Finds the pose that lays the vessels onto the angiogram (R).")
+    register_->setToolTip(whyNot_.isEmpty() ? tipWithKey(tr("Finds the pose that lays the vessels onto the angiogram."),
+                                                         Command::Register)
                                             : whyNot_);
-    register_->setText(running_ ? tr("Registering …") : tr("Register  R"));
+    register_->setText(running_ ? tr("Registering …") : withKey(tr("Register"), Command::Register));
     stop_->setEnabled(running_);
     method_->setEnabled(!running_);
     form_->setEnabled(!running_);

@@ -1,5 +1,6 @@
 #include "ui/panels/snapshot_panel.h"
 
+#include "ui/actions/key_hint.h"
 #include "ui/theme/active_theme.h"
 
 #include <QDateTime>
@@ -49,7 +50,8 @@ QString toolTipOf(const core::PoseSnapshot& snapshot)
 SnapshotPanel::SnapshotPanel(QWidget* parent)
     : Section(tr("Poses"), Folding::Foldable, parent),
       list_(new QTreeWidget),
-      empty_(roleLabel("hint", tr("K keeps the pose; Y goes between two. Every run leaves its pose here."))),
+      empty_(roleLabel("hint", tr("%1 keeps the pose; %2 goes between two. Every run leaves its pose here.")
+                                   .arg(keyOf(Command::KeepPose), keyOf(Command::SwitchPoses)))),
       compare_(new QPushButton(tr("Compare …")))
 {
     list_->setAccessibleName(tr("Kept poses"));
@@ -70,9 +72,9 @@ SnapshotPanel::SnapshotPanel(QWidget* parent)
     list_->installEventFilter(this);
     empty_->setWordWrap(true);
 
-    auto* keep = new QPushButton(tr("Keep pose  K"));
-    keep->setToolTip(tr("Keeps this pose with its numbers under a name (K)."));
-    compare_->setToolTip(tr("Poses and methods side by side, as a table (Shift+K)."));
+    auto* keep = new QPushButton(withKey(tr("Keep pose"), Command::KeepPose));
+    keep->setToolTip(tipWithKey(tr("Keeps this pose with its numbers under a name."), Command::KeepPose));
+    compare_->setToolTip(tipWithKey(tr("Poses and methods side by side, as a table."), Command::ComparePoses));
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
     buttons->addWidget(keep);
@@ -153,7 +155,7 @@ void SnapshotPanel::showSnapshots(const std::vector<core::PoseSnapshot>& snapsho
     }
     empty_->setVisible(snapshots.empty());
     list_->setVisible(!snapshots.empty());
-    setHint(snapshots.empty() ? QString() : tr("median mm · Y: A ⇄ B"));
+    setHint(snapshots.empty() ? QString() : tr("median mm · %1: A ⇄ B").arg(keyOf(Command::SwitchPoses)));
     showMarks(marks_);
     fitHeight();
 }
@@ -241,7 +243,8 @@ void SnapshotPanel::showContextMenu(const QPoint& position)
     menu->addAction(tr("Rename\tF2"), this, [this, id] { editName(id); });
     menu->addAction(tr("Delete\tDel"), this, [this, affected] { emit removeRequested(affected); });
     menu->addSeparator();
-    menu->addAction(tr("Compare …\tShift+K"), this, &SnapshotPanel::compareRequested);
+    menu->addAction(tr("Compare …") + QLatin1Char('\t') + keyOf(Command::ComparePoses), this,
+                    &SnapshotPanel::compareRequested);
     menu->popup(list_->viewport()->mapToGlobal(position));
 }
 

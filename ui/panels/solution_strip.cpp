@@ -1,5 +1,7 @@
 #include "ui/panels/solution_strip.h"
 
+#include "ui/actions/key_hint.h"
+
 #include <QListWidget>
 #include <QScopedValueRollback>
 
@@ -22,7 +24,7 @@ QPixmap pixmapOf(const core::ColorImage& picture, double ratio)
 SolutionStrip::SolutionStrip(QWidget* parent)
     : Section(tr("Solutions"), Folding::Foldable, parent), list_(new QListWidget)
 {
-    setHint(tr("J shows the next · Shift+J takes it"));
+    setHint(tr("%1 shows the next · %2 takes it").arg(keyOf(Command::NextSolution), keyOf(Command::TakeSolution)));
     list_->setAccessibleName(tr("Solutions of the run"));
     list_->setViewMode(QListView::IconMode);
     list_->setMovement(QListView::Static);

@@ -1,5 +1,6 @@
 #include "ui/panels/trial_bar.h"
 
+#include "ui/actions/key_hint.h"
 #include "ui/panels/section.h"
 
 #include <QHBoxLayout>
@@ -13,10 +14,10 @@ TrialBar::TrialBar(QWidget* parent) : QWidget(parent), words_(roleLabel("attenti
     setAttribute(Qt::WA_StyledBackground);
     auto* abandon = new QPushButton(tr("Abandon"));
     abandon->setToolTip(tr("Ends the trial; the log says that it was abandoned."));
-    auto* done = new QPushButton(tr("Done  Ctrl+Return"));
+    auto* done = new QPushButton(withKey(tr("Done"), Command::TrialDone));
     done->setProperty("role", "primary");
     done->setAccessibleName(tr("Done"));
-    done->setToolTip(tr("Logs time and pose, and brings the numbers back (Ctrl+Return)."));
+    done->setToolTip(tipWithKey(tr("Logs time and pose, and brings the numbers back."), Command::TrialDone));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(14, 6, 14, 6);
     layout->setSpacing(10);

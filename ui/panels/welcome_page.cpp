@@ -1,5 +1,6 @@
 #include "ui/panels/welcome_page.h"
 
+#include "ui/actions/key_hint.h"
 #include "ui/panels/section.h"
 
 #include <QFileInfo>
@@ -19,13 +20,15 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new QVBoxLa
     setProperty("role", "welcome");
     setAttribute(Qt::WA_StyledBackground);
     auto* heading = roleLabel("welcome", tr("Lay a vessel tree onto its angiogram"));
-    auto* hint = roleLabel("label", tr("Drop a case here, or a centreline together with an angiogram."));
-    auto* formats = roleLabel("hint", tr("Centrelines: VTP, VTK, CSV, SWC.  Angiograms: DICOM XA, PNG, TIFF."));
+    auto* hint = roleLabel("label", tr("Drop a case here, or vessels together with an angiogram."));
+    auto* formats = roleLabel(
+        "hint", tr("Vessels: CT as DICOM folder, NIfTI, NRRD or MetaImage, masks, centrelines (VTP, VTK, CSV, SWC).  "
+                   "Angiograms: DICOM XA, PNG, TIFF."));
     for (QLabel* label : {heading, hint, formats}) {
         label->setAlignment(Qt::AlignCenter);
         label->setWordWrap(true);
     }
-    auto* open = new QPushButton(tr("Open …  Ctrl+O"));
+    auto* open = new QPushButton(withKey(tr("Open …"), Command::Open));
     open->setProperty("role", "primary");
     auto* sample = new QPushButton(tr("Open the sample case"));
     auto* buttons = new QHBoxLayout;

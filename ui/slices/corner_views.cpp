@@ -1,5 +1,6 @@
 #include "ui/slices/corner_views.h"
 
+#include "ui/actions/key_hint.h"
 #include "ui/views/tree_view.h"
 
 #include <QEvent>
@@ -16,7 +17,7 @@ CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
     : QWidget(parent),
       model_(model),
       bar_(new QWidget),
-      allSlices_(makeTool(QStringLiteral("⊞"), tr("All slices, large"), QStringLiteral("M"))),
+      allSlices_(makeTool(QStringLiteral("⊞"), tr("All slices, large"), Command::SlicesLarge)),
       stack_(new QStackedWidget),
       treeView_(treeView),
       slice_(new SliceView(model, core::BodyPlane::Axial))
@@ -35,8 +36,8 @@ CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
     }
     tabs->addStretch(1);
     QToolButton* alone =
-        makeTool(QStringLiteral("⤢"), tr("Only this view in the window, and back"), QStringLiteral("5"));
-    QToolButton* window = makeTool(QStringLiteral("↗"), tr("In a window of its own, and back"), QStringLiteral("F8"));
+        makeTool(QStringLiteral("⤢"), tr("Only this view in the window, and back"), Command::CornerOnly);
+    QToolButton* window = makeTool(QStringLiteral("↗"), tr("In a window of its own, and back"), Command::CornerWindow);
     connect(allSlices_, &QToolButton::clicked, this, &CornerViews::roomRequested);
     connect(alone, &QToolButton::clicked, this, &CornerViews::aloneRequested);
     connect(window, &QToolButton::clicked, this, &CornerViews::windowRequested);
@@ -45,7 +46,7 @@ CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
     for (QToolButton* tool : {allSlices_, alone, window}) {
         tabs->addWidget(tool);
     }
-    bar_->setToolTip(tr("Double click: only this view in the window, and back (5)"));
+    bar_->setToolTip(tipWithKey(tr("Double click: only this view in the window, and back"), Command::CornerOnly));
     bar_->installEventFilter(this);
 
     auto* layout = new QVBoxLayout(this);
@@ -57,13 +58,13 @@ CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
     followScan();
 }
 
-QToolButton* CornerViews::makeTool(const QString& sign, const QString& name, const QString& keys)
+QToolButton* CornerViews::makeTool(const QString& sign, const QString& name, Command command)
 {
     auto* tool = new QToolButton;
     tool->setText(sign);
     tool->setProperty("role", "tab");
     tool->setAccessibleName(name);
-    tool->setToolTip(QStringLiteral("%1 (%2)").arg(name, keys));
+    tool->setToolTip(tipWithKey(name, command));
     return tool;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/actions/command.h"
 #include "ui/slices/slice_view.h"
 
 #include <QWidget>
@@ -35,7 +36,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    QToolButton* makeTool(const QString& sign, const QString& name, const QString& keys);
+    QToolButton* makeTool(const QString& sign, const QString& name, Command command);
     QToolButton* makeTab(const QString& text, std::optional<core::BodyPlane> plane);
     void followScan();
 

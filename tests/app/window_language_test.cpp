@@ -1,0 +1,114 @@
+#include "app/key_choice.h"
+#include "app/settings.h"
+#include "app/window_host.h"
+#include "tests/app/open_window.h"
+#include "ui/words/language.h"
+
+#include <QMenuBar>
+#include <QPushButton>
+#include <QSignalSpy>
+
+namespace app {
+namespace {
+
+/// A window with the sample case, and English again when the test is over.
+class WindowLanguage : public ::testing::Test {
+protected:
+    void SetUp() override
+    {
+        settings::language.write(QStringLiteral("en"));
+        host = std::make_unique<WindowHost>();
+        host->window().activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&host->window()));
+        const auto sample = writeSampleCase();
+        ASSERT_TRUE(sample);
+        controller().open({sample.value()});
+        waitForJudgement();
+    }
+    void TearDown() override
+    {
+        host.reset();
+        settings::language.write(settings::language.fallback);
+        ui::applyLanguage(QStringLiteral("en"));
+    }
+
+    CaseController& controller() { return host->controller(); }
+    void waitForJudgement()
+    {
+        ASSERT_TRUE(QTest::qWaitFor([&] { return controller().judgement() != nullptr; }, test::patienceMs));
+    }
+    void choose(ui::Command language)
+    {
+        QSignalSpy renewed(host.get(), &WindowHost::renewed);
+        host->window().actions()[language]->trigger();
+        ASSERT_TRUE(renewed.count() > 0 || renewed.wait(test::patienceMs));
+        QTest::qWait(100);
+    }
+    QString firstMenu() { return host->window().header().menuBar()->actions().front()->text(); }
+
+    std::unique_ptr<WindowHost> host;
+};
+
+TEST_F(WindowLanguage, ChangesAtOnceAndLosesNothing)
+{
+    CaseDocument& document = controller().document();
+    const core::RigidTransform start = document.current().cameraFromPatient;
+    QTest::keyClick(&host->window().angiogramView(), Qt::Key_N);
+    QTest::keyClick(&host->window().angiogramView(), Qt::Key_Left);
+    const core::RigidTransform nudged = document.current().cameraFromPatient;
+    ASSERT_GT(test::distance(nudged, start), 0.5);
+    controller().branches().select({1, 2});
+    host->window().angiogramView().showPart({100.0, 300.0, 120.0, 260.0});
+    host->window().angiogramView().setWindowLevel(77.0, 44.0);
+    const double zoom = host->window().angiogramView().zoom();
+    ASSERT_EQ(firstMenu(), QStringLiteral("&File"));
+
+    choose(ui::Command::LanguageGerman);
+
+    EXPECT_EQ(firstMenu(), QStringLiteral("&Datei"));
+    ASSERT_EQ(&controller().document(), &document);
+    EXPECT_EQ(test::distance(document.current().cameraFromPatient, nudged), 0.0);
+    EXPECT_TRUE(document.isModified());
+    EXPECT_TRUE(host->window().windowTitle().contains(QLatin1Char('*')));
+    EXPECT_EQ(controller().branches().marks().selected, (std::set<int>{1, 2}));
+    EXPECT_NEAR(host->window().angiogramView().zoom(), zoom, 0.02 * zoom);
+    EXPECT_DOUBLE_EQ(host->window().angiogramView().shownRange().window(), 77.0);
+    waitForJudgement();
+    QTest::keyClick(&host->window().angiogramView(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(test::distance(document.current().cameraFromPatient, start), 0.0);
+}
+
+TEST_F(WindowLanguage, ComesBack)
+{
+    choose(ui::Command::LanguageChinese);
+    EXPECT_NE(firstMenu(), QStringLiteral("&File"));
+    choose(ui::Command::LanguageEnglish);
+    EXPECT_EQ(firstMenu(), QStringLiteral("&File"));
+    EXPECT_TRUE(host->window().actions()[ui::Command::LanguageEnglish]->isChecked());
+}
+
+TEST_F(WindowLanguage, WaitsForARunToEnd)
+{
+    controller().registration().start();
+    ASSERT_TRUE(controller().registration().isRunning());
+    QSignalSpy renewed(host.get(), &WindowHost::renewed);
+    host->window().actions()[ui::Command::LanguageGerman]->trigger();
+    ASSERT_TRUE(renewed.wait(test::patienceMs));
+    EXPECT_TRUE(controller().document().current().result);   // what the run found has been taken
+}
+
+TEST_F(WindowLanguage, ButtonsNameTheKeyThatTheUserChose)
+{
+    const auto words = [this] { return host->window().registration().registerButton()->text(); };
+    ASSERT_EQ(words(), QStringLiteral("Register  R"));
+    QSettings().setValue(QStringLiteral("keys/register"), QStringLiteral("Ctrl+Alt+R"));
+    QSignalSpy renewed(host.get(), &WindowHost::renewed);
+    emit controller().habits().shortcuts().keysChanged();
+    ASSERT_TRUE(renewed.count() > 0 || renewed.wait(test::patienceMs));
+    EXPECT_EQ(words(), QStringLiteral("Register  Ctrl+Alt+R"));
+    QSettings().remove(QStringLiteral("keys"));
+    applyChosenKeys();
+}
+
+}   // namespace
+}   // namespace app
