@@ -1,6 +1,7 @@
 #include "tests/app/open_window.h"
 #include "tests/app/session/random_user.h"
 #include "tests/app/session/session_check.h"
+#include "ui/words/language.h"
 
 #include <QTemporaryDir>
 
@@ -11,18 +12,21 @@ namespace {
 TEST(RandomSession, EndsWithACaseThatReopensAsItWas)
 {
     const QTemporaryDir folder;
-    test::OpenWindow w;
-    w.openSample();
-    test::RandomUser user(w.window, w.controller, 5);
+    WindowHost host;
+    const auto sample = writeSampleCase();
+    ASSERT_TRUE(sample) << sample.error().message;
+    host.controller().open({sample.value()});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return host.controller().judgement() != nullptr; }, test::patienceMs));
+    test::RandomUser user(host, 5);
     for (int i = 0; i < 250; ++i) {
         user.act();
-        ASSERT_TRUE(w.window.isVisible()) << user.lastAction().toStdString();
+        ASSERT_TRUE(host.window().isVisible()) << user.lastAction().toStdString();
     }
-    w.controller.registration().stop();
-    w.waitForRun();
-    ASSERT_FALSE(w.controller.document().isEmpty());
-    const QString difference = test::differenceAfterReopening(w.controller, folder.path());
+    ASSERT_TRUE(user.comeToRest()) << user.lastAction().toStdString();
+    ASSERT_FALSE(host.controller().document().isEmpty());
+    const QString difference = test::differenceAfterReopening(host.controller(), folder.path());
     EXPECT_TRUE(difference.isEmpty()) << difference.toStdString();
+    ui::applyLanguage(QStringLiteral("en"));   // as the other tests expect it
 }
 
 }   // namespace

@@ -5,6 +5,7 @@
 #include "tests/app/session/random_user.h"
 #include "tests/app/session/session_check.h"
 #include "ui/theme/active_theme.h"
+#include "ui/views/angiogram_view.h"
 
 #include <malloc.h>
 #include <QApplication>
@@ -16,7 +17,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <functional>
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -30,7 +34,8 @@ double threadMs()
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-/// Measures the processor time of every event the loop delivers; events sent from within one count as part of it.
+/// Measures the processor time of every event the loop delivers; events sent from within one count as part of it, and
+/// are told apart in what a slow one consisted of.
 class TimedApplication : public QApplication {
 public:
     using QApplication::QApplication;
@@ -38,27 +43,30 @@ public:
     struct Slow {
         int count = 0;
         double worstMs = 0.0;
+        std::map<QString, double> innerMs;   ///< of all `count` together
     };
 
     bool notify(QObject* receiver, QEvent* event) override
     {
-        if (depth_++ > 0) {
-            const bool inner = QApplication::notify(receiver, event);
-            --depth_;
-            return inner;
+        if (depth_ > 1 || !isWatching) {
+            return QApplication::notify(receiver, event);
         }
         const QString name =
             QStringLiteral("%1 · event %2").arg(receiver->metaObject()->className()).arg(event->type());
         const double before = threadMs();
+        ++depth_;
         const bool accepted = QApplication::notify(receiver, event);
-        const double tookMs = threadMs() - before;
         --depth_;
-        ++handled;
-        if (tookMs > handlerLimitMs && isWatching) {
-            Slow& slow = slowest[name];
-            ++slow.count;
-            slow.worstMs = std::max(slow.worstMs, tookMs);
+        const double tookMs = threadMs() - before;
+        if (depth_ > 0) {
+            inner_[name] += tookMs;
+            return accepted;
         }
+        ++handled;
+        if (tookMs > handlerLimitMs) {
+            note(name, tookMs);
+        }
+        inner_.clear();
         return accepted;
     }
 
@@ -67,8 +75,33 @@ public:
     std::map<QString, Slow> slowest;
 
 private:
+    void note(const QString& name, double tookMs)
+    {
+        Slow& slow = slowest[name];
+        ++slow.count;
+        slow.worstMs = std::max(slow.worstMs, tookMs);
+        for (const auto& [inner, ms] : inner_) {
+            slow.innerMs[inner] += ms;
+        }
+    }
+
     int depth_ = 0;
+    std::map<QString, double> inner_;
 };
+
+/// What slow handlers spent their time with, largest first.
+void printInner(const TimedApplication::Slow& slow)
+{
+    std::vector<std::pair<double, QString>> parts;
+    for (const auto& [name, ms] : slow.innerMs) {
+        parts.emplace_back(ms / slow.count, name);
+    }
+    std::ranges::sort(parts, std::greater());
+    parts.resize(std::min<std::size_t>(parts.size(), 6));
+    for (const auto& [ms, name] : parts) {
+        std::printf("          %5.1f ms on average in %s\n", ms, qPrintable(name));
+    }
+}
 
 double heapMiB()
 {
@@ -77,42 +110,62 @@ double heapMiB()
     return static_cast<double>(info.uordblks + info.hblkhd) / (1024.0 * 1024.0);
 }
 
-/// Stops what runs; false when it does not end.
-bool isIdle(app::CaseController& controller)
-{
-    controller.registration().stop();
-    return QTest::qWaitFor([&] { return !controller.registration().isRunning(); }, 60000);
-}
-
 /// Opens the files as a fresh case, so that memory is comparable before and after.
 bool openAfresh(app::CaseController& controller, const QStringList& paths)
 {
-    const bool hasStopped = isIdle(controller);
     controller.document().replace({}, {});
     controller.open(paths);
     const bool isOpen = QTest::qWaitFor([&] { return !controller.isLoading() && controller.judgement(); }, 60000);
     QTest::qWait(1000);
-    return hasStopped && isOpen;
+    return isOpen;
 }
 
-int run(TimedApplication& application, int actions, std::uint64_t seed, const QStringList& paths)
+/// The files named, or the sample case, made now.
+QStringList filesOrSample(const QStringList& named)
 {
-    ui::MainWindow window;
-    app::CaseController controller(window);
-    window.resize(1400, 900);
-    window.show();
-    if (!openAfresh(controller, paths)) {
-        std::fputs("The case did not open.\n", stderr);
-        return 1;
+    if (!named.isEmpty()) {
+        return named;
     }
-    test::RandomUser user(window, controller, seed);
+    const auto sample = app::writeSampleCase();
+    return sample ? QStringList{sample.value()} : QStringList{};
+}
+
+/// From the start of the program until the window stands, and from asking for the case until it is drawn and judged.
+bool openFirst(app::WindowHost& host, const QElapsedTimer& sinceStart, QStringList& paths)
+{
+    const bool isShown = QTest::qWaitForWindowExposed(&host.window());
+    std::printf("window shown after %lld ms (aim 1500)\n", static_cast<long long>(sinceStart.elapsed()));
+    QElapsedTimer opening;
+    opening.start();
+    paths = filesOrSample(paths);
+    app::CaseController& controller = host.controller();
+    controller.open(paths);
+    const bool isOpen = QTest::qWaitFor(
+        [&] { return host.window().angiogramView().renderCount() > 0 && controller.judgement() != nullptr; }, 60000);
+    std::printf("case on screen after %lld ms (aim 3000)\n", static_cast<long long>(opening.elapsed()));
+    return isShown && isOpen;
+}
+
+int run(TimedApplication& application, const QElapsedTimer& sinceStart, int actions, std::uint64_t seed,
+        QStringList paths)
+{
+    app::WindowHost host;
+    host.window().resize(1400, 900);
+    test::RandomUser user(host, seed);
     const auto act = [&](int count) {
         for (int i = 0; i < count; ++i) {
             user.act();
         }
     };
+    if (!openFirst(host, sinceStart, paths)) {
+        std::fputs("The case did not open.\n", stderr);
+        return 1;
+    }
     act(std::min(300, actions / 5));   // fonts, caches and dialogs are made once
-    openAfresh(controller, paths);
+    if (!user.comeToRest() || !openAfresh(host.controller(), paths)) {
+        std::fputs("The window did not come to rest.\n", stderr);
+        return 1;
+    }
     const double before = heapMiB();
 
     QElapsedTimer timer;
@@ -123,9 +176,9 @@ int run(TimedApplication& application, int actions, std::uint64_t seed, const QS
     const double minutes = static_cast<double>(timer.elapsed()) / 60000.0;
 
     const QTemporaryDir folder;
-    const QString difference =
-        isIdle(controller) ? test::differenceAfterReopening(controller, folder.path()) : "a run that does not stop";
-    openAfresh(controller, paths);
+    const QString difference = user.comeToRest() ? test::differenceAfterReopening(host.controller(), folder.path())
+                                                 : QStringLiteral("something that does not end");
+    openAfresh(host.controller(), paths);
     const double grownMiB = heapMiB() - before;
 
     std::printf("%d actions in %.1f min, seed %llu, %d events\n", actions, minutes,
@@ -136,6 +189,7 @@ int run(TimedApplication& application, int actions, std::uint64_t seed, const QS
                 application.slowest.empty() ? "none" : "");
     for (const auto& [name, slow] : application.slowest) {
         std::printf("  %4d x, worst %6.1f ms  %s\n", slow.count, slow.worstMs, qPrintable(name));
+        printInner(slow);
     }
     return difference.isEmpty() && grownMiB < leakLimitMiB ? 0 : 1;
 }
@@ -147,6 +201,8 @@ int main(int argc, char** argv)
     const QTemporaryDir home;
     qputenv("XDG_DATA_HOME", home.path().toUtf8());
     qputenv("XDG_CONFIG_HOME", home.path().toUtf8());
+    QElapsedTimer sinceStart;
+    sinceStart.start();
     TimedApplication application(argc, argv);
     QApplication::setOrganizationName(QStringLiteral("AngioPose"));
     QApplication::setApplicationName(QStringLiteral("AngioPoseSession"));
@@ -155,15 +211,7 @@ int main(int argc, char** argv)
     QStringList words = QApplication::arguments().mid(1);
     const int actions = words.isEmpty() ? 5000 : words.takeFirst().toInt();
     const std::uint64_t seed = words.isEmpty() ? 1 : words.takeFirst().toULongLong();
-    if (words.isEmpty()) {
-        const auto sample = app::writeSampleCase();
-        if (!sample) {
-            std::fputs(sample.error().message.c_str(), stderr);
-            return 1;
-        }
-        words << sample.value();
-    }
-    const int outcome = run(application, actions, seed, words);
+    const int outcome = run(application, sinceStart, actions, seed, words);
     QThreadPool::globalInstance()->waitForDone();
     return outcome;
 }

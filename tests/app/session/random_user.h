@@ -1,11 +1,7 @@
 #pragma once
 
-#include "app/case_controller.h"
-#include "ui/main_window.h"
-
-#include <QPointer>
-
-#include <random>
+#include "app/window_host.h"
+#include "tests/app/session/habit.h"
 
 namespace test {
 
@@ -13,38 +9,25 @@ namespace test {
 /// makes the same choices.
 class RandomUser {
 public:
-    RandomUser(ui::MainWindow& window, app::CaseController& controller, std::uint64_t seed);
+    RandomUser(app::WindowHost& host, std::uint64_t seed);
 
-    void act();   ///< one action, and whatever dialog it opened closed again
+    void act();   ///< one action, some in the dialog it opened, and that closed again
+    /// Ends tools, runs and trials; whatever is computed for the case has arrived. False: something does not end.
+    [[nodiscard]] bool comeToRest();
     const QString& lastAction() const { return last_; }
 
 private:
-    int below(int count);
-    double between(double low, double high);
-    QPoint somewhereIn(const QWidget& widget);
-    void note(const QString& action) { last_ = action; }
-
-    void pressKey();
-    void holdKey();
-    void dragInImage();
-    void wheelOverImage();
-    void clickInImage();
-    void workInTreeView();
-    void workInSlices();
-    void clickBranch();
-    void typeNumber();
-    void changeChoice();
-    void clickButton();
-    void resizeWindow();
-    void saveAndExport();
-    void drag(QWidget& widget, Qt::MouseButton button, Qt::KeyboardModifiers modifiers);
+    Desk desk();   ///< as it is now: another language makes another window
+    QString doSomething();
     void closeDialogs();
+    void putWindowBack();
 
-    ui::MainWindow& window_;
-    app::CaseController& controller_;
-    std::mt19937_64 random_;
-    QString last_;
+    app::WindowHost& host_;
+    RandomHand hand_;
     QString folder_;
+    std::vector<Habit> habits_;
+    int totalWeight_ = 0;
+    QString last_;
 };
 
 }   // namespace test

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QKeySequence>
+#include <QPoint>
+#include <QWidget>
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+namespace test {
+
+/// The hand of a random user: draws by lot and makes real mouse and key events. The same seed draws alike.
+class RandomHand {
+public:
+    explicit RandomHand(std::uint64_t seed) : random_(seed) {}
+
+    int below(int count);   ///< 0 … count − 1
+    double between(double low, double high);
+    bool oneIn(int times) { return below(times) == 0; }
+    template <class Items>
+    auto& oneOf(Items& items)
+    {
+        return items[static_cast<std::size_t>(below(static_cast<int>(std::size(items))))];
+    }
+
+    QPoint somewhereIn(const QWidget& widget);
+    void press(QWidget& widget, const QKeySequence& keys);
+    void click(QWidget& widget, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers modifiers = {});
+    void drag(QWidget& widget, Qt::MouseButton button, Qt::KeyboardModifiers modifiers = {});   ///< sometimes with Esc
+    void wheel(QWidget& widget);
+    void askForMenu(QWidget& widget);   ///< a right click's menu event, without what else the button does
+
+private:
+    std::mt19937_64 random_;
+};
+
+/// What of a window a user can reach now.
+template <class Widget>
+std::vector<Widget*> usable(const QWidget& root)
+{
+    std::vector<Widget*> found;
+    for (Widget* widget : root.findChildren<Widget*>()) {
+        if (widget->isVisible() && widget->isEnabled() && widget->window() == root.window() &&
+            !widget->size().isEmpty() && !widget->visibleRegion().isEmpty()) {
+            found.push_back(widget);
+        }
+    }
+    return found;
+}
+
+}   // namespace test
