@@ -3,6 +3,9 @@
 #include "app/case_controller.h"
 #include "app/files/sample_case.h"
 #include "tests/app/gallery/clipped_texts.h"
+#include "ui/dialogs/missing_inputs.h"
+#include "ui/dialogs/recovery_dialog.h"
+#include "ui/dialogs/series_chooser.h"
 #include "ui/theme/active_theme.h"
 #include "ui/words/language.h"
 
@@ -11,6 +14,7 @@
 #include <QDir>
 #include <QImage>
 #include <QSet>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <array>
@@ -90,20 +94,100 @@ void Gallery::run()
     window.resize(1440, 900);
     unfoldAll(window);
     showPanels(window);
-    const std::array dialogs{std::pair{ui::Command::Keys, "keys"}, std::pair{ui::Command::About, "about"},
-                             std::pair{ui::Command::ExportOverlay, "export"}, std::pair{ui::Command::PanelHelp, "help"},
-                             std::pair{ui::Command::GoodFit, "good_fit"}};
+    showDialogs(window);
+    showRareDialogs(window);
+    showTrial(window, controller);
+}
+
+/// What commands open.
+void Gallery::showDialogs(ui::MainWindow& window)
+{
+    using enum ui::Command;
+    const std::array dialogs{std::pair{Keys, "keys"},
+                             std::pair{About, "about"},
+                             std::pair{ExportOverlay, "export"},
+                             std::pair{PanelHelp, "help"},
+                             std::pair{GoodFit, "good_fit"},
+                             std::pair{AuxiliaryAdvice, "auxiliary"},
+                             std::pair{ComparePoses, "poses"},
+                             std::pair{PruneTree, "prune"},
+                             std::pair{Opacification, "opacification"},
+                             std::pair{BlindTrial, "blind_trial"}};
     for (const auto& [command, name] : dialogs) {
         window.actions()[command]->trigger();
-        QTest::qWait(200);
-        for (QDialog* dialog : window.findChildren<QDialog*>()) {
-            if (dialog->isVisible()) {
-                showWindow(*dialog, QString::fromLatin1(name));
-                dialog->reject();
-            }
-        }
-        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QTest::qWait(command == GoodFit ? 4000 : 400);   // its pictures are drawn by a worker
+        takeDialogs(window, QString::fromLatin1(name));
     }
+    window.actions()[Tour]->trigger();
+    showWindow(window, QStringLiteral("tour"));
+    if (auto* tour = window.findChild<QWidget*>(QStringLiteral("tour"))) {
+        tour->close();
+    }
+}
+
+/// What only an accident opens.
+void Gallery::showRareDialogs(ui::MainWindow& window)
+{
+    const QString home = QStringLiteral("/home/ada/studies/2026-03");
+    auto* recovery = new ui::RecoveryDialog({{home + QStringLiteral("/a"), QStringLiteral("left-coronary.angiopose"),
+                                              QStringLiteral("2026-03-04 10:41"), home},
+                                             {home + QStringLiteral("/b"),
+                                              QStringLiteral("Sample case (simulated)"),
+                                              QStringLiteral("2026-03-01 08:02"),
+                                              {}}},
+                                            &window);
+    recovery->open();
+    takeDialogs(window, QStringLiteral("recovery"));
+    auto* missing = new ui::MissingInputs(QStringLiteral("left-coronary.angiopose"),
+                                          {home + QStringLiteral("/run-12.dcm"), home + QStringLiteral("/tree.vtp")},
+                                          home, &window);
+    missing->open();
+    takeDialogs(window, QStringLiteral("missing_inputs"));
+    auto* series = new ui::SeriesChooser(home,
+                                         {{QStringLiteral("1"),
+                                           QStringLiteral("Coronary CTA 0.75 B26f"),
+                                           QStringLiteral("CT"),
+                                           300,
+                                           QStringLiteral("512 × 512 × 300"),
+                                           QStringLiteral("0.35 × 0.35 × 0.50"),
+                                           QStringLiteral("2026-03-04"),
+                                           {},
+                                           true},
+                                          {QStringLiteral("2"),
+                                           QStringLiteral("Topogram"),
+                                           QStringLiteral("CT"),
+                                           1,
+                                           QStringLiteral("512 × 512"),
+                                           {},
+                                           QStringLiteral("2026-03-04"),
+                                           {},
+                                           true}},
+                                         &window);
+    series->open();
+    takeDialogs(window, QStringLiteral("series"));
+    window.result().solutions().showSolutions(
+        {{QStringLiteral("0.93"), {}}, {QStringLiteral("0.71"), {}}, {QStringLiteral("0.64"), {}}});
+    showWindow(window.result().solutions(), QStringLiteral("solutions"));
+}
+
+void Gallery::showTrial(ui::MainWindow& window, app::CaseController& controller)
+{
+    const QTemporaryDir folder;
+    controller.poses().blindTrial().start(
+        {QStringLiteral("Ada"), 7, 10.0, 5.0, folder.filePath(QStringLiteral("log.csv"))});
+    showWindow(window, QStringLiteral("trial"));
+    controller.poses().blindTrial().abandon();
+}
+
+void Gallery::takeDialogs(QWidget& window, const QString& name)
+{
+    for (QDialog* dialog : window.findChildren<QDialog*>()) {
+        if (dialog->isVisible()) {
+            showWindow(*dialog, name);
+            dialog->reject();
+        }
+    }
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
 }
 
 void Gallery::showWindow(QWidget& window, const QString& name)

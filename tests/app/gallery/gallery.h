@@ -5,6 +5,14 @@
 
 class QWidget;
 
+namespace app {
+class CaseController;
+}
+
+namespace ui {
+class MainWindow;
+}
+
 namespace test {
 
 /// Takes pictures of the window, its panels and dialogs in one language and theme, and looks for what a user would
@@ -19,6 +27,10 @@ public:
     int pictureCount() const { return pictureCount_; }
 
 private:
+    void showDialogs(ui::MainWindow& window);
+    void showRareDialogs(ui::MainWindow& window);
+    void showTrial(ui::MainWindow& window, app::CaseController& controller);
+    void takeDialogs(QWidget& window, const QString& name);   ///< all that are open, and closes them
     void showWindow(QWidget& window, const QString& name);
     void showPanels(QWidget& window);
     void take(QWidget& widget, const QString& name);
