@@ -13,16 +13,20 @@
 #include <QListView>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTimer>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace ui {
 namespace {
 
 constexpr int leftWidth = 300;
 constexpr int rightWidth = 320;
+constexpr int rightMinimumWidth = 270;
 
 QWidget* column(QWidget* content)
 {
@@ -154,8 +158,16 @@ QWidget* MainWindow::makeRightColumn()
     rightColumn_->setWidget(content);
     rightColumn_->setWidgetResizable(true);
     rightColumn_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    rightColumn_->setMinimumWidth(270);
+    rightColumn_->setMinimumWidth(rightMinimumWidth);
     return rightColumn_;
+}
+
+/// A part that unfolds may need more width than the column has; nobody could scroll to what is cut off.
+void MainWindow::giveRightColumnRoom()
+{
+    const int scrollBar = rightColumn_->verticalScrollBar()->sizeHint().width();
+    rightColumn_->setMinimumWidth(
+        std::max(rightMinimumWidth, rightColumn_->widget()->minimumSizeHint().width() + scrollBar));
 }
 
 void MainWindow::showImagePage()

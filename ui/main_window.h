@@ -99,6 +99,7 @@ private:
     void connectFrames();
     void placeViews();
     QWidget* makeRightColumn();
+    void giveRightColumnRoom();
     bool takesKey(QObject* watched) const;
     bool filterKey(QEvent* event);
 

@@ -80,6 +80,11 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
                 return true;
             }
             break;
+        case QEvent::LayoutRequest:
+            if (watched == rightColumn_->widget()) {
+                giveRightColumnRoom();
+            }
+            break;
         case QEvent::WindowDeactivate:
             if (hideHeld_ && (watched == this || isViewWindow(watched))) {
                 hideHeld_ = false;

@@ -6720,7 +6720,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>%1 shows the next · %2 takes it</source>
-        <translation>%1 zeigt die nächste · %2 übernimmt</translation>
+        <translation>%1 nächste · %2 nimmt sie</translation>
     </message>
 </context>
 <context>

@@ -44,6 +44,7 @@ BlindTrialDialog::BlindTrialDialog(const BlindTrialSetup& suggested, QWidget* pa
     auto* choose = new QPushButton(tr("Choose …"));
     choose->setAutoDefault(false);
     auto* logRow = new QHBoxLayout;
+    logRow->setSpacing(8);
     logRow->addWidget(log_, 1);
     logRow->addWidget(choose);
 

@@ -16,7 +16,7 @@
 namespace ui {
 namespace {
 
-constexpr int bubbleWidth = 320;
+constexpr int bubbleWidth = 360;
 constexpr int gap = 14;   ///< between bubble and target
 
 /// Where a bubble of `size` stands best: beside the target where there is room, else at its foot.
@@ -88,6 +88,11 @@ Tour::Tour(std::vector<TourStop> stops, QWidget* window)
     goTo(0);
     show();
     next_->setFocus();
+}
+
+Tour::~Tour()
+{
+    delete frame_;   // null when the window has taken it along
 }
 
 void Tour::goTo(int stop)
@@ -167,7 +172,7 @@ void Tour::paintEvent(QPaintEvent*)
 void Tour::end()
 {
     if (frame_) {
-        frame_->deleteLater();
+        frame_->hide();
     }
     emit ended();
     close();

@@ -23,6 +23,7 @@ class Tour : public QWidget {
     Q_OBJECT
 public:
     Tour(std::vector<TourStop> stops, QWidget* window);
+    ~Tour() override;
 
     void goTo(int stop);   ///< past the last: ends
     int current() const { return current_; }

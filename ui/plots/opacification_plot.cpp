@@ -99,7 +99,9 @@ void OpacificationPlot::paintAxes(QPainter& painter) const
         const QString text = curve_.frameTimeMs > 0.0
                                  ? tr("%1 · %2 s").arg(frame).arg(0.001 * curve_.frameTimeMs * frame, 0, 'f', 2)
                                  : QString::number(frame);
-        painter.drawText(QRectF(x - 50.0, part.bottom() + 6.0, 100.0, 18.0), Qt::AlignHCenter, text);
+        const double half = std::min(50.0, width() - 2.0 - x);   // the last one ends with the plot
+        painter.drawText(QRectF(x + half - 100.0, part.bottom() + 6.0, 100.0, 18.0),
+                         half < 50.0 ? Qt::AlignRight : Qt::AlignHCenter, text);
     }
 }
 

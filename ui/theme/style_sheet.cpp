@@ -60,7 +60,7 @@ QSlider::handle:horizontal:hover { background: @textStrong@; }
 QSlider:focus::handle:horizontal { background: @accent@; }
 
 QAbstractItemView { background: @panel@; border: none; alternate-background-color: @window@; color: @text@; }
-QAbstractItemView::item { padding: 3px 6px; }
+QAbstractItemView::item { padding: 3px 6px; border: none; }
 QAbstractItemView::item:hover { background: @rowHover@; }
 QAbstractItemView::item:selected { background: @row@; color: @textStrong@; }
 QHeaderView::section { background: @panel@; color: @label@; border: none; padding: 4px 6px; }

@@ -1,5 +1,6 @@
 #include "tests/app/session/random_user.h"
 
+#include "app/files/autosave.h"
 #include "app/settings.h"
 #include "ui/views/angiogram_view.h"
 
@@ -114,6 +115,9 @@ bool RandomUser::comeToRest()
     host_.window().angiogramView().setTool(nullptr);
     host_.controller().registration().stop();
     host_.controller().poses().blindTrial().abandon();
+    for (const app::LeftBehind& copy : app::Autosave::leftBehind()) {
+        app::Autosave::forget(copy);   // of the recoveries that were put off
+    }
     putWindowBack();
     const bool hasEnded = QTest::qWaitFor(isAtRest, patienceMs);
     QTest::qWait(1000);   // judgements, subtracted runs and snapshots under way
