@@ -88,6 +88,7 @@ double OneScale::largestMotionPx(const Vector6d& step) const
     return largest;
 }
 
+/// How far a step goes in each direction for the same slope.
 Vector6d weightsOf(StepMetric metric, SearchStage stage, double depthMm)
 {
     Vector6d weights = Vector6d::Ones();
@@ -100,6 +101,17 @@ Vector6d weightsOf(StepMetric metric, SearchStage stage, double depthMm)
     return weights;
 }
 
+/// Shorter where a prior bends the cost more than the points do, or the ascent crosses its valley to and fro.
+Vector6d shortenedBy(const PosePrior& prior, const KernelProblem& problem, double depthMm, Vector6d weights)
+{
+    const double pixelsPerMm = problem.camera.fx / depthMm;
+    const double ofPoints = static_cast<double>(problem.points.size()) * pixelsPerMm * pixelsPerMm;   // per mm²
+    for (Eigen::Index k = 3; k < 6; ++k) {
+        weights[k] *= ofPoints / (ofPoints + prior.strength * prior.weights[k] * prior.weights[k]);
+    }
+    return weights;
+}
+
 }   // namespace
 
 KernelPnpResult KernelAscent::solve(const KernelProblem& problem, SearchStage stage, const RigidTransform& start,
@@ -107,7 +119,7 @@ KernelPnpResult KernelAscent::solve(const KernelProblem& problem, SearchStage st
 {
     const PosePrior none;
     const PosePrior& prior = stage == SearchStage::Full ? options_.prior : none;
-    const Vector6d weights = weightsOf(options_.metric, stage, depthMm_);
+    const Vector6d weights = shortenedBy(prior, problem, depthMm_, weightsOf(options_.metric, stage, depthMm_));
     const Freedom freedom = stage == SearchStage::Turn ? Freedom::Rotation : Freedom::Full;
     const double ratio = std::pow(options_.finalScalePx / options_.startScalePx, 1.0 / (scaleCount - 1));
 
