@@ -57,7 +57,7 @@ struct RegistrationOptions {
     int nicpIterations = 300;   ///< per scale
 
     // rgbr
-    double rgbrReachMm = 10.0;   ///< first search along the normals
+    double rgbrReachMm = 20.0;   ///< first search along the normals
     int rgbrHypotheses = 500;
     int rgbrRounds = 30;
 
