@@ -1,6 +1,9 @@
 #include "tests/app/open_window.h"
 #include "tests/support/test_data.h"
 
+#include <QImage>
+#include <QTemporaryDir>
+
 namespace app {
 namespace {
 
@@ -100,11 +103,16 @@ TEST(WindowFollow, StopKeepsTheFramesItCameTo)
 
 TEST(WindowFollow, OneFrameIsNothingToFollow)
 {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("one.png"));
+    QImage picture(64, 48, QImage::Format_Grayscale8);
+    picture.fill(120);
+    picture.setPixel(20, 20, qRgb(30, 30, 30));
+    ASSERT_TRUE(picture.save(path));
     OpenWindow w;
-    w.openSample();
-    if (w.current().angiogram->frameCount() > 1) {
-        GTEST_SKIP() << "the sample is a run";
-    }
+    w.drop({path});
+    ASSERT_TRUE(QTest::qWaitFor([&w] { return w.current().angiogram != nullptr; }, test::patienceMs));
+    ASSERT_EQ(w.current().angiogram->frameCount(), 1);
     EXPECT_FALSE(w.window.actions()[ui::Command::FollowFrames]->isEnabled());
 }
 
