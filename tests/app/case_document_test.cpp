@@ -65,7 +65,7 @@ TEST(CaseDocument, IsModifiedOnlyWhileItDiffersFromWhatWasSaved)
     EXPECT_FALSE(document.isModified());
     document.push(showFrame(document, 4));
     EXPECT_TRUE(document.isModified());
-    document.markSaved(QStringLiteral("/tmp/a.angiopose"), document.state());
+    document.markSaved(QStringLiteral("cases/a.angiopose"), document.state());
     EXPECT_FALSE(document.isModified());
     document.undoStack().undo();
     EXPECT_TRUE(document.isModified());
@@ -77,22 +77,22 @@ TEST(CaseDocument, StaysModifiedWhenEditedWhileItWasBeingSaved)
 {
     CaseDocument document;
     document.push(showFrame(document, 1));
-    document.markSaved(QStringLiteral("/tmp/a.angiopose"), document.state());
+    document.markSaved(QStringLiteral("cases/a.angiopose"), document.state());
     document.push(showFrame(document, 2));
     const CaseState written = document.state();
     document.undoStack().undo();   // back at the position that was clean, but the file holds frame 2
-    document.markSaved(QStringLiteral("/tmp/a.angiopose"), written);
+    document.markSaved(QStringLiteral("cases/a.angiopose"), written);
     EXPECT_TRUE(document.isModified());
 }
 
 TEST(CaseDocument, DoesNotTakeTheNameOfACaseThatIsNoLongerOpen)
 {
     CaseDocument document;
-    document.replace({}, QStringLiteral("/tmp/first.angiopose"));
+    document.replace({}, QStringLiteral("cases/first.angiopose"));
     const CaseState written = document.state();
-    document.replace({}, QStringLiteral("/tmp/second.angiopose"));
-    document.markSaved(QStringLiteral("/tmp/first.angiopose"), written);
-    EXPECT_EQ(document.path(), QStringLiteral("/tmp/second.angiopose"));
+    document.replace({}, QStringLiteral("cases/second.angiopose"));
+    document.markSaved(QStringLiteral("cases/first.angiopose"), written);
+    EXPECT_EQ(document.path(), QStringLiteral("cases/second.angiopose"));
 }
 
 }   // namespace

@@ -128,7 +128,7 @@ void Gallery::showDialogs(ui::MainWindow& window)
 /// What only an accident opens.
 void Gallery::showRareDialogs(ui::MainWindow& window)
 {
-    const QString home = QStringLiteral("/home/ada/studies/2026-03");
+    const QString home = QStringLiteral("/studies/2026-03");
     auto* recovery = new ui::RecoveryDialog({{home + QStringLiteral("/a"), QStringLiteral("left-coronary.angiopose"),
                                               QStringLiteral("2026-03-04 10:41"), home},
                                              {home + QStringLiteral("/b"),
