@@ -59,7 +59,8 @@ CaseController::CaseController(ui::MainWindow& window, std::shared_ptr<CaseDocum
 
 bool CaseController::isBusy() const
 {
-    return registration_.isRunning() || session_.isLoading() || tracing_.isRunning() || document_.isInTrial();
+    return registration_.isRunning() || session_.isLoading() || tracing_.isRunning() || follow_.isRunning() ||
+           poses_.isBusy() || views_.isLooking() || document_.isInTrial();
 }
 
 /// Why an edit could not be made is said in the strip.

@@ -50,7 +50,7 @@ public:
     void begin(const QStringList& paths) { session_.begin(paths); }
     void open(const QStringList& paths) { session_.open(paths); }
     bool isLoading() const { return session_.isLoading(); }
-    bool isBusy() const;   ///< with a run, files, tracing a scan, or a trial: the window must stay as it is
+    bool isBusy() const;   ///< a worker that may take long, or a trial: the window must stay as it is
 
     CaseDocument& document() { return document_; }
     SaveController& saving() { return session_.saving(); }

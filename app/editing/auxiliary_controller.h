@@ -28,6 +28,7 @@ public:
                         QObject* parent = nullptr);
     ~AuxiliaryController() override;
 
+    bool isRunning() const { return job_.isRunning(); }   ///< working out what each branch tells
     void open();
     ui::AuxiliaryDialog* dialog() const { return dialog_; }   ///< null while it is closed
     const std::vector<int>& suggestion() const { return advice_.suggested; }

@@ -36,6 +36,7 @@ public:
     };
     explicit PoseTools(const Parts& parts, QObject* parent = nullptr);
 
+    bool isBusy() const { return table_.isRunning() || auxiliary_.isRunning(); }
     SnapshotController& snapshots() { return snapshots_; }
     PoseTableController& table() { return table_; }
     BlindTrialController& blindTrial() { return blindTrial_; }

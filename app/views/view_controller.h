@@ -26,6 +26,7 @@ public:
                    QObject* parent = nullptr);
     ~ViewController() override;
 
+    bool isLooking() const { return looking_.isRunning(); }   ///< making pictures and numbers of the views
     void showNext();
     void remove(int line);   ///< in place of the shown view the next one is shown
 

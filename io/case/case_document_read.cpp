@@ -1,4 +1,5 @@
 #include "io/case/case_document.h"
+#include "io/case/geometry_values.h"
 #include "io/case/known_keys.h"
 #include "io/case/option_values.h"
 #include "io/case/snapshot_json.h"
@@ -13,10 +14,9 @@
 namespace io {
 namespace {
 
-using core::Origin;
-using core::Sourced;
 using Json = nlohmann::json;
 
+/// A member of an object; null where there is none.
 const Json& member(const Json& json, const char* key)
 {
     static const Json none;
@@ -24,46 +24,15 @@ const Json& member(const Json& json, const char* key)
     return found == json.end() ? none : *found;
 }
 
-core::InputFile inputFile(const Json& json)
-{
-    return json.is_object() ? core::InputFile{json.value("path", ""), json.value("sha256", "")} : core::InputFile{};
-}
-
-Origin originFrom(const std::string& text)
-{
-    return text == "header"    ? Origin::Header
-           : text == "derived" ? Origin::Derived
-           : text == "assumed" ? Origin::Assumed
-                               : Origin::User;
-}
-
-/// A bare value was typed by a user; an object says where its value comes from.
-struct SourcedJson {
-    Json value;
-    Origin origin = Origin::Missing;
-    std::string basis;
-};
-
-SourcedJson sourcedJson(const Json& json)
-{
-    if (json.is_null()) {
-        return {};
-    }
-    if (!json.is_object()) {
-        return {json, Origin::User, ""};
-    }
-    return {json.at("value"), originFrom(json.value("origin", "user")), json.value("basis", "")};
-}
-
-Sourced<double> sourcedNumber(const SourcedJson& json)
-{
-    return json.value.is_number() ? Sourced<double>{json.value.get<double>(), json.origin, json.basis}
-                                  : Sourced<double>{};
-}
-
+/// Three numbers, as the schema has made sure.
 Eigen::Vector3d pointFrom(const Json& json)
 {
     return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()};
+}
+
+core::InputFile inputFile(const Json& json)
+{
+    return json.is_object() ? core::InputFile{json.value("path", ""), json.value("sha256", "")} : core::InputFile{};
 }
 
 core::VesselTracingOptions tracingOptions(const Json& json)
@@ -214,43 +183,6 @@ void readAngiogram(const Json& angiogram, CaseDocument& document)
     }
 }
 
-void readCArm(const Json& geometry, core::CArm& cArm)
-{
-    cArm.sourceToDetectorMm = sourcedNumber(sourcedJson(member(geometry, "sourceToDetectorMm")));
-    cArm.sourceToPatientMm = sourcedNumber(sourcedJson(member(geometry, "sourceToPatientMm")));
-    cArm.primaryAngleDeg = sourcedNumber(sourcedJson(member(geometry, "primaryAngleDeg")));
-    cArm.secondaryAngleDeg = sourcedNumber(sourcedJson(member(geometry, "secondaryAngleDeg")));
-    cArm.rollDeg = sourcedNumber(sourcedJson(member(geometry, "rollDeg")));
-    if (const SourcedJson spacing = sourcedJson(member(geometry, "imagerPixelSpacingMm")); spacing.value.is_array()) {
-        cArm.rowSpacingMm = {spacing.value[0].get<double>(), spacing.origin, spacing.basis};
-        cArm.columnSpacingMm = {spacing.value[1].get<double>(), spacing.origin, spacing.basis};
-    }
-    if (const SourcedJson point = sourcedJson(member(geometry, "principalPointPx")); point.value.is_array()) {
-        cArm.principalPointPx = {Eigen::Vector2d(point.value[0].get<double>(), point.value[1].get<double>()),
-                                 point.origin, point.basis};
-    }
-    if (const SourcedJson point = sourcedJson(member(geometry, "isocentreInPatientMm")); point.value.is_array()) {
-        cArm.isocentreInPatientMm = {pointFrom(point.value), point.origin, point.basis};
-    }
-    if (const SourcedJson mirrored = sourcedJson(member(geometry, "mirrored")); mirrored.value.is_boolean()) {
-        cArm.mirrored = {mirrored.value.get<bool>(), mirrored.origin, mirrored.basis};
-    }
-}
-
-void readCamera(const Json& camera, CaseDocument& document)
-{
-    if (!camera.is_object()) {
-        return;
-    }
-    const core::ProjectionCamera given{camera["fx"].get<double>(), camera["fy"].get<double>(),
-                                       camera["cx"].get<double>(), camera["cy"].get<double>(),
-                                       camera["width"].get<int>(), camera["height"].get<int>()};
-    if (const std::string problem = core::findProblem(given); !problem.empty()) {
-        document.problems.push_back("geometry.camera: " + problem);
-    }
-    document.values.cameraOverride = given;
-}
-
 /// The pose under `pose.<key>`, when it is there and makes sense.
 std::optional<core::RigidTransform> readPose(const Json& poses, const char* key, CaseDocument& document)
 {
@@ -329,9 +261,7 @@ void readSnapshots(const Json& root, CaseDocument& document)
 void readView(const Json& view, CaseDocument& document)
 {
     readAngiogram(view["angiogram"], document);
-    const Json& geometry = member(view, "geometry");
-    readCArm(geometry, document.values.cArm);
-    readCamera(member(geometry, "camera"), document);
+    readGeometry(view.value("geometry", Json::object()).dump(), document);
     readPoses(member(view, "pose"), document);
     readSnapshots(view, document);
 }

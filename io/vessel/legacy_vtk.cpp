@@ -1,5 +1,6 @@
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
+#include "io/vessel/legacy_vtk_cells.h"
 #include "io/vessel/legacy_vtk_cursor.h"
 #include "io/vessel/vtk_lines.h"
 
@@ -9,45 +10,12 @@
 namespace io {
 namespace {
 
-constexpr int vtkLineType = 3;
-constexpr int vtkPolyLineType = 4;
-constexpr int vtkTriangleType = 5;
-constexpr int vtkPolygonType = 7;
-constexpr int vtkQuadType = 9;
-
 std::string upper(std::string_view text)
 {
     std::string result(text);
     std::transform(result.begin(), result.end(), result.begin(),
                    [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
     return result;
-}
-
-using Cells = std::vector<std::vector<std::size_t>>;
-
-/// Appends the cell whose point ids are `values[first]` to `values[end - 1]`; false on a negative id.
-bool appendCell(const std::vector<double>& values, std::size_t first, std::size_t end, Cells& cells)
-{
-    std::vector<std::size_t> cell;
-    for (std::size_t k = first; k < end; ++k) {
-        if (!(values[k] >= 0.0) || values[k] > 1e12) {
-            return false;
-        }
-        cell.push_back(static_cast<std::size_t>(values[k]));
-    }
-    cells.push_back(std::move(cell));
-    return true;
-}
-
-/// Triangles of strips: every second one is turned round.
-void appendStrips(const Cells& strips, Cells& triangles)
-{
-    for (const auto& strip : strips) {
-        for (std::size_t k = 2; k < strip.size(); ++k) {
-            const bool isTurned = k % 2 == 1;
-            triangles.push_back({strip[k - 2], strip[isTurned ? k : k - 1], strip[isTurned ? k - 1 : k]});
-        }
-    }
 }
 
 /// Reads the body of one file; each method returns false when the section it reads is damaged.
@@ -57,13 +25,17 @@ public:
 
     bool readSections();
     std::string_view section() const { return section_; }
-    VtkLines finish() &&;
+    VtkLines finish() &&
+    {
+        addCells(std::move(cells_), result_);
+        return std::move(result_);
+    }
 
 private:
     bool readSection(const std::string& keyword);
     bool readPoints();
-    bool readCells(Cells& cells);
-    bool readOffsetCells(std::size_t offsetCount, std::size_t size, Cells& cells);
+    bool readCells(VtkCells& cells);
+    bool readOffsetCells(std::size_t offsetCount, std::size_t size, VtkCells& cells);
     bool readCellTypes();
     bool readAttribute(const std::string& keyword);
     bool readScalars();
@@ -78,8 +50,7 @@ private:
     VtkLines result_;
     Place place_ = Place::DataSet;
     std::size_t attributeCount_ = 0;
-    Cells vertices_, lines_, polygons_, strips_, mixed_;
-    std::vector<double> types_;
+    LegacyVtkCells cells_;
 };
 
 bool LegacyVtkParser::readSections()
@@ -99,16 +70,16 @@ bool LegacyVtkParser::readSection(const std::string& keyword)
         return readPoints();
     }
     if (keyword == "LINES") {
-        return readCells(lines_);
+        return readCells(cells_.lines);
     }
     if (keyword == "VERTICES") {
-        return readCells(vertices_);
+        return readCells(cells_.vertices);
     }
     if (keyword == "POLYGONS" || keyword == "TRIANGLE_STRIPS") {
-        return readCells(keyword == "POLYGONS" ? polygons_ : strips_);
+        return readCells(keyword == "POLYGONS" ? cells_.polygons : cells_.strips);
     }
     if (keyword == "CELLS") {
-        return readCells(mixed_);
+        return readCells(cells_.mixed);
     }
     if (keyword == "CELL_TYPES") {
         return readCellTypes();
@@ -140,7 +111,7 @@ bool LegacyVtkParser::readPoints()
     return true;
 }
 
-bool LegacyVtkParser::readCells(Cells& cells)
+bool LegacyVtkParser::readCells(VtkCells& cells)
 {
     const auto count = cursor_.count();
     const auto size = cursor_.count();
@@ -169,7 +140,7 @@ bool LegacyVtkParser::readCells(Cells& cells)
 }
 
 /// Format 5: offsets and connectivity as two arrays.
-bool LegacyVtkParser::readOffsetCells(std::size_t offsetCount, std::size_t size, Cells& cells)
+bool LegacyVtkParser::readOffsetCells(std::size_t offsetCount, std::size_t size, VtkCells& cells)
 {
     cursor_.token();
     const std::string offsetType(cursor_.token());
@@ -197,10 +168,10 @@ bool LegacyVtkParser::readCellTypes()
 {
     const auto count = cursor_.count();
     auto values = count ? cursor_.numbers(*count, "int") : std::nullopt;
-    if (!values || values->size() != mixed_.size()) {
+    if (!values || values->size() != cells_.mixed.size()) {
         return false;
     }
-    types_ = std::move(*values);
+    cells_.types = std::move(*values);
     return true;
 }
 
@@ -291,31 +262,6 @@ void LegacyVtkParser::keepArray(const std::string& name, std::vector<double> val
     } else if (place_ == Place::CellData) {
         result_.cellArrays.emplace(name, std::move(values));
     }
-}
-
-VtkLines LegacyVtkParser::finish() &&
-{
-    // Cell data counts vertices first, then lines (vtkPolyData).
-    for (std::size_t i = 0; i < lines_.size(); ++i) {
-        result_.set.lines.push_back(std::move(lines_[i]));
-        result_.cellOfLine.push_back(vertices_.size() + i);
-    }
-    for (std::size_t i = 0; i < mixed_.size() && i < types_.size(); ++i) {
-        const auto type = static_cast<int>(types_[i]);
-        if (type == vtkLineType || type == vtkPolyLineType) {
-            result_.set.lines.push_back(std::move(mixed_[i]));
-            result_.cellOfLine.push_back(i);
-        } else {
-            result_.set.hasSurface |= type > vtkPolyLineType;
-            if (type == vtkTriangleType || type == vtkPolygonType || type == vtkQuadType) {
-                polygons_.push_back(std::move(mixed_[i]));
-            }
-        }
-    }
-    appendStrips(strips_, polygons_);
-    result_.set.hasSurface |= !polygons_.empty();
-    result_.polygons = std::move(polygons_);
-    return std::move(result_);
 }
 
 }   // namespace

@@ -98,6 +98,20 @@ TEST_F(WindowLanguage, WaitsForARunToEnd)
     EXPECT_TRUE(controller().document().current().result);   // what the run found has been taken
 }
 
+TEST_F(WindowLanguage, WaitsForTheVesselsToBeFollowed)
+{
+    QTest::keyClick(&host->window().angiogramView(), Qt::Key_F, Qt::ShiftModifier);
+    ASSERT_TRUE(controller().following().isRunning());
+    EXPECT_TRUE(controller().isBusy());
+    QSignalSpy renewed(host.get(), &WindowHost::renewed);
+    host->window().actions()[ui::Command::LanguageGerman]->trigger();
+    while (controller().following().isRunning()) {
+        ASSERT_EQ(renewed.count(), 0);
+        QTest::qWait(5);
+    }
+    EXPECT_TRUE(renewed.count() > 0 || renewed.wait(test::patienceMs));
+}
+
 TEST_F(WindowLanguage, ButtonsNameTheKeyThatTheUserChose)
 {
     const auto words = [this] { return host->window().registration().registerButton()->text(); };
