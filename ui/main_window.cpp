@@ -82,6 +82,22 @@ MainWindow::MainWindow(QWidget* parent)
 {
     setAcceptDrops(true);
     actions_->fillMenus(header_->menuBar());
+    layOut();
+    connectSlices();
+    connectFrames();
+    connect(actions()[Command::Landmarks], &QAction::toggled, this, [this](bool on) {
+        if (on) {   // once the list has unfolded
+            QTimer::singleShot(0, this, [this] { rightColumn_->ensureWidgetVisible(landmarks_); });
+        }
+    });
+    angiogramView_->setFocus();
+    qApp->installEventFilter(this);
+    new WheelGuard(this);
+}
+
+/// Header and steps above, three columns, the strip below.
+void MainWindow::layOut()
+{
     columns_->addWidget(makeLeftColumn());
     columns_->addWidget(makeCentre());
     columns_->addWidget(makeRightColumn());
@@ -102,16 +118,6 @@ MainWindow::MainWindow(QWidget* parent)
     setCentralWidget(central);
     setMinimumSize(900, 560);
     resize(1440, 900);
-    connectSlices();
-    connectFrames();
-    connect(actions()[Command::Landmarks], &QAction::toggled, this, [this](bool on) {
-        if (on) {   // once the list has unfolded
-            QTimer::singleShot(0, this, [this] { rightColumn_->ensureWidgetVisible(landmarks_); });
-        }
-    });
-    angiogramView_->setFocus();
-    qApp->installEventFilter(this);
-    new WheelGuard(this);
 }
 
 QWidget* MainWindow::makeLeftColumn()

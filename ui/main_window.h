@@ -95,6 +95,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void layOut();
     QWidget* makeLeftColumn();
     QWidget* makeCentre();
     QWidget* makeImagePlace();

@@ -35,19 +35,35 @@ BlindTrialDialog::BlindTrialDialog(const BlindTrialSetup& suggested, QWidget* pa
     setWindowTitle(tr("Blind observer trial"));
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(dialogWidth);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(22, 20, 22, 16);
+    layout->setSpacing(14);
+    layout->addWidget(makeWords());
+    layout->addLayout(makeForm());
+    layout->addLayout(makeButtons());
+
+    connect(observer_, &QLineEdit::textChanged, this, &BlindTrialDialog::updateButton);
+    connect(log_, &QLineEdit::textChanged, this, &BlindTrialDialog::updateButton);
+    connect(start_, &QPushButton::clicked, this, [this] {
+        const BlindTrialSetup wanted = setup();
+        accept();
+        emit startRequested(wanted);
+    });
+    updateButton();
+}
+
+QWidget* BlindTrialDialog::makeWords()
+{
     auto* words = roleLabel(
         "body", tr("The vessels start at random around the pose as it is. Until Done all numbers, residual colours and "
                    "earlier poses are out of sight; time and final pose go to the log, and the case stays as it is."));
     words->setWordWrap(true);
-    observer_->setAccessibleName(tr("Observer"));
-    log_->setAccessibleName(tr("Log"));
-    auto* choose = new QPushButton(tr("Choose …"));
-    choose->setAutoDefault(false);
-    auto* logRow = new QHBoxLayout;
-    logRow->setSpacing(8);
-    logRow->addWidget(log_, 1);
-    logRow->addWidget(choose);
+    return words;
+}
 
+QFormLayout* BlindTrialDialog::makeForm()
+{
+    observer_->setAccessibleName(tr("Observer"));
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(14);
     form->setVerticalSpacing(10);
@@ -55,34 +71,35 @@ BlindTrialDialog::BlindTrialDialog(const BlindTrialSetup& suggested, QWidget* pa
     form->addRow(roleLabel("label", tr("Start shifted by up to")), rangeMm_);
     form->addRow(roleLabel("label", tr("Start turned by up to")), rangeDeg_);
     form->addRow(roleLabel("label", tr("Seed")), seed_);
-    form->addRow(roleLabel("label", tr("Log")), logRow);
+    form->addRow(roleLabel("label", tr("Log")), makeLogRow());
+    return form;
+}
 
+QHBoxLayout* BlindTrialDialog::makeLogRow()
+{
+    log_->setAccessibleName(tr("Log"));
+    auto* choose = new QPushButton(tr("Choose …"));
+    choose->setAutoDefault(false);
+    connect(choose, &QPushButton::clicked, this, &BlindTrialDialog::chooseLog);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    row->addWidget(log_, 1);
+    row->addWidget(choose);
+    return row;
+}
+
+QHBoxLayout* BlindTrialDialog::makeButtons()
+{
     auto* cancel = new QPushButton(tr("Cancel"));
     cancel->setAutoDefault(false);
+    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
     start_->setProperty("role", "primary");
     start_->setDefault(true);
     auto* buttons = new QHBoxLayout;
     buttons->addStretch(1);
     buttons->addWidget(cancel);
     buttons->addWidget(start_);
-
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(22, 20, 22, 16);
-    layout->setSpacing(14);
-    layout->addWidget(words);
-    layout->addLayout(form);
-    layout->addLayout(buttons);
-
-    connect(choose, &QPushButton::clicked, this, &BlindTrialDialog::chooseLog);
-    connect(observer_, &QLineEdit::textChanged, this, &BlindTrialDialog::updateButton);
-    connect(log_, &QLineEdit::textChanged, this, &BlindTrialDialog::updateButton);
-    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
-    connect(start_, &QPushButton::clicked, this, [this] {
-        const BlindTrialSetup wanted = setup();
-        accept();
-        emit startRequested(wanted);
-    });
-    updateButton();
+    return buttons;
 }
 
 BlindTrialSetup BlindTrialDialog::setup() const

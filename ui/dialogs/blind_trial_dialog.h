@@ -5,6 +5,8 @@
 #include <cstdint>
 
 class QLineEdit;
+class QFormLayout;
+class QHBoxLayout;
 class QPushButton;
 
 namespace ui {
@@ -30,6 +32,10 @@ signals:
     void startRequested(const ui::BlindTrialSetup& setup);
 
 private:
+    QWidget* makeWords();
+    QFormLayout* makeForm();
+    QHBoxLayout* makeLogRow();
+    QHBoxLayout* makeButtons();
     BlindTrialSetup setup() const;
     void chooseLog();
     void updateButton();
