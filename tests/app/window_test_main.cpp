@@ -6,6 +6,19 @@
 #include <QTemporaryDir>
 #include <QThreadPool>
 
+namespace {
+
+/// What a test has chosen does not outlive it: neither settings nor the colours, which a program has only once.
+class FreshHabits : public ::testing::EmptyTestEventListener {
+    void OnTestStart(const ::testing::TestInfo&) override
+    {
+        QSettings().clear();
+        ui::setColorScheme(ui::ColorScheme::BlueAmber);
+    }
+};
+
+}   // namespace
+
 // Runs window tests in an application whose settings and data live in a folder of their own.
 int main(int argc, char** argv)
 {
@@ -20,6 +33,7 @@ int main(int argc, char** argv)
     QApplication::setQuitOnLastWindowClosed(false);
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, home.path());
     ui::applyTheme(application, ui::ThemeMode::Dark);
+    ::testing::UnitTest::GetInstance()->listeners().Append(new FreshHabits);
     const int failures = RUN_ALL_TESTS();
     QThreadPool::globalInstance()->waitForDone();
     return failures;
