@@ -1,112 +1,29 @@
 #include "ui/views/angiogram_annotations.h"
 
+#include "ui/views/corner_blocks.h"
+#include "ui/views/shadowed_text.h"
 #include "ui/words/core_texts.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QLinearGradient>
 #include <QPainter>
-#include <QPolygonF>
 #include <QStringList>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace ui {
 namespace {
-
-constexpr double margin = 12.0;
-constexpr double lineSpacing = 1.32;
-constexpr int fullSizePx = 12;
-constexpr int smallSizePx = 10;
 
 /// The words of this file.
 struct Words {
     Q_DECLARE_TR_FUNCTIONS(ui::AngiogramAnnotations)
 };
 
-QColor colorOf(const Color& color, double opacity = 1.0)
+QString number(double value)
 {
-    QColor result(color.red, color.green, color.blue);
-    result.setAlphaF(static_cast<float>(opacity));
-    return result;
-}
-
-const Palette& tones()
-{
-    return palette(ThemeMode::Dark);   // the angiogram lies on black in every theme
-}
-
-enum class Corner { TopLeft, TopRight, BottomLeft, BottomRight };
-
-bool isRight(Corner corner)
-{
-    return corner == Corner::TopRight || corner == Corner::BottomRight;
-}
-
-bool isBottom(Corner corner)
-{
-    return corner == Corner::BottomLeft || corner == Corner::BottomRight;
-}
-
-QFont sized(QFont font, int px)
-{
-    font.setPixelSize(px);
-    return font;
-}
-
-double lineHeight(const QFont& font)
-{
-    return std::round(lineSpacing * font.pixelSize());
-}
-
-QRectF blockRect(const QSizeF& size, Corner corner, const QStringList& lines, const QFont& font)
-{
-    const QFontMetricsF metrics(font);
-    double width = 0.0;
-    for (const QString& line : lines) {
-        width = std::max(width, metrics.horizontalAdvance(line));
-    }
-    const double height = lineHeight(font) * static_cast<double>(lines.size());
-    const double x = isRight(corner) ? size.width() - margin - width : margin;
-    const double y = isBottom(corner) ? size.height() - margin - height : margin;
-    return {x, y, width, height};
-}
-
-/// Knows what of the angiogram lies under a part of the widget.
-class Ground {
-public:
-    Ground(const ImageViewport& viewport, const OverlayScene& scene) : viewport_(viewport), scene_(scene) {}
-
-    bool hasVessels(const QRectF& part) const
-    {
-        const QRectF wide = part.adjusted(-4.0, -4.0, 4.0, 4.0);
-        return scene_.treePasses(viewport_.imageRectOf({wide.left(), wide.top()}, {wide.right(), wide.bottom()}));
-    }
-
-    bool hasPicture(const QRectF& part) const
-    {
-        const core::ImageF& frame = scene_.frame();
-        const Eigen::Vector2d topLeft = viewport_.widgetFromImage({-0.5, -0.5});
-        const Eigen::Vector2d bottomRight = viewport_.widgetFromImage({frame.width - 0.5, frame.height - 0.5});
-        return part.intersects(
-            QRectF(QPointF(topLeft.x(), topLeft.y()), QPointF(bottomRight.x(), bottomRight.y())).normalized());
-    }
-
-private:
-    const ImageViewport& viewport_;
-    const OverlayScene& scene_;
-};
-
-void drawShadowedText(QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& color)
-{
-    painter.setPen(colorOf(tones().canvas, 0.75));
-    for (const QPointF& offset : {QPointF(1.0, 1.0), QPointF(-1.0, 0.0), QPointF(0.0, -1.0)}) {
-        painter.drawText(box.translated(offset), flags, text);
-    }
-    painter.setPen(color);
-    painter.drawText(box, flags, text);
+    return QString::number(value, 'f', std::abs(value) < 10.0 ? 2 : 0);
 }
 
 QStringList toLines(const std::vector<std::string>& texts)
@@ -116,54 +33,6 @@ QStringList toLines(const std::vector<std::string>& texts)
         lines << coreText(text);
     }
     return lines;
-}
-
-/// The block, moved towards the middle where the opposite corner has taken its place.
-QRectF clearOf(const QRectF& taken, QRectF block, Corner corner)
-{
-    constexpr double gap = 6.0;
-    if (taken.adjusted(-gap, -gap, gap, gap).intersects(block)) {
-        block.translate(0.0,
-                        isBottom(corner) ? taken.top() - gap - block.bottom() : taken.bottom() + gap - block.top());
-    }
-    return block;
-}
-
-/// Draws a corner block and gives back the room it took; `taken` is that of the corner beside it.
-QRectF paintCorner(QPainter& painter, const QSizeF& size, Corner corner, const QStringList& lines, const Ground& ground,
-                   const QRectF& taken = {})
-{
-    if (lines.isEmpty()) {
-        return {};
-    }
-    const QFont full = sized(painter.font(), fullSizePx);
-    const QFont small = sized(painter.font(), smallSizePx);
-    const QStringList folded{isBottom(corner) ? lines.back() : lines.front()};
-    const std::array<std::pair<QStringList, QFont>, 3> choices{{{lines, full}, {lines, small}, {folded, small}}};
-    for (const auto& [shown, font] : choices) {
-        const QRectF block = clearOf(taken, blockRect(size, corner, shown, font), corner);
-        const bool coversPicture = ground.hasPicture(block);
-        if (ground.hasVessels(block) || (coversPicture && font == full)) {
-            continue;
-        }
-        if (coversPicture) {
-            painter.fillRect(block.adjusted(-5.0, -3.0, 5.0, 3.0), colorOf(tones().canvas, 0.4));
-        }
-        painter.setFont(font);
-        const int flags = (isRight(corner) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter | Qt::TextSingleLine;
-        for (int i = 0; i < shown.size(); ++i) {
-            const QRectF box(block.left() - 2.0, block.top() + i * lineHeight(font), block.width() + 4.0,
-                             lineHeight(font));
-            drawShadowedText(painter, box, flags, shown[i], colorOf(tones().text));
-        }
-        return block;
-    }
-    return {};
-}
-
-QString number(double value)
-{
-    return QString::number(value, 'f', std::abs(value) < 10.0 ? 2 : 0);
 }
 
 QStringList ownLines(const AngiogramAnnotations& annotations, double zoom)
@@ -198,10 +67,10 @@ void paintRuler(QPainter& painter, const QSizeF& size, const QRectF& blockBelow,
         return;
     }
     const double length = std::round(lengthMm * pxPerMm);
-    const double bottom = blockBelow.isEmpty() ? size.height() - margin : blockBelow.top() - 10.0;
-    const QRectF bar(margin, std::round(bottom) - 2.0, length, 2.0);
-    const QColor shade = colorOf(tones().canvas, 0.6);
-    const QColor tone = colorOf(tones().text);
+    const double bottom = blockBelow.isEmpty() ? size.height() - annotationMarginPx : blockBelow.top() - 10.0;
+    const QRectF bar(annotationMarginPx, std::round(bottom) - 2.0, length, 2.0);
+    const QColor shade = colorOf(annotationTones().canvas, 0.6);
+    const QColor tone = colorOf(annotationTones().text);
     const auto fill = [&](const QRectF& rect) {
         painter.fillRect(rect.adjusted(-1.0, -1.0, 1.0, 1.0), shade);
         painter.fillRect(rect, tone);
@@ -222,7 +91,7 @@ void paintRuler(QPainter& painter, const QSizeF& size, const QRectF& blockBelow,
 QRectF scaleBar(const QSizeF& size)
 {
     const double height = std::round(std::clamp(0.2 * size.height(), 80.0, 180.0));
-    return {size.width() - margin - 10.0, std::round(0.5 * (size.height() - height)), 10.0, height};
+    return {size.width() - annotationMarginPx - 10.0, std::round(0.5 * (size.height() - height)), 10.0, height};
 }
 
 void paintScale(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations)
@@ -230,7 +99,7 @@ void paintScale(QPainter& painter, const QSizeF& size, const AngiogramAnnotation
     const bool inMm = annotations.scaleMaximumMm > 0.0;
     const double maximum = inMm ? annotations.scaleMaximumMm : annotations.scaleMaximumPx;
     const QRectF bar = scaleBar(size);
-    painter.fillRect(bar.adjusted(-58.0, -34.0, 6.0, 12.0), colorOf(tones().canvas, 0.45));
+    painter.fillRect(bar.adjusted(-58.0, -34.0, 6.0, 12.0), colorOf(annotationTones().canvas, 0.45));
 
     QLinearGradient ramp(bar.bottomLeft(), bar.topLeft());
     for (int k = 0; k <= 8; ++k) {
@@ -245,11 +114,11 @@ void paintScale(QPainter& painter, const QSizeF& size, const AngiogramAnnotation
         drawShadowedText(painter, QRectF(bar.left() - 64.0, y - 8.0, 58.0, 16.0), flags, text, colorOf(tone));
     };
     const int decimals = maximum < 10.0 ? 1 : 0;
-    label(bar.top() - 24.0, inMm ? QStringLiteral("mm") : QStringLiteral("px"), tones().label);
-    label(bar.top() - 6.0, QStringLiteral("> %1").arg(maximum, 0, 'f', decimals), tones().text);
-    label(bar.top() + 9.0, QString::number(maximum, 'f', decimals), tones().text);
-    label(bar.center().y(), QString::number(0.5 * maximum, 'f', decimals + 1), tones().text);
-    label(bar.bottom() - 1.0, QStringLiteral("0"), tones().text);
+    label(bar.top() - 24.0, inMm ? QStringLiteral("mm") : QStringLiteral("px"), annotationTones().label);
+    label(bar.top() - 6.0, QStringLiteral("> %1").arg(maximum, 0, 'f', decimals), annotationTones().text);
+    label(bar.top() + 9.0, QString::number(maximum, 'f', decimals), annotationTones().text);
+    label(bar.center().y(), QString::number(0.5 * maximum, 'f', decimals + 1), annotationTones().text);
+    label(bar.bottom() - 1.0, QStringLiteral("0"), annotationTones().text);
 }
 
 void paintMode(QPainter& painter, const QSizeF& size, const ModeLabel& mode)
@@ -264,7 +133,7 @@ void paintMode(QPainter& painter, const QSizeF& size, const ModeLabel& mode)
     const QRectF line(0.0, 8.0, size.width(), 16.0);
     const double width = QFontMetricsF(painter.font()).horizontalAdvance(mode.text) + 16.0;
     painter.fillRect(QRectF(0.5 * (size.width() - width), line.top() - 2.0, width, line.height() + 4.0),
-                     colorOf(tones().canvas, 0.65));
+                     colorOf(annotationTones().canvas, 0.65));
     drawShadowedText(painter, line, Qt::AlignHCenter | Qt::AlignVCenter, mode.text, tone);
 }
 
@@ -282,10 +151,10 @@ double clearHeight(double middle, double wanted, const std::vector<QRectF>& take
 void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations,
                 const std::vector<QRectF>& taken)
 {
-    painter.setFont(sized(painter.font(), fullSizePx));
+    painter.setFont(sized(painter.font(), 12));
     const auto letter = [&painter](const QPointF& centre, const std::string& text) {
         drawShadowedText(painter, QRectF(centre - QPointF(20.0, 9.0), QSizeF(40.0, 18.0)), Qt::AlignCenter,
-                         QString::fromStdString(text), colorOf(tones().textStrong));
+                         QString::fromStdString(text), colorOf(annotationTones().textStrong));
     };
     constexpr double step = 8.0;
     const double middle = 0.5 * size.width();
@@ -294,9 +163,10 @@ void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotation
     letter({middle, below}, annotations.sides.top);
     if (!annotations.sideMark.isEmpty()) {
         const double width = QFontMetricsF(painter.font()).horizontalAdvance(annotations.sideMark) + 16.0;
-        painter.fillRect(QRectF(0.5 * (size.width() - width), below + 10.0, width, 18.0), colorOf(tones().canvas, 0.6));
+        painter.fillRect(QRectF(0.5 * (size.width() - width), below + 10.0, width, 18.0),
+                         colorOf(annotationTones().canvas, 0.6));
         drawShadowedText(painter, QRectF(0.0, below + 10.0, size.width(), 18.0), Qt::AlignCenter, annotations.sideMark,
-                         colorOf(tones().attention));
+                         colorOf(annotationTones().attention));
     }
     letter({middle, clearHeight(middle, size.height() - 18.0, taken, -step)}, annotations.sides.bottom);
     letter({20.0, 0.5 * size.height()}, annotations.sides.left);

@@ -1,36 +1,11 @@
 #include "ui/views/angiogram_view.h"
 
-#include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_interaction.h"
 
-#include <QPainter>
-#include <QVBoxLayout>
-
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace ui {
-namespace {
-
-/// Faint stripes where the mask is 0.
-QImage hatched(const core::Mask2d& fieldMask)
-{
-    constexpr int period = 8;
-    QImage image(fieldMask.width, fieldMask.height, QImage::Format_ARGB32_Premultiplied);
-    const QRgb stripe = qPremultiply(toQColor(palette(ThemeMode::Dark).attention, 0.30).rgba());
-    const QRgb between = qPremultiply(toQColor(palette(ThemeMode::Dark).attention, 0.07).rgba());
-    for (int y = 0; y < fieldMask.height; ++y) {
-        auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
-        for (int x = 0; x < fieldMask.width; ++x) {
-            row[x] = fieldMask.at(x, y) != 0 ? 0U : (x + y) % period < 2 ? stripe : between;
-        }
-    }
-    return image;
-}
-
-}   // namespace
-
 ToolPoint AngiogramView::Interaction::toolPoint(const QPointF& position, Qt::KeyboardModifiers modifiers) const
 {
     return {position, viewport.imageFromWidget({position.x(), position.y()}), modifiers};
@@ -102,55 +77,6 @@ void AngiogramView::setCornerTexts(const CornerTexts& texts)
     update();
 }
 
-void AngiogramView::setTool(ImageTool* tool)
-{
-    Interaction& i = *interaction_;
-    if (tool == i.tool) {
-        return;
-    }
-    cancelDrag();
-    if (ImageTool* former = std::exchange(i.tool, nullptr)) {
-        former->end();
-    }
-    i.tool = tool;
-    scene_.setVeiled(tool && tool->hidesOverlay());
-    hover(std::nullopt);
-    if (tool) {
-        tool->begin();
-    }
-    showCursor();
-    update();
-    emit toolChanged();
-}
-
-ImageTool* AngiogramView::tool() const
-{
-    return interaction_->tool;
-}
-
-void AngiogramView::setRadiograph(const QImage& picture)
-{
-    interaction_->radiograph = picture;
-    update();
-}
-
-void AngiogramView::paintRadiograph(QPainter& painter) const
-{
-    const core::ImageF& frame = scene_.frame();
-    const QPointF topLeft = widgetFromImage({-0.5, -0.5});
-    const QPointF bottomRight = widgetFromImage({frame.width - 0.5, frame.height - 0.5});
-    const bool isMirrored = topLeft.x() > bottomRight.x();
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(QRectF(topLeft, bottomRight).normalized(),
-                      isMirrored ? interaction_->radiograph.mirrored(true, false) : interaction_->radiograph);
-}
-
-void AngiogramView::setKeptOut(const core::Mask2d& fieldMask)
-{
-    interaction_->keptOut = fieldMask.isEmpty() ? QImage() : hatched(fieldMask);
-    update();
-}
-
 void AngiogramView::setResidualScale(double maximumPx, double maximumMm)
 {
     interaction_->annotations.scaleMaximumPx = maximumPx;
@@ -193,16 +119,6 @@ void AngiogramView::setFromSource(bool fromSource)
 bool AngiogramView::isFromSource() const
 {
     return interaction_->viewport.isMirrored();
-}
-
-QString AngiogramView::sideMark() const
-{
-    const bool isMirroredImage = interaction_->camera.fx > 0.0;
-    if (isFromSource()) {
-        return isMirroredImage ? tr("Mirrored image, mirrored back by the view")
-                               : tr("Seen from the source: the view is mirrored");
-    }
-    return isMirroredImage ? tr("Mirrored image: as seen from the source") : QString();
 }
 
 void AngiogramView::zoomTo(const ViewRect& part)
@@ -274,19 +190,6 @@ const Eigen::Vector3d& AngiogramView::pivotInPatient() const
     return interaction_->pivotInPatient;
 }
 
-void AngiogramView::addBar(QWidget* bar)
-{
-    auto* bars = qobject_cast<QVBoxLayout*>(layout());
-    if (!bars) {
-        bars = new QVBoxLayout(this);
-        bars->setSizeConstraint(QLayout::SetNoConstraint);
-        bars->setContentsMargins(0, 0, 0, 14);
-        bars->addStretch(1);
-    }
-    bar->setAttribute(Qt::WA_NoMousePropagation);
-    bars->addWidget(bar, 0, Qt::AlignHCenter);
-}
-
 Eigen::Vector2d AngiogramView::imageFromWidget(const QPointF& position) const
 {
     return interaction_->viewport.imageFromWidget({position.x(), position.y()});
@@ -296,77 +199,6 @@ QPointF AngiogramView::widgetFromImage(const Eigen::Vector2d& imagePoint) const
 {
     const Eigen::Vector2d position = interaction_->viewport.widgetFromImage(imagePoint);
     return {position.x(), position.y()};
-}
-
-QSize AngiogramView::deviceSize() const
-{
-    return (size() * devicePixelRatio()).expandedTo({1, 1});
-}
-
-void AngiogramView::drawPicture()
-{
-    const double ratio = devicePixelRatio();
-    const QSize device = deviceSize();
-    const bool isNew = picture_.size() != device;
-    if (isNew) {
-        picture_ = QImage(device, QImage::Format_RGB32);
-    }
-    picture_.setDevicePixelRatio(ratio);
-    const Canvas canvas{reinterpret_cast<std::uint32_t*>(picture_.bits()), device.width(), device.height()};
-    scene_.setLineWidthPx(interaction_->lineWidth * ratio);
-    // At fractional scale factors the picture is a whole number of pixels, not exactly size × ratio.
-    scene_.setViewRect(
-        interaction_->viewport.imageRectOf({0.0, 0.0}, {device.width() / ratio, device.height() / ratio}));
-    const std::optional<PictureState> wanted =
-        interaction_->tool ? std::nullopt : std::optional(PictureState{scene_.stamp(), isFromSource()});
-    if (wanted && wanted == drawn_ && !isNew) {
-        return;   // only what lies over it changed
-    }
-    drawn_ = wanted;
-    scene_.draw(canvas);
-    if (isFromSource()) {
-        for (int row = 0; row < canvas.height; ++row) {
-            std::reverse(canvas.row(row), canvas.row(row) + canvas.width);
-        }
-    }
-    if (interaction_->tool) {
-        interaction_->tool->drawStrokes(canvas);
-    }
-}
-
-void AngiogramView::paintEvent(QPaintEvent*)
-{
-    drawPicture();
-    ++renderCount_;
-    QPainter painter(this);
-    painter.drawImage(QPointF(0.0, 0.0), picture_);
-    if (!interaction_->hasFrame) {
-        return;
-    }
-    if (!interaction_->radiograph.isNull()) {
-        paintRadiograph(painter);
-    }
-    if (!interaction_->keptOut.isNull()) {
-        const QPointF topLeft = widgetFromImage({-0.5, -0.5});
-        const QSizeF covered = QSizeF(interaction_->keptOut.size()) * zoom();
-        painter.drawImage(QRectF(topLeft, covered), interaction_->keptOut);
-    }
-    interaction_->annotations.mmPerImagePx = interaction_->mmPerImagePx();
-    interaction_->annotations.sides = interaction_->isOrientationKnown
-                                          ? imageSides(interaction_->camera, interaction_->cameraFromPatient)
-                                          : ImageSides{};
-    interaction_->annotations.sideMark = sideMark();
-    if (isFromSource()) {
-        std::swap(interaction_->annotations.sides.left, interaction_->annotations.sides.right);
-    }
-    painter.setFont(font());
-    interaction_->annotations.mode =
-        interaction_->tool ? ModeLabel{interaction_->tool->caption(), interaction_->tool->tone()} : ModeLabel{};
-    ui::paintAnnotations(painter, size(), interaction_->annotations, interaction_->viewport, scene_);
-    if (interaction_->tool) {
-        painter.setRenderHint(QPainter::Antialiasing);
-        interaction_->tool->paint(painter);
-    }
 }
 
 }   // namespace ui

@@ -1,4 +1,4 @@
-// The mouse and keyboard half of AngiogramView.
+// The mouse and keyboard half of AngiogramView; what tools take of both is in angiogram_view_tools.cpp.
 #include "ui/views/angiogram_interaction.h"
 
 #include <QContextMenuEvent>
@@ -167,42 +167,6 @@ bool AngiogramView::cancelDrag()
     return true;
 }
 
-/// One Esc: the drag, then what the tool has under way, then the tool.
-bool AngiogramView::escape()
-{
-    if (cancelDrag()) {
-        return true;
-    }
-    ImageTool* tool = interaction_->tool;
-    if (tool && !tool->takeBack()) {
-        setTool(nullptr);
-    }
-    update();
-    return tool != nullptr;
-}
-
-bool AngiogramView::filterToolKey(QKeyEvent& event)
-{
-    const Interaction& i = *interaction_;
-    const bool isDragging = i.pressed != Qt::NoButton && !i.isCancelled;
-    const bool isEscape = event.key() == Qt::Key_Escape && (isDragging || i.tool);
-    const bool isTools = i.tool && i.tool->takesKey(event);
-    if (event.type() == QEvent::ShortcutOverride) {
-        if (isEscape || isTools) {
-            event.accept();   // the key comes back as KeyPress instead of a shortcut
-        }
-        return isEscape || isTools;
-    }
-    if (event.type() != QEvent::KeyPress || !(isEscape || isTools)) {
-        return false;
-    }
-    if (isTools) {
-        i.tool->keyPress(event);
-        return true;
-    }
-    return escape();
-}
-
 void AngiogramView::click(const QPointF& position, Qt::KeyboardModifiers modifiers)
 {
     Interaction& i = *interaction_;
@@ -325,14 +289,6 @@ void AngiogramView::keyPressEvent(QKeyEvent* event)
         default:
             QWidget::keyPressEvent(event);
     }
-}
-
-bool AngiogramView::event(QEvent* event)
-{
-    if (event->type() == QEvent::ShortcutOverride && interaction_ && filterToolKey(*static_cast<QKeyEvent*>(event))) {
-        return true;
-    }
-    return QWidget::event(event);
 }
 
 void AngiogramView::resizeEvent(QResizeEvent* event)

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "ui/scenes/overlay_scene.h"
+#include "ui/views/image_viewport.h"
+
+#include <QRectF>
+#include <QStringList>
+
+class QPainter;
+
+namespace ui {
+
+enum class Corner { TopLeft, TopRight, BottomLeft, BottomRight };
+
+/// Knows what of the angiogram lies under a part of the widget.
+class Ground {
+public:
+    Ground(const ImageViewport& viewport, const OverlayScene& scene) : viewport_(viewport), scene_(scene) {}
+
+    bool hasVessels(const QRectF& part) const
+    {
+        const QRectF wide = part.adjusted(-4.0, -4.0, 4.0, 4.0);
+        return scene_.treePasses(viewport_.imageRectOf({wide.left(), wide.top()}, {wide.right(), wide.bottom()}));
+    }
+
+    bool hasPicture(const QRectF& part) const
+    {
+        const core::ImageF& frame = scene_.frame();
+        const Eigen::Vector2d topLeft = viewport_.widgetFromImage({-0.5, -0.5});
+        const Eigen::Vector2d bottomRight = viewport_.widgetFromImage({frame.width - 0.5, frame.height - 0.5});
+        return part.intersects(
+            QRectF(QPointF(topLeft.x(), topLeft.y()), QPointF(bottomRight.x(), bottomRight.y())).normalized());
+    }
+
+private:
+    const ImageViewport& viewport_;
+    const OverlayScene& scene_;
+};
+
+/// Draws a block of lines in a corner and gives back the room it took; `taken` is that of the corner beside it.
+/// Where it would lie on vessels it gets smaller, then folds to one line, then stays away.
+QRectF paintCorner(QPainter& painter, const QSizeF& size, Corner corner, const QStringList& lines, const Ground& ground,
+                   const QRectF& taken = {});
+
+}   // namespace ui
