@@ -2,14 +2,13 @@
 
 #include "app/document/edit_case.h"
 #include "app/files/assemble_case.h"
+#include "app/files/open_notes.h"
 #include "app/files/recent_cases.h"
 #include "app/files/view_from_inputs.h"
 #include "app/settings.h"
 #include "core/case_views.h"
-#include "core/imaging/patient_match.h"
 #include "ui/words/core_texts.h"
 
-#include <QDir>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -17,38 +16,6 @@
 
 namespace app {
 namespace {
-
-QString namesOf(const QStringList& paths)
-{
-    QStringList names;
-    for (const QString& path : paths) {
-        names << QFileInfo(QDir::cleanPath(path)).fileName();
-    }
-    return names.join(QStringLiteral(", "));
-}
-
-/// What to know about the files that were opened, and about how they fit the case they are in now.
-QStringList notesOf(const LoadedInputs& inputs, const core::RegistrationCase& opened)
-{
-    QStringList notes;
-    for (const std::string& warning : inputs.warnings) {
-        notes << ui::coreText(warning);
-    }
-    if (!inputs.wholeCase && opened.angiogram) {   // a case file has compared them itself
-        const std::string mismatch = core::findMismatch(opened.scanIdentity, opened.angiogram->identity);
-        notes << (mismatch.empty() ? QStringList() : QStringList(ui::coreText(mismatch)));
-    }
-    return notes;
-}
-
-/// A scan beside vessels of another origin has to have their axes.
-QString noteOnScan(const LoadedInputs& inputs, const core::RegistrationCase& opened)
-{
-    const bool isBeside = inputs.volume && !inputs.tree && opened.tree;
-    return isBeside && !liesIn(inputs.volume->geometry, *opened.tree)
-               ? OpenController::tr("The vessels do not lie in this scan: it may be another one, or have other axes.")
-               : QString();
-}
 
 /// Where the user has been lately.
 QStringList foldersInUse()
@@ -194,6 +161,32 @@ void OpenController::finish()
     emit ended();
 }
 
+/// Nothing was read yet: which series, what the scan is for, or where the inputs of a case lie has to be known first.
+bool OpenController::asksFirst(const LoadedInputs& inputs, const QStringList& paths)
+{
+    if (!inputs.offered.empty()) {
+        askedPaths_ = paths;
+        emit seriesChoiceNeeded(paths.join(QStringLiteral(", ")), inputs.offered);
+        return true;
+    }
+    if (inputs.isScanAsked) {
+        askedPaths_ = paths;
+        emit scanChoiceNeeded(namesOf(paths));
+        return true;
+    }
+    if (!inputs.missing.empty()) {
+        askedPaths_ = paths;
+        moved_ = inputs.moved;
+        QStringList missing;
+        for (const io::MissingInput& each : inputs.missing) {
+            missing << QString::fromStdString(each.path);
+        }
+        emit inputsMissing(paths.front(), missing, std::ranges::all_of(inputs.missing, &io::MissingInput::isOptional));
+        return true;
+    }
+    return false;
+}
+
 void OpenController::take(const LoadedInputs& inputs, const QStringList& paths)
 {
     if (document_.isInTrial()) {
@@ -204,24 +197,7 @@ void OpenController::take(const LoadedInputs& inputs, const QStringList& paths)
         emit failed(tr("A registration was started meanwhile. Open the file again when it has ended."), paths);
         return;
     }
-    if (!inputs.offered.empty()) {
-        askedPaths_ = paths;
-        emit seriesChoiceNeeded(paths.join(QStringLiteral(", ")), inputs.offered);
-        return;
-    }
-    if (inputs.isScanAsked) {
-        askedPaths_ = paths;
-        emit scanChoiceNeeded(namesOf(paths));
-        return;
-    }
-    if (!inputs.missing.empty()) {
-        askedPaths_ = paths;
-        moved_ = inputs.moved;
-        QStringList missing;
-        for (const io::MissingInput& each : inputs.missing) {
-            missing << QString::fromStdString(each.path);
-        }
-        emit inputsMissing(paths.front(), missing, std::ranges::all_of(inputs.missing, &io::MissingInput::isOptional));
+    if (asksFirst(inputs, paths)) {
         return;
     }
     if (std::exchange(asView_, false)) {
@@ -298,11 +274,7 @@ void OpenController::join(const LoadedInputs& inputs, const QStringList& paths)
         document_.push(
             joinInputs(document_, withInputs(document_.current(), inputs), tr("Open %1").arg(namesOf(paths))));
     }
-    QStringList notes = notesOf(inputs, document_.current());
-    if (const QString note = noteOnScan(inputs, document_.current()); !note.isEmpty()) {
-        notes << note;
-    }
-    emit opened(notes);
+    emit opened(notesOf(inputs, document_.current()) + notesOnScan(inputs, document_.current()));
 }
 
 }   // namespace app

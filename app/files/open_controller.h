@@ -59,19 +59,19 @@ public slots:
 
 private:
     void load(const QStringList& paths, const OpenHints& hints);
+    bool asksFirst(const LoadedInputs& inputs, const QStringList& paths);
     void take(const LoadedInputs& inputs, const QStringList& paths);
     void replaceWith(const LoadedInputs& inputs, const QString& path);
     void join(const LoadedInputs& inputs, const QStringList& paths);
     void addView(const LoadedInputs& inputs, const QStringList& paths);
     bool isAnotherView(const LoadedInputs& inputs) const;
+    ScanUse scanUse() const;
     void finish();
 
     CaseDocument& document_;
     LoadJob* job_ = nullptr;
     std::optional<LoadedInputs> waiting_;   ///< read, but the user still has to agree
     QString waitingPath_;
-    ScanUse scanUse() const;
-
     QString askedSeries_;   ///< of the scan that is asked about
     QStringList askedPaths_;   ///< what was opened when a choice of series or the place of inputs was asked for
     bool asView_ = false;   ///< what is being opened becomes another view

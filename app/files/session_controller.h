@@ -1,10 +1,11 @@
 #pragma once
 
 #include "app/document/case_document.h"
+#include "app/files/close_controller.h"
 #include "app/files/export_controller.h"
 #include "app/files/open_controller.h"
+#include "app/files/open_dialogs.h"
 #include "app/files/save_controller.h"
-#include "app/jobs/file_queue.h"
 #include "app/notices.h"
 #include "app/registration/registration_controller.h"
 #include "app/registration/target_provider.h"
@@ -47,29 +48,15 @@ private:
     void connectExporting();
     void showNotice();
     void fillRecent();
-    void askFiles();
-    void askFolder();
-    void chooseSeries(const QString& folder, const std::vector<io::DicomSeries>& series);
-    void askForInputs(const QString& casePath, const QStringList& missing, bool areOptional);
-    void askView();
-    void askWhichView(const QString& name);
-    void askWhatScan(const QString& name);
-    void openSample();
-    void askToReplace();
-    void requestClose();
-    void answerClose(int index);
-    void closeWindow();
 
     ui::MainWindow& window_;
     CaseDocument& document_;
-    RegistrationController& registration_;
     Notices& notices_;
     OpenController open_;
     SaveController save_;
     ExportController export_;
-    FileQueue files_;   ///< makes the sample case
-    enum class Closing { No, Now, AfterSaving };
-    Closing closing_ = Closing::No;
+    OpenDialogs dialogs_;
+    CloseController close_;
 };
 
 }   // namespace app

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "core/registration_case.h"
-#include "io/dicom_series.h"
-#include "io/moved_inputs.h"
+#include "app/jobs/read_inputs.h"
 
 #include <QFutureWatcher>
 #include <QObject>
@@ -11,50 +9,8 @@
 
 #include <atomic>
 #include <memory>
-#include <optional>
 
 namespace app {
-
-/// What a set of files turned out to be: a whole case, or parts of one.
-struct LoadedInputs {
-    std::optional<core::RegistrationCase> wholeCase;
-    core::InputFile centerlineFile;
-    core::VesselInput vesselInput;
-    std::shared_ptr<const core::Volume> volume;
-    std::shared_ptr<const core::VoxelMask> lumen;
-    core::StudyIdentity scanIdentity;
-    core::InputFile scanFile;   ///< of a scan that is to be seen only: `volume` without a tree
-    std::string scanSeriesId;   ///< of `scanFile`, where that is a DICOM folder
-    bool isScanAsked = false;   ///< it is a scan: nothing was read, see ScanUse::Ask
-    std::shared_ptr<const core::VesselTree> tree;
-    core::InputFile imageFile;
-    std::shared_ptr<const core::Angiogram> angiogram;
-    core::SubtractionPlan headerPlan;   ///< of the angiogram
-    core::InputFile targetFile;
-    std::shared_ptr<const core::Centerline2d> target;
-    std::vector<std::string> warnings;
-    std::vector<io::DicomSeries> offered;   ///< of a folder with several: nothing is read until one is chosen
-    std::vector<io::MissingInput> missing;   ///< of a case, found nowhere: nothing else is read
-    io::MovedInputs moved;   ///< inputs of the case that were found elsewhere
-};
-
-/// What a scan is opened for: its vessels, or to be seen beside vessels that are there.
-enum class ScanUse { Trace, Beside, Ask };
-
-/// What helps to open files beside their paths.
-struct OpenHints {
-    QString seriesId;   ///< of a DICOM folder among them; empty: where there are several, they are offered
-    io::MovedInputs moved;   ///< where inputs of a case lie now
-    QStringList searchFolders;   ///< where inputs of a case are looked for that are not in their place
-    ScanUse scanUse = ScanUse::Trace;   ///< Ask: a scan is not read but told
-    bool withoutOptional = false;   ///< a case opens without what it can do without and is found nowhere
-};
-
-/// Reads files together: either one case file, or at most one of each kind of input. Scans, segmentations and surfaces
-/// are traced. Inputs of a case that have moved are searched for beside it and where the hints say. Fails with one
-/// sentence.
-core::Result<LoadedInputs> readInputs(const QStringList& paths, const OpenHints& hints = {},
-                                      const io::ReadObserver& observe = {});
 
 /// Reads files off the GUI thread. A job that is abandoned or destroyed stops its reading and drops what was read.
 class LoadJob : public QObject {

@@ -138,6 +138,49 @@
     </message>
 </context>
 <context>
+    <name>app::CloseController</name>
+    <message>
+        <source>A registration is running</source>
+        <translation>Eine Registrierung läuft</translation>
+    </message>
+    <message>
+        <source>Stop it and close? Changes of this case are lost unless they are saved.</source>
+        <translation>Anhalten und schließen? Änderungen an diesem Fall gehen ohne Speichern verloren.</translation>
+    </message>
+    <message>
+        <source>Save before closing?</source>
+        <translation>Vor dem Schließen speichern?</translation>
+    </message>
+    <message>
+        <source>“%1” has changes that are not saved.</source>
+        <translation>„%1“ hat ungespeicherte Änderungen.</translation>
+    </message>
+    <message>
+        <source>Stop, save and close</source>
+        <translation>Anhalten, speichern, schließen</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>Anhalten und schließen</translation>
+    </message>
+    <message>
+        <source>Keep running</source>
+        <translation>Weiterlaufen lassen</translation>
+    </message>
+    <message>
+        <source>Save and close</source>
+        <translation>Speichern und schließen</translation>
+    </message>
+    <message>
+        <source>Close without saving</source>
+        <translation>Ohne Speichern schließen</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>Bleiben</translation>
+    </message>
+</context>
+<context>
     <name>app::CurveController</name>
     <message>
         <source>At least one curve must stay: there would be nothing to register to.</source>
@@ -560,16 +603,102 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Inzwischen begann ein Blindversuch. Die Datei nach dessen Ende erneut öffnen.</translation>
     </message>
     <message>
-        <source>The vessels do not lie in this scan: it may be another one, or have other axes.</source>
-        <translation>Die Gefäße liegen nicht in diesem Scan: er kann ein anderer sein oder andere Achsen haben.</translation>
-    </message>
-    <message>
         <source>Add view %1</source>
         <translation>Ansicht %1 hinzufügen</translation>
     </message>
     <message>
         <source>View added: a click in the strip above the image shows it.</source>
         <translation>Ansicht hinzugefügt: ein Klick in der Leiste über dem Bild zeigt sie.</translation>
+    </message>
+</context>
+<context>
+    <name>app::OpenDialogs</name>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open DICOM folder</source>
+        <translation>DICOM-Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Add a view</source>
+        <translation>Ansicht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Another view of the same vessels?</source>
+        <translation>Eine weitere Ansicht derselben Gefäße?</translation>
+    </message>
+    <message>
+        <source>The case has an angiogram. “%1” can stand beside it, to register both together, or take its place.</source>
+        <translation>Der Fall hat ein Angiogramm. „%1“ kann daneben stehen, um beide zusammen zu registrieren, oder es ersetzen.</translation>
+    </message>
+    <message>
+        <source>Add as a view</source>
+        <translation>Als Ansicht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Replace the angiogram</source>
+        <translation>Angiogramm ersetzen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>A scan beside the vessels?</source>
+        <translation>Ein Scan neben den Gefäßen?</translation>
+    </message>
+    <message>
+        <source>The case has its vessels from a file. “%1” can be shown in slices with them, or its own vessels are traced and take their place.</source>
+        <translation>Der Fall hat seine Gefäße aus einer Datei. „%1“ kann mit ihnen in Schichten gezeigt werden, oder seine eigenen Gefäße werden verfolgt und ersetzen sie.</translation>
+    </message>
+    <message>
+        <source>Show beside the vessels</source>
+        <translation>Neben den Gefäßen zeigen</translation>
+    </message>
+    <message>
+        <source>Trace its vessels</source>
+        <translation>Seine Gefäße verfolgen</translation>
+    </message>
+    <message>
+        <source>Making the sample case …</source>
+        <translation>Beispielfall wird erzeugt …</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Could not make the sample case</source>
+        <translation>Der Beispielfall ließ sich nicht erzeugen</translation>
+    </message>
+    <message>
+        <source>Save the open case first?</source>
+        <translation>Den offenen Fall zuerst speichern?</translation>
+    </message>
+    <message>
+        <source>“%1” has changes that are not saved.</source>
+        <translation>„%1“ hat ungespeicherte Änderungen.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Discard changes</source>
+        <translation>Änderungen verwerfen</translation>
+    </message>
+    <message>
+        <source>Keep the open case</source>
+        <translation>Beim offenen Fall bleiben</translation>
+    </message>
+</context>
+<context>
+    <name>app::OpenNotes</name>
+    <message>
+        <source>The vessels do not lie in this scan: it may be another one, or have other axes.</source>
+        <translation>Die Gefäße liegen nicht in diesem Scan: er kann ein anderer sein oder andere Achsen haben.</translation>
     </message>
 </context>
 <context>
@@ -963,124 +1092,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Export nicht möglich</translation>
     </message>
     <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Open DICOM folder</source>
-        <translation>DICOM-Ordner öffnen</translation>
-    </message>
-    <message>
-        <source>Making the sample case …</source>
-        <translation>Beispielfall wird erzeugt …</translation>
-    </message>
-    <message>
-        <source>Could not make the sample case</source>
-        <translation>Der Beispielfall ließ sich nicht erzeugen</translation>
-    </message>
-    <message>
-        <source>Save the open case first?</source>
-        <translation>Den offenen Fall zuerst speichern?</translation>
-    </message>
-    <message>
-        <source>“%1” has changes that are not saved.</source>
-        <translation>„%1“ hat ungespeicherte Änderungen.</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
-        <source>Discard changes</source>
-        <translation>Änderungen verwerfen</translation>
-    </message>
-    <message>
-        <source>Keep the open case</source>
-        <translation>Beim offenen Fall bleiben</translation>
-    </message>
-    <message>
-        <source>A registration is running</source>
-        <translation>Eine Registrierung läuft</translation>
-    </message>
-    <message>
-        <source>Stop it and close? Changes of this case are lost unless they are saved.</source>
-        <translation>Anhalten und schließen? Änderungen an diesem Fall gehen ohne Speichern verloren.</translation>
-    </message>
-    <message>
-        <source>Save before closing?</source>
-        <translation>Vor dem Schließen speichern?</translation>
-    </message>
-    <message>
-        <source>Stop, save and close</source>
-        <translation>Anhalten, speichern, schließen</translation>
-    </message>
-    <message>
-        <source>Stop and close</source>
-        <translation>Anhalten und schließen</translation>
-    </message>
-    <message>
-        <source>Keep running</source>
-        <translation>Weiterlaufen lassen</translation>
-    </message>
-    <message>
-        <source>Save and close</source>
-        <translation>Speichern und schließen</translation>
-    </message>
-    <message>
-        <source>Close without saving</source>
-        <translation>Ohne Speichern schließen</translation>
-    </message>
-    <message>
-        <source>Stay</source>
-        <translation>Bleiben</translation>
-    </message>
-    <message>
         <source>%1 (missing)</source>
         <translation>%1 (fehlt)</translation>
     </message>
     <message>
         <source>Not the same patient?</source>
         <translation>Nicht derselbe Patient?</translation>
-    </message>
-    <message>
-        <source>Add a view</source>
-        <translation>Ansicht hinzufügen</translation>
-    </message>
-    <message>
-        <source>Another view of the same vessels?</source>
-        <translation>Eine weitere Ansicht derselben Gefäße?</translation>
-    </message>
-    <message>
-        <source>The case has an angiogram. “%1” can stand beside it, to register both together, or take its place.</source>
-        <translation>Der Fall hat ein Angiogramm. „%1“ kann daneben stehen, um beide zusammen zu registrieren, oder es ersetzen.</translation>
-    </message>
-    <message>
-        <source>Add as a view</source>
-        <translation>Als Ansicht hinzufügen</translation>
-    </message>
-    <message>
-        <source>Replace the angiogram</source>
-        <translation>Angiogramm ersetzen</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>A scan beside the vessels?</source>
-        <translation>Ein Scan neben den Gefäßen?</translation>
-    </message>
-    <message>
-        <source>The case has its vessels from a file. “%1” can be shown in slices with them, or its own vessels are traced and take their place.</source>
-        <translation>Der Fall hat seine Gefäße aus einer Datei. „%1“ kann mit ihnen in Schichten gezeigt werden, oder seine eigenen Gefäße werden verfolgt und ersetzen sie.</translation>
-    </message>
-    <message>
-        <source>Show beside the vessels</source>
-        <translation>Neben den Gefäßen zeigen</translation>
-    </message>
-    <message>
-        <source>Trace its vessels</source>
-        <translation>Seine Gefäße verfolgen</translation>
     </message>
 </context>
 <context>

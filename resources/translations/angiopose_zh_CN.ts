@@ -138,6 +138,49 @@
     </message>
 </context>
 <context>
+    <name>app::CloseController</name>
+    <message>
+        <source>A registration is running</source>
+        <translation>配准正在进行</translation>
+    </message>
+    <message>
+        <source>Stop it and close? Changes of this case are lost unless they are saved.</source>
+        <translation>停止并关闭？未保存的更改将丢失。</translation>
+    </message>
+    <message>
+        <source>Save before closing?</source>
+        <translation>关闭前保存吗？</translation>
+    </message>
+    <message>
+        <source>“%1” has changes that are not saved.</source>
+        <translation>“%1”有未保存的更改。</translation>
+    </message>
+    <message>
+        <source>Stop, save and close</source>
+        <translation>停止、保存并关闭</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>停止并关闭</translation>
+    </message>
+    <message>
+        <source>Keep running</source>
+        <translation>继续运行</translation>
+    </message>
+    <message>
+        <source>Save and close</source>
+        <translation>保存并关闭</translation>
+    </message>
+    <message>
+        <source>Close without saving</source>
+        <translation>不保存直接关闭</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>返回</translation>
+    </message>
+</context>
+<context>
     <name>app::CurveController</name>
     <message>
         <source>At least one curve must stay: there would be nothing to register to.</source>
@@ -560,16 +603,102 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>期间已开始盲法试验。请在结束后重新打开文件。</translation>
     </message>
     <message>
-        <source>The vessels do not lie in this scan: it may be another one, or have other axes.</source>
-        <translation>血管不在此扫描内：可能是其他扫描，或坐标轴不同。</translation>
-    </message>
-    <message>
         <source>Add view %1</source>
         <translation>添加视图 %1</translation>
     </message>
     <message>
         <source>View added: a click in the strip above the image shows it.</source>
         <translation>已添加视图：单击图像上方的条即可显示。</translation>
+    </message>
+</context>
+<context>
+    <name>app::OpenDialogs</name>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Open DICOM folder</source>
+        <translation>打开 DICOM 文件夹</translation>
+    </message>
+    <message>
+        <source>Add a view</source>
+        <translation>添加视图</translation>
+    </message>
+    <message>
+        <source>Another view of the same vessels?</source>
+        <translation>同一血管的另一视图？</translation>
+    </message>
+    <message>
+        <source>The case has an angiogram. “%1” can stand beside it, to register both together, or take its place.</source>
+        <translation>病例已有血管造影。“%1”可与其并列以一起配准，或替换它。</translation>
+    </message>
+    <message>
+        <source>Add as a view</source>
+        <translation>添加为视图</translation>
+    </message>
+    <message>
+        <source>Replace the angiogram</source>
+        <translation>替换血管造影</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>A scan beside the vessels?</source>
+        <translation>扫描与血管并列？</translation>
+    </message>
+    <message>
+        <source>The case has its vessels from a file. “%1” can be shown in slices with them, or its own vessels are traced and take their place.</source>
+        <translation>病例的血管来自文件。“%1”可与其一起在切片中显示，或重新提取其血管并替换。</translation>
+    </message>
+    <message>
+        <source>Show beside the vessels</source>
+        <translation>与血管并列显示</translation>
+    </message>
+    <message>
+        <source>Trace its vessels</source>
+        <translation>提取其血管</translation>
+    </message>
+    <message>
+        <source>Making the sample case …</source>
+        <translation>正在生成示例病例……</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>Could not make the sample case</source>
+        <translation>无法生成示例病例</translation>
+    </message>
+    <message>
+        <source>Save the open case first?</source>
+        <translation>先保存当前病例吗？</translation>
+    </message>
+    <message>
+        <source>“%1” has changes that are not saved.</source>
+        <translation>“%1”有未保存的更改。</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Discard changes</source>
+        <translation>放弃更改</translation>
+    </message>
+    <message>
+        <source>Keep the open case</source>
+        <translation>保留当前病例</translation>
+    </message>
+</context>
+<context>
+    <name>app::OpenNotes</name>
+    <message>
+        <source>The vessels do not lie in this scan: it may be another one, or have other axes.</source>
+        <translation>血管不在此扫描内：可能是其他扫描，或坐标轴不同。</translation>
     </message>
 </context>
 <context>
@@ -963,124 +1092,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>无法导出</translation>
     </message>
     <message>
-        <source>Open</source>
-        <translation>打开</translation>
-    </message>
-    <message>
-        <source>Open DICOM folder</source>
-        <translation>打开 DICOM 文件夹</translation>
-    </message>
-    <message>
-        <source>Making the sample case …</source>
-        <translation>正在生成示例病例……</translation>
-    </message>
-    <message>
-        <source>Could not make the sample case</source>
-        <translation>无法生成示例病例</translation>
-    </message>
-    <message>
-        <source>Save the open case first?</source>
-        <translation>先保存当前病例吗？</translation>
-    </message>
-    <message>
-        <source>“%1” has changes that are not saved.</source>
-        <translation>“%1”有未保存的更改。</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>保存</translation>
-    </message>
-    <message>
-        <source>Discard changes</source>
-        <translation>放弃更改</translation>
-    </message>
-    <message>
-        <source>Keep the open case</source>
-        <translation>保留当前病例</translation>
-    </message>
-    <message>
-        <source>A registration is running</source>
-        <translation>配准正在进行</translation>
-    </message>
-    <message>
-        <source>Stop it and close? Changes of this case are lost unless they are saved.</source>
-        <translation>停止并关闭？未保存的更改将丢失。</translation>
-    </message>
-    <message>
-        <source>Save before closing?</source>
-        <translation>关闭前保存吗？</translation>
-    </message>
-    <message>
-        <source>Stop, save and close</source>
-        <translation>停止、保存并关闭</translation>
-    </message>
-    <message>
-        <source>Stop and close</source>
-        <translation>停止并关闭</translation>
-    </message>
-    <message>
-        <source>Keep running</source>
-        <translation>继续运行</translation>
-    </message>
-    <message>
-        <source>Save and close</source>
-        <translation>保存并关闭</translation>
-    </message>
-    <message>
-        <source>Close without saving</source>
-        <translation>不保存直接关闭</translation>
-    </message>
-    <message>
-        <source>Stay</source>
-        <translation>返回</translation>
-    </message>
-    <message>
         <source>%1 (missing)</source>
         <translation>%1（缺失）</translation>
     </message>
     <message>
         <source>Not the same patient?</source>
         <translation>不是同一患者？</translation>
-    </message>
-    <message>
-        <source>Add a view</source>
-        <translation>添加视图</translation>
-    </message>
-    <message>
-        <source>Another view of the same vessels?</source>
-        <translation>同一血管的另一视图？</translation>
-    </message>
-    <message>
-        <source>The case has an angiogram. “%1” can stand beside it, to register both together, or take its place.</source>
-        <translation>病例已有血管造影。“%1”可与其并列以一起配准，或替换它。</translation>
-    </message>
-    <message>
-        <source>Add as a view</source>
-        <translation>添加为视图</translation>
-    </message>
-    <message>
-        <source>Replace the angiogram</source>
-        <translation>替换血管造影</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
-        <source>A scan beside the vessels?</source>
-        <translation>扫描与血管并列？</translation>
-    </message>
-    <message>
-        <source>The case has its vessels from a file. “%1” can be shown in slices with them, or its own vessels are traced and take their place.</source>
-        <translation>病例的血管来自文件。“%1”可与其一起在切片中显示，或重新提取其血管并替换。</translation>
-    </message>
-    <message>
-        <source>Show beside the vessels</source>
-        <translation>与血管并列显示</translation>
-    </message>
-    <message>
-        <source>Trace its vessels</source>
-        <translation>提取其血管</translation>
     </message>
 </context>
 <context>

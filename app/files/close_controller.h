@@ -1,0 +1,39 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/files/save_controller.h"
+#include "app/registration/registration_controller.h"
+
+#include <QObject>
+
+namespace ui {
+class MainWindow;
+}
+
+namespace app {
+
+/// Closing loses nothing unasked: neither changes nor a running registration, whose best pose is kept before saving.
+class CloseController : public QObject {
+    Q_OBJECT
+public:
+    CloseController(ui::MainWindow& window, CaseDocument& document, SaveController& save,
+                    RegistrationController& registration, QObject* parent = nullptr);
+
+signals:
+    void aboutToClose();   ///< the user asked for it; what must not stay open ends now
+
+private:
+    enum class Closing { No, Now, AfterSaving };
+
+    void requestClose();
+    void answerClose(int index);
+    void closeWindow();
+
+    ui::MainWindow& window_;
+    CaseDocument& document_;
+    SaveController& save_;
+    RegistrationController& registration_;
+    Closing closing_ = Closing::No;
+};
+
+}   // namespace app

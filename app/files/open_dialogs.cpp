@@ -1,0 +1,173 @@
+#include "app/files/open_dialogs.h"
+
+#include "app/files/sample_case.h"
+#include "app/files/series_rows.h"
+#include "app/jobs/input_kind.h"
+#include "app/settings.h"
+#include "ui/dialogs/message_dialog.h"
+#include "ui/dialogs/missing_inputs.h"
+#include "ui/main_window.h"
+#include "ui/words/core_texts.h"
+
+#include <QFileDialog>
+
+namespace app {
+
+OpenDialogs::OpenDialogs(ui::MainWindow& window, CaseDocument& document, OpenController& open, SaveController& save,
+                         Notices& notices, QObject* parent)
+    : QObject(parent), window_(window), document_(document), open_(open), save_(save), notices_(notices)
+{
+    connect(&open_, &OpenController::seriesChoiceNeeded, this, &OpenDialogs::chooseSeries);
+    connect(&open_, &OpenController::inputsMissing, this, &OpenDialogs::askForInputs);
+    connect(&open_, &OpenController::scanChoiceNeeded, this, &OpenDialogs::askWhatScan);
+    connect(&open_, &OpenController::viewChoiceNeeded, this, &OpenDialogs::askWhichView);
+    connect(&open_, &OpenController::replacementNeedsConsent, this, &OpenDialogs::askToReplace);
+    connect(&window_.welcome(), &ui::WelcomePage::openRequested, this, &OpenDialogs::askFiles);
+    connect(&window_.welcome(), &ui::WelcomePage::sampleRequested, this, &OpenDialogs::openSample);
+    ui::WindowActions& actions = window_.actions();
+    connect(actions[ui::Command::Open], &QAction::triggered, this, &OpenDialogs::askFiles);
+    connect(actions[ui::Command::OpenFolder], &QAction::triggered, this, &OpenDialogs::askFolder);
+    connect(actions[ui::Command::OpenSample], &QAction::triggered, this, &OpenDialogs::openSample);
+    connect(actions[ui::Command::AddView], &QAction::triggered, this, &OpenDialogs::askView);
+}
+
+void OpenDialogs::askFiles()
+{
+    auto* dialog =
+        new QFileDialog(&window_, tr("Open"), settings::lastFolder.read(), openFilters().join(QStringLiteral(";;")));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFiles);
+    connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& paths) {
+        settings::lastFolder.write(QFileInfo(paths.front()).absolutePath());
+        open_.open(paths);
+    });
+    dialog->open();
+}
+
+void OpenDialogs::askFolder()
+{
+    auto* dialog = new QFileDialog(&window_, tr("Open DICOM folder"), settings::lastFolder.read());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
+        settings::lastFolder.write(folder);
+        open_.open({folder});
+    });
+    dialog->open();
+}
+
+void OpenDialogs::chooseSeries(const QString& folder, const std::vector<io::DicomSeries>& series)
+{
+    auto* chooser = new ui::SeriesChooser(folder, seriesRows(series), &window_);
+    connect(chooser, &ui::SeriesChooser::chosen, &open_, &OpenController::openSeries);
+    chooser->open();
+}
+
+void OpenDialogs::askView()
+{
+    auto* dialog = new QFileDialog(&window_, tr("Add a view"), settings::lastFolder.read(),
+                                   openFilters().join(QStringLiteral(";;")));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        settings::lastFolder.write(QFileInfo(path).absolutePath());
+        open_.openView({path});
+    });
+    dialog->open();
+}
+
+void OpenDialogs::askWhichView(const QString& name)
+{
+    auto* question = new ui::QuestionDialog(
+        {tr("Another view of the same vessels?"),
+         tr("The case has an angiogram. “%1” can stand beside it, to register both together, or take its place.")
+             .arg(name),
+         {}},
+        {tr("Add as a view"), tr("Replace the angiogram"), tr("Cancel")}, &window_);
+    question->setObjectName(QStringLiteral("viewQuestion"));
+    connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
+        if (index == 0) {
+            open_.addWaitingView();
+        } else if (index == 1) {
+            open_.replaceImage();
+        } else {
+            open_.abandon();
+        }
+    });
+    question->open();
+}
+
+void OpenDialogs::askWhatScan(const QString& name)
+{
+    auto* question =
+        new ui::QuestionDialog({tr("A scan beside the vessels?"),
+                                tr("The case has its vessels from a file. “%1” can be shown in slices with them, or "
+                                   "its own vessels are traced "
+                                   "and take their place.")
+                                    .arg(name),
+                                {}},
+                               {tr("Show beside the vessels"), tr("Trace its vessels"), tr("Cancel")}, &window_);
+    question->setObjectName(QStringLiteral("scanQuestion"));
+    connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
+        if (index < 2) {
+            open_.openScan(index == 0 ? ScanUse::Beside : ScanUse::Trace);
+        }
+    });
+    question->open();
+}
+
+void OpenDialogs::askForInputs(const QString& casePath, const QStringList& missing, bool areOptional)
+{
+    const QFileInfo file(casePath);
+    auto* dialog = new ui::MissingInputs(file.fileName(), missing, file.absolutePath(), &window_);
+    dialog->offerWithout(areOptional);
+    connect(dialog, &ui::MissingInputs::withoutRequested, &open_, &OpenController::openWithoutOptional);
+    connect(dialog, &ui::MissingInputs::located, this, [this](const std::map<QString, QString>& places) {
+        io::MovedInputs moved;
+        for (const auto& [wanted, place] : places) {
+            moved[wanted.toStdString()] = place.toStdString();
+        }
+        open_.openWithInputs(moved);
+    });
+    connect(dialog, &ui::MissingInputs::searchRequested, this,
+            [this](const QString& folder) { open_.openWithInputs({}, folder); });
+    dialog->open();
+}
+
+void OpenDialogs::openSample()
+{
+    if (files_.isBusy()) {
+        return;
+    }
+    window_.strip().showBusy(tr("Making the sample case …"));
+    files_.run(writeSampleCase, [this](const core::Result<QString>& path) {
+        window_.strip().showIdle(tr("Ready"));
+        if (path) {
+            open_.open({path.value()});
+        } else {
+            notices_.showProblem(tr("Could not make the sample case"), ui::coreText(path.error().message));
+        }
+    });
+}
+
+void OpenDialogs::askToReplace()
+{
+    auto* question = new ui::QuestionDialog(
+        {tr("Save the open case first?"),
+         tr("“%1” has changes that are not saved.").arg(QString::fromStdString(document_.current().title)),
+         {}},
+        {tr("Save"), tr("Discard changes"), tr("Keep the open case")}, &window_);
+    connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
+        if (index == 0) {
+            save_.save([this] { open_.replaceOpenCase(); });
+        } else if (index == 1) {
+            open_.replaceOpenCase();
+        } else {
+            open_.abandon();
+        }
+    });
+    question->open();
+}
+
+}   // namespace app

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/files/open_controller.h"
+#include "app/files/save_controller.h"
+#include "app/jobs/file_queue.h"
+#include "app/notices.h"
+
+#include <QObject>
+#include <QStringList>
+
+namespace ui {
+class MainWindow;
+}
+
+namespace app {
+
+/// Asks what opening has to know: which files, which series, where moved inputs are, what a further scan or angiogram
+/// is for, whether the open case may go.
+class OpenDialogs : public QObject {
+    Q_OBJECT
+public:
+    OpenDialogs(ui::MainWindow& window, CaseDocument& document, OpenController& open, SaveController& save,
+                Notices& notices, QObject* parent = nullptr);
+
+private:
+    void askFiles();
+    void askFolder();
+    void askView();
+    void openSample();
+    void chooseSeries(const QString& folder, const std::vector<io::DicomSeries>& series);
+    void askForInputs(const QString& casePath, const QStringList& missing, bool areOptional);
+    void askWhichView(const QString& name);
+    void askWhatScan(const QString& name);
+    void askToReplace();
+
+    ui::MainWindow& window_;
+    CaseDocument& document_;
+    OpenController& open_;
+    SaveController& save_;
+    Notices& notices_;
+    FileQueue files_;   ///< makes the sample case
+};
+
+}   // namespace app

@@ -1,0 +1,51 @@
+#include "app/files/open_notes.h"
+
+#include "app/files/assemble_case.h"
+#include "core/imaging/patient_match.h"
+#include "ui/words/core_texts.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+
+namespace app {
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(app::OpenNotes)
+};
+
+}   // namespace
+
+QString namesOf(const QStringList& paths)
+{
+    QStringList names;
+    for (const QString& path : paths) {
+        names << QFileInfo(QDir::cleanPath(path)).fileName();
+    }
+    return names.join(QStringLiteral(", "));
+}
+
+QStringList notesOf(const LoadedInputs& inputs, const core::RegistrationCase& opened)
+{
+    QStringList notes;
+    for (const std::string& warning : inputs.warnings) {
+        notes << ui::coreText(warning);
+    }
+    if (!inputs.wholeCase && opened.angiogram) {   // a case file has compared them itself
+        const std::string mismatch = core::findMismatch(opened.scanIdentity, opened.angiogram->identity);
+        notes << (mismatch.empty() ? QStringList() : QStringList(ui::coreText(mismatch)));
+    }
+    return notes;
+}
+
+QStringList notesOnScan(const LoadedInputs& inputs, const core::RegistrationCase& opened)
+{
+    const bool isBeside = inputs.volume && !inputs.tree && opened.tree;
+    return isBeside && !liesIn(inputs.volume->geometry, *opened.tree)
+               ? QStringList(
+                     Words::tr("The vessels do not lie in this scan: it may be another one, or have other axes."))
+               : QStringList();
+}
+
+}   // namespace app

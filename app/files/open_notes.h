@@ -1,0 +1,19 @@
+#pragma once
+
+#include "app/jobs/read_inputs.h"
+#include "core/registration_case.h"
+
+#include <QStringList>
+
+namespace app {
+
+/// "a.dcm, b.vtp"
+QString namesOf(const QStringList& paths);
+
+/// What to know about the files that were opened, and about how they fit the case they are in now.
+QStringList notesOf(const LoadedInputs& inputs, const core::RegistrationCase& opened);
+
+/// A scan beside vessels of another origin has to have their axes.
+QStringList notesOnScan(const LoadedInputs& inputs, const core::RegistrationCase& opened);
+
+}   // namespace app
