@@ -1,0 +1,69 @@
+#include "io/vessel_tree_file.h"
+#include "io/volume_file.h"
+#include "tests/app/open_window.h"
+#include "tests/support/forked_vessel.h"
+
+#include <QTemporaryDir>
+
+namespace app {
+namespace {
+
+using test::OpenWindow;
+
+/// The same vessels from a file, and then their scan.
+class WindowScanBeside : public ::testing::Test {
+protected:
+    void SetUp() override
+    {
+        const QString treePath = folder.filePath(QStringLiteral("tree.csv"));
+        const QString scanPath = folder.filePath(QStringLiteral("scan.nrrd"));
+        core::VesselTree tree;
+        tree.branches.push_back({1, "", {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {1.0, 1.0, 1.0}, -1});
+        const core::Volume scan = test::forkScan();
+        for (Eigen::Vector3d& point : tree.branches.front().pointsInPatient) {
+            point += scan.geometry.patientFromVoxel() * Eigen::Vector3d(10.0, 10.0, 10.0);
+        }
+        ASSERT_TRUE(io::writeVesselTree(tree, treePath.toStdString()));
+        ASSERT_TRUE(io::writeVolume(scan, scanPath.toStdString()));
+        w.drop({treePath});
+        ASSERT_TRUE(w.current().tree);
+        before = w.current().tree;
+        w.drop({scanPath});
+        ASSERT_EQ(w.dialogs("scanQuestion").size(), 1);
+    }
+    void answer(const QString& verb)
+    {
+        OpenWindow::clickButton(w.dialogs("scanQuestion").front(), verb);
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !w.controller.isLoading(); }, test::patienceMs));
+        w.window.activateWindow();   // no window manager does it here
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&w.window));
+    }
+
+    QTemporaryDir folder;
+    OpenWindow w;
+    std::shared_ptr<const core::VesselTree> before;
+};
+
+TEST_F(WindowScanBeside, IsShownInSlicesWithTheVesselsThatAreThere)
+{
+    answer(QStringLiteral("Show beside the vessels"));
+    ASSERT_TRUE(w.current().volume);
+    EXPECT_EQ(w.current().tree, before);
+    EXPECT_TRUE(w.current().centerlineFile.path.ends_with("tree.csv"));
+    EXPECT_TRUE(w.current().scanFile.path.ends_with("scan.nrrd"));
+    EXPECT_EQ(w.current().scanFile.sha256.size(), 64U);
+    EXPECT_TRUE(w.window.slices().hasScan());
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_FALSE(w.current().volume);
+}
+
+TEST_F(WindowScanBeside, OrItsVesselsAreTraced)
+{
+    answer(QStringLiteral("Trace its vessels"));
+    ASSERT_TRUE(w.current().volume);
+    EXPECT_NE(w.current().tree, before);
+    EXPECT_TRUE(w.current().centerlineFile.path.ends_with("scan.nrrd"));
+}
+
+}   // namespace
+}   // namespace app

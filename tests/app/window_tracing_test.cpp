@@ -1,0 +1,108 @@
+#include "tests/app/scan_window.h"
+#include "tests/support/temporary_folder.h"
+
+#include <QCheckBox>
+#include <QListWidget>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+using core::BodyPlane;
+using WindowTracing = test::ScanWindow;
+
+TEST_F(WindowTracing, TraceWithThresholdAndSeedsAsOneStep)
+{
+    const auto before = w.current().tree;
+    const core::VesselTracingOptions beforeOptions = w.current().vesselInput.tracing;
+    press<QCheckBox>(QStringLiteral("Automatic threshold"));
+    auto* slider = w.window.tracing().findChild<QSlider*>();
+    ASSERT_TRUE(slider->isEnabled());
+    slider->setValue(180);
+    EXPECT_EQ(model().previewFrom(), 180.0);
+    press<QPushButton>(QStringLiteral("Seeds"));
+    model().setCrosshair({0, 0, 20});
+    QApplication::processEvents();
+    click(BodyPlane::Axial, {0, 0, 20});
+    EXPECT_EQ(w.window.tracing().findChild<QListWidget*>()->count(), 1);
+    EXPECT_TRUE(w.current().vesselInput.tracing == beforeOptions);   // a draft until it has been traced
+
+    press<QPushButton>(QStringLiteral("Trace"));
+    ASSERT_TRUE(waitForTrace());
+
+    EXPECT_NE(w.current().tree, before);
+    EXPECT_EQ(test::endsOf(*w.current().tree), 3);
+    EXPECT_EQ(w.current().vesselInput.tracing.threshold, 180.0);
+    ASSERT_EQ(w.current().vesselInput.tracing.seedsInPatient.size(), 1U);
+    EXPECT_EQ(w.history().undoText(), QStringLiteral("Trace vessels"));
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(w.current().tree, before);
+    EXPECT_FALSE(w.current().vesselInput.tracing.threshold);
+    EXPECT_EQ(w.window.tracing().findChild<QListWidget*>()->count(), 0);
+}
+
+TEST_F(WindowTracing, RemoveSeedsFromTheList)
+{
+    press<QPushButton>(QStringLiteral("Seeds"));
+    click(BodyPlane::Axial, model().crosshair());
+    press<QPushButton>(QStringLiteral("Avoid"));
+    click(BodyPlane::Coronal, model().crosshair() + Eigen::Vector3d(12, 0, 0));
+    auto* list = w.window.tracing().findChild<QListWidget*>();
+    ASSERT_EQ(list->count(), 2);
+    EXPECT_EQ(model().points().at(ui::SliceMarkKind::Avoid).size(), 1U);
+
+    list->setFocus();
+    list->setCurrentRow(0);
+    const auto tree = w.current().tree;
+    QTest::keyClick(list, Qt::Key_Delete);
+    EXPECT_EQ(list->count(), 1);
+    EXPECT_EQ(w.current().tree, tree);   // the key was the list's, not the branches'
+    EXPECT_TRUE(model().points().at(ui::SliceMarkKind::Seed).empty());
+}
+
+TEST_F(WindowTracing, StoppingKeepsTheTree)
+{
+    const auto before = w.current().tree;
+    const int steps = w.history().count();
+    press<QPushButton>(QStringLiteral("Trace"));
+    EXPECT_TRUE(w.controller.tracing().isRunning());
+    press<QPushButton>(QStringLiteral("Stop"));
+    ASSERT_TRUE(waitForTrace());
+    EXPECT_EQ(w.current().tree, before);
+    EXPECT_EQ(w.history().count(), steps);
+}
+
+TEST_F(WindowTracing, TellWhyNothingCanBeTraced)
+{
+    press<QCheckBox>(QStringLiteral("Automatic threshold"));
+    w.window.tracing().findChild<QSlider*>()->setValue(1100);
+    const auto before = w.current().tree;
+    press<QPushButton>(QStringLiteral("Trace"));
+    ASSERT_TRUE(waitForTrace());
+    EXPECT_EQ(w.current().tree, before);
+    EXPECT_FALSE(w.window.findChildren<ui::MessageDialog*>().isEmpty());
+}
+
+TEST_F(WindowTracing, ShowLabelsOfTheSameScan)
+{
+    const auto scan = w.current().volume;
+    const QString labels = folder.filePath(QStringLiteral("labels.nii.gz"));
+    core::LabelVolume image = test::forkLabels();
+    std::ranges::replace(image.voxels, std::uint16_t{7}, std::uint16_t{0});
+    ASSERT_TRUE(io::writeLabels(image, labels.toStdString()));
+    w.drop({labels});
+    EXPECT_EQ(w.current().vesselInput.kind, core::VesselInputKind::Segmentation);
+    EXPECT_EQ(w.current().volume, scan);
+    EXPECT_EQ(w.current().scanFile.path, scanPath.toStdString());
+    ASSERT_TRUE(model().lumen());
+    EXPECT_NE(model().lumen()->at(32, 18, 26), 0);   // in the trunk
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(w.current().vesselInput.kind, core::VesselInputKind::Volume);
+}
+
+}   // namespace
+}   // namespace app

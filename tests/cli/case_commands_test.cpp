@@ -1,0 +1,127 @@
+#include "io/case_file.h"
+#include "io/pose_file.h"
+#include "tests/cli/run_program.h"
+#include "tests/support/matchers.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+namespace fs = std::filesystem;
+using test::runCli;
+using test::TemporaryFolder;
+
+class CliOnSimulatedCase : public ::testing::Test {
+protected:
+    void SetUp() override
+    {
+        const auto simulated = runCli({"simulate", "--seed", "3", "--output", folder_.file("demo")});
+        ASSERT_EQ(simulated.exitCode, 0) << simulated.messages;
+        casePath_ = folder_.file("demo/case.angiopose");
+    }
+
+    TemporaryFolder folder_;
+    std::string casePath_;
+};
+
+TEST_F(CliOnSimulatedCase, IsValidAndDescribed)
+{
+    EXPECT_EQ(runCli({"validate", casePath_}).exitCode, 0);
+    const auto info = runCli({"info", casePath_, "--json"});
+    ASSERT_EQ(info.exitCode, 0) << info.messages;
+    const auto json = nlohmann::json::parse(info.output);
+    EXPECT_EQ(json["kind"], "case");
+    EXPECT_GT(json["tree"]["points"].get<int>(), 100);
+    EXPECT_EQ(json["angiogram"]["geometry"]["sourceToDetectorMm"]["origin"], "header");
+}
+
+TEST_F(CliOnSimulatedCase, RegistersToTheTruePose)
+{
+    const auto outcome = runCli({"register", casePath_, "--output", folder_.file("result"), "--json"});
+    ASSERT_TRUE(outcome.exitCode == 0) << outcome.exitCode << outcome.messages;
+    const auto json = nlohmann::json::parse(outcome.output);   // stdout holds JSON and nothing else
+    EXPECT_EQ(json["format"], "angiopose-result");
+    EXPECT_GT(json["metrics"]["coverage"].get<double>(),
+              0.9);   // half of this tree is unfilled, but all that is is met
+    EXPECT_TRUE(fs::exists(folder_.file("result/overlay.png")));
+
+    const auto found = io::readPose(folder_.file("result/result.json"));
+    const auto truth = io::readPose(folder_.file("demo/true-pose.json"));
+    ASSERT_TRUE(found && truth);
+    EXPECT_TRUE(test::nearPose(found.value(), truth.value(), 0.5, 2.0));   // the depth is the weakest
+}
+
+TEST_F(CliOnSimulatedCase, ProjectsAGivenPose)
+{
+    const std::string picture = folder_.file("overlay.png");
+    const auto outcome =
+        runCli({"project", casePath_, "--pose", folder_.file("demo/true-pose.json"), "--output", picture});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.messages;
+    EXPECT_GT(fs::file_size(picture), 10000u);
+}
+
+TEST_F(CliOnSimulatedCase, TracesItsAngiogram)
+{
+    const std::string csv = folder_.file("traced.csv");
+    const auto outcome = runCli(
+        {"trace-angiogram", folder_.file("demo/angiogram.dcm"), "--output", csv, "--mask", folder_.file("mask.png")});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.messages;
+    EXPECT_GT(fs::file_size(csv), 1000u);
+    EXPECT_TRUE(fs::exists(folder_.file("mask.png")));
+    EXPECT_EQ(
+        runCli({"trace-angiogram", folder_.file("demo/angiogram.dcm"), "--frame", "99", "--output", csv}).exitCode, 3);
+}
+
+TEST_F(CliOnSimulatedCase, TraceAngiogramSubtractsAndComposes)
+{
+    const std::string run = folder_.file("demo/angiogram.dcm");
+    const std::string csv = folder_.file("trace.csv");
+    const auto composed = runCli({"trace-angiogram", run, "--composite", "minimum", "--output", csv});
+    EXPECT_EQ(composed.exitCode, 0) << composed.messages;
+    EXPECT_NE(composed.output.find("all frames"), std::string::npos);
+    const auto subtracted =
+        runCli({"trace-angiogram", run, "--mask-frames", "0", "--mask-shift", "0,0", "--output", csv});
+    EXPECT_EQ(subtracted.exitCode, 0) << subtracted.messages;
+    EXPECT_NE(subtracted.output.find("mean of frames 0"), std::string::npos);
+    EXPECT_EQ(runCli({"trace-angiogram", run, "--mask-frames", "99", "--output", csv}).exitCode, 3);
+    EXPECT_EQ(runCli({"trace-angiogram", run, "--composite", "sum", "--output", csv}).exitCode, 2);
+}
+
+TEST_F(CliOnSimulatedCase, UnknownMethodsAndOptionsAreUsageErrors)
+{
+    EXPECT_EQ(runCli({"register", casePath_, "--method", "magic"}).exitCode, 2);
+    const auto option = runCli({"register", casePath_, "--set", "magic=1"});
+    EXPECT_EQ(option.exitCode, 2);
+    EXPECT_NE(option.messages.find("magic"), std::string::npos);
+}
+
+TEST_F(CliOnSimulatedCase, KeepsLockedDegreesOfFreedom)
+{
+    const auto outcome =
+        runCli({"register", casePath_, "--lock", "lao-rao,cra-cau,roll", "--output", folder_.file("locked"), "--json"});
+    ASSERT_TRUE(outcome.exitCode == 0 || outcome.exitCode == 4) << outcome.exitCode << outcome.messages;
+    const auto found = io::readPose(folder_.file("locked/result.json"));
+    std::vector<std::string> warnings;
+    const auto loaded = io::loadCase(casePath_, warnings);
+    ASSERT_TRUE(found && loaded);
+    EXPECT_LT((found.value().rotation - loaded.value().cameraFromPatient.rotation).norm(), 1e-12);
+    EXPECT_GT((found.value().translation - loaded.value().cameraFromPatient.translation).norm(), 0.1);
+
+    const auto unknown = runCli({"register", casePath_, "--lock", "sideways"});
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_NE(unknown.messages.find("along-ray"), std::string::npos);
+    EXPECT_EQ(runCli({"register", casePath_, "--method", "assembled-icp", "--lock", "roll"}).exitCode, 2);
+}
+
+TEST_F(CliOnSimulatedCase, InputsAreNeverOverwritten)
+{
+    const auto before = fs::last_write_time(folder_.file("demo/angiogram.dcm"));
+    runCli({"register", casePath_, "--output", folder_.file("demo")});
+    EXPECT_EQ(fs::last_write_time(folder_.file("demo/angiogram.dcm")), before);
+    EXPECT_EQ(runCli({"validate", casePath_}).exitCode, 0);
+}
+
+}   // namespace

@@ -1,0 +1,162 @@
+#include "io/vessel_tree_file.h"
+#include "io/volume_file.h"
+#include "tests/cli/run_program.h"
+#include "tests/io/series/dicom_slices.h"
+#include "tests/support/forked_vessel.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/test_data.h"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+namespace fs = std::filesystem;
+using test::runCli;
+using test::TemporaryFolder;
+using test::writeText;
+
+TEST(Cli, ConvertsBetweenFormatsOfOneKind)
+{
+    const TemporaryFolder folder;
+    ASSERT_TRUE(io::writeVolume(test::forkScan(), folder.file("scan.nrrd")));
+    ASSERT_EQ(runCli({"convert", folder.file("scan.nrrd"), folder.file("scan.nii.gz")}).exitCode, 0);
+    const auto volume = io::readVolume(folder.file("scan.nii.gz"));
+    ASSERT_TRUE(volume) << volume.error().message;
+    EXPECT_EQ(volume.value().volume.voxels, test::forkScan().voxels);
+
+    writeText(folder.file("tree.csv"), "x,y,z,radius,branch\n0,0,0,1,4\n9,0,0,1,4\n20,5,0,2,4\n");
+    ASSERT_EQ(runCli({"convert", folder.file("tree.csv"), folder.file("tree.mrk.json")}).exitCode, 0);
+    ASSERT_EQ(runCli({"convert", folder.file("tree.mrk.json"), folder.file("back.vtp")}).exitCode, 0);
+    const auto tree = io::readVesselTree(folder.file("back.vtp"));
+    ASSERT_TRUE(tree) << tree.error().message;
+    EXPECT_EQ(tree.value().branches.front().pointsInPatient.back(), Eigen::Vector3d(20, 5, 0));
+
+    writeText(folder.file("curve.csv"), "x,y,branch\n1,2,0\n3,4,0\n");
+    EXPECT_EQ(runCli({"convert", folder.file("curve.csv"), folder.file("copy.csv")}).exitCode, 0);
+    EXPECT_EQ(runCli({"convert", folder.file("tree.csv"), folder.file("tree.nii.gz")}).exitCode, 3);
+    EXPECT_EQ(runCli({"convert", folder.file("tree.csv"), folder.file("tree.doc")}).exitCode, 3);
+    EXPECT_EQ(runCli({"convert", folder.file("tree.csv"), folder.file("tree.csv")}).exitCode, 3) << "itself";
+    const auto advice = runCli({"convert", folder.file("scan.nrrd"), folder.file("tree.vtp")});
+    EXPECT_EQ(advice.exitCode, 3);
+    EXPECT_NE(advice.messages.find("trace-vessel"), std::string::npos);
+}
+
+TEST(Cli, ConvertsDicomSegmentationsAndPackedScans)
+{
+    ANGIOPOSE_NEEDS_DATA("exotic-dicom");
+    const TemporaryFolder folder;
+    const auto segmentation = test::dataFile("exotic-dicom/pydicom-data/liver_nonbyte_aligned.dcm").string();
+    const auto converted = runCli({"convert", segmentation, folder.file("liver.nii.gz")});
+    ASSERT_EQ(converted.exitCode, 0) << converted.messages;
+    const auto labels = io::readLabels(folder.file("liver.nii.gz"));
+    ASSERT_TRUE(labels) << labels.error().message;
+    const auto direct = io::readLabels(segmentation);
+    ASSERT_TRUE(direct) << direct.error().message;
+    EXPECT_EQ(labels.value().voxels, direct.value().voxels);
+    EXPECT_GT(std::count(direct.value().voxels.begin(), direct.value().voxels.end(), 1), 100);
+
+    const auto packed = test::dataFile("exotic-dicom/nibabel/philips_mprage.dcm.gz").string();
+    EXPECT_EQ(runCli({"convert", packed, folder.file("head.nrrd")}).exitCode, 0);
+}
+
+TEST(Cli, DescribesVolumesFoldersAndSurfaces)
+{
+    const TemporaryFolder folder;
+    ASSERT_TRUE(io::writeLabels(test::forkLabels(), folder.file("mask.nii.gz")));
+    const auto volume = runCli({"info", folder.file("mask.nii.gz"), "--json"});
+    ASSERT_EQ(volume.exitCode, 0) << volume.messages;
+    const auto json = nlohmann::json::parse(volume.output);
+    EXPECT_EQ(json["kind"], "label image");
+    EXPECT_EQ(json["geometry"]["size"], nlohmann::json({64, 40, 96}));
+    EXPECT_EQ(json["geometry"]["axesRunTo"], nlohmann::json({"left", "back", "head"}));
+
+    fs::create_directory(folder.file("ct"));
+    for (int k = 0; k < 5; ++k) {
+        test::CtSlice slice;
+        slice.sopInstanceUid = "1.2.3." + std::to_string(k);
+        slice.position = {0, 0, k < 3 ? 2.0 * k : 2.0 * k + 2.0};
+        slice.pixels.assign(72, 0);
+        writeText(folder.file("ct/" + std::to_string(k)), test::ctSlice(slice));
+    }
+    const auto listed = runCli({"info", folder.file("ct"), "--json"});
+    ASSERT_EQ(listed.exitCode, 0) << listed.messages;
+    const auto series = nlohmann::json::parse(listed.output)["series"];
+    ASSERT_EQ(series.size(), 1U);
+    EXPECT_EQ(series[0]["geometry"]["size"], nlohmann::json({8, 9, 6}));
+    EXPECT_NE(series[0]["warnings"][0].get<std::string>().find("missing"), std::string::npos);
+    EXPECT_NE(runCli({"info", folder.file("ct")}).output.find("CTA 0.75"), std::string::npos);
+}
+
+TEST(Cli, TracesALabelImageToATree)
+{
+    const TemporaryFolder folder;
+    ASSERT_TRUE(io::writeLabels(test::forkLabels(), folder.file("mask.nii.gz")));
+    const auto traced = runCli({"trace-vessel", folder.file("mask.nii.gz"), "--labels", "2", "--root", "0,0,0",
+                                "--output", folder.file("tree.vtp"), "--mask", folder.file("lumen.nii.gz")});
+    ASSERT_EQ(traced.exitCode, 0) << traced.messages;
+    const auto tree = io::readVesselTree(folder.file("tree.vtp"));
+    ASSERT_TRUE(tree) << tree.error().message;
+    EXPECT_EQ(test::endsOf(tree.value()), 3);
+    EXPECT_TRUE(io::readLabels(folder.file("lumen.nii.gz")));
+    EXPECT_EQ(runCli({"trace-vessel", folder.file("tree.vtp"), "--output", folder.file("x.vtp")}).exitCode, 3);
+}
+
+/// Every odd, malformed or truncated file: a load or one clear message, quickly and in little memory.
+TEST(Cli, ExoticFilesLoadOrAreRefusedClearly)
+{
+    ANGIOPOSE_NEEDS_DATA("exotic-dicom");
+    int files = 0;
+    for (const std::string folder :
+         {"exotic-dicom", "exotic-lfs-pointers", "exotic-mesh", "exotic-nifti", "exotic-nrrd"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(test::dataFile(folder))) {
+            if (!entry.is_regular_file()) {
+                continue;
+            }
+            ++files;
+            const std::string path = entry.path().string();
+            const auto outcome = runCli({"info", path});
+            EXPECT_TRUE(outcome.exitCode == 0 || outcome.exitCode == 3) << path << ": " << outcome.exitCode;
+            EXPECT_LT(outcome.seconds, 10.0) << path;
+            EXPECT_LT(outcome.peakMemoryKiB, 1024 * 1024) << path;
+            if (outcome.exitCode == 3) {
+                EXPECT_EQ(std::count(outcome.messages.begin(), outcome.messages.end(), '\n'), 1) << outcome.messages;
+                EXPECT_NE(outcome.messages.find(entry.path().filename().string()), std::string::npos)
+                    << outcome.messages;
+            }
+        }
+    }
+    EXPECT_GT(files, 100);
+}
+
+TEST(Cli, InfoTellsEveryGeometryTagAndWhatFollows)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/views-A/IM3.dcm");
+    const std::string image = test::dataFile("coronary-phantom-xa/views-A/IM3.dcm").string();
+    const auto geometry = nlohmann::json::parse(runCli({"info", image, "--json"}).output)["geometry"];
+    EXPECT_EQ(geometry["columnSpacingMm"]["origin"], "derived");
+    EXPECT_EQ(geometry["header"]["(0018,1111) Distance Source to Patient"], "720");
+    EXPECT_NEAR(geometry["magnification"].get<double>(), 891.0 / 720.0, 1e-12);
+    EXPECT_TRUE(geometry["contradictions"].empty());
+    const auto readable = runCli({"info", image});
+    EXPECT_NE(readable.output.find("Positioner Primary Angle: -0.8"), std::string::npos) << readable.output;
+    EXPECT_NE(readable.output.find("as from the detector"), std::string::npos);
+}
+
+TEST(Cli, ValidateWarnsOfGeometryThatMakesNoSense)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    const TemporaryFolder folder;
+    const fs::path phantom = test::dataFile("coronary-phantom-xa");
+    writeText(folder.file("case.angiopose"),
+              R"({"format": "angiopose-case", "version": 1, "vessel": {"centerline": {"path": ")" +
+                  (phantom / "tree/Centerlines.vtk").string() + R"("}}, "angiogram": {"image": {"path": ")" +
+                  (phantom / "views-A/IM3.dcm").string() + R"("}}, "geometry": {"sourceToPatientMm": 900}})");
+    const auto outcome = runCli({"validate", folder.file("case.angiopose")});
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_NE(outcome.messages.find("behind the detector"), std::string::npos);
+}
+
+}   // namespace

@@ -1,0 +1,72 @@
+#include "io/case_file.h"
+#include "tests/cli/run_program.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/test_data.h"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+namespace fs = std::filesystem;
+using test::runCli;
+using test::TemporaryFolder;
+
+TEST(Cli, RegistersTwoViewsTogether)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    const TemporaryFolder folder;
+    const fs::path cases = test::dataFile("coronary-phantom-xa/cases");
+    const auto outcome = runCli({"register", (cases / "IM3.angiopose").string(), "--view",
+                                 (cases / "IM4.angiopose").string(), "--output", folder.file("joint"), "--json"});
+    ASSERT_TRUE(outcome.exitCode == 0 || outcome.exitCode == 4) << outcome.messages;
+    const auto joint = nlohmann::json::parse(outcome.output);
+    ASSERT_EQ(joint["views"].size(), 2U);
+    for (const auto& view : joint["views"]) {
+        EXPECT_LT(view["metrics"]["medianProjectionDistancePx"].get<double>(), 5.0);
+    }
+    EXPECT_EQ(joint["views"][0]["geometryCorrection"]["turnDeg"], 0.0);
+    EXPECT_LT(joint["views"][1]["geometryCorrection"]["turnDeg"].get<double>(), 2.0);
+    const auto alone =
+        runCli({"register", (cases / "IM3.angiopose").string(), "--output", folder.file("alone"), "--json"});
+    EXPECT_LT(joint["uncertainty"]["depthSigmaMm"].get<double>(),
+              nlohmann::json::parse(alone.output)["uncertainty"]["depthSigmaMm"].get<double>());
+    for (const char* name : {"joint.json", "result.json", "overlay.png", "view-2/result.json", "view-2/pose.tfm"}) {
+        EXPECT_TRUE(fs::exists(fs::path(folder.file("joint")) / name)) << name;
+    }
+}
+
+TEST(Cli, RegistersTheViewsThatStandInACase)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    const TemporaryFolder folder;
+    const fs::path cases = test::dataFile("coronary-phantom-xa/cases");
+    std::vector<std::string> warnings;
+    core::RegistrationCase both = io::loadCase((cases / "IM3.angiopose").string(), warnings).value();
+    both.otherViews = {{{},
+                        std::make_shared<const core::RegistrationCase>(
+                            io::loadCase((cases / "IM4.angiopose").string(), warnings).value())}};
+    ASSERT_TRUE(io::saveCase(both, folder.file("both.angiopose")));
+    const auto outcome =
+        runCli({"register", folder.file("both.angiopose"), "--output", folder.file("joint"), "--json"});
+    ASSERT_TRUE(outcome.exitCode == 0 || outcome.exitCode == 4) << outcome.messages;
+    EXPECT_EQ(nlohmann::json::parse(outcome.output)["views"].size(), 2U);
+    EXPECT_TRUE(fs::exists(fs::path(folder.file("joint")) / "view-2/result.json"));
+}
+
+TEST(Cli, FollowsTheVesselsThroughTheFramesOfARun)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    const TemporaryFolder folder;
+    const std::string path = test::dataFile("coronary-phantom-xa/cases/IM4.angiopose").string();
+    const auto outcome = runCli({"track", path, "--output", folder.file("poses.csv")});
+    ASSERT_TRUE(outcome.exitCode == 0 || outcome.exitCode == 4) << outcome.messages;
+    const std::string table = test::readText(folder.file("poses.csv"));
+    EXPECT_EQ(std::ranges::count(table, '\n'), 11) << table;   // header and ten frames
+    EXPECT_TRUE(table.starts_with("frame,trustworthy,searched,score,r11"));
+    EXPECT_EQ(runCli({"track", path, "--keep-pose"}).exitCode, 2);   // no --output
+}
+
+}   // namespace
