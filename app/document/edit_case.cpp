@@ -28,9 +28,7 @@ core::RigidTransform poseWith(const RegistrationCase& current, const std::shared
 std::unique_ptr<QUndoCommand> changeGeometry(CaseDocument& document, const RegistrationCase& wanted,
                                              const QString& text)
 {
-    return std::make_unique<ChangeGeometry>(
-        document, ChangeGeometry::Values{wanted.cArm, wanted.cameraOverride, wanted.cameraFromPatient, wanted.result},
-        text);
+    return std::make_unique<ChangeGeometry>(document, ChangeGeometry::valuesOf(wanted), text);
 }
 
 std::unique_ptr<QUndoCommand> editTree(CaseDocument& document, core::VesselTree tree, const QString& text)
@@ -62,63 +60,12 @@ std::unique_ptr<QUndoCommand> takeTrace(CaseDocument& document, const TracedTree
 
 std::unique_ptr<QUndoCommand> showView(CaseDocument& document, const RegistrationCase& wanted, const QString& text)
 {
-    return std::make_unique<ShowView>(document,
-                                      ShowView::Values{wanted.otherViews,
-                                                       wanted.imageFile,
-                                                       wanted.angiogram,
-                                                       wanted.storedRun,
-                                                       wanted.headerPlan,
-                                                       wanted.treatment,
-                                                       wanted.frame,
-                                                       wanted.targetFile,
-                                                       wanted.givenTarget,
-                                                       wanted.editedFrame,
-                                                       wanted.acceptedCurveIds,
-                                                       wanted.traceOptions,
-                                                       wanted.cArm,
-                                                       wanted.cameraOverride,
-                                                       wanted.hasInitialPose,
-                                                       wanted.initialCameraFromPatient,
-                                                       wanted.cameraFromPatient,
-                                                       wanted.landmarks,
-                                                       wanted.result,
-                                                       wanted.snapshots},
-                                      text);
+    return std::make_unique<ShowView>(document, ShowView::valuesOf(wanted), text);
 }
 
 std::unique_ptr<QUndoCommand> joinInputs(CaseDocument& document, const RegistrationCase& wanted, const QString& text)
 {
-    return std::make_unique<JoinInputs>(document,
-                                        JoinInputs::Values{wanted.title,
-                                                           wanted.centerlineFile,
-                                                           wanted.vesselInput,
-                                                           wanted.volume,
-                                                           wanted.scanFile,
-                                                           wanted.scanSeriesId,
-                                                           wanted.scanIdentity,
-                                                           wanted.lumen,
-                                                           wanted.tree,
-                                                           wanted.isTreeEdited,
-                                                           wanted.hiddenBranchIds,
-                                                           wanted.auxiliaryBranchIds,
-                                                           wanted.excludedBranchIds,
-                                                           wanted.imageFile,
-                                                           wanted.angiogram,
-                                                           wanted.storedRun,
-                                                           wanted.headerPlan,
-                                                           wanted.treatment,
-                                                           wanted.frame,
-                                                           wanted.targetFile,
-                                                           wanted.givenTarget,
-                                                           wanted.editedFrame,
-                                                           wanted.acceptedCurveIds,
-                                                           wanted.cArm,
-                                                           wanted.cameraOverride,
-                                                           wanted.hasInitialPose,
-                                                           wanted.cameraFromPatient,
-                                                           wanted.landmarks,
-                                                           wanted.result},
-                                        text);
+    return std::make_unique<JoinInputs>(document, JoinInputs::valuesOf(wanted), text);
 }
 
 }   // namespace app

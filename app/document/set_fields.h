@@ -25,6 +25,9 @@ public:
     {
     }
 
+    /// The fields as they are in `wanted`.
+    static Values valuesOf(const core::RegistrationCase& wanted) { return {wanted.*Fields...}; }
+
     void redo() override { swapWithDocument(); }
     void undo() override { swapWithDocument(); }
     int id() const override { return burst_; }

@@ -2,6 +2,7 @@
 
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
+#include "io/support/text_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,16 +64,8 @@ core::Result<CsvTable> parseCsv(std::string_view text, const std::string& path)
     CsvTable table;
     table.path = path;
     std::size_t width = 0;
-    int lineNumber = 0;
-    for (std::size_t start = 0; start < text.size();) {
-        const std::size_t end = std::min(text.find('\n', start), text.size());
-        const std::string_view line = trimmed(text.substr(start, end - start));
-        start = end + 1;
-        ++lineNumber;
-        if (line.empty() || line.front() == '#') {
-            continue;
-        }
-        std::vector<std::string_view> cells = splitCells(line);
+    for (TextLines lines(text); lines.next();) {
+        std::vector<std::string_view> cells = splitCells(lines.line());
         if (width == 0) {
             width = cells.size();
             table.hasHeader = !areNumbers(cells);
@@ -82,12 +75,12 @@ core::Result<CsvTable> parseCsv(std::string_view text, const std::string& path)
             }
         }
         if (cells.size() != width) {
-            return fileError(path, "line " + std::to_string(lineNumber) + " has " + std::to_string(cells.size()) +
+            return fileError(path, "line " + std::to_string(lines.number()) + " has " + std::to_string(cells.size()) +
                                        " columns, the first line has " + std::to_string(width) +
                                        ". Separate columns by commas and use . as decimal point.");
         }
         table.rows.push_back(std::move(cells));
-        table.lineOfRow.push_back(lineNumber);
+        table.lineOfRow.push_back(lines.number());
     }
     return table;
 }

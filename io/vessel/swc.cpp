@@ -2,6 +2,7 @@
 
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
+#include "io/support/text_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -122,26 +123,18 @@ core::Result<LineSet> parseSwc(std::string_view text, double unitMm, const std::
     LineSet set;
     std::unordered_map<long, std::size_t> indexOfId;
     std::vector<std::pair<long, int>> parents;   // of each point, with its line in the file
-    int lineNumber = 0;
-    for (std::size_t start = 0; start < text.size();) {
-        const std::size_t end = std::min(text.find('\n', start), text.size());
-        const std::string_view line = trimmed(text.substr(start, end - start));
-        start = end + 1;
-        ++lineNumber;
-        if (line.empty() || line.front() == '#') {
-            continue;
-        }
-        const auto row = parseRow(line);
+    for (TextLines lines(text); lines.next();) {
+        const auto row = parseRow(lines.line());
         if (!row || !(std::abs((*row)[0]) < 1e9) || !(std::abs((*row)[6]) < 1e9)) {
-            return fileError(path, "line " + std::to_string(lineNumber) +
+            return fileError(path, "line " + std::to_string(lines.number()) +
                                        " is not `id type x y z radius parent`. Correct the line or export it again.");
         }
         if (!indexOfId.emplace(static_cast<long>((*row)[0]), set.points.size()).second) {
-            return fileError(path, "line " + std::to_string(lineNumber) + " repeats an id. Ids must be unique.");
+            return fileError(path, "line " + std::to_string(lines.number()) + " repeats an id. Ids must be unique.");
         }
         set.points.emplace_back(unitMm * (*row)[2], unitMm * (*row)[3], unitMm * (*row)[4]);
         set.radius.push_back(unitMm * (*row)[5]);
-        parents.emplace_back(static_cast<long>((*row)[6]), lineNumber);
+        parents.emplace_back(static_cast<long>((*row)[6]), lines.number());
     }
     for (std::size_t i = 0; i < parents.size(); ++i) {
         if (parents[i].first < 0) {

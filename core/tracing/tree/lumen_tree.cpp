@@ -1,5 +1,6 @@
 #include "core/tracing/tree/lumen_tree.h"
 
+#include "core/imaging/interpolate_grid.h"
 #include "core/support/parallel_for.h"
 #include "core/tracing/tree/branch_paths.h"
 #include "core/tracing/tree/open_loops.h"
@@ -108,19 +109,9 @@ LumenTree lumenTree(const VoxelMask& lumen, const BloodFill& fill, const VesselT
 BloodFill fillOf(const VoxelMask& mask)
 {
     return [&mask](const Eigen::Vector3d& pointMm) {
-        const VolumeGeometry& grid = mask.geometry;
-        const Eigen::Vector3d voxel = pointMm.cwiseQuotient(grid.spacingMm);
-        const Eigen::Vector3d low = voxel.array().floor();
-        const Eigen::Vector3d share = voxel - low;
-        double sum = 0.0;
-        for (int corner = 0; corner < 8; ++corner) {
-            const Eigen::Vector3i step(corner & 1, corner >> 1 & 1, corner >> 2);
-            // Beyond the rim a vessel goes on as it left.
-            const Eigen::Vector3i at = (low.cast<int>() + step).cwiseMax(0).cwiseMin((grid.size.array() - 1).matrix());
-            const Eigen::Vector3d weight = (step.array() != 0).select(share.array(), 1.0 - share.array());
-            sum += weight.prod() * (mask.at(at.x(), at.y(), at.z()) != 0 ? 1.0 : 0.0);
-        }
-        return sum;
+        return interpolated(mask.geometry, pointMm, [&mask](const Eigen::Vector3i& at) {
+            return mask.at(at.x(), at.y(), at.z()) != 0 ? 1.0 : 0.0;
+        });
     };
 }
 

@@ -1,5 +1,6 @@
 #include "core/tracing/volume/segment_lumen.h"
 
+#include "core/imaging/interpolate_grid.h"
 #include "core/support/parallel_for.h"
 #include "core/tracing/volume/mark_tubes.h"
 #include "core/tracing/volume/voxel_pieces.h"
@@ -226,22 +227,11 @@ VoxelMask segmentLumen(const Volume& volume, const AxisOrder& order, const Blood
 BloodFill fillOf(const Volume& volume, const AxisOrder& order, const BloodLevel& level, const VoxelMask& lumen)
 {
     return [&volume, order, level, &lumen](const Eigen::Vector3d& pointMm) {
-        const VolumeGeometry& grid = order.geometry;
-        const Eigen::Vector3d voxel = pointMm.cwiseQuotient(grid.spacingMm);
-        const Eigen::Vector3d low = voxel.array().floor();
-        const Eigen::Vector3d share = voxel - low;
-        double sum = 0.0;
-        for (int corner = 0; corner < 8; ++corner) {
-            const Eigen::Vector3i step(corner & 1, corner >> 1 & 1, corner >> 2);
-            // Beyond the rim a vessel goes on as it left.
-            const Eigen::Vector3i at = (low.cast<int>() + step).cwiseMax(0).cwiseMin((grid.size.array() - 1).matrix());
-            const Eigen::Vector3d weight = (step.array() != 0).select(share.array(), 1.0 - share.array());
-            double fill = (volume.value(order.stored(at.x(), at.y(), at.z())) - level.tissue) / level.contrast();
+        return interpolated(order.geometry, pointMm, [&](const Eigen::Vector3i& at) {
+            const double fill = (volume.value(order.stored(at.x(), at.y(), at.z())) - level.tissue) / level.contrast();
             const std::uint8_t kind = lumen.at(at.x(), at.y(), at.z());
-            fill = kind == 2 ? 1.0 : fill >= 0.5 && kind == 0 ? 0.0 : std::clamp(fill, -1.0, 1.3);
-            sum += weight.prod() * fill;
-        }
-        return sum;
+            return kind == 2 ? 1.0 : fill >= 0.5 && kind == 0 ? 0.0 : std::clamp(fill, -1.0, 1.3);
+        });
     };
 }
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/imaging/volume.h"
+
+#include <Eigen/Core>
+
+namespace core {
+
+/// Linear interpolation between the eight voxels around a point; beyond the rim the last voxels go on.
+/// `pointMm` is in mm along the axes of the grid from its first voxel; `valueAt(Eigen::Vector3i)` gives a voxel's
+/// value.
+template <class ValueAt>
+double interpolated(const VolumeGeometry& grid, const Eigen::Vector3d& pointMm, const ValueAt& valueAt)
+{
+    const Eigen::Vector3d voxel = pointMm.cwiseQuotient(grid.spacingMm);
+    const Eigen::Vector3d low = voxel.array().floor();
+    const Eigen::Vector3d share = voxel - low;
+    double sum = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Eigen::Vector3i step(corner & 1, corner >> 1 & 1, corner >> 2);
+        const Eigen::Vector3i at = (low.cast<int>() + step).cwiseMax(0).cwiseMin((grid.size.array() - 1).matrix());
+        const Eigen::Vector3d weight = (step.array() != 0).select(share.array(), 1.0 - share.array());
+        sum += weight.prod() * valueAt(at);
+    }
+    return sum;
+}
+
+}   // namespace core
