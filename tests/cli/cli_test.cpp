@@ -26,6 +26,25 @@ TEST(Cli, WrongUsageGivesTwo)
     EXPECT_EQ(runCli({"simulate", "--seed", "many", "--output", "x"}).exitCode, 2);
 }
 
+TEST(Cli, TellsWhatWasPerhapsMeant)
+{
+    EXPECT_NE(runCli({"regsiter", "a"}).messages.find("There is no command 'regsiter'. Did you mean register?"),
+              std::string::npos);
+    const auto option = runCli({"register", "a", "--outptu=b"});
+    EXPECT_EQ(option.exitCode, 2);
+    EXPECT_NE(option.messages.find("There is no option --outptu. Did you mean --output?"), std::string::npos);
+    EXPECT_NE(option.messages.find("angiopose-cli register --help"), std::string::npos);
+    EXPECT_EQ(runCli({"dance"}).messages.find("Did you mean"), std::string::npos);
+}
+
+TEST(Cli, HelpMayBeAskedForInWords)
+{
+    const auto asked = runCli({"help", "trace-vessel"});
+    EXPECT_EQ(asked.exitCode, 0);
+    EXPECT_EQ(asked.output, runCli({"trace-vessel", "--help"}).output);
+    EXPECT_EQ(runCli({"help"}).output, runCli({"--help"}).output);
+}
+
 TEST(Cli, AMissingInputIsNamed)
 {
     for (const std::string command : {"register", "info", "validate"}) {

@@ -1,0 +1,99 @@
+#include "app/cli/case_commands.h"
+
+#include "app/cli/commands.h"
+#include "app/cli/method_list.h"
+#include "core/registration/registration_options.h"
+
+#include <memory>
+
+namespace app {
+namespace {
+
+std::string optionList()
+{
+    std::string text = "Options of --set, with their range:";
+    for (const core::OptionField& field : core::optionFields()) {
+        text += "\n  " + std::string(field.key);
+        if (!field.choices.empty()) {
+            text += "=";
+            for (const std::string_view choice : field.choices) {
+                text += (text.back() == '=' ? "" : "|") + std::string(choice);
+            }
+        }
+        text += "  " + std::string(field.help);
+    }
+    return text;
+}
+
+}   // namespace
+
+void addRegister(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("register", "Find the pose of the vessel tree in the angiogram of a case");
+    auto arguments = std::make_shared<RegisterArguments>();
+    command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
+    command->add_option("--method", arguments->method, "Method id; see the list below");
+    command->add_option("--set", arguments->options, "Option of the method as key=value; may be repeated");
+    command->add_option("--auxiliary", arguments->auxiliaryBranchIds, "Branches of the auxiliary problem, e.g. 1,2,5")
+        ->delimiter(',');
+    command->add_option("--exclude", arguments->excludedBranchIds, "Branches left out, e.g. 7,9")->delimiter(',');
+    command->add_option("--lock", arguments->locks, "What stays as it is, of " + core::poseAxisIds() + ", or none")
+        ->delimiter(',');
+    command->add_option("--frame", arguments->frame, "Frame of the angiogram, from 0");
+    command->add_option("--view", arguments->otherViews,
+                        "Case of the same vessels in another view, registered together; may be repeated");
+    command->add_option("--output", arguments->outputFolder,
+                        "Folder for result.json, overlay.png and pose.tfm (default: CASE-registered)");
+    command->add_flag_callback(
+        "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print the result as JSON and nothing else");
+    command->footer([] {
+        return methodList() + "\n\n" + optionList() +
+               "\n\nExample: angiopose-cli register case.angiopose --method angiopose --output result";
+    });
+    command->callback([arguments, &exitCode] { exitCode = runRegister(*arguments); });
+}
+
+void addTrack(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("track", "Follow the vessels of a case through the frames of its run");
+    auto arguments = std::make_shared<TrackArguments>();
+    command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
+    command->add_option("--output", arguments->outputPath, "Table of poses to write, .csv")->required();
+    command->add_flag("--keep-pose", arguments->keepPose,
+                      "Follow from the pose of the case (default: its frame is registered first)");
+    command->footer("Example: angiopose-cli track case.angiopose --output poses.csv");
+    command->callback([arguments, &exitCode] { exitCode = runTrack(*arguments); });
+}
+
+void addProject(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("project", "Draw the projected tree of a case at a given pose");
+    auto arguments = std::make_shared<ProjectArguments>();
+    command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
+    command->add_option("--pose", arguments->posePath, "Pose: .json or .tfm (default: the pose of the case)");
+    command->add_option("--output", arguments->outputPath, "Picture to write, .png")->required();
+    command->add_option("--width", arguments->widthPx, "Width of the picture in pixels (default: twice the image)")
+        ->check(CLI::Range(64, 8192));
+    command->add_option("--frame", arguments->frame, "Frame of the angiogram, from 0");
+    command->footer("Example: angiopose-cli project case.angiopose --pose result/result.json --output overlay.png");
+    command->callback([arguments, &exitCode] { exitCode = runProject(*arguments); });
+}
+
+void addBatch(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("batch", "Register many cases; one that fails never stops the others");
+    auto arguments = std::make_shared<BatchArguments>();
+    command
+        ->add_option("MANIFEST", arguments->manifestPath,
+                     "CSV with the column case (paths, relative to it), and where wanted name, method, frame")
+        ->required();
+    command->add_option("--shard", arguments->shard, "Part I of N of the rows, as I/N")->capture_default_str();
+    command->add_option("--output", arguments->outputFolder, "Folder for summary.csv and a folder for each case")
+        ->required();
+    command->footer(
+        "Exit codes: 0 all done, 3 some failed, 4 some not trustworthy, 130 stopped; summary.csv says which.\n\n"
+        "Example: angiopose-cli batch cases.csv --output results");
+    command->callback([arguments, &exitCode] { exitCode = runBatch(*arguments); });
+}
+
+}   // namespace app

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace app {
+
+/// Adds the commands that work on cases; each sets `exitCode` when it runs.
+void addRegister(CLI::App& app, int& exitCode);
+void addTrack(CLI::App& app, int& exitCode);
+void addProject(CLI::App& app, int& exitCode);
+void addBatch(CLI::App& app, int& exitCode);
+
+}   // namespace app

@@ -1,0 +1,60 @@
+#include "app/cli/file_commands.h"
+
+#include "app/cli/commands.h"
+
+#include <memory>
+
+namespace app {
+namespace {
+
+void addFileCommand(CLI::App& app, int& exitCode, const std::string& name, const std::string& help,
+                    int (*run)(const FileArguments&))
+{
+    auto* command = app.add_subcommand(name, help);
+    auto arguments = std::make_shared<FileArguments>();
+    command->add_option("FILE", arguments->path)->required();
+    command->add_flag_callback(
+        "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print JSON and nothing else");
+    command->footer("Example: angiopose-cli " + name + " case.angiopose");
+    command->callback([arguments, run, &exitCode] { exitCode = run(*arguments); });
+}
+
+}   // namespace
+
+void addTraceAngiogram(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("trace-angiogram", "Trace the vessels of an angiogram as 2-D centrelines");
+    auto arguments = std::make_shared<TraceAngiogramArguments>();
+    command->add_option("IMAGE", arguments->imagePath, "DICOM, PNG, TIFF or JPEG")->required();
+    command->add_option("--frame", arguments->frame, "Frame, from 0 (default: the fullest)");
+    command->add_option("--output", arguments->outputPath, "Centrelines to write, .csv")->required();
+    command->add_option("--mask", arguments->maskPath, "Vessel mask to write, .png");
+    command->add_option("--sensitivity", arguments->sensitivity, "Above 1: fainter vessels too")
+        ->check(CLI::Range(0.2, 5.0));
+    command->add_flag("--subtract", arguments->subtract, "Subtract the frames before the contrast first");
+    command->add_option("--mask-frames", arguments->maskFrames, "Frames to average and subtract, from 0")
+        ->delimiter(',');
+    command->add_option("--mask-shift", arguments->maskShiftPx, "Px right,down that they move (default: found)")
+        ->delimiter(',')
+        ->expected(2);
+    command
+        ->add_option_function<std::string>(
+            "--composite", [arguments](const std::string&) { arguments->composite = true; },
+            "Trace all frames in one: minimum (what each pixel is filled with at most)")
+        ->check(CLI::IsMember({"minimum"}))
+        ->excludes("--frame");
+    command->footer("Example: angiopose-cli trace-angiogram run.dcm --frame 5 --output centreline.csv --mask mask.png");
+    command->callback([arguments, &exitCode] { exitCode = runTraceAngiogram(*arguments); });
+}
+
+void addInfo(CLI::App& app, int& exitCode)
+{
+    addFileCommand(app, exitCode, "info", "Say what a file holds and what follows from it", runInfo);
+}
+
+void addValidate(CLI::App& app, int& exitCode)
+{
+    addFileCommand(app, exitCode, "validate", "Check a case file and name every problem", runValidate);
+}
+
+}   // namespace app

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace app {
+
+/// Adds the commands that look at files and angiograms; each sets `exitCode` when it runs.
+void addTraceAngiogram(CLI::App& app, int& exitCode);
+void addInfo(CLI::App& app, int& exitCode);
+void addValidate(CLI::App& app, int& exitCode);
+
+}   // namespace app

@@ -1,0 +1,16 @@
+#include "app/cli/method_list.h"
+
+#include "core/registration/registration_options.h"
+
+namespace app {
+
+std::string methodList()
+{
+    std::string text = "Methods:";
+    for (const core::MethodInfo& method : core::methodInfos()) {
+        text += "\n  " + std::string(method.id) + "  " + std::string(method.summary);
+    }
+    return text;
+}
+
+}   // namespace app

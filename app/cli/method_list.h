@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace app {
+
+/// For the help of commands: every method id with its summary.
+std::string methodList();
+
+}   // namespace app

@@ -1,0 +1,86 @@
+#include "app/cli/study_commands.h"
+
+#include "app/cli/commands.h"
+#include "app/cli/method_list.h"
+#include "core/evaluation/protocol.h"
+
+#include <memory>
+
+namespace app {
+namespace {
+
+std::string protocolList()
+{
+    std::string text = "Experiments, and their conditions (* runs when none is asked for):";
+    for (const core::Protocol& protocol : core::protocols()) {
+        text += "\n  " + std::string(protocol.id) + "  " + std::string(protocol.summary) + " " +
+                std::to_string(protocol.defaultTrials) + " trials.\n   ";
+        for (const core::Condition& condition : protocol.conditions) {
+            text += " " + condition.id + (condition.isStandard ? "*" : "");
+        }
+    }
+    return text;
+}
+
+std::vector<std::string> protocolIds()
+{
+    std::vector<std::string> ids;
+    for (const core::Protocol& protocol : core::protocols()) {
+        ids.emplace_back(protocol.id);
+    }
+    return ids;
+}
+
+}   // namespace
+
+void addSimulate(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("simulate", "Make a synthetic case whose pose is known");
+    auto arguments = std::make_shared<SimulateArguments>();
+    command->add_option("--seed", arguments->seed, "Same seed, same case")->required();
+    command->add_option("--output", arguments->outputFolder, "Folder for the case and its files")->required();
+    command->add_option("--branches", arguments->branches, "Number of branches")->check(CLI::Range(1, 200));
+    command->add_option("--non-rigid", arguments->nonRigidMm, "Smooth deformation of the true vessel, std in mm")
+        ->check(CLI::Range(0.0, 10.0));
+    command->footer("Example: angiopose-cli simulate --seed 7 --output demo");
+    command->callback([arguments, &exitCode] { exitCode = runSimulate(*arguments); });
+}
+
+void addEvaluate(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("evaluate", "Run an experiment whose answers are known; print and write tables");
+    auto arguments = std::make_shared<EvaluateArguments>();
+    command->add_option("EXPERIMENT", arguments->protocol, "See the list below")
+        ->required()
+        ->check(CLI::IsMember(protocolIds()));
+    command
+        ->add_option("--method", arguments->methods,
+                     "Methods, comma-separated, the one to compare with first; settings after colons: "
+                     "dynaweight:seed_mean:rotationFirst=off. Groups: all, ablation")
+        ->capture_default_str();
+    command->add_option("--condition", arguments->conditions,
+                        "Conditions or their beginnings, comma-separated, or all");
+    command->add_option("--trials", arguments->trials, "Trials of each condition")
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{10000000}));
+    command->add_option("--seed", arguments->seed, "Another seed, other trees and start poses")->capture_default_str();
+    command
+        ->add_option("--threads", arguments->threads, "Changes the time only, never the numbers (default: all cores)")
+        ->check(CLI::Range(1, 1024));
+    auto* shard =
+        command->add_option("--shard", arguments->shard, "Part I of N of the trials, as I/N")->capture_default_str();
+    command
+        ->add_option("--merge", arguments->mergedFolders,
+                     "Run nothing: bring the runs in these folders together (shards, methods or conditions)")
+        ->excludes(shard);
+    command->add_option("--output", arguments->outputFolder, "Folder for tables, plots and runs.csv")->required();
+    command->footer([] {
+        return protocolList() + "\n\n" + methodList() +
+               "\n\nExamples: angiopose-cli evaluate simulation --trials 200 --output simulation\n"
+               "          angiopose-cli evaluate simulation --method ablation --condition cam-2-5 --output ablation\n"
+               "          angiopose-cli evaluate toy --shard 1/2 --output a   (and 2/2 to b, on another machine)\n"
+               "          angiopose-cli evaluate toy --merge a b --output toy";
+    });
+    command->callback([arguments, &exitCode] { exitCode = runEvaluate(*arguments); });
+}
+
+}   // namespace app

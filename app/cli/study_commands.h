@@ -1,0 +1,11 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace app {
+
+/// Adds the commands whose answers are known; each sets `exitCode` when it runs.
+void addSimulate(CLI::App& app, int& exitCode);
+void addEvaluate(CLI::App& app, int& exitCode);
+
+}   // namespace app
