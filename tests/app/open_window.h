@@ -17,7 +17,11 @@
 
 namespace test {
 
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr int patienceMs = 300000;
+#else
 inline constexpr int patienceMs = 60000;
+#endif
 
 /// A shown window with everything behind it, driven by real events.
 class OpenWindow {
