@@ -9,8 +9,8 @@ namespace core {
 
 std::span<const Protocol> protocols()
 {
-    static const std::vector<Protocol> rows{toyProtocol(), simulationProtocol(), robustnessProtocol(),
-                                            clinicalProtocol(), captureRangeProtocol()};
+    static const std::vector<Protocol> rows{toyProtocol(),      simulationProtocol(),   robustnessProtocol(),
+                                            clinicalProtocol(), captureRangeProtocol(), trustProtocol()};
     return rows;
 }
 

@@ -62,9 +62,11 @@ void readResult(const Trial& trial, const RegistrationResult& result, RunRecord&
     record.closestMeanPx = result.metrics.meanPx;
     record.reverseMeanPx = result.metrics.reverseMeanPx;
     record.coverage = result.metrics.coverage;
-    record.nees = normalizedErrorSquared(
-        errorAboutCentroid(centroidInPatient(*trial.tree), {result.cameraFromPatient, trial.trueCameraFromPatient}),
-        result.uncertainty.covariance);
+    if (trial.hasRightAnswer) {
+        record.nees = normalizedErrorSquared(
+            errorAboutCentroid(centroidInPatient(*trial.tree), {result.cameraFromPatient, trial.trueCameraFromPatient}),
+            result.uncertainty.covariance);
+    }
     record.targetMs = result.time.targetMs;
     record.searchMs = result.time.searchMs;
     record.solveMs = result.time.solveMs;
@@ -93,8 +95,10 @@ std::optional<RunRecord> runTrial(const Trial& trial, const Contestant& contesta
     measureStart(trial, record);
     const PosePair poses{result ? result.value().cameraFromPatient : trial.input.initialCameraFromPatient,
                          trial.trueCameraFromPatient};
-    measureProjection(trial, poses, record);
-    measurePose(trial, poses, record);
+    if (trial.hasRightAnswer) {
+        measureProjection(trial, poses, record);
+        measurePose(trial, poses, record);
+    }
     if (trial.errorBound) {
         record.boundRmsPx =
             rmsProjectionPx(*trial.tree, trial.input.camera, trial.trueCameraFromPatient, *trial.errorBound);

@@ -111,7 +111,7 @@ std::vector<OptionField> solverFields()
                              0.0, 200.0, 0)),
         onlyFor(ours, within(number<&Options::searchTiltDeg>("searchTiltDeg", "Search tilt", "°",
                                                              "How far the search reaches in LAO/RAO and CRA/CAU."),
-                             0.0, 45.0, 1)),
+                             0.0, 90.0, 1)),
         onlyFor(ours, within(number<&Options::searchRollDeg>("searchRollDeg", "Search roll", "°",
                                                              "How far the search turns the vessels in the image."),
                              0.0, 180.0, 1)),

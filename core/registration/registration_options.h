@@ -91,8 +91,8 @@ struct RegistrationOptions {
     // angiopose
     double search = 1;   ///< 1: coarse search before refining, 0: refine the start pose only
     double searchRadiusMm = 130.0;   ///< lateral reach of the coarse search; only starts that do not fit need it
-    double searchTiltDeg = 30.0;   ///< reach of the coarse search in LAO/RAO and CRA/CAU
-    double searchRollDeg = 30.0;   ///< reach of the coarse search in roll
+    double searchTiltDeg = 90.0;   ///< reach of the search in LAO/RAO and CRA/CAU
+    double searchRollDeg = 180.0;   ///< reach of the search in roll
     double priorRotationDeg = 8.0;   ///< 1-σ of the start pose's rotation
     double priorLateralMm = 30.0;   ///< 1-σ of the start pose across the ray
     double priorDepthMm = 30.0;   ///< 1-σ of the start pose along the ray

@@ -112,7 +112,7 @@ const std::vector<double>& captureBinEdgesMm()
         for (int mm = 1; mm <= 20; ++mm) {
             values.push_back(mm);
         }
-        for (int mm = 25; mm <= 100; mm += 5) {
+        for (int mm = 25; mm <= 150; mm += 5) {
             values.push_back(mm);
         }
         return values;

@@ -1,8 +1,6 @@
 #include "core/evaluation/protocols/phantoms.h"
 #include "core/evaluation/protocols/protocol_rows.h"
-#include "core/simulation/simulated_case.h"
-#include "core/support/stopwatch.h"
-#include "core/tracing/trace_angiogram.h"
+#include "core/evaluation/protocols/traced_trial.h"
 
 namespace core {
 namespace {
@@ -26,26 +24,6 @@ const std::vector<Setting>& settings()
     return rows;
 }
 
-/// A view whose tracing fails keeps an empty target: every method then fails on it.
-Trial makeTrial(const SimulatedCase& view)
-{
-    Trial trial;
-    Stopwatch stopwatch;
-    const auto traced = traceAngiogram(view.angiogram.frames.front(), view.angiogram.polarity);
-    trial.traceMs = stopwatch.lapMs();
-    if (traced) {
-        trial.input.target = traced.value().centerline;
-    }
-    trial.input.image = std::make_shared<const ImageF>(view.angiogram.frames.front());
-    trial.input.polarity = view.angiogram.polarity;
-    trial.input.tree = view.tree;
-    trial.input.camera = view.camera;
-    trial.input.initialCameraFromPatient = view.initialCameraFromPatient;
-    trial.tree = std::make_shared<const VesselTree>(view.tree);
-    trial.trueCameraFromPatient = view.trueCameraFromPatient;
-    return trial;
-}
-
 TrialMaker prepare(std::size_t condition, std::uint64_t seed)
 {
     return [nonRigidStdMm = settings()[condition].nonRigidStdMm, seed](std::uint64_t number) {
@@ -53,7 +31,7 @@ TrialMaker prepare(std::size_t condition, std::uint64_t seed)
         dsa.frameCount = 1;
         dsa.nonRigidStdMm = nonRigidStdMm;
         const std::uint64_t treeSeed = seed * seedsPerExperiment + number % anatomies;
-        return makeTrial(simulateView(treeSeed, trialRandom(clinicalNumber, seed, number)(), {}, dsa));
+        return tracedTrial(simulateView(treeSeed, trialRandom(clinicalNumber, seed, number)(), {}, dsa));
     };
 }
 

@@ -10,7 +10,8 @@ enum ProtocolNumber : std::uint64_t {
     simulationNumber,
     robustnessNumber,
     clinicalNumber,
-    captureRangeNumber
+    captureRangeNumber,
+    trustNumber
 };
 
 Protocol toyProtocol();
@@ -18,6 +19,7 @@ Protocol simulationProtocol();
 Protocol robustnessProtocol();
 Protocol clinicalProtocol();
 Protocol captureRangeProtocol();
+Protocol trustProtocol();
 
 template <class Setting>
 std::vector<Condition> conditionsOf(const std::vector<Setting>& settings)

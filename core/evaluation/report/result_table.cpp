@@ -9,11 +9,9 @@ namespace core {
 std::vector<ResultTable> tablesOf(const RunSet& runs)
 {
     using Layout = std::vector<ResultTable> (*)(const RunGroups&);
-    static const std::map<std::string_view, Layout> errorLayouts{{"toy", toyTables},
-                                                                 {"simulation", simulationTables},
-                                                                 {"robustness", robustnessTables},
-                                                                 {"clinical", clinicalTables},
-                                                                 {"capture-range", captureRangeTables}};
+    static const std::map<std::string_view, Layout> errorLayouts{
+        {"toy", toyTables},           {"simulation", simulationTables},      {"robustness", robustnessTables},
+        {"clinical", clinicalTables}, {"capture-range", captureRangeTables}, {"trust", trustTables}};
     const RunGroups groups(runs);
     std::vector<ResultTable> tables;
     for (const Layout layout : {errorLayouts.at(groups.protocol().id), Layout(statisticsTables), Layout(ablationTables),

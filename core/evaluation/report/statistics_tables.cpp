@@ -65,7 +65,8 @@ std::vector<ResultTable::Row> rowsOf(const RunGroups& groups, const Condition& c
 
 std::vector<ResultTable> statisticsTables(const RunGroups& groups)
 {
-    if (groups.methods().size() < 2 || groups.protocol().id == "capture-range") {
+    const std::string_view protocol = groups.protocol().id;
+    if (groups.methods().size() < 2 || protocol == "capture-range" || protocol == "trust") {
         return {};
     }
     ResultTable table;

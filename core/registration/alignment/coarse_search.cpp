@@ -13,9 +13,7 @@ constexpr int blockPx = 16;   // step of the shifts
 constexpr int phasePx = 4;   // resolution of the closeness image
 constexpr int phases = blockPx / phasePx;
 constexpr std::size_t keptPerOrientation = 3;
-constexpr std::size_t keptCandidates = 12;
 constexpr std::size_t maxPoints = 257;   // sums of bytes must fit 16 bits
-constexpr double worthTrying = 0.8;   // of the best score
 constexpr double basinPx = 24.0;
 constexpr double basinSteps = 0.75;   // of the turns
 constexpr double beyondReach = 1.2;   // tilts on the diagonal may be this much longer
@@ -37,40 +35,6 @@ std::vector<double> anglesWithin(double reachDeg, double stepDeg)
 std::vector<double> anglesWithin(double reachDeg, const SearchReach& reach, PoseAxis axis)
 {
     return anglesWithin(reach.freedom.isLocked(axis) ? 0.0 : reachDeg, reach.stepDeg);
-}
-
-/// How near two poses must be to lead to the same optimum.
-struct Basin {
-    double shiftMm;
-    double turn;   ///< rad
-
-    bool holds(const CoarseCandidate& a, const CoarseCandidate& b) const
-    {
-        return (a.pose.centroidInCamera - b.pose.centroidInCamera).norm() < shiftMm &&
-               angleBetween(a.pose.rotation, b.pose.rotation) < turn;
-    }
-};
-
-/// The best candidate of each basin, best first.
-std::vector<CoarseCandidate> distinct(std::vector<CoarseCandidate> candidates, const Basin& basin)
-{
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const CoarseCandidate& a, const CoarseCandidate& b) { return a.score > b.score; });
-    std::vector<CoarseCandidate> best;
-    for (const CoarseCandidate& candidate : candidates) {
-        if (candidate.score < worthTrying * candidates.front().score) {
-            break;
-        }
-        const bool isNew = std::none_of(best.begin(), best.end(),
-                                        [&](const CoarseCandidate& other) { return basin.holds(candidate, other); });
-        if (isNew) {
-            best.push_back(candidate);
-        }
-        if (best.size() == keptCandidates) {
-            break;
-        }
-    }
-    return best;
 }
 
 }   // namespace

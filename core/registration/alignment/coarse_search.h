@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/registration/alignment/alignment.h"
+#include "core/registration/alignment/coarse_candidate.h"
 #include "core/registration/registration.h"
 
 #include <cstdint>
@@ -16,11 +17,6 @@ struct SearchReach {
     double rollDeg = 10.0;
     double stepDeg = 4.0;
     PoseFreedom freedom{};   ///< locked degrees of freedom are not searched
-};
-
-struct CoarseCandidate {
-    CentroidPose pose;
-    double score = 0.0;   ///< mean closeness of the tree to the target, 0…1
 };
 
 /// Exhaustive search over tilts, rolls and 2-D shifts (ALGORITHMS §6.8): a closeness image of the target, split so that

@@ -41,7 +41,7 @@ void PoseRanking::add(const CentroidPose& hypothesis)
 ScoredPose PoseRanking::scored(const CentroidPose& pose, StopReason stopReason)
 {
     const double agreement = agreement_.of(pose);
-    return {pose, agreement * std::exp(-perUnitOfPrior * prior_.cost(pose)), agreement, stopReason};
+    return {pose, agreement / (1.0 + perUnitOfPrior * prior_.cost(pose)), agreement, stopReason};
 }
 
 std::vector<ScoredPose> PoseRanking::distinct(double share, std::size_t count) const

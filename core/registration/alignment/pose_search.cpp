@@ -1,6 +1,7 @@
 #include "core/registration/alignment/pose_search.h"
 
 #include "core/registration/alignment/coarse_search.h"
+#include "core/registration/alignment/junction_search.h"
 
 #include <algorithm>
 
@@ -13,7 +14,9 @@ constexpr std::size_t auxiliaryCandidates = 4;
 // 3σ of the start poses that headers give (ALGORITHMS §4.4): 15 mm across the ray, 1° per angle and some roll.
 const SearchReach nearbyReach{45.0, 8.0, 8.0, 4.0};
 constexpr double nearbyClosenessPx = 11.0;
-constexpr double wideStepDeg = 7.5;
+constexpr double anyDistance = 1e9;
+const SearchReach wideReach{anyDistance, 30.0, 30.0, 7.5};
+const SearchReach farthestReach{anyDistance, 90.0, 180.0};
 constexpr double wideClosenessPx = 16.0;
 
 std::vector<CentroidPose> posesOf(const std::vector<CoarseCandidate>& candidates, std::size_t count)
@@ -52,10 +55,16 @@ std::vector<CentroidPose> PoseSearch::nearby(const CentroidPose& start, const Se
 std::vector<CentroidPose> PoseSearch::wide(const CentroidPose& start, const SearchObserver& observe) const
 {
     const auto points = alignmentPoints(problem_.tree, strideFor(problem_.tree.size(), searchPoints));
-    const SearchReach reach{options_.searchRadiusMm, options_.searchTiltDeg, options_.searchRollDeg, wideStepDeg,
-                            problem_.freedom};
     const CoarseSearch search(problem_.camera, target_, wideClosenessPx);
-    return posesOf(search.find(points, start, reach, observe), points.size());
+    return posesOf(search.find(points, start, within(wideReach, options_, problem_.freedom), observe), points.size());
+}
+
+std::vector<CentroidPose> PoseSearch::byJunctions(const CentroidPose& start, const SearchObserver& observe) const
+{
+    const JunctionSearch search(problem_, target_);
+    const std::vector<CoarseCandidate> found =
+        search.find(start, within(farthestReach, options_, problem_.freedom), observe);
+    return posesOf(found, found.size());
 }
 
 std::vector<CentroidPose> PoseSearch::ofAuxiliary(const CentroidPose& start, const SearchObserver& observe) const

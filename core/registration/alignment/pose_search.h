@@ -18,8 +18,11 @@ public:
     /// As far as a start pose by the DICOM header is off: fine turns, short shifts.
     std::vector<CentroidPose> nearby(const CentroidPose& start, const SearchObserver& observe) const;
 
-    /// All of the reach, in coarse turns.
+    /// All of the shifts and turns of up to 30°, in coarse steps.
     std::vector<CentroidPose> wide(const CentroidPose& start, const SearchObserver& observe) const;
+
+    /// All of the reach, by bifurcations.
+    std::vector<CentroidPose> byJunctions(const CentroidPose& start, const SearchObserver& observe) const;
 
     /// The chosen {p'} alone, over the short reach.
     std::vector<CentroidPose> ofAuxiliary(const CentroidPose& start, const SearchObserver& observe) const;

@@ -29,7 +29,7 @@ RegistrationResult judgePose(const RegistrationProblem& problem, const Registrat
     result.alternatives = solution.alternatives;
     result.time = solution.time;
 
-    Evidence evidence{problem, projected, result};
+    Evidence evidence{problem, projected, result, *lines};
     evidence.agreement = solution.agreement
                              ? *solution.agreement
                              : AgreementScore(problem, *lines).of(aboutCentroid(pose, problem.tree.centroid));

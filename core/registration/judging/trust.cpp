@@ -13,6 +13,9 @@ constexpr double maxSettlingMm = 1.3;
 constexpr double maxExpectedErrorMm = 1.2;
 constexpr double maxRivalMm = 2.0;   // nearer alternatives change nothing for the user
 constexpr double minInView = 0.4;   // of the tree's points
+// Wrong poses follow up to 0.3 of the tree inside the image, right ones of trees that the image cuts off 0.47 and more.
+constexpr double convincingShare = 0.4;
+constexpr int convincingBranches = 4;
 constexpr double maxRotationStdDeg = 3.0;
 constexpr double maxInPlaneStdMm = 3.0;
 
@@ -40,16 +43,27 @@ double agreeingShare(const ProjectedTree& projected)
     return static_cast<double>(agreeing) / static_cast<double>(projected.distancePx.size());
 }
 
+/// What the image shows of the tree runs along traced vessels, however much lies outside.
+bool followsVessels(const Evidence& evidence)
+{
+    const FollowedVessels followed =
+        followedVessels(evidence.problem, evidence.target, evidence.result.cameraFromPatient, evidence.projected);
+    return followed.share() >= convincingShare && followed.branchesFollowed >= convincingBranches;
+}
+
 void judgeFit(const Evidence& evidence, std::vector<std::string>& reasons)
 {
     const double inView = shareOf(evidence.projected.isInView);
-    if (inView < minInView) {
-        reasons.push_back("Only " + percent(inView) + " of the vessel tree lies inside the image.");
-    }
-    if (evidence.agreement < minAgreement) {
-        reasons.push_back("Only " + percent(agreeingShare(evidence.projected)) +
-                          " of the vessel tree lies on a traced vessel, and it explains " +
-                          percent(evidence.result.metrics.coverage) + " of the traced vessels.");
+    const bool isDoubtful = inView < minInView || evidence.agreement < minAgreement;
+    if (isDoubtful && !followsVessels(evidence)) {
+        if (inView < minInView) {
+            reasons.push_back("Only " + percent(inView) + " of the vessel tree lies inside the image.");
+        }
+        if (evidence.agreement < minAgreement) {
+            reasons.push_back("Only " + percent(agreeingShare(evidence.projected)) +
+                              " of the vessel tree lies on a traced vessel, and it explains " +
+                              percent(evidence.result.metrics.coverage) + " of the traced vessels.");
+        }
     }
     if (evidence.settlingMm > maxSettlingMm) {
         reasons.push_back("The vessels fit better " + millimetres(evidence.settlingMm) + " aside.");

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration/judging/distance_metrics.h"
+#include "core/registration/judging/followed_vessels.h"
 
 namespace core {
 
@@ -9,6 +9,7 @@ struct Evidence {
     const RegistrationProblem& problem;
     const ProjectedTree& projected;
     const RegistrationResult& result;
+    const TargetLines& target;
     double agreement = 1.0;   ///< both ways, 0…1, see AgreementScore
     double settlingMm = 0.0;   ///< see settlingShiftMm
     double expectedErrorMm = 0.0;   ///< see expectedShiftMm

@@ -118,6 +118,11 @@ void AngioPose::searchFurther()
     if (options_.search != 0.0 && ranking_.isLost()) {
         search(&PoseSearch::wide, search_.recentred(start_), 0.2);
     }
+    for (const CentroidPose& middle : {start_, search_.recentred(start_)}) {
+        if (options_.search != 0.0 && ranking_.isLost()) {
+            search(&PoseSearch::byJunctions, middle, 0.25);
+        }
+    }
     if (!progress_.isStopped() && !ranking_.isConclusive()) {
         refineRoughly(auxiliaryHypotheses());
     }

@@ -1,6 +1,7 @@
 #include "core/evaluation/protocol.h"
 
 #include "core/evaluation/projection_error.h"
+#include "core/evaluation/run_trial.h"
 #include "core/simulation/prune_tree.h"
 
 #include <gtest/gtest.h>
@@ -164,10 +165,61 @@ TEST(ClinicalProtocol, TracesTheSameTreeInDifferentViews)
     EXPECT_TRUE(first.traceMs);
 }
 
+TEST(TrustProtocol, MakesTheSameViewsHarderOrImpossible)
+{
+    const Trial given = makeTrial("trust", "as-given", 3);
+    EXPECT_TRUE(given.hasRightAnswer);
+    EXPECT_LT(targetError(targetsOf(*given.tree), startOf(given)).mtreInPlaneMm, 60.0);
+
+    const Trial far = makeTrial("trust", "far-start", 3);
+    EXPECT_TRUE(far.hasRightAnswer);
+    EXPECT_EQ(far.input.target.pointCount(), given.input.target.pointCount());
+    const PoseError start = poseError(centroidInPatient(*far.tree), startOf(far));
+    EXPECT_GE(start.angleDeg, 30.0);
+    EXPECT_LE(start.angleDeg, 75.0);
+    EXPECT_GE(start.centroidInPlaneMm, 60.0);
+    EXPECT_LE(start.centroidInPlaneMm, 150.0);
+
+    const Trial mirrored = makeTrial("trust", "mirrored", 3);
+    EXPECT_FALSE(mirrored.hasRightAnswer);
+    const ImageF& image = *given.input.image;
+    EXPECT_EQ(mirrored.input.image->at(10, 200), image.at(image.width - 11, 200));
+
+    const Trial other = makeTrial("trust", "other-tree", 3);
+    EXPECT_FALSE(other.hasRightAnswer);
+    EXPECT_EQ(other.input.image->pixels, image.pixels);
+    EXPECT_NE(other.tree->branches.front().pointsInPatient, given.tree->branches.front().pointsInPatient);
+    const auto centroidInCamera = [](const Trial& trial) {
+        return trial.input.initialCameraFromPatient * centroidInPatient(*trial.tree);
+    };
+    EXPECT_LT((centroidInCamera(other) - centroidInCamera(given)).norm(), 1e-9);
+}
+
+TEST(TrustProtocol, CutsTheImageAndItsCameraAlike)
+{
+    const Trial whole = makeTrial("trust", "as-given", 5);
+    const Trial half = makeTrial("trust", "half-outside", 5);
+    const ProjectionCamera& camera = half.input.camera;
+    EXPECT_EQ(2 * camera.width * camera.height, whole.input.camera.width * whole.input.camera.height);
+    const int left = static_cast<int>(std::lround(whole.input.camera.cx - camera.cx));
+    const int top = static_cast<int>(std::lround(whole.input.camera.cy - camera.cy));
+    EXPECT_EQ(half.input.image->at(100, 90), whole.input.image->at(100 + left, 90 + top));
+}
+
+TEST(TrustProtocol, LeavesErrorsUnknownWhereNoPoseIsRight)
+{
+    const Trial other = makeTrial("trust", "other-tree", 1);
+    const auto run = runTrial(other, contestantFrom("angiopose").value(), KeepHistory::No, [] { return false; });
+    ASSERT_TRUE(run);
+    EXPECT_TRUE(std::isnan(run->mrpdMm));
+    EXPECT_TRUE(std::isnan(run->meanMm));
+    EXPECT_EQ(run->hasResult, 1.0);
+}
+
 TEST(CaptureRangeProtocol, StartsInsideTheBin)
 {
     for (const auto& [condition, from, to] :
-         {std::tuple<std::string, double, double>{"clean-3-4", 3.0, 4.0}, {"clean-55-60", 55.0, 60.0}}) {
+         {std::tuple<std::string, double, double>{"clean-3-4", 3.0, 4.0}, {"clean-145-150", 145.0, 150.0}}) {
         for (std::uint64_t number = 0; number < 6; ++number) {
             const Trial trial = makeTrial("capture-range", condition, number);
             const double mtreMm = targetError(targetsOf(*trial.tree), startOf(trial)).mtreMm;

@@ -81,6 +81,25 @@ TEST(RegisterVessels, MissingBranchesAndClutterDoNotPull)
     }
 }
 
+TEST(RegisterVessels, TrustsATreeThatRunsAlongTheVesselsThoughMostLiesOutside)
+{
+    test::CleanCase clean(2);
+    CounterRandom random(5);
+    clean.target = traced(clean.target, random);
+    clean.camera.width = 480;   // keeps the left side
+    const auto isOutside = [](const Eigen::Vector2d& point) { return point.x() > 479.0; };
+    const std::size_t whole = clean.target.pointCount();
+    for (Curve2d& curve : clean.target.curves) {
+        std::erase_if(curve.pointsPx, isOutside);
+    }
+    std::erase_if(clean.target.curves, [](const Curve2d& curve) { return curve.pointsPx.size() < 2; });
+    ASSERT_LT(clean.target.pointCount(), 4 * whole / 10);
+    const auto result = registerVessels(clean.from(clean.nearbyStart(random)));
+    ASSERT_TRUE(result);
+    EXPECT_LT(meanErrorPx(clean, result.value()), 2.0);
+    EXPECT_TRUE(result.value().trustworthy) << result.value().warnings.front();
+}
+
 TEST(RegisterVessels, PriorDoesNotPullVisibly)
 {
     test::CleanCase clean(5);

@@ -48,6 +48,55 @@ TEST_F(PoseSearchTest, FindsStartsThatAreFarOffInEveryDirection)
     }
 }
 
+TEST_F(PoseSearchTest, JunctionsFindStartsTurnedAndDisplacedFar)
+{
+    CounterRandom random(4);
+    for (int trial = 0; trial < 3; ++trial) {
+        Vector6d step;
+        for (double& value : step) {
+            value = random.normal();
+        }
+        step.head<3>() *= 60.0 * degree / step.head<3>().norm();
+        step.tail<3>() *= 100.0 / step.tail<3>().norm();
+        const CentroidPose start = moved(truth, step);
+        PoseRanking ranking(problem, target, startPrior(start, options));
+        const PoseSearch search(problem, target, options);
+        for (const CentroidPose& hypothesis : search.byJunctions(start, [](double) { return Verdict::Continue; })) {
+            ranking.add(hypothesis);
+        }
+        const Vector6d error = stepBetween(truth, ranking.best().pose);
+        EXPECT_LT(error.head<3>().norm(), 0.5 * degree);
+        EXPECT_LT(error.segment<2>(3).norm(), 1.0);
+    }
+}
+
+TEST_F(PoseSearchTest, JunctionsKeepWhatIsLockedAndWithinReach)
+{
+    options.locks[static_cast<std::size_t>(PoseAxis::Roll)] = true;
+    options.searchRadiusMm = 50.0;
+    options.searchTiltDeg = 20.0;
+    problem = makeProblem(clean.from(clean.truth), options).value();
+    const PoseSearch search(problem, target, options);
+    const auto found = search.byJunctions(truth, [](double) { return Verdict::Continue; });
+    EXPECT_FALSE(found.empty());
+    for (const CentroidPose& pose : found) {
+        EXPECT_LT((pose.centroidInCamera - truth.centroidInCamera).head<2>().norm(), 50.0);
+        EXPECT_NEAR(problem.freedom.coordinates(pose)[2], problem.freedom.coordinates(truth)[2], 1e-9);
+    }
+}
+
+TEST_F(PoseSearchTest, JunctionsAreNotNeeded)
+{
+    const int branch = problem.tree.branchIndex.front();
+    VesselTree alone;
+    alone.branches = {clean.tree.branches[static_cast<std::size_t>(branch)]};
+    RegistrationInput input = clean.from(clean.truth);
+    input.tree = alone;
+    problem = makeProblem(input, options).value();
+    EXPECT_TRUE(
+        PoseSearch(problem, target, options).byJunctions(truth, [](double) { return Verdict::Continue; }).empty());
+}
+
 TEST_F(PoseSearchTest, RecentringMeetsTheTracedVessels)
 {
     Vector6d step = Vector6d::Zero();

@@ -1,0 +1,271 @@
+#include "core/registration/alignment/junction_search.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+namespace core {
+namespace {
+
+constexpr JunctionScale inTree{2.5, 12.0};   // mm
+constexpr JunctionScale inImage{5.0, 20.0};   // px
+constexpr double shortestBasePx = 50.0;
+constexpr double largestZoom = 1.25;   // a start 160 mm off along the ray
+constexpr int sectors = 64;
+constexpr int spreadSectors = 6;   // directions within 34° are alike
+constexpr int leastLikeWays = 2;   // of the three at a bifurcation
+constexpr double endOn = 0.3;   // ways nearly along the ray say nothing in the image
+constexpr int cellPx = 8;
+constexpr double meetingPx = 12.0;
+constexpr std::size_t fitsPerTilt = 6;
+constexpr std::size_t usedPoints = 90;
+constexpr double closenessPx = 11.0;
+constexpr double tiltStepDeg = 10.0;
+constexpr double leastRollDeg = 5.0;   // junctions lie beside their vessels by some px: no fit is exactly upright
+constexpr double radiansPerDegree = std::numbers::pi / 180.0;
+constexpr Basin basin{10.0, 5.0 * radiansPerDegree};
+
+double sectorsOf(const Eigen::Vector2d& direction)
+{
+    return std::atan2(direction.y(), direction.x()) * sectors / (2.0 * std::numbers::pi);
+}
+
+/// Turns the optical axis onto the ray through a place: what the camera sees there is what it sees in its middle.
+Eigen::Matrix3d towards(const Eigen::Vector3d& inCamera)
+{
+    return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), inCamera).toRotationMatrix();
+}
+
+Eigen::Vector2d turned(const Eigen::Vector2d& point, const Eigen::Vector2d& turn)
+{
+    return {turn.x() * point.x() - turn.y() * point.y(), turn.y() * point.x() + turn.x() * point.y()};
+}
+
+/// Rotation vectors about the camera's x and y, evenly spread over the reach, 0 among them.
+std::vector<Eigen::Vector3d> tiltsWithin(const SearchReach& reach)
+{
+    const int half = static_cast<int>(reach.tiltDeg / tiltStepDeg);
+    const int halfX = reach.freedom.isLocked(PoseAxis::CraCau) ? 0 : half;
+    const int halfY = reach.freedom.isLocked(PoseAxis::LaoRao) ? 0 : half;
+    std::vector<Eigen::Vector3d> tilts;
+    for (int x = -halfX; x <= halfX; ++x) {
+        for (int y = -halfY; y <= halfY; ++y) {
+            const Eigen::Vector3d tiltDeg(x * tiltStepDeg, y * tiltStepDeg, 0.0);
+            if (tiltDeg.norm() <= reach.tiltDeg) {
+                tilts.push_back(tiltDeg * radiansPerDegree);
+            }
+        }
+    }
+    return tilts;
+}
+
+}   // namespace
+
+JunctionSearch::Ways JunctionSearch::waysOf(std::span<const Eigen::Vector2d> directions, int spread)
+{
+    Ways ways = 0;
+    for (const Eigen::Vector2d& direction : directions) {
+        const auto sector = static_cast<int>(std::lround(sectorsOf(direction)));
+        for (int offset = -spread; offset <= spread; ++offset) {
+            ways |= std::rotl(Ways{1}, sector + offset);
+        }
+    }
+    return ways;
+}
+
+JunctionSearch::Base JunctionSearch::baseOf(const std::vector<Place>& places, int from, int to)
+{
+    const Eigen::Vector2d base = places[static_cast<std::size_t>(to)].px - places[static_cast<std::size_t>(from)].px;
+    const double lengthPx = base.norm();
+    return {lengthPx, base / lengthPx, sectorsOf(base), from, to};
+}
+
+JunctionSearch::JunctionSearch(const RegistrationProblem& problem, const TargetLines& target)
+    : camera_(problem.camera),
+      target_(target),
+      nodes_(junctionsOf<3>(problem.tree.points, problem.tree.branchIndex, inTree)),
+      columns_(problem.camera.width / cellPx + 1),
+      rows_(problem.camera.height / cellPx + 1),
+      points_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), usedPoints)))
+{
+    for (Junction<3>& node : nodes_) {
+        node.point -= problem.tree.centroid;
+    }
+    const Eigen::Vector2d axes(camera_.fx < 0.0 ? -1.0 : 1.0, 1.0);
+    const auto found = junctionsOf<2>(problem.target.points, problem.target.curveIndex, inImage);
+    for (const Junction<2>& junction : found) {
+        std::vector<Eigen::Vector2d> ways;
+        for (const Eigen::Vector2d& way : junction.directions) {
+            ways.emplace_back(way.cwiseProduct(axes));
+        }
+        const Eigen::Vector2d px = (junction.point - Eigen::Vector2d(camera_.cx, camera_.cy)).cwiseProduct(axes);
+        junctions_.push_back({px, waysOf(ways, spreadSectors)});
+    }
+    drawMeetings(found);
+    listBases();
+}
+
+void JunctionSearch::drawMeetings(std::span<const Junction<2>> found)
+{
+    isNearJunction_.resize(static_cast<std::size_t>(columns_ * rows_));
+    for (int row = 0; row < rows_; ++row) {
+        for (int column = 0; column < columns_; ++column) {
+            const Eigen::Vector2d middle((column + 0.5) * cellPx, (row + 0.5) * cellPx);
+            isNearJunction_[static_cast<std::size_t>(row * columns_ + column)] =
+                std::any_of(found.begin(), found.end(), [&](const Junction<2>& junction) {
+                    return (junction.point - middle).squaredNorm() < meetingPx * meetingPx;
+                });
+        }
+    }
+}
+
+void JunctionSearch::listBases()
+{
+    for (int from = 0; from < static_cast<int>(junctions_.size()); ++from) {
+        for (int to = 0; to < static_cast<int>(junctions_.size()); ++to) {
+            if (from != to) {
+                bases_.push_back(baseOf(junctions_, from, to));
+            }
+        }
+    }
+    std::sort(bases_.begin(), bases_.end(), [](const Base& a, const Base& b) {
+        return std::tie(a.lengthPx, a.from, a.to) < std::tie(b.lengthPx, b.from, b.to);
+    });
+}
+
+std::vector<JunctionSearch::Place> JunctionSearch::nodesSeen(const Eigen::Matrix3d& rotation, double depthMm) const
+{
+    std::vector<Place> seen;
+    std::vector<Eigen::Vector2d> ways;
+    for (const Junction<3>& node : nodes_) {
+        const Eigen::Vector3d turned = rotation * node.point;
+        ways.clear();
+        for (const Eigen::Vector3d& way : node.directions) {
+            const Eigen::Vector2d across = (rotation * way).head<2>();
+            if (across.norm() > endOn) {
+                ways.push_back(across);
+            }
+        }
+        seen.push_back({camera_.fy / (depthMm + turned.z()) * turned.head<2>(), waysOf(ways, 0)});
+    }
+    return seen;
+}
+
+int JunctionSearch::meetings(const std::vector<Place>& nodes, const Fit& fit) const
+{
+    const double axis = camera_.fx < 0.0 ? -1.0 : 1.0;
+    int count = 0;
+    for (const Place& node : nodes) {
+        const Eigen::Vector2d place = fit.zoom * turned(node.px, fit.turn) + fit.centroidPx;
+        const double u = (axis * place.x() + camera_.cx) / cellPx;
+        const double v = (place.y() + camera_.cy) / cellPx;
+        if (u >= 0.0 && v >= 0.0 && u < columns_ && v < rows_) {
+            count += isNearJunction_[static_cast<std::size_t>(static_cast<int>(v) * columns_ + static_cast<int>(u))];
+        }
+    }
+    return count;
+}
+
+/// Lays the base between two nodes on every one of like length between junctions.
+void JunctionSearch::tryBase(const Base& base, const std::vector<Place>& nodes, double longestRoll,
+                             std::vector<Fit>& fits) const
+{
+    const Place& a = nodes[static_cast<std::size_t>(base.from)];
+    const Place& b = nodes[static_cast<std::size_t>(base.to)];
+    const double leastCosine = std::cos(longestRoll);
+    auto other = std::lower_bound(bases_.begin(), bases_.end(), base.lengthPx / largestZoom,
+                                  [](const Base& one, double length) { return one.lengthPx < length; });
+    for (; other != bases_.end() && other->lengthPx <= base.lengthPx * largestZoom; ++other) {
+        const auto roll = static_cast<int>(std::lrint(other->sectors - base.sectors));
+        const Place& i = junctions_[static_cast<std::size_t>(other->from)];
+        const Place& j = junctions_[static_cast<std::size_t>(other->to)];
+        if (std::popcount(std::rotl(a.ways, roll) & i.ways) < leastLikeWays ||
+            std::popcount(std::rotl(b.ways, roll) & j.ways) < leastLikeWays) {
+            continue;
+        }
+        Fit fit;
+        fit.zoom = other->lengthPx / base.lengthPx;
+        fit.turn = turned(other->along, {base.along.x(), -base.along.y()});
+        if (fit.turn.x() < leastCosine) {
+            continue;
+        }
+        fit.centroidPx = 0.5 * (i.px + j.px - fit.zoom * turned(a.px + b.px, fit.turn));
+        fit.meetings = meetings(nodes, fit);
+        if (fits.size() == fitsPerTilt && fit.meetings <= fits.back().meetings) {
+            continue;
+        }
+        const auto place = std::upper_bound(fits.begin(), fits.end(), fit,
+                                            [](const Fit& x, const Fit& y) { return x.meetings > y.meetings; });
+        fits.insert(place, fit);
+        fits.resize(std::min(fits.size(), fitsPerTilt));
+    }
+}
+
+std::vector<JunctionSearch::Fit> JunctionSearch::fitsOf(const std::vector<Place>& nodes, double longestRoll) const
+{
+    std::vector<Fit> fits;
+    for (int from = 0; from < static_cast<int>(nodes.size()); ++from) {
+        for (int to = from + 1; to < static_cast<int>(nodes.size()); ++to) {
+            const Base base = baseOf(nodes, from, to);
+            if (base.lengthPx >= shortestBasePx) {
+                tryBase(base, nodes, longestRoll, fits);
+            }
+        }
+    }
+    return fits;
+}
+
+double JunctionSearch::closeness(const CentroidPose& pose) const
+{
+    double sum = 0.0;
+    for (const AlignmentPoint& point : points_) {
+        const auto pixel = project(camera_, pose.rotation * point.fromCentroid + pose.centroidInCamera);
+        if (pixel && pixel->cwiseAbs().maxCoeff() < 1e6) {
+            const double squared =
+                TargetLines::squaredDistance(target_.nearest(pixel->x(), pixel->y()), pixel->x(), pixel->y());
+            sum += std::exp(-0.5 * squared / (closenessPx * closenessPx));
+        }
+    }
+    return sum / static_cast<double>(points_.size());
+}
+
+/// The pose that a fit of the tree seen in direction `view` means.
+CentroidPose JunctionSearch::poseOf(const Fit& fit, const Eigen::Matrix3d& view, double depthMm) const
+{
+    CentroidPose pose;
+    const double zMm = depthMm / fit.zoom;
+    pose.centroidInCamera << fit.centroidPx / camera_.fy * zMm, zMm;
+    const double roll = std::atan2(fit.turn.y(), fit.turn.x());
+    pose.rotation = towards(pose.centroidInCamera) * expSo3({0.0, 0.0, roll}) * view;
+    return pose;
+}
+
+std::vector<CoarseCandidate> JunctionSearch::find(const CentroidPose& start, const SearchReach& reach,
+                                                  const std::function<Verdict(double)>& proceed) const
+{
+    std::vector<CoarseCandidate> found;
+    const double depthMm = std::max(minProjectableDepthMm, start.centroidInCamera.z());
+    const Eigen::Matrix3d startView = towards(start.centroidInCamera).transpose() * start.rotation;
+    const double rollDeg = reach.freedom.isLocked(PoseAxis::Roll) ? 0.0 : reach.rollDeg;
+    const double longestRoll = std::max(rollDeg, leastRollDeg) * radiansPerDegree;
+    const std::vector<Eigen::Vector3d> tilts = tiltsWithin(reach);
+    for (std::size_t k = 0; k < tilts.size(); ++k) {
+        const Eigen::Matrix3d view = expSo3(tilts[k]) * startView;
+        for (const Fit& fit : fitsOf(nodesSeen(view, depthMm), longestRoll)) {
+            const CentroidPose pose = reach.freedom.held(poseOf(fit, view, depthMm));
+            const Eigen::Vector3d shift = pose.centroidInCamera - start.centroidInCamera;
+            if (shift.head<2>().norm() <= reach.radiusMm) {
+                found.push_back({pose, closeness(pose)});
+            }
+        }
+        if (proceed(static_cast<double>(k + 1) / static_cast<double>(tilts.size())) == Verdict::Stop) {
+            break;
+        }
+    }
+    return distinct(std::move(found), basin);
+}
+
+}   // namespace core
