@@ -1,22 +1,14 @@
 #include "app/case_controller.h"
 
 #include "app/window_layout.h"
-
-#include <utility>
+#include "ui/words/spoken.h"
 
 namespace app {
 
 CaseController::CaseController(ui::MainWindow& window, QObject* parent)
-    : CaseController(window, std::make_shared<CaseDocument>(), parent)
-{
-}
-
-CaseController::CaseController(ui::MainWindow& window, std::shared_ptr<CaseDocument> document, QObject* parent)
     : QObject(parent),
       window_(window),
       notices_(window, [this] { return registration_.isRunning() || session_.isLoading() || tracing_.isRunning(); }),
-      owned_(std::move(document)),
-      document_(*owned_),
       sync_(window, document_),
       history_(document_, window),
       branches_(document_),
@@ -42,7 +34,7 @@ CaseController::CaseController(ui::MainWindow& window, std::shared_ptr<CaseDocum
       poses_({document_, target_, branches_, session_, review_, replay_, judgement_, sync_, notices_, window}),
       places_(window),
       views_(document_, target_, window),
-      follow_({document_, review_, sync_, session_.exporting(), notices_, window}),
+      follow_({document_, review_, judgement_, sync_, session_.exporting(), notices_, window}),
       radiograph_({document_, target_, sync_, look_, window}),
       habits_(branches_, window),
       help_(window)
@@ -54,7 +46,7 @@ CaseController::CaseController(ui::MainWindow& window, std::shared_ptr<CaseDocum
     connect(&target_, &TargetProvider::changed, this, &CaseController::followTarget);
     connect(&session_, &SessionController::noticeAccepted, &help_, &HelpController::offerTour);
     restoreWindowLayout(window_);
-    followDocument();
+    ui::speak(this, [this] { followDocument(); });
 }
 
 bool CaseController::isBusy() const

@@ -34,8 +34,6 @@
 #include "app/views/view_controller.h"
 #include "ui/main_window.h"
 
-#include <memory>
-
 namespace app {
 
 /// Connects the window with the document and the jobs; each sub-controller holds one of the user's intents.
@@ -43,14 +41,12 @@ class CaseController : public QObject {
     Q_OBJECT
 public:
     explicit CaseController(ui::MainWindow& window, QObject* parent = nullptr);
-    /// Goes on with a document whose former window is gone.
-    CaseController(ui::MainWindow& window, std::shared_ptr<CaseDocument> document, QObject* parent = nullptr);
 
     /// Notice, recovery offer and the files of the command line.
     void begin(const QStringList& paths) { session_.begin(paths); }
     void open(const QStringList& paths) { session_.open(paths); }
     bool isLoading() const { return session_.isLoading(); }
-    bool isBusy() const;   ///< a worker that may take long, or a trial: the window must stay as it is
+    bool isBusy() const;   ///< a worker that may take long, or a trial
 
     CaseDocument& document() { return document_; }
     SaveController& saving() { return session_.saving(); }
@@ -75,8 +71,7 @@ private:
 
     ui::MainWindow& window_;
     Notices notices_;
-    std::shared_ptr<CaseDocument> owned_;
-    CaseDocument& document_;
+    CaseDocument document_;
     TargetProvider target_;
     ViewSync sync_;
     HistoryController history_;

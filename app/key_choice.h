@@ -2,7 +2,7 @@
 
 namespace app {
 
-/// Makes buttons and hints name the keys that the user chose. Called before a window is made.
+/// Makes buttons and hints name the keys that the user chose. What is said already has to be said again.
 void applyChosenKeys();
 
 }   // namespace app

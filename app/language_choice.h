@@ -2,7 +2,8 @@
 
 namespace app {
 
-/// Makes the program speak as the user chose. Called before the first window is made.
+/// Makes the program speak as the user chose. Before the first window is made; later, what is said already has to be
+/// said again.
 void applyChosenLanguage();
 
 }   // namespace app

@@ -1,3 +1,4 @@
+#include "app/key_choice.h"
 #include "app/language_choice.h"
 #include "app/theme_choice.h"
 #include "app/window_host.h"
@@ -16,6 +17,7 @@ int main(int argc, char** argv)
     QGuiApplication::setDesktopFileName(QStringLiteral("org.angiopose.AngioPose"));
 
     app::applyChosenLanguage();
+    app::applyChosenKeys();
 
     QCommandLineParser parser;
     parser.setApplicationDescription(QApplication::translate(

@@ -17,4 +17,11 @@ RegistrationCase showingView(RegistrationCase registrationCase, std::size_t inde
 /// are left out.
 std::vector<RegistrationCase> casesOfViews(const RegistrationCase& registrationCase);
 
+/// The other views after the vessels were moved to `cameraFromPatient` in the shown one: the cameras keep their places
+/// to each other, as they are now, and results of runs hold no longer. Views without an image stay as they are.
+std::vector<OtherView> movedAlong(const RegistrationCase& registrationCase, const RigidTransform& cameraFromPatient);
+
+/// The other views, each at its own start pose where it has one.
+std::vector<OtherView> atStart(const RegistrationCase& registrationCase);
+
 }   // namespace core

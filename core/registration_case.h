@@ -80,6 +80,7 @@ struct RegistrationCase {
 
     RegistrationOptions options;
     std::string extraKeys;   ///< JSON object with the keys of the case file that this version does not know
+    std::string viewExtraKeys;   ///< likewise of what belongs to this view: image, geometry, poses
     std::optional<RegistrationResult> result;   ///< of the last run, while the pose is still its pose
     std::vector<PoseSnapshot> snapshots;   ///< poses kept by the user and left by runs, oldest first
 };

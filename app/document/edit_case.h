@@ -14,6 +14,10 @@ using core::RegistrationCase;
 /// A hand edit of the pose: what the last run said no longer holds.
 using MovePose = SetFields<&RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
 
+/// The same, and the other views move along.
+using MoveAllPoses =
+    SetFields<&RegistrationCase::cameraFromPatient, &RegistrationCase::result, &RegistrationCase::otherViews>;
+
 /// What a run found, and the snapshot it leaves.
 using ApplyRun =
     SetFields<&RegistrationCase::cameraFromPatient, &RegistrationCase::result, &RegistrationCase::snapshots>;
@@ -50,14 +54,14 @@ using ApplyJointRun = SetFields<&RegistrationCase::cameraFromPatient, &Registrat
                                 &RegistrationCase::snapshots, &RegistrationCase::otherViews>;
 
 /// Another view in the place of the shown one, which takes its place among the others.
-using ShowView =
-    SetFields<&RegistrationCase::otherViews, &RegistrationCase::imageFile, &RegistrationCase::angiogram,
-              &RegistrationCase::storedRun, &RegistrationCase::headerPlan, &RegistrationCase::treatment,
-              &RegistrationCase::frame, &RegistrationCase::targetFile, &RegistrationCase::givenTarget,
-              &RegistrationCase::editedFrame, &RegistrationCase::acceptedCurveIds, &RegistrationCase::traceOptions,
-              &RegistrationCase::cArm, &RegistrationCase::cameraOverride, &RegistrationCase::hasInitialPose,
-              &RegistrationCase::initialCameraFromPatient, &RegistrationCase::cameraFromPatient,
-              &RegistrationCase::landmarks, &RegistrationCase::result, &RegistrationCase::snapshots>;
+using ShowView = SetFields<&RegistrationCase::otherViews, &RegistrationCase::imageFile, &RegistrationCase::angiogram,
+                           &RegistrationCase::storedRun, &RegistrationCase::headerPlan, &RegistrationCase::treatment,
+                           &RegistrationCase::frame, &RegistrationCase::targetFile, &RegistrationCase::givenTarget,
+                           &RegistrationCase::editedFrame, &RegistrationCase::acceptedCurveIds,
+                           &RegistrationCase::traceOptions, &RegistrationCase::cArm, &RegistrationCase::cameraOverride,
+                           &RegistrationCase::hasInitialPose, &RegistrationCase::initialCameraFromPatient,
+                           &RegistrationCase::cameraFromPatient, &RegistrationCase::landmarks,
+                           &RegistrationCase::result, &RegistrationCase::snapshots, &RegistrationCase::viewExtraKeys>;
 
 using ChangeLandmarks = SetFields<&RegistrationCase::landmarks>;
 

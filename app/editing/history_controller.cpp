@@ -1,6 +1,7 @@
 #include "app/editing/history_controller.h"
 
 #include "ui/main_window.h"
+#include "ui/words/spoken.h"
 
 namespace app {
 
@@ -12,7 +13,7 @@ HistoryController::HistoryController(CaseDocument& document, ui::MainWindow& win
     connect(actions[ui::Command::Redo], &QAction::triggered, &document_, &CaseDocument::redo);
     connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &HistoryController::show);
     connect(&document_, &CaseDocument::stateChanged, this, &HistoryController::show);
-    show();
+    ui::speak(this, [this] { show(); });
 }
 
 void HistoryController::show()

@@ -7,6 +7,7 @@
 #include "ui/views/tools/bind_tool.h"
 #include "ui/views/tree_view.h"
 #include "ui/words/core_texts.h"
+#include "ui/words/spoken.h"
 
 #include <algorithm>
 #include <limits>
@@ -94,6 +95,7 @@ LandmarkController::LandmarkController(CaseDocument& document, ui::MainWindow& w
             &LandmarkController::placeVessels);
     connect(&window_, &ui::MainWindow::pointPicked, this, &LandmarkController::pickPoint);
     connect(&document_, &CaseDocument::changed, this, &LandmarkController::followDocument);
+    ui::speak(this, [this] { showState(); });
 }
 
 void LandmarkController::connectTool()

@@ -1,6 +1,7 @@
 #include "app/editing/pose_controller.h"
 
 #include "app/document/edit_case.h"
+#include "core/case_views.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +86,7 @@ void PoseController::nudge(const ui::Nudge& nudge)
 void PoseController::reset()
 {
     if (const auto context = frame()) {
-        move(context->startPose, tr("Back to start pose"), separateEdit);
+        push(context->startPose, core::atStart(document_.current()), tr("Back to start pose"), separateEdit);
     }
 }
 
@@ -130,10 +131,22 @@ void PoseController::cancelDrag()
 
 void PoseController::move(const core::RigidTransform& pose, const QString& text, int burst)
 {
+    push(pose, core::movedAlong(document_.current(), pose), text, burst);
+}
+
+/// The shown view's pose, and those of the others where all move together.
+void PoseController::push(const core::RigidTransform& pose, std::vector<core::OtherView> others, const QString& text,
+                          int burst)
+{
     if ((pose.matrix() - document_.current().cameraFromPatient.matrix()).cwiseAbs().maxCoeff() == 0.0) {
         return;
     }
-    document_.push(std::make_unique<MovePose>(document_, MovePose::Values{pose, std::nullopt}, text, burst));
+    if (movesOthers()) {
+        document_.push(std::make_unique<MoveAllPoses>(
+            document_, MoveAllPoses::Values{pose, std::nullopt, std::move(others)}, text, burst));
+    } else {
+        document_.push(std::make_unique<MovePose>(document_, MovePose::Values{pose, std::nullopt}, text, burst));
+    }
 }
 
 int PoseController::burstFor(int kind)

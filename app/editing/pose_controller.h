@@ -20,6 +20,7 @@ public:
     std::optional<core::PoseOffset> currentOffset() const;
     bool isMovedFromStart() const;
     const ui::PoseLocks& locks() const { return document_.current().options.locks; }
+    void setMovesAllViews(bool all) { movesAllViews_ = all; }   ///< where the case has several
     void setLocks(const ui::PoseLocks& locks);   ///< one step of undo
 
     void setOffset(const core::PoseOffset& fromStart);
@@ -44,6 +45,8 @@ private:
     };
     std::optional<Frame> frame() const;
     void move(const core::RigidTransform& pose, const QString& text, int burst);
+    void push(const core::RigidTransform& pose, std::vector<core::OtherView> others, const QString& text, int burst);
+    bool movesOthers() const { return movesAllViews_ && !document_.current().otherViews.empty(); }
     int burstFor(int kind);
 
     CaseDocument& document_;
@@ -52,6 +55,7 @@ private:
     QElapsedTimer sinceEdit_;
     int burst_ = 0;
     int burstKind_ = -1;
+    bool movesAllViews_ = true;
 };
 
 }   // namespace app

@@ -47,6 +47,8 @@ void PoseGestures::connectPanel()
     connect(&panel, &ui::PosePanel::offsetEdited, &on_.pose, &PoseController::setOffset);
     connect(&panel, &ui::PosePanel::locksEdited, &on_.pose, &PoseController::setLocks);
     connect(&panel, &ui::PosePanel::resetRequested, &on_.pose, &PoseController::reset);
+    connect(&on_.window.registration(), &ui::RegistrationPanel::allViewsToggled, &on_.pose,
+            &PoseController::setMovesAllViews);
     const ui::WindowActions& actions = on_.window.actions();
     connect(actions[ui::Command::ResetPose], &QAction::triggered, &on_.pose, &PoseController::reset);
     connect(actions[ui::Command::CopyPose], &QAction::triggered, this, &PoseGestures::copyMatrix);

@@ -5,6 +5,7 @@
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/bind_tool.h"
+#include "ui/words/spoken.h"
 
 #include <QSignalBlocker>
 #include <QtConcurrentRun>
@@ -47,7 +48,7 @@ SubtractionController::SubtractionController(const AngiogramParts& parts, QObjec
     connect(&run_, &QFutureWatcherBase::finished, this, &SubtractionController::publish);
     connect(&document_, &CaseDocument::changed, this, &SubtractionController::follow);
     connect(&sync_, &ViewSync::runMeasured, this, &SubtractionController::showState);
-    follow();
+    ui::speak(this, [this] { follow(); });
 }
 
 SubtractionController::~SubtractionController()

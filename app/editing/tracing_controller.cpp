@@ -4,6 +4,7 @@
 #include "core/tracing/volume/blood_level.h"
 #include "ui/main_window.h"
 #include "ui/slices/slices_page.h"
+#include "ui/words/spoken.h"
 
 #include <QtConcurrentRun>
 
@@ -76,7 +77,7 @@ TracingController::TracingController(CaseDocument& document, ui::MainWindow& win
         window_.actions()[ui::Command::SlicesLarge]->setChecked(true);
         start();
     });
-    followDocument();
+    ui::speak(this, [this] { followDocument(); });
 }
 
 void TracingController::connectPanel()

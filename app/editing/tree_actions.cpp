@@ -7,6 +7,7 @@
 #include "ui/slices/corner_views.h"
 #include "ui/slices/slices_page.h"
 #include "ui/views/tree_view.h"
+#include "ui/words/spoken.h"
 
 #include <QCoreApplication>
 #include <QListView>
@@ -72,7 +73,7 @@ TreeActions::TreeActions(CaseDocument& document, BranchController& branches, Tra
     connect(&advice_, &RepairAdvice::changed, this, &TreeActions::showAdvice);
     connect(&document, &CaseDocument::changed, this, &TreeActions::enableCommands);
     enableCommands();
-    showAdvice();
+    ui::speak(this, [this] { showAdvice(); });
 }
 
 void TreeActions::connectCommands()
@@ -163,8 +164,10 @@ void TreeActions::showAdvice()
     QString text;
     if (isMendable) {
         const core::TreeGap& gap = advice_.gaps().front();
-        const auto nameOf = [&tree](int id) { return ui::displayName(*tree->find(id)); };
-        text = tr("%1 pieces · gap %2 mm between %3 and %4")
+        const auto nameOf = [&tree](int id) {
+            return ui::displayName(*tree->find(id)).replace(QLatin1Char(' '), QChar::Nbsp);   // stays on one line
+        };
+        text = tr("%1 pieces · gap %2 mm: %3 – %4")
                    .arg(advice_.pieceCount())
                    .arg(gap.distanceMm, 0, 'f', 1)
                    .arg(nameOf(gap.fromBranchId), nameOf(gap.toBranchId));

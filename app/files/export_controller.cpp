@@ -12,6 +12,7 @@
 #include "ui/words/core_texts.h"
 
 #include <QFileDialog>
+#include <QPainter>
 
 #include <cmath>
 
@@ -82,11 +83,22 @@ void ExportController::askOverlay()
 
 ExportController::Write ExportController::overlayWriter(const ui::ExportChoice& choice) const
 {
-    const OverlayPictureOptions options{
+    ui::AngiogramView& view = window_.angiogramView();
+    OverlayPictureOptions options{
         choice.widthPx,
         choice.residualColors == ui::Choice::On ? OverlayColoring::Residuals : OverlayColoring::Branches,
         choice.identity == ui::Choice::On ? Identity::Shown : Identity::Hidden,
         choice.english == ui::Choice::On ? PictureLanguage::English : PictureLanguage::Window};
+    options.vessels = view.scene().mode();   // as they are seen
+    options.range = view.shownRange();
+    if (!view.radiograph().isNull()) {
+        options.paintVessels = [radiograph = view.radiograph()](core::ColorImage& picture) {
+            QImage canvas(picture.rgb.data(), picture.width, picture.height, 3 * picture.width, QImage::Format_RGB888);
+            QPainter painter(&canvas);
+            painter.setRenderHint(QPainter::SmoothPixmapTransform);
+            painter.drawImage(QRect(0, 0, picture.width, picture.height), radiograph);
+        };
+    }
     return [snapshot = document_.current(), target = target_.current(), options](const QString& path) -> core::Status {
         auto picture = drawOverlay(snapshot, target ? *target : core::Centerline2d{}, options);
         if (!picture) {

@@ -5,6 +5,7 @@
 #include "core/imaging/patient_match.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
+#include "ui/words/spoken.h"
 
 #include <QFileInfo>
 #include <QMenu>
@@ -28,7 +29,7 @@ SessionController::SessionController(ui::MainWindow& window, CaseDocument& docum
     connectSaving();
     connectExporting();
     connect(&close_, &CloseController::aboutToClose, this, &SessionController::aboutToClose);
-    fillRecent();
+    ui::speak(this, [this] { fillRecent(); });
 }
 
 void SessionController::warnOfMismatch()

@@ -1,6 +1,7 @@
 #include "app/files/title_controller.h"
 
 #include "ui/main_window.h"
+#include "ui/words/spoken.h"
 
 namespace app {
 
@@ -17,7 +18,7 @@ TitleController::TitleController(CaseDocument& document, SaveController& saving,
     clock_.setInterval(5s);
     connect(&clock_, &QTimer::timeout, this, &TitleController::showSaveState);
     clock_.start();
-    show();
+    ui::speak(this, [this] { show(); });
 }
 
 void TitleController::show()

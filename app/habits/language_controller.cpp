@@ -1,7 +1,11 @@
 #include "app/habits/language_controller.h"
 
+#include "app/language_choice.h"
 #include "app/settings.h"
 #include "ui/main_window.h"
+#include "ui/words/spoken.h"
+
+#include <QDialog>
 
 #include <array>
 #include <utility>
@@ -23,10 +27,15 @@ LanguageController::LanguageController(ui::MainWindow& window, QObject* parent) 
 
 void LanguageController::choose(const QString& code)
 {
-    if (code != settings::language.read()) {
-        settings::language.write(code);
-        emit chosen();
+    if (code == settings::language.read()) {
+        return;
     }
+    settings::language.write(code);
+    for (QDialog* open : window_.findChildren<QDialog*>()) {
+        open->reject();   // made anew in the other words
+    }
+    applyChosenLanguage();
+    ui::speakAgain();
 }
 
 }   // namespace app

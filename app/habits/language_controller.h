@@ -8,14 +8,11 @@ class MainWindow;
 
 namespace app {
 
-/// The language menu. A choice is remembered and reported: whoever owns the window makes it speak otherwise.
+/// The language menu: a choice is remembered, and the window speaks it from then on.
 class LanguageController : public QObject {
     Q_OBJECT
 public:
     explicit LanguageController(ui::MainWindow& window, QObject* parent = nullptr);
-
-signals:
-    void chosen();
 
 private:
     void choose(const QString& code);

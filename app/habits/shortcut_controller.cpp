@@ -1,7 +1,9 @@
 #include "app/habits/shortcut_controller.h"
 
 #include "app/habits/mouse_controller.h"
+#include "app/key_choice.h"
 #include "ui/main_window.h"
+#include "ui/words/spoken.h"
 
 #include <QSettings>
 
@@ -58,8 +60,9 @@ void ShortcutController::openSheet()
     connect(sheet_, &ui::KeySheet::keyChosen, this, &ShortcutController::choose);
     connect(sheet_, &ui::KeySheet::resetRequested, this, &ShortcutController::resetAll);
     connect(sheet_, &QDialog::finished, this, [this] {
-        if (std::exchange(areNew_, false)) {
-            emit keysChanged();
+        if (std::exchange(areNew_, false)) {   // buttons and hints name keys
+            applyChosenKeys();
+            ui::speakAgain();
         }
     });
     connect(sheet_, &QObject::destroyed, this, [this] { sheet_ = nullptr; });

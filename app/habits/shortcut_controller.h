@@ -25,9 +25,6 @@ public:
 
     void openSheet();
 
-signals:
-    void keysChanged();   ///< the sheet was closed, and some key is another: what names keys should be made anew
-
 private:
     std::vector<ui::KeyLine> keyLines() const;
     void readStored();

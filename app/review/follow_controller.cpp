@@ -38,6 +38,7 @@ FollowController::FollowController(const Parts& parts, QObject* parent) : QObjec
     connect(&on_.document, &CaseDocument::changed, this, &FollowController::followDocument);
     connect(&on_.sync, &ViewSync::frameShown, this, &FollowController::showFrame);
     on_.review.setFramePoses([this](int frame) { return poseOf(frame); });
+    on_.judgement.setFollowedPoses([this](int frame) { return poseOf(frame); });
     followDocument();
 }
 

@@ -3,6 +3,7 @@
 #include "app/files/export_controller.h"
 #include "app/jobs/follow_job.h"
 #include "app/notices.h"
+#include "app/review/judgement_controller.h"
 #include "app/review/review_controller.h"
 #include "app/review/view_sync.h"
 
@@ -22,6 +23,7 @@ public:
     struct Parts {
         CaseDocument& document;
         ReviewController& review;
+        JudgementController& judgement;
         ViewSync& sync;
         ExportController& exporting;
         Notices& notices;

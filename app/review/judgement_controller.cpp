@@ -102,12 +102,21 @@ ui::JudgedPose JudgementController::judgedPose(const core::ProjectionCamera& cam
         judged.source = ui::PoseSource::Run;
         takeOverFromRun(judged.result, *current.result);
     } else {
-        judged.source = on_.pose.isMovedFromStart() ? ui::PoseSource::Edited : ui::PoseSource::Start;
+        judged.source = isFollowed()                  ? ui::PoseSource::Followed
+                        : on_.pose.isMovedFromStart() ? ui::PoseSource::Edited
+                                                      : ui::PoseSource::Start;
     }
     judged.millimetresPerPixel = core::millimetresPerPixel(camera, shownDepthMm);
     judged.scaleMaximumMm = residualScaleMaximumPx(camera, shownDepthMm) * judged.millimetresPerPixel;
     judged.residualsMm = residualsMm(current, *judgement_, judged.millimetresPerPixel);
     return judged;
+}
+
+bool JudgementController::isFollowed() const
+{
+    const core::RegistrationCase& current = on_.document.current();
+    const auto followed = followedPoseOf_ ? followedPoseOf_(current.frame) : std::nullopt;
+    return followed && followed->matrix() == current.cameraFromPatient.matrix();
 }
 
 }   // namespace app

@@ -62,6 +62,9 @@ void LookController::connectBrightness()
 {
     ui::WindowActions& actions = window_.actions();
     ui::AngiogramView& view = window_.angiogramView();
+    ui::AngiogramPanel& panel = window_.angiogramPanel();
+    connect(&view, &ui::AngiogramView::windowLevelChanged, &panel, &ui::AngiogramPanel::showWindowLevel);
+    connect(&panel, &ui::AngiogramPanel::windowLevelTyped, &view, &ui::AngiogramView::setWindowLevel);
     connect(actions[ui::Command::AutoWindow], &QAction::triggered, &view, &ui::AngiogramView::autoWindowLevel);
     connect(actions[ui::Command::VesselWindow], &QAction::triggered, this, [this] {
         const auto& angiogram = document_.current().angiogram;

@@ -3,6 +3,7 @@
 #include "app/document/edit_case.h"
 #include "app/review/snapshot_texts.h"
 #include "ui/main_window.h"
+#include "ui/words/spoken.h"
 
 #include <algorithm>
 #include <utility>
@@ -32,6 +33,7 @@ SnapshotController::SnapshotController(CaseDocument& document, ViewSync& sync, u
     : QObject(parent), document_(document), sync_(sync), window_(window)
 {
     connectWindow();
+    ui::speak(this, [this] { window_.snapshots().showSnapshots(document_.current().snapshots); });
     connect(&document_, &CaseDocument::changed, this, &SnapshotController::followDocument);
     connect(&window_, &ui::MainWindow::escapePressed, this, &SnapshotController::showItself);
 }

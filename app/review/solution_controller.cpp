@@ -3,6 +3,7 @@
 #include "app/texts/overlay_picture.h"
 #include "core/geometry/pose_difference.h"
 #include "ui/main_window.h"
+#include "ui/words/spoken.h"
 
 #include <QtConcurrentRun>
 
@@ -65,6 +66,10 @@ SolutionController::SolutionController(const CaseDocument& document, ui::MainWin
     : QObject(parent), document_(document), window_(window)
 {
     ui::SolutionStrip& strip = window_.result().solutions();
+    ui::speak(this, [this] {
+        shown_.clear();
+        followDocument();
+    });
     connect(&document_, &CaseDocument::changed, this, &SolutionController::followDocument);
     connect(&strip, &ui::SolutionStrip::wasPicked, this,
             [this](int index) { emit solutionWanted(static_cast<std::size_t>(index)); });

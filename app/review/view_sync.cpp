@@ -9,6 +9,7 @@
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tree_view.h"
+#include "ui/words/spoken.h"
 
 #include <QtConcurrentRun>
 
@@ -65,6 +66,7 @@ ViewSync::ViewSync(ui::MainWindow& window, const CaseDocument& document, QObject
     : QObject(parent), window_(window), document_(document)
 {
     connect(&opacification_, &QFutureWatcherBase::finished, this, &ViewSync::publishMeasured);
+    ui::speak(this, [this] { showFrameNote(); });
 }
 
 void ViewSync::refresh()

@@ -3,6 +3,7 @@
 #include "app/texts/number_text.h"
 #include "core/evaluation/branch_distances.h"
 #include "core/imaging/display_range.h"
+#include "ui/scenes/burn_text.h"
 #include "ui/scenes/overlay_scene.h"
 #include "ui/words/core_texts.h"
 
@@ -99,8 +100,14 @@ core::Result<core::ColorImage> drawOverlay(const core::RegistrationCase& registr
     ui::OverlayScene scene;
     dressScene(scene, registrationCase, camera.value());
 
+    scene.setMode(options.vessels);
+    if (options.range) {
+        scene.setWindowLevel(options.range->window(), options.range->level());
+    }
+
     double scaleMaximumPx = 0.0;
-    if (options.coloring == OverlayColoring::Residuals && target.pointCount() > 0) {
+    const bool isColored = options.coloring == OverlayColoring::Residuals && target.pointCount() > 0;
+    if (isColored && options.vessels != ui::OverlayMode::Hidden) {
         const double depthMm =
             (registrationCase.cameraFromPatient * core::centroidInPatient(*registrationCase.tree)).z();
         scaleMaximumPx = residualScaleMaximumPx(camera.value(), std::max(depthMm, core::minProjectableDepthMm));
@@ -113,8 +120,19 @@ core::Result<core::ColorImage> drawOverlay(const core::RegistrationCase& registr
     const int height =
         std::max(1, static_cast<int>(std::lround(static_cast<double>(width) * frame.height / frame.width)));
     scene.setLineWidthPx(std::max(1.5, width / 512.0 * 1.5));
-    return ui::renderOffscreen(scene, width, height, wholeImage(frame), exportTexts(registrationCase, options),
-                               scaleMaximumPx, residualScaleMaximumMm);
+    const ui::CornerTexts texts = exportTexts(registrationCase, options);
+    if (!options.paintVessels) {
+        return ui::renderOffscreen(scene, width, height, wholeImage(frame), texts, scaleMaximumPx,
+                                   residualScaleMaximumMm);
+    }
+    auto picture = ui::renderOffscreen(scene, width, height, wholeImage(frame));
+    if (!picture) {
+        return picture.error();
+    }
+    core::ColorImage painted = std::move(picture).value();
+    options.paintVessels(painted);
+    ui::burnTexts(painted, texts, ui::burnSizes(width, height));
+    return painted;
 }
 
 core::Result<core::ColorImage> drawThumbnail(const core::RegistrationCase& registrationCase, int widthPx)

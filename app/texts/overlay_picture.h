@@ -1,11 +1,15 @@
 #pragma once
 
 #include "app/texts/case_texts.h"
+#include "core/imaging/display_range.h"
 #include "core/imaging/image2d.h"
 #include "core/registration_case.h"
 #include "core/support/result.h"
+#include "ui/scenes/overlay_scene.h"
 
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace app {
@@ -19,6 +23,10 @@ struct OverlayPictureOptions {
     OverlayColoring coloring = OverlayColoring::Residuals;
     Identity identity = Identity::Hidden;
     PictureLanguage language = PictureLanguage::English;
+    ui::OverlayMode vessels = ui::OverlayMode::Centerline;
+    std::optional<core::DisplayRange> range = std::nullopt;   ///< not set: found from the frame
+    /// Draws the vessels where they are hidden, over the whole picture and below its texts; not set: nobody does.
+    std::function<void(core::ColorImage& picture)> paintVessels = nullptr;
 };
 
 /// The picture that reports carry: angiogram, projected tree at the case's pose, residual colours against `target`

@@ -6,6 +6,7 @@
 #include "ui/main_window.h"
 #include "ui/panels/view_strip.h"
 #include "ui/words/core_texts.h"
+#include "ui/words/spoken.h"
 
 #include <QFileInfo>
 #include <QMenu>
@@ -72,7 +73,7 @@ ViewController::ViewController(CaseDocument& document, const TargetProvider& tar
     connect(&target_, &TargetProvider::changed, this, &ViewController::followDocument);
     connect(&document_, &CaseDocument::stateChanged, this, &ViewController::followDocument);
     connectWindow();
-    followDocument();
+    ui::speak(this, [this] { followDocument(); });
 }
 
 ViewController::~ViewController()

@@ -275,11 +275,28 @@ void readOtherViews(const Json& root, CaseDocument& document)
         }
         CaseDocument& own = document.views.emplace_back();
         readView(view, own);
+        own.values.viewExtraKeys = unknownKeys(view.dump(), knownViewKeys());
         for (const std::string& problem : own.problems) {
             document.problems.push_back("views: " + problem);
         }
         document.values.otherViews.emplace_back();
     }
+}
+
+/// What this version does not know goes with the view it belongs to.
+void readUnknown(std::string_view json, core::RegistrationCase& values)
+{
+    const std::string unknown = unknownKeys(json, knownCaseKeys(values.vesselInput.kind));
+    Json ofCase = unknown.empty() ? Json::object() : Json::parse(unknown);
+    Json ofView = Json::object();
+    for (const char* key : {"angiogram", "geometry", "pose"}) {
+        if (ofCase.contains(key)) {
+            ofView[key] = ofCase[key];
+            ofCase.erase(key);
+        }
+    }
+    values.extraKeys = ofCase.empty() ? std::string() : ofCase.dump();
+    values.viewExtraKeys = ofView.empty() ? std::string() : ofView.dump();
 }
 
 }   // namespace
@@ -297,7 +314,7 @@ CaseDocument parseCaseDocument(std::string_view json)
     readView(root, document);
     readOtherViews(root, document);
     readOptions(root, document);
-    document.values.extraKeys = unknownKeys(json, knownCaseKeys(document.values.vesselInput.kind));
+    readUnknown(json, document.values);
     return document;
 }
 

@@ -264,7 +264,7 @@ Json otherViewJson(const core::OtherView& other, const std::filesystem::path& fo
               {"geometry", geometryJson(*other.view)},
               {"pose", poseJson(*other.view)}};
     addSnapshots(json, *other.view);
-    return json;
+    return Json::parse(withExtraKeys(json.dump(), other.view->viewExtraKeys));
 }
 
 }   // namespace
@@ -285,7 +285,8 @@ std::string caseDocumentText(const core::RegistrationCase& registrationCase, con
     root["method"] = registrationCase.options.method;
     root["options"] = Json::parse(optionsJson(registrationCase.options));
     addSnapshots(root, registrationCase);
-    return prettyJson(withExtraKeys(root.dump(), registrationCase.extraKeys));
+    return prettyJson(
+        withExtraKeys(withExtraKeys(root.dump(), registrationCase.viewExtraKeys), registrationCase.extraKeys));
 }
 
 }   // namespace io

@@ -61,4 +61,14 @@ std::string knownCaseKeys(core::VesselInputKind vesselKind)
     return keys.dump();
 }
 
+std::string knownViewKeys()
+{
+    const Json all = Json::parse(knownCaseKeys(core::VesselInputKind::Centerline));
+    Json keys = object({"snapshots"});
+    for (const char* key : {"angiogram", "geometry", "pose"}) {
+        keys[key] = all[key];
+    }
+    return keys.dump();
+}
+
 }   // namespace io

@@ -9,4 +9,7 @@ namespace io {
 /// Every key this version reads and writes, as a JSON object; an empty string marks a value, an object its members.
 std::string knownCaseKeys(core::VesselInputKind vesselKind);
 
+/// Likewise of a view that stands in the case.
+std::string knownViewKeys();
+
 }   // namespace io

@@ -1424,10 +1424,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Einen Ast wählen: in der Liste oder einer Ansicht anklicken.</translation>
     </message>
     <message>
-        <source>%1 pieces · gap %2 mm between %3 and %4</source>
-        <translation>%1 Stücke · Lücke %2 mm zwischen %3 und %4</translation>
-    </message>
-    <message>
         <source>%1 pieces, too far apart to belong together</source>
         <translation>%1 Stücke, zu weit auseinander, um zusammenzugehören</translation>
     </message>
@@ -1438,6 +1434,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Avoid this place</source>
         <translation>Diese Stelle meiden</translation>
+    </message>
+    <message>
+        <source>%1 pieces · gap %2 mm: %3 – %4</source>
+        <translation>%1 Stücke · Lücke %2 mm: %3 – %4</translation>
     </message>
 </context>
 <context>
@@ -1571,13 +1571,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Opacification by frame · frame %1 of 0–%2 · fullest: %3 · play %4</source>
         <translation>Kontrastfüllung je Bild · Bild %1 von 0–%2 · vollstes: %3 · Abspielen %4</translation>
-    </message>
-</context>
-<context>
-    <name>app::WindowHost</name>
-    <message>
-        <source>Takes effect as soon as this has ended.</source>
-        <translation>Gilt, sobald dies beendet ist.</translation>
     </message>
 </context>
 <context>
@@ -4283,6 +4276,26 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Leave out, erase, draw and cut traced curves</source>
         <translation>Erkannte Kurven weglassen, radieren, zeichnen, trennen</translation>
     </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Window W: how many grey values lie between black and white</source>
+        <translation>Fenster W: wie viele Grauwerte zwischen Schwarz und Weiß liegen</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Zentrum</translation>
+    </message>
+    <message>
+        <source>Level L: the grey value in the middle of them</source>
+        <translation>Zentrum L: der Grauwert in der Mitte davon</translation>
+    </message>
+    <message>
+        <source>window, level</source>
+        <translation>Fenster, Zentrum</translation>
+    </message>
 </context>
 <context>
     <name>ui::AngiogramView</name>
@@ -4305,6 +4318,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Mirrored image: as seen from the source</source>
         <translation>Gespiegeltes Bild: wie vom Fokus gesehen</translation>
+    </message>
+    <message>
+        <source>flicker %1 · swipe %2 · hide H · outline %3</source>
+        <translation>Blinken %1 · Wischen %2 · Verbergen H · Umriss %3</translation>
     </message>
 </context>
 <context>
@@ -4561,14 +4578,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Äste</translation>
     </message>
     <message>
-        <source>Auxiliary on or off	A</source>
-        <translation>Hilfsast an oder aus	A</translation>
-    </message>
-    <message>
-        <source>Exclude or include	X</source>
-        <translation>Aus- oder einschließen	X</translation>
-    </message>
-    <message>
         <source>Only these auxiliary</source>
         <translation>Nur diese als Hilfsäste</translation>
     </message>
@@ -4639,6 +4648,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>%1 auxiliary · %2 exclude</source>
         <translation>%1 Hilfsast · %2 ausschließen</translation>
+    </message>
+    <message>
+        <source>Auxiliary on or off</source>
+        <translation>Hilfsast an oder aus</translation>
+    </message>
+    <message>
+        <source>Exclude or include</source>
+        <translation>Ausschließen oder einbeziehen</translation>
     </message>
 </context>
 <context>
@@ -6070,8 +6087,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Eine Stelle an den Gefäßen in 3-D (oder einer Schicht), dann dieselbe im Bild.</translation>
     </message>
     <message>
-        <source>%1 pairs places by clicks</source>
-        <translation>%1 paart Stellen durch Klicks</translation>
+        <source>%1: click pairs, then place</source>
+        <translation>%1: Paare klicken, dann einpassen</translation>
     </message>
 </context>
 <context>
@@ -6214,8 +6231,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>ui::NudgeTool</name>
     <message>
-        <source>Nudge: drag shifts, ring rolls, Ctrl is fine, Esc takes back</source>
-        <translation>Justieren: Ziehen schiebt, Ring dreht, Strg fein, Esc nimmt zurück</translation>
+        <source>Nudge: drag shifts, ring rolls, arcs turn, slide is depth, Ctrl is fine, Esc takes back</source>
+        <translation>Justieren: Ziehen schiebt, Ring rollt, Bögen drehen, Pfeil links Tiefe, Strg fein, Esc zurück</translation>
     </message>
 </context>
 <context>
@@ -6599,16 +6616,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Registrieren hält die %1 gesperrten Freiheitsgrade.</translation>
     </message>
     <message>
-        <source>One pose for all views, found by AngioPose&apos;s own method: depth in one view is a shift in another. Without the tick only the shown view is registered.</source>
-        <translation>Eine Lage für alle Ansichten, gefunden mit dem eigenen Verfahren von AngioPose: Tiefe in der einen ist Verschiebung in der anderen. Ohne Haken wird nur die gezeigte registriert.</translation>
-    </message>
-    <message>
         <source>All %1 views together</source>
         <translation>Alle %1 Ansichten zusammen</translation>
     </message>
     <message>
         <source>Finds the pose that lays the vessels onto the angiogram.</source>
         <translation>Findet die Lage, die die Gefäße auf das Angiogramm legt.</translation>
+    </message>
+    <message>
+        <source>One pose for all views: moving by hand moves the vessels in all of them, and Register fits all by AngioPose&apos;s own method, for depth in one view is a shift in another. Without the tick only the shown view is meant.</source>
+        <translation>Eine Lage für alle Ansichten: Von Hand verschoben bewegen sich die Gefäße in allen, und Registrieren passt alle mit AngioPoses eigener Methode ein; die Tiefe der einen Ansicht ist eine Verschiebung in der anderen. Ohne Haken ist nur die gezeigte Ansicht gemeint.</translation>
     </message>
 </context>
 <context>
@@ -6698,16 +6715,20 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>mittlerer Abstand, px</translation>
     </message>
     <message>
-        <source>median %1 → %2 px, steps: %3</source>
-        <translation>Median %1 → %2 px, Schritte: %3</translation>
-    </message>
-    <message>
         <source>Motion</source>
         <translation>Bewegung</translation>
     </message>
     <message>
         <source>mm across, by frame</source>
         <translation>mm quer, je Bild</translation>
+    </message>
+    <message>
+        <source>%1 · followed</source>
+        <translation>%1 · verfolgt</translation>
+    </message>
+    <message>
+        <source>%1 → %2 px · steps: %3</source>
+        <translation>%1 → %2 px · Schritte: %3</translation>
     </message>
 </context>
 <context>
@@ -7099,10 +7120,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
     </message>
     <message>
         <source>Trace</source>

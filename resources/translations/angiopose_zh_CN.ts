@@ -1424,10 +1424,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>请选择一个分支：在列表或视图中单击。</translation>
     </message>
     <message>
-        <source>%1 pieces · gap %2 mm between %3 and %4</source>
-        <translation>%1 段 · %3 与 %4 之间间隙 %2 mm</translation>
-    </message>
-    <message>
         <source>%1 pieces, too far apart to belong together</source>
         <translation>%1 段，相距过远，不属于一体</translation>
     </message>
@@ -1438,6 +1434,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Avoid this place</source>
         <translation>避开此处</translation>
+    </message>
+    <message>
+        <source>%1 pieces · gap %2 mm: %3 – %4</source>
+        <translation>%1 段 · 间隙 %2 mm：%3 – %4</translation>
     </message>
 </context>
 <context>
@@ -1571,13 +1571,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Opacification by frame · frame %1 of 0–%2 · fullest: %3 · play %4</source>
         <translation>各帧充盈度 · 第 %1 帧（0–%2）· 最充盈：%3 · 播放 %4</translation>
-    </message>
-</context>
-<context>
-    <name>app::WindowHost</name>
-    <message>
-        <source>Takes effect as soon as this has ended.</source>
-        <translation>待当前任务结束后生效。</translation>
     </message>
 </context>
 <context>
@@ -4283,6 +4276,26 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Leave out, erase, draw and cut traced curves</source>
         <translation>排除、擦除、绘制和切断提取的曲线</translation>
     </message>
+    <message>
+        <source>Window</source>
+        <translation>窗宽</translation>
+    </message>
+    <message>
+        <source>Window W: how many grey values lie between black and white</source>
+        <translation>窗宽 W：黑与白之间的灰度值个数</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>窗位</translation>
+    </message>
+    <message>
+        <source>Level L: the grey value in the middle of them</source>
+        <translation>窗位 L：位于其中央的灰度值</translation>
+    </message>
+    <message>
+        <source>window, level</source>
+        <translation>窗宽、窗位</translation>
+    </message>
 </context>
 <context>
     <name>ui::AngiogramView</name>
@@ -4305,6 +4318,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Mirrored image: as seen from the source</source>
         <translation>镜像图像：如从源方向看</translation>
+    </message>
+    <message>
+        <source>flicker %1 · swipe %2 · hide H · outline %3</source>
+        <translation>闪烁 %1 · 卷帘 %2 · 隐藏 H · 轮廓 %3</translation>
     </message>
 </context>
 <context>
@@ -4561,14 +4578,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>分支</translation>
     </message>
     <message>
-        <source>Auxiliary on or off	A</source>
-        <translation>辅助开/关	A</translation>
-    </message>
-    <message>
-        <source>Exclude or include	X</source>
-        <translation>排除或恢复	X</translation>
-    </message>
-    <message>
         <source>Only these auxiliary</source>
         <translation>仅这些为辅助</translation>
     </message>
@@ -4639,6 +4648,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>%1 auxiliary · %2 exclude</source>
         <translation>%1 辅助 · %2 排除</translation>
+    </message>
+    <message>
+        <source>Auxiliary on or off</source>
+        <translation>辅助分支开或关</translation>
+    </message>
+    <message>
+        <source>Exclude or include</source>
+        <translation>排除或纳入</translation>
     </message>
 </context>
 <context>
@@ -6070,8 +6087,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>先在三维（或断层）血管上，再在图像同一处点选。</translation>
     </message>
     <message>
-        <source>%1 pairs places by clicks</source>
-        <translation>%1 点选成对</translation>
+        <source>%1: click pairs, then place</source>
+        <translation>%1：点击成对点，然后放置</translation>
     </message>
 </context>
 <context>
@@ -6214,8 +6231,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>ui::NudgeTool</name>
     <message>
-        <source>Nudge: drag shifts, ring rolls, Ctrl is fine, Esc takes back</source>
-        <translation>微调：拖动平移，圆环旋转，Ctrl 精细，Esc 取消</translation>
+        <source>Nudge: drag shifts, ring rolls, arcs turn, slide is depth, Ctrl is fine, Esc takes back</source>
+        <translation>微调：拖动平移，圆环滚转，弧线转动，左侧箭头调深度，Ctrl 精细，Esc 撤回</translation>
     </message>
 </context>
 <context>
@@ -6599,16 +6616,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>配准保持 %1 个锁定的自由度。</translation>
     </message>
     <message>
-        <source>One pose for all views, found by AngioPose&apos;s own method: depth in one view is a shift in another. Without the tick only the shown view is registered.</source>
-        <translation>用 AngioPose 自有方法求所有视图的同一位姿：一个视图的深度在另一视图中是平移。不勾选则仅配准所示视图。</translation>
-    </message>
-    <message>
         <source>All %1 views together</source>
         <translation>%1 个视图一起配准</translation>
     </message>
     <message>
         <source>Finds the pose that lays the vessels onto the angiogram.</source>
         <translation>求使血管与造影图像重合的位姿。</translation>
+    </message>
+    <message>
+        <source>One pose for all views: moving by hand moves the vessels in all of them, and Register fits all by AngioPose&apos;s own method, for depth in one view is a shift in another. Without the tick only the shown view is meant.</source>
+        <translation>所有视图共用一个位姿：手动移动时各视图中的血管一起移动，配准时用 AngioPose 自己的方法同时拟合所有视图，因为一个视图中的深度就是另一个视图中的平移。不勾选时只针对显示的视图。</translation>
     </message>
 </context>
 <context>
@@ -6698,16 +6715,20 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>距离中位数，px</translation>
     </message>
     <message>
-        <source>median %1 → %2 px, steps: %3</source>
-        <translation>中位数 %1 → %2 px，步数：%3</translation>
-    </message>
-    <message>
         <source>Motion</source>
         <translation>运动</translation>
     </message>
     <message>
         <source>mm across, by frame</source>
         <translation>横向 mm，逐帧</translation>
+    </message>
+    <message>
+        <source>%1 · followed</source>
+        <translation>%1 · 已跟踪</translation>
+    </message>
+    <message>
+        <source>%1 → %2 px · steps: %3</source>
+        <translation>%1 → %2 px · 步数：%3</translation>
     </message>
 </context>
 <context>
@@ -6863,7 +6884,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <name>ui::SlicesPage</name>
     <message>
         <source>Window</source>
-        <translation>窗</translation>
+        <translation>窗宽</translation>
     </message>
     <message>
         <source>Back to the angiogram</source>
@@ -7098,10 +7119,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Remove</source>
         <translation>移除</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
     </message>
     <message>
         <source>Trace</source>

@@ -2,7 +2,10 @@
 #include "tests/support/test_data.h"
 
 #include <QImage>
+#include <QLabel>
 #include <QTemporaryDir>
+
+#include <algorithm>
 
 namespace app {
 namespace {
@@ -32,6 +35,12 @@ const core::FollowedFrame& followed(OpenWindow& w, int frame)
     return w.controller.following().frames().at(static_cast<std::size_t>(frame));
 }
 
+bool says(OpenWindow& w, const QString& words)
+{
+    const auto labels = w.window.result().findChildren<QLabel*>();
+    return std::ranges::any_of(labels, [&words](const QLabel* label) { return label->text().contains(words); });
+}
+
 TEST(WindowFollow, ShowsEachFrameWithItsOwnPose)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
@@ -49,6 +58,7 @@ TEST(WindowFollow, ShowsEachFrameWithItsOwnPose)
     const int next = w.current().frame;
     ASSERT_EQ(next, first + 1);
     EXPECT_EQ(w.current().cameraFromPatient.matrix(), followed(w, next).tracked.cameraFromPatient.matrix());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return says(w, QStringLiteral("· followed")); }, test::patienceMs));
     w.press(Qt::Key_Up);
     EXPECT_EQ(w.current().cameraFromPatient.matrix(), found);
     EXPECT_EQ(w.controller.following().frames().size(), 10U);   // they still hold

@@ -2,11 +2,12 @@
 #include "app/settings.h"
 #include "app/window_host.h"
 #include "tests/app/open_window.h"
+#include "tests/app/words_of_window.h"
 #include "ui/words/language.h"
+#include "ui/words/spoken.h"
 
 #include <QMenuBar>
 #include <QPushButton>
-#include <QSignalSpy>
 
 namespace app {
 namespace {
@@ -39,9 +40,7 @@ protected:
     }
     void choose(ui::Command language)
     {
-        QSignalSpy renewed(host.get(), &WindowHost::renewed);
         host->window().actions()[language]->trigger();
-        ASSERT_TRUE(renewed.count() > 0 || renewed.wait(test::patienceMs));
         QTest::qWait(100);
     }
     QString firstMenu() { return host->window().header().menuBar()->actions().front()->text(); }
@@ -88,28 +87,50 @@ TEST_F(WindowLanguage, ComesBack)
     EXPECT_TRUE(host->window().actions()[ui::Command::LanguageEnglish]->isChecked());
 }
 
-TEST_F(WindowLanguage, WaitsForARunToEnd)
+TEST_F(WindowLanguage, ChangesWhileARunGoesOn)
 {
     controller().registration().start();
     ASSERT_TRUE(controller().registration().isRunning());
-    QSignalSpy renewed(host.get(), &WindowHost::renewed);
-    host->window().actions()[ui::Command::LanguageGerman]->trigger();
-    ASSERT_TRUE(renewed.wait(test::patienceMs));
-    EXPECT_TRUE(controller().document().current().result);   // what the run found has been taken
+    choose(ui::Command::LanguageGerman);
+    EXPECT_EQ(firstMenu(), QStringLiteral("&Datei"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !controller().registration().isRunning(); }, test::patienceMs));
+    ASSERT_TRUE(controller().document().current().result);
+    EXPECT_FALSE(controller().document().current().result->history.empty());
+    EXPECT_EQ(host->window().registration().registerButton()->text(), QStringLiteral("Registrieren  R"));
+    QTest::keyClick(&host->window().angiogramView(), Qt::Key_P);   // the run can still be replayed
+    EXPECT_TRUE(host->window().actions()[ui::Command::Replay]->isChecked());
 }
 
-TEST_F(WindowLanguage, WaitsForTheVesselsToBeFollowed)
+TEST_F(WindowLanguage, FollowingGoesOn)
 {
     QTest::keyClick(&host->window().angiogramView(), Qt::Key_F, Qt::ShiftModifier);
     ASSERT_TRUE(controller().following().isRunning());
-    EXPECT_TRUE(controller().isBusy());
-    QSignalSpy renewed(host.get(), &WindowHost::renewed);
-    host->window().actions()[ui::Command::LanguageGerman]->trigger();
-    while (controller().following().isRunning()) {
-        ASSERT_EQ(renewed.count(), 0);
-        QTest::qWait(5);
+    choose(ui::Command::LanguageGerman);
+    EXPECT_EQ(firstMenu(), QStringLiteral("&Datei"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !controller().following().isRunning(); }, test::patienceMs));
+}
+
+/// What a window made in a language says, and what it says when it has learned the language later, is the same.
+TEST_F(WindowLanguage, SaysEverythingInTheOtherWords)
+{
+    for (const auto& [command, code] :
+         {std::pair{ui::Command::LanguageGerman, "de"}, std::pair{ui::Command::LanguageChinese, "zh_CN"},
+          std::pair{ui::Command::LanguageEnglish, "en"}}) {
+        choose(command);
+        ASSERT_EQ(ui::currentLanguage(), QLatin1String(code));
+        WindowHost fresh;
+        fresh.controller().open({controller().document().path()});
+        ASSERT_TRUE(QTest::qWaitFor([&] { return fresh.controller().judgement() != nullptr; }, test::patienceMs));
+        EXPECT_TRUE(
+            QTest::qWaitFor([&] { return test::wordsOf(fresh.window()) == test::wordsOf(host->window()); }, 10000));
+        const QStringList expected = test::wordsOf(fresh.window());
+        const QStringList said = test::wordsOf(host->window());
+        ASSERT_EQ(said.size(), expected.size()) << code;
+        ASSERT_GT(said.size(), 400);
+        for (qsizetype i = 0; i < said.size(); ++i) {
+            EXPECT_EQ(said[i].toStdString(), expected[i].toStdString()) << code;
+        }
     }
-    EXPECT_TRUE(renewed.count() > 0 || renewed.wait(test::patienceMs));
 }
 
 TEST_F(WindowLanguage, ButtonsNameTheKeyThatTheUserChose)
@@ -117,10 +138,9 @@ TEST_F(WindowLanguage, ButtonsNameTheKeyThatTheUserChose)
     const auto words = [this] { return host->window().registration().registerButton()->text(); };
     ASSERT_EQ(words(), QStringLiteral("Register  R"));
     QSettings().setValue(QStringLiteral("keys/register"), QStringLiteral("Ctrl+Alt+R"));
-    QSignalSpy renewed(host.get(), &WindowHost::renewed);
-    emit controller().habits().shortcuts().keysChanged();
-    ASSERT_TRUE(renewed.count() > 0 || renewed.wait(test::patienceMs));
-    EXPECT_EQ(words(), QStringLiteral("Register  Ctrl+Alt+R"));
+    applyChosenKeys();
+    ui::speakAgain();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return words() == QStringLiteral("Register  Ctrl+Alt+R"); }, test::patienceMs));
     QSettings().remove(QStringLiteral("keys"));
     applyChosenKeys();
 }

@@ -33,7 +33,7 @@ TEST(WindowLayout, RemembersWhatIsFolded)
     QByteArray layout;
     {
         OpenWindow w;
-        ui::Section* residuals = sectionNamed(w.window, QStringLiteral("Residuals"));
+        ui::Section* residuals = sectionNamed(w.window, QStringLiteral("residuals"));
         ASSERT_TRUE(residuals);
         EXPECT_FALSE(residuals->isFolded());
         residuals->setFolded(true);
@@ -41,10 +41,10 @@ TEST(WindowLayout, RemembersWhatIsFolded)
     }
     OpenWindow again;
     again.window.restoreLayout(layout);
-    EXPECT_TRUE(sectionNamed(again.window, QStringLiteral("Residuals"))->isFolded());
-    EXPECT_FALSE(sectionNamed(again.window, QStringLiteral("Convergence"))->isFolded());
+    EXPECT_TRUE(sectionNamed(again.window, QStringLiteral("residuals"))->isFolded());
+    EXPECT_FALSE(sectionNamed(again.window, QStringLiteral("convergence"))->isFolded());
     again.window.restoreLayout(QByteArray("nonsense"));   // leaves all as it is
-    EXPECT_TRUE(sectionNamed(again.window, QStringLiteral("Residuals"))->isFolded());
+    EXPECT_TRUE(sectionNamed(again.window, QStringLiteral("residuals"))->isFolded());
 }
 
 TEST(WindowLayout, RemembersTheBrightnessOfASeries)

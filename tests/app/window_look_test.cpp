@@ -65,6 +65,27 @@ TEST(WindowLook, HasBrightnessPresets)
     EXPECT_NEAR(view.shownRange().window(), 1.8 * automatic, 1e-6 * automatic);
 }
 
+TEST(WindowLook, TakesWindowAndLevelAsNumbers)
+{
+    OpenWindow w;
+    w.openSample();
+    ui::AngiogramView& view = w.window.angiogramView();
+    w.window.angiogramPanel().setFolded(false);
+    const auto fields = w.window.angiogramPanel().findChildren<ui::NumberField*>();
+    ASSERT_EQ(fields[0]->accessibleName(), QStringLiteral("Window"));
+    ASSERT_EQ(fields[1]->accessibleName(), QStringLiteral("Level"));
+    EXPECT_NEAR(*fields[0]->value(), view.shownRange().window(), 1e-6);
+    const double levelBefore = view.shownRange().level();
+    fields[0]->setFocus();
+    fields[0]->selectAll();
+    QTest::keyClicks(fields[0], QStringLiteral("640"));
+    QTest::keyClick(fields[0], Qt::Key_Return);
+    EXPECT_NEAR(view.shownRange().window(), 640.0, 1e-9);
+    EXPECT_NEAR(view.shownRange().level(), levelBefore, 1e-6);
+    w.press(Qt::Key_8);   // and the numbers follow the keys
+    EXPECT_NEAR(*fields[0]->value(), 320.0, 1e-9);
+}
+
 TEST(WindowLook, RemembersTheColoursOfVesselsAndResiduals)
 {
     {

@@ -138,6 +138,27 @@ TEST(WindowViews, RegisterFindsOnePoseForAllAndIsOneStep)
     EXPECT_GT(w.current().result->uncertainty.depthMm, jointDepthMm);   // what the second view is for
 }
 
+TEST(WindowViews, ANudgeMovesTheVesselsInAllOfThem)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    OpenWindow w;
+    openBothViews(w);
+    const auto otherPose = [&w] { return w.current().otherViews[0].view->cameraFromPatient; };
+    const core::RigidTransform before = otherPose();
+    const core::RigidTransform between = before * w.current().cameraFromPatient.inverse();
+    w.press(Qt::Key_N);
+    w.press(Qt::Key_Right, Qt::ShiftModifier);
+    EXPECT_GT(test::distance(otherPose(), before), 1.0);
+    EXPECT_LT(test::distance(otherPose() * w.current().cameraFromPatient.inverse(), between), 1e-9);
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(test::distance(otherPose(), before), 0.0);
+
+    auto* together = w.window.registration().findChild<QCheckBox*>();
+    QTest::mouseClick(together, Qt::LeftButton, {}, {8, together->height() / 2});
+    w.press(Qt::Key_Right);
+    EXPECT_EQ(test::distance(otherPose(), before), 0.0);
+}
+
 TEST(WindowViews, ASavedCaseShowsThemAgain)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");

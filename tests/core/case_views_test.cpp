@@ -77,5 +77,37 @@ TEST(CaseViews, MakeACaseOfEachThatHasAnImage)
     EXPECT_EQ(cases[1].excludedBranchIds, values.excludedBranchIds);
 }
 
+TEST(CaseViews, MovingTheVesselsInOneKeepsTheCamerasWhereTheyAre)
+{
+    RegistrationCase values = twoViews();
+    RegistrationCase other = *values.otherViews[0].view;
+    other.cameraFromPatient.rotation = expSo3({0.1, 0.9, -0.2});
+    other.result = RegistrationResult{};
+    values.otherViews[0].view = std::make_shared<const RegistrationCase>(other);
+    values.otherViews.push_back({{"/cases/gone.angiopose", ""}, nullptr});
+    const RigidTransform wanted{expSo3({0.02, 0.0, 0.3}), {4.0, -7.0, 712.0}};
+
+    const auto moved = movedAlong(values, wanted);
+    ASSERT_EQ(moved.size(), 2U);
+    const RegistrationCase& view = *moved[0].view;
+    const RigidTransform before = other.cameraFromPatient * values.cameraFromPatient.inverse();
+    const RigidTransform after = view.cameraFromPatient * wanted.inverse();
+    EXPECT_LT((before.matrix() - after.matrix()).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_GT((view.cameraFromPatient.matrix() - other.cameraFromPatient.matrix()).cwiseAbs().maxCoeff(), 1.0);
+    EXPECT_FALSE(view.result);
+    EXPECT_TRUE(moved[0].file.path.empty());   // no longer what its own case file says
+    EXPECT_EQ(moved[1], values.otherViews[1]);
+}
+
+TEST(CaseViews, EachGoesBackToItsOwnStartPose)
+{
+    RegistrationCase values = twoViews();
+    RegistrationCase other = *values.otherViews[0].view;
+    other.hasInitialPose = true;
+    other.initialCameraFromPatient.translation = {1.0, 2.0, 640.0};
+    values.otherViews[0].view = std::make_shared<const RegistrationCase>(other);
+    EXPECT_EQ(atStart(values)[0].view->cameraFromPatient.matrix(), other.initialCameraFromPatient.matrix());
+}
+
 }   // namespace
 }   // namespace core

@@ -9,7 +9,7 @@
 namespace ui {
 
 /// The keys the user chose, as people write them ("" for none); the others have those of the command table. Like theme
-/// and language one choice for the whole program: windows made from now on show it.
+/// and language one choice for the whole program: see `speakAgain`.
 void setChosenKeys(std::map<Command, QString> chosen);
 
 QString keyOf(Command command);   ///< "" when it has none

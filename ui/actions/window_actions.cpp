@@ -1,6 +1,7 @@
 #include "ui/actions/window_actions.h"
 
 #include "ui/actions/key_notes.h"
+#include "ui/words/spoken.h"
 
 #include <QActionGroup>
 #include <QMenu>
@@ -33,8 +34,9 @@ QList<QKeySequence> shortcutsOf(const CommandRow& row)
 
 }   // namespace
 
-WindowActions::WindowActions(QWidget* window) : QObject(window), recent_(new QMenu(tr("Open recent"), window))
+WindowActions::WindowActions(QWidget* window) : QObject(window), recent_(new QMenu(window))
 {
+    speak(this, [this] { recent_->setTitle(tr("Open recent")); });
     for (const MenuRows& menu : CommandTable::menus()) {
         auto* group = isChoice(menu.menu) ? new QActionGroup(this) : nullptr;
         for (const CommandRow& row : menu.commands) {
@@ -48,7 +50,7 @@ WindowActions::WindowActions(QWidget* window) : QObject(window), recent_(new QMe
 
 void WindowActions::addCommand(const CommandRow& row, QWidget* window)
 {
-    auto* action = new QAction(CommandTable::tr(row.text), this);
+    auto* action = withText(new QAction(this), [text = row.text] { return CommandTable::tr(text); });
     action->setObjectName(row.name());
     action->setCheckable(row.traits & CommandTable::Switch);
     action->setAutoRepeat(row.traits & CommandTable::Repeats);
@@ -61,8 +63,8 @@ void WindowActions::fillMenus(QMenuBar* menuBar)
 {
     std::map<Menu, QMenu*> menus;
     for (const MenuRows& rows : CommandTable::menus()) {
-        const QString title = CommandTable::tr(rows.title);
-        QMenu* menu = liesInView(rows.menu) ? menus.at(Menu::View)->addMenu(title) : menuBar->addMenu(title);
+        QMenu* menu = liesInView(rows.menu) ? menus.at(Menu::View)->addMenu(QString()) : menuBar->addMenu(QString());
+        speak(menu, [menu, title = rows.title] { menu->setTitle(CommandTable::tr(title)); });
         menus[rows.menu] = menu;
         for (const CommandRow& row : rows.commands) {
             if (row.traits & CommandTable::StartsGroup) {

@@ -17,7 +17,7 @@
 namespace ui {
 namespace {
 
-constexpr int dialogWidth = 1060;
+constexpr int dialogWidth = 1240;
 constexpr int dialogHeight = 560;
 constexpr int idRole = Qt::UserRole;
 constexpr int orderRole = Qt::UserRole + 1;
@@ -139,7 +139,8 @@ QLayout* PoseTable::makeButtons()
 
 QWidget* PoseTable::makeMethods()
 {
-    auto* section = new Section(tr("Run several methods"), Folding::Foldable);
+    auto* section = new Section(
+        "poseTable/methods", [] { return tr("Run several methods"); }, Folding::Foldable);
     section->setHint(tr("each leaves its pose in the table; the case keeps its own"));
     section->layout()->setContentsMargins(0, 4, 0, 0);
     auto* grid = new QGridLayout;

@@ -1,6 +1,7 @@
 #include "ui/panels/angiogram_panel.h"
 
 #include "ui/actions/key_hint.h"
+#include "ui/words/spoken.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -13,17 +14,21 @@
 namespace ui {
 namespace {
 
-QPushButton* quietButton(const QString& text, const QString& help)
+QPushButton* quietButton(const Words& text, const Words& help)
 {
-    auto* button = new QPushButton(text);
+    auto* button = withTip(withText(new QPushButton, text), help);
     button->setProperty("role", "quiet");
-    button->setToolTip(help);
     return button;
 }
 
 NumberFormat shiftFormat()
 {
     return {-200.0, 200.0, 2, QStringLiteral("px"), 0.25, NumberSign::Always};
+}
+
+NumberFormat greyFormat(double lowest)
+{
+    return {lowest, 1e9, 0, QString(), 10.0};
 }
 
 QString framesText(const std::vector<int>& frames)
@@ -56,19 +61,25 @@ QString maskText(const RunState& state)
 }   // namespace
 
 AngiogramPanel::AngiogramPanel(QWidget* parent)
-    : Section(tr("Angiogram"), Folding::Foldable, parent),
-      subtract_(new QCheckBox(withKey(tr("Subtract mask"), Command::Subtract))),
-      composite_(new QCheckBox(tr("Whole run in one picture"))),
+    : Section(
+          "angiogram", [] { return tr("Angiogram"); }, Folding::Foldable, parent),
+      window_(new NumberField(greyFormat(1e-6))),
+      level_(new NumberField(greyFormat(-1e9))),
+      subtract_(withText(new QCheckBox, [] { return withKey(tr("Subtract mask"), Command::Subtract); })),
+      composite_(withText(new QCheckBox, [] { return tr("Whole run in one picture"); })),
       masks_(new ElidedLabel("label")),
-      automaticMasks_(quietButton(tr("Automatic"), tr("Choose the frames before the contrast medium arrives"))),
+      automaticMasks_(quietButton([] { return tr("Automatic"); },
+                                  [] { return tr("Choose the frames before the contrast medium arrives"); })),
       right_(new NumberField(shiftFormat())),
       down_(new NumberField(shiftFormat())),
-      automaticShift_(quietButton(tr("Automatic"), tr("Find the shift of each frame"))),
-      byHand_(quietButton(tr("By hand"), tipWithKey(tr("Move the mask with arrows or the mouse"), Command::ShiftMask))),
+      automaticShift_(quietButton([] { return tr("Automatic"); }, [] { return tr("Find the shift of each frame"); })),
+      byHand_(quietButton([] { return tr("By hand"); },
+                          [] { return tipWithKey(tr("Move the mask with arrows or the mouse"), Command::ShiftMask); })),
       relation_(new QComboBox),
       vessels_(new QComboBox),
-      defaults_(quietButton(tr("Defaults"), tr("Trace as the program would by itself")))
+      defaults_(quietButton([] { return tr("Defaults"); }, [] { return tr("Trace as the program would by itself"); }))
 {
+    buildBrightness();
     buildSubtraction();
     buildPixels();
     buildTracing();
@@ -85,12 +96,47 @@ void AngiogramPanel::edit(const Change& change, const QString& what)
     emit treatmentEdited(wanted, what);
 }
 
+void AngiogramPanel::buildBrightness()
+{
+    withTip(withName(window_, [] { return tr("Window"); }),
+            [] { return tr("Window W: how many grey values lie between black and white"); });
+    withTip(withName(level_, [] { return tr("Level"); }),
+            [] { return tr("Level L: the grey value in the middle of them"); });
+    for (NumberField* field : {window_, level_}) {
+        field->setMinimumWidth(64);
+        connect(field, &NumberField::edited, this, [this] {
+            if (window_->value() && level_->value()) {
+                emit windowLevelTyped(*window_->value(), *level_->value());
+            }
+        });
+    }
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    auto* label = withText(roleLabel("label"), [] { return tr("window, level"); });
+    label->setMinimumWidth(84);
+    row->addWidget(label);
+    row->addWidget(window_, 1);
+    row->addWidget(level_, 1);
+    contentLayout()->addLayout(row);
+}
+
+void AngiogramPanel::showWindowLevel(double window, double level)
+{
+    for (NumberField* field : {window_, level_}) {
+        field->setDecimals(std::abs(window) < 10.0 ? 3 : 0);   // intensities, or their logarithms
+    }
+    window_->showValue(window);
+    level_->showValue(level);
+}
+
 void AngiogramPanel::buildSubtraction()
 {
-    subtract_->setToolTip(
-        tipWithKey(tr("Take away what the mask frames show as well: bones and organs"), Command::Subtract));
-    composite_->setToolTip(
-        tipWithKey(tr("Every frame shows the darkest value of each pixel over the run"), Command::Composite));
+    withTip(subtract_, [] {
+        return tipWithKey(tr("Take away what the mask frames show as well: bones and organs"), Command::Subtract);
+    });
+    withTip(composite_, [] {
+        return tipWithKey(tr("Every frame shows the darkest value of each pixel over the run"), Command::Composite);
+    });
     connect(subtract_, &QCheckBox::clicked, this, [this](bool on) {
         edit([on](core::RunTreatment& wanted) { wanted.isSubtracted = on; },
              on ? tr("Subtract mask") : tr("Show native frames"));
@@ -111,10 +157,10 @@ void AngiogramPanel::buildSubtraction()
         edit([](core::RunTreatment& wanted) { wanted.plan.maskShiftPx.reset(); }, tr("Find the mask's shift"));
     });
     connect(byHand_, &QPushButton::clicked, this, &AngiogramPanel::shiftByHandRequested);
-    right_->setAccessibleName(tr("Mask shift to the right"));
-    down_->setAccessibleName(tr("Mask shift down"));
-    right_->setToolTip(tr("How far the mask moves to the right, px"));
-    down_->setToolTip(tr("How far the mask moves down, px"));
+    withName(right_, [] { return tr("Mask shift to the right"); });
+    withName(down_, [] { return tr("Mask shift down"); });
+    withTip(right_, [] { return tr("How far the mask moves to the right, px"); });
+    withTip(down_, [] { return tr("How far the mask moves down, px"); });
     connect(right_, &NumberField::edited, this, &AngiogramPanel::editShift);
     connect(down_, &NumberField::edited, this, &AngiogramPanel::editShift);
 
@@ -124,10 +170,10 @@ void AngiogramPanel::buildSubtraction()
     grid->setColumnMinimumWidth(0, 84);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(2, 1);
-    grid->addWidget(roleLabel("label", tr("mask frames")), 0, 0);
+    grid->addWidget(withText(roleLabel("label"), [] { return tr("mask frames"); }), 0, 0);
     grid->addWidget(masks_, 0, 1);
     grid->addWidget(automaticMasks_, 0, 2);
-    grid->addWidget(roleLabel("label", tr("shift →  ↓")), 1, 0);
+    grid->addWidget(withText(roleLabel("label"), [] { return tr("shift →  ↓"); }), 1, 0);
     grid->addWidget(right_, 1, 1);
     grid->addWidget(down_, 1, 2);
     grid->addWidget(automaticShift_, 2, 1);
@@ -150,12 +196,12 @@ void AngiogramPanel::editShift()
 
 void AngiogramPanel::buildPixels()
 {
-    relation_->addItems({tr("linear"), tr("logarithmic")});
-    relation_->setToolTip(tr("How stored values relate to the X-ray intensity (0028,1040)"));
-    relation_->setAccessibleName(tr("Pixel values"));
-    vessels_->addItems({tr("dark"), tr("bright")});
-    vessels_->setToolTip(tr("Whether contrast medium is darker or brighter than the background"));
-    vessels_->setAccessibleName(tr("Vessels"));
+    speak(relation_, [this] { setWords(*relation_, {tr("linear"), tr("logarithmic")}); });
+    withTip(relation_, [] { return tr("How stored values relate to the X-ray intensity (0028,1040)"); });
+    withName(relation_, [] { return tr("Pixel values"); });
+    speak(vessels_, [this] { setWords(*vessels_, {tr("dark"), tr("bright")}); });
+    withTip(vessels_, [] { return tr("Whether contrast medium is darker or brighter than the background"); });
+    withName(vessels_, [] { return tr("Vessels"); });
     connect(relation_, &QComboBox::activated, this, [this](int index) {
         edit([index](core::RunTreatment& wanted) { wanted.plan.relation = static_cast<core::PixelRelation>(index); },
              tr("Change the meaning of pixel values"));
@@ -169,25 +215,24 @@ void AngiogramPanel::buildPixels()
     grid->setVerticalSpacing(6);
     grid->setColumnMinimumWidth(0, 84);
     grid->setColumnStretch(1, 1);
-    grid->addWidget(roleLabel("label", tr("pixel values")), 0, 0);
+    grid->addWidget(withText(roleLabel("label"), [] { return tr("pixel values"); }), 0, 0);
     grid->addWidget(relation_, 0, 1);
-    grid->addWidget(roleLabel("label", tr("vessels")), 1, 0);
+    grid->addWidget(withText(roleLabel("label"), [] { return tr("vessels"); }), 1, 0);
     grid->addWidget(vessels_, 1, 1);
     contentLayout()->addLayout(grid);
 }
 
-NumberField* AngiogramPanel::tracingRow(QGridLayout& grid, int row, const QString& label, const QString& help,
+NumberField* AngiogramPanel::tracingRow(QGridLayout& grid, int row, const Words& label, const Words& help,
                                         const NumberFormat& format, double core::TraceOptions::*value)
 {
     auto* field = new NumberField(format);
-    field->setAccessibleName(label);
-    field->setToolTip(help);
-    grid.addWidget(roleLabel("label", label), row, 0);
+    withTip(withName(field, label), help);
+    grid.addWidget(withText(roleLabel("label"), label), row, 0);
     grid.addWidget(field, row, 1);
     connect(field, &NumberField::edited, this, [this, value, label](double typed) {
         core::TraceOptions wanted = tracing_;
         wanted.*value = typed;
-        emit tracingEdited(wanted, tr("Change %1").arg(label));
+        emit tracingEdited(wanted, tr("Change %1").arg(label()));
     });
     return field;
 }
@@ -195,9 +240,10 @@ NumberField* AngiogramPanel::tracingRow(QGridLayout& grid, int row, const QStrin
 NumberField* AngiogramPanel::lengthRow(QGridLayout& grid, int row)
 {
     auto* field = new NumberField({0.0, 1000.0, 0, QStringLiteral("px"), 5.0});
-    field->setAccessibleName(tr("shortest vessel"));
-    field->setToolTip(tr("Isolated pieces shorter than this are left out; spurs shorter than a third of it too"));
-    grid.addWidget(roleLabel("label", tr("shortest vessel")), row, 0);
+    withName(field, [] { return tr("shortest vessel"); });
+    withTip(field,
+            [] { return tr("Isolated pieces shorter than this are left out; spurs shorter than a third of it too"); });
+    grid.addWidget(withText(roleLabel("label"), [] { return tr("shortest vessel"); }), row, 0);
     grid.addWidget(field, row, 1);
     connect(field, &NumberField::edited, this, [this](double typed) {
         core::TraceOptions wanted = tracing_;
@@ -215,19 +261,21 @@ void AngiogramPanel::buildTracing()
     grid->setVerticalSpacing(6);
     grid->setColumnMinimumWidth(0, 84);
     grid->setColumnStretch(1, 1);
-    sensitivity_ = tracingRow(*grid, 0, tr("sensitivity"), tr("Above 1: fainter vessels are traced as well"),
-                              {0.1, 10.0, 2, QString(), 0.1}, &core::TraceOptions::sensitivity);
+    sensitivity_ = tracingRow(
+        *grid, 0, [] { return tr("sensitivity"); }, [] { return tr("Above 1: fainter vessels are traced as well"); },
+        {0.1, 10.0, 2, QString(), 0.1}, &core::TraceOptions::sensitivity);
     length_ = lengthRow(*grid, 1);
-    widest_ = tracingRow(*grid, 2, tr("widest radius"), tr("Radius of the widest vessel looked for"),
-                         {1.5, 40.0, 1, QStringLiteral("px"), 0.5}, &core::TraceOptions::maxVesselRadiusPx);
+    widest_ = tracingRow(
+        *grid, 2, [] { return tr("widest radius"); }, [] { return tr("Radius of the widest vessel looked for"); },
+        {1.5, 40.0, 1, QStringLiteral("px"), 0.5}, &core::TraceOptions::maxVesselRadiusPx);
     connect(defaults_, &QPushButton::clicked, this,
             [this] { emit tracingEdited(core::TraceOptions{}, tr("Default tracing")); });
-    QPushButton* byHand =
-        quietButton(withKey(tr("Edit vessels"), Command::EditVessels),
-                    tipWithKey(tr("Leave out, erase, draw and cut traced curves"), Command::EditVessels));
+    QPushButton* byHand = quietButton(
+        [] { return withKey(tr("Edit vessels"), Command::EditVessels); },
+        [] { return tipWithKey(tr("Leave out, erase, draw and cut traced curves"), Command::EditVessels); });
     connect(byHand, &QPushButton::clicked, this, &AngiogramPanel::editingRequested);
     auto* heading = new QHBoxLayout;
-    heading->addWidget(roleLabel("heading", tr("Tracing")), 1);
+    heading->addWidget(withText(roleLabel("heading"), [] { return tr("Tracing"); }), 1);
     heading->addWidget(defaults_);
     contentLayout()->addLayout(heading);
     contentLayout()->addLayout(grid);

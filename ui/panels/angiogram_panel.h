@@ -29,27 +29,32 @@ public:
     explicit AngiogramPanel(QWidget* parent = nullptr);
 
     void showRun(const RunState& state);   ///< silent
+    void showWindowLevel(double window, double level);   ///< of the grey values; silent
     void showTracing(const core::TraceOptions& options);   ///< silent
 
 signals:
+    void windowLevelTyped(double window, double level);
     void treatmentEdited(const core::RunTreatment& treatment, const QString& what);
     void shiftByHandRequested();
     void editingRequested();   ///< of the traced curves by hand
     void tracingEdited(const core::TraceOptions& options, const QString& what);
 
 private:
+    void buildBrightness();
     void buildSubtraction();
     void buildPixels();
     void buildTracing();
     void editShift();
     template <class Change>
     void edit(const Change& change, const QString& what);
-    NumberField* tracingRow(QGridLayout& grid, int row, const QString& label, const QString& help,
+    NumberField* tracingRow(QGridLayout& grid, int row, const Words& label, const Words& help,
                             const NumberFormat& format, double core::TraceOptions::*value);
     NumberField* lengthRow(QGridLayout& grid, int row);
 
     RunState state_;
     core::TraceOptions tracing_;
+    NumberField* window_;
+    NumberField* level_;
     QCheckBox* subtract_;
     QCheckBox* composite_;
     ElidedLabel* masks_;

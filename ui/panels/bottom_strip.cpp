@@ -1,6 +1,7 @@
 #include "ui/panels/bottom_strip.h"
 
 #include "ui/panels/section.h"
+#include "ui/words/spoken.h"
 
 #include <QHBoxLayout>
 #include <QProgressBar>
@@ -22,7 +23,7 @@ BottomStrip::BottomStrip(QWidget* parent)
       undoState_(new ElidedLabel("hint")),
       status_(roleLabel("label")),
       progress_(new QProgressBar),
-      stop_(new QPushButton(tr("Stop")))
+      stop_(withText(new QPushButton, [] { return tr("Stop"); }))
 {
     setProperty("role", "strip");
     setAttribute(Qt::WA_StyledBackground);
@@ -32,8 +33,8 @@ BottomStrip::BottomStrip(QWidget* parent)
     status_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     progress_->setTextVisible(false);
     progress_->setFixedHeight(4);
-    progress_->setAccessibleName(tr("Progress"));
-    stop_->setAccessibleName(tr("Stop the running task"));
+    withName(progress_, [] { return tr("Progress"); });
+    withName(stop_, [] { return tr("Stop the running task"); });
     QSizePolicy keepsPlace = stop_->sizePolicy();
     keepsPlace.setRetainSizeWhenHidden(true);
     stop_->setSizePolicy(keepsPlace);
@@ -67,7 +68,11 @@ BottomStrip::BottomStrip(QWidget* parent)
     connect(frames_, &FrameBars::maskRangeMarked, this, &BottomStrip::maskRangeMarked);
     connect(frames_, &FrameBars::plotRequested, this, &BottomStrip::plotRequested);
     connect(stop_, &QPushButton::clicked, this, &BottomStrip::stopRequested);
-    showIdle(tr("Ready"));
+    speak(this, [this] {
+        if (progress_->isHidden() || status_->text().isEmpty()) {
+            showIdle(tr("Ready"));
+        }
+    });
 }
 
 void BottomStrip::showFrames(const FrameCurve& curve)

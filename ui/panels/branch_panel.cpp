@@ -3,6 +3,7 @@
 #include "ui/actions/key_hint.h"
 #include "ui/panels/branch_delegate.h"
 #include "ui/panels/branch_model.h"
+#include "ui/words/spoken.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -46,7 +47,8 @@ int idAt(const QModelIndex& index)
 }   // namespace
 
 BranchPanel::BranchPanel(QWidget* parent)
-    : Section(tr("Branches"), Folding::Fixed, parent),
+    : Section(
+          "branches", [] { return tr("Branches"); }, Folding::Fixed, parent),
       model_(new BranchModel(this)),
       shown_(new QSortFilterProxyModel(this)),
       list_(new QListView),
@@ -54,7 +56,8 @@ BranchPanel::BranchPanel(QWidget* parent)
       order_(new QComboBox),
       filterRow_(makeFilterRow()),
       adviceRow_(makeAdviceRow()),
-      empty_(roleLabel("hint", tr("No vessels yet. Open a CT scan, a mask of vessels or a centreline.")))
+      empty_(withText(roleLabel("hint"),
+                      [] { return tr("No vessels yet. Open a CT scan, a mask of vessels or a centreline."); }))
 {
     auto* delegate = new BranchDelegate(this);
     shown_->setSourceModel(model_);
@@ -72,7 +75,7 @@ BranchPanel::BranchPanel(QWidget* parent)
     list_->setFrameShape(QFrame::NoFrame);
     list_->setMouseTracking(true);
     list_->setContextMenuPolicy(Qt::CustomContextMenu);
-    list_->setAccessibleName(tr("Branches"));
+    withName(list_, [] { return tr("Branches"); });
     list_->viewport()->installEventFilter(this);
     list_->setMinimumHeight(60);
     empty_->setWordWrap(true);
@@ -94,19 +97,24 @@ BranchPanel::BranchPanel(QWidget* parent)
     connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &BranchPanel::reportSelection);
     connect(list_, &QWidget::customContextMenuRequested, this, &BranchPanel::showContextMenu);
     showTree({});
+    speak(this, [this] { showKeys(); });
     showAdvice({}, false);
 }
 
 QWidget* BranchPanel::makeFilterRow()
 {
-    filter_->setPlaceholderText(tr("Find a branch"));
-    filter_->setAccessibleName(tr("Find a branch"));
+    speak(filter_, [this] { filter_->setPlaceholderText(tr("Find a branch")); });
+    withName(filter_, [] { return tr("Find a branch"); });
     filter_->setClearButtonEnabled(true);
-    order_->setAccessibleName(tr("Order of the branches"));
-    order_->setToolTip(tr("Order of the branches"));
-    for (const Order& order : orders) {
-        order_->addItem(tr(order.label));
-    }
+    withName(order_, [] { return tr("Order of the branches"); });
+    withTip(order_, [] { return tr("Order of the branches"); });
+    speak(order_, [this] {
+        QStringList words;
+        for (const Order& order : orders) {
+            words << tr(order.label);
+        }
+        setWords(*order_, words);
+    });
     connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) {
         const QScopedValueRollback quiet(showing_, true);
         shown_->setFilterFixedString(text);
@@ -126,12 +134,12 @@ QWidget* BranchPanel::makeAdviceRow()
 {
     advice_ = roleLabel("attention");
     advice_->setWordWrap(true);
-    mend_ = new QPushButton(tr("Join"));
+    mend_ = withText(new QPushButton, [] { return tr("Join"); });
     mend_->setProperty("role", "link");
-    mend_->setToolTip(tipWithKey(tr("Closes the gap; undo opens it again."), Command::MendGap));
-    auto* show = new QPushButton(tr("Show"));
+    withTip(mend_, [] { return tipWithKey(tr("Closes the gap; undo opens it again."), Command::MendGap); });
+    auto* show = withText(new QPushButton, [] { return tr("Show"); });
     show->setProperty("role", "link");
-    show->setToolTip(tr("Selects both branches and moves the cross-hair to the gap."));
+    withTip(show, [] { return tr("Selects both branches and moves the cross-hair to the gap."); });
     connect(mend_, &QPushButton::clicked, this, &BranchPanel::adviceTaken);
     connect(show, &QPushButton::clicked, this, &BranchPanel::adviceShown);
     connect(this, &BranchPanel::adviceMendable, show, &QWidget::setVisible);
@@ -196,7 +204,12 @@ void BranchPanel::showTree(const core::VesselTree& tree)
     list_->setVisible(!tree.branches.empty());
     filterRow_->setVisible(!tree.branches.empty());
     selectMarked();
-    setHint(tree.branches.empty()
+    showKeys();
+}
+
+void BranchPanel::showKeys()
+{
+    setHint(model_->rowCount() == 0
                 ? QString()
                 : tr("%1 auxiliary · %2 exclude").arg(keyOf(Command::ToggleAuxiliary), keyOf(Command::ToggleExcluded)));
 }
@@ -262,8 +275,10 @@ void BranchPanel::showContextMenu(const QPoint& position)
     const std::set<int> affected = affectedBy(idAt(index));
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addAction(tr("Auxiliary on or off\tA"), this, [this, affected] { emit auxiliaryToggled(affected); });
-    menu->addAction(tr("Exclude or include\tX"), this, [this, affected] { emit excludedToggled(affected); });
+    menu->addAction(tr("Auxiliary on or off") + QLatin1Char('\t') + keyOf(Command::ToggleAuxiliary), this,
+                    [this, affected] { emit auxiliaryToggled(affected); });
+    menu->addAction(tr("Exclude or include") + QLatin1Char('\t') + keyOf(Command::ToggleExcluded), this,
+                    [this, affected] { emit excludedToggled(affected); });
     menu->addSeparator();
     menu->addAction(tr("Only these auxiliary"), this, [this, affected] { emit onlyTheseAuxiliary(affected); });
     menu->addAction(tr("No auxiliary branches (use the nodes)"), this, &BranchPanel::auxiliaryCleared);

@@ -61,6 +61,7 @@ private:
     std::set<int> selectedIds() const;
     std::set<int> affectedBy(int branchId) const;   ///< the selection when it contains the branch, else the branch
     void showContextMenu(const QPoint& position);
+    void showKeys();
     void reportSelection();
 
     BranchModel* model_;

@@ -1,6 +1,7 @@
 #include "ui/panels/curve_edit_bar.h"
 
 #include "ui/panels/section.h"
+#include "ui/words/spoken.h"
 
 #include <QHBoxLayout>
 #include <QPushButton>
@@ -41,7 +42,9 @@ QString withKey(const QString& text, const QString& key)
 }   // namespace
 
 CurveEditBar::CurveEditBar(QWidget* parent)
-    : QFrame(parent), count_(roleLabel("hint")), traceAgain_(new QPushButton(tr("Trace again")))
+    : QFrame(parent),
+      count_(roleLabel("hint")),
+      traceAgain_(withText(new QPushButton, [] { return tr("Trace again"); }))
 {
     setProperty("role", "imageBar");
     setAttribute(Qt::WA_StyledBackground);
@@ -49,9 +52,9 @@ CurveEditBar::CurveEditBar(QWidget* parent)
     edits->setSpacing(4);
     for (const EditRow& row : editRows) {
         auto* button = new QToolButton;
-        button->setText(withKey(tr(row.text), QString::fromLatin1(row.key)));
-        button->setToolTip(QStringLiteral("%1 (%2)").arg(tr(row.help), QString::fromLatin1(row.key)));
-        button->setAccessibleName(tr(row.text));
+        withText(button, [row] { return withKey(tr(row.text), QString::fromLatin1(row.key)); });
+        withTip(button, [row] { return QStringLiteral("%1 (%2)").arg(tr(row.help), QString::fromLatin1(row.key)); });
+        withName(button, [row] { return tr(row.text); });
         button->setCheckable(true);
         button->setFocusPolicy(Qt::TabFocus);
         connect(button, &QToolButton::clicked, this, [this, row] {
@@ -61,11 +64,12 @@ CurveEditBar::CurveEditBar(QWidget* parent)
         edits->addWidget(button);
         buttons_[row.edit] = button;
     }
-    traceAgain_->setToolTip(tr("Forget the edits of this frame and trace it automatically; undo brings them back"));
+    withTip(traceAgain_,
+            [] { return tr("Forget the edits of this frame and trace it automatically; undo brings them back"); });
     traceAgain_->setProperty("role", "quiet");
     connect(traceAgain_, &QPushButton::clicked, this, &CurveEditBar::traceAgainRequested);
-    auto* done = new QPushButton(withKey(tr("Done"), QStringLiteral("Esc")));
-    done->setAccessibleName(tr("Done"));
+    auto* done = withText(new QPushButton, [] { return withKey(tr("Done"), QStringLiteral("Esc")); });
+    withName(done, [] { return tr("Done"); });
     connect(done, &QPushButton::clicked, this, &CurveEditBar::doneRequested);
     auto* rest = new QHBoxLayout;
     rest->setContentsMargins(4, 0, 0, 0);
@@ -79,6 +83,7 @@ CurveEditBar::CurveEditBar(QWidget* parent)
     layout->addLayout(rest);
     showEdit(CurveEdit::Remove);
     setEdited(false);
+    speak(this, [this] { sayCounts(); });
 }
 
 void CurveEditBar::showEdit(CurveEdit edit)
@@ -90,6 +95,13 @@ void CurveEditBar::showEdit(CurveEdit edit)
 
 void CurveEditBar::showCurves(int count, int suspects)
 {
+    shownCounts_ = {count, suspects};
+    sayCounts();
+}
+
+void CurveEditBar::sayCounts()
+{
+    const auto [count, suspects] = shownCounts_;
     count_->setText(suspects > 0 ? tr("%1 curves, %2 suspect (S)").arg(count).arg(suspects)
                                  : tr("%1 curves").arg(count));
 }

@@ -5,6 +5,7 @@
 #include <QFrame>
 
 #include <map>
+#include <utility>
 
 class QLabel;
 class QPushButton;
@@ -28,7 +29,10 @@ signals:
     void doneRequested();
 
 private:
+    void sayCounts();
+
     std::map<CurveEdit, QToolButton*> buttons_;
+    std::pair<int, int> shownCounts_;   ///< of curves, and of suspects among them
     QLabel* count_;
     QPushButton* traceAgain_;
 };

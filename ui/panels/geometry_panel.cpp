@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include "ui/words/core_texts.h"
+#include "ui/words/spoken.h"
 
 namespace ui {
 namespace {
@@ -44,16 +45,19 @@ std::array<GeometryValue, geometryValueCount> allValues()
 }   // namespace
 
 GeometryPanel::GeometryPanel(QWidget* parent)
-    : Section(tr("Geometry"), Folding::Foldable, parent),
+    : Section(
+          "geometry", [] { return tr("Geometry"); }, Folding::Foldable, parent),
       shownFrom_(new QComboBox),
       shownFromOrigin_(roleLabel("hint")),
-      seldom_(new Section(tr("Roll, centre, isocentre"), Folding::Foldable)),
-      header_(new Section(tr("What the header says"), Folding::Foldable)),
+      seldom_(new Section(
+          "geometry/seldom", [] { return tr("Roll, centre, isocentre"); }, Folding::Foldable)),
+      header_(new Section(
+          "geometry/header", [] { return tr("What the header says"); }, Folding::Foldable)),
       headerText_(roleLabel("hint")),
       camera_(roleLabel("label")),
       notes_(roleLabel("attentionBox")),
-      assume_(new QPushButton(tr("Assume usual values"))),
-      dropOverride_(new QPushButton(tr("Use distances and spacing instead")))
+      assume_(withText(new QPushButton, [] { return tr("Assume usual values"); })),
+      dropOverride_(withText(new QPushButton, [] { return tr("Use distances and spacing instead"); }))
 {
     auto* usual = makeGrid();
     auto* seldom = makeGrid();
@@ -68,7 +72,7 @@ GeometryPanel::GeometryPanel(QWidget* parent)
     for (QPushButton* button : {assume_, dropOverride_}) {
         button->setProperty("role", "quiet");
     }
-    assume_->setToolTip(tr("SID 1000 mm, SOD 750 mm, pixel 0.3 mm, angles 0°: only for what is missing."));
+    withTip(assume_, [] { return tr("SID 1000 mm, SOD 750 mm, pixel 0.3 mm, angles 0°: only for what is missing."); });
     connect(assume_, &QPushButton::clicked, this, &GeometryPanel::assumeMissing);
     connect(dropOverride_, &QPushButton::clicked, this, &GeometryPanel::cameraOverrideDropped);
 
@@ -103,13 +107,13 @@ QGridLayout* GeometryPanel::makeGrid()
 void GeometryPanel::addRow(GeometryValue value, QGridLayout* grid)
 {
     const GeometryValueKind& kind = kindOf(value);
-    auto* label = roleLabel("label", tr(kind.label));
+    auto* label = withText(roleLabel("label"), [&kind] { return tr(kind.label); });
     Row& made = row(value);
     made = {new NumberField(kind.format), roleLabel("hint")};
-    made.field->setAccessibleName(tr(kind.help));
-    made.field->setPlaceholderText(tr("missing"));
+    withName(made.field, [&kind] { return tr(kind.help); });
+    speak(made.field, [field = made.field] { field->setPlaceholderText(tr("missing")); });
     for (QWidget* widget : {static_cast<QWidget*>(label), static_cast<QWidget*>(made.field)}) {
-        widget->setToolTip(tr(kind.help));
+        withTip(widget, [&kind] { return tr(kind.help); });
     }
     label->setBuddy(made.field);
     connect(made.field, &NumberField::edited, this, [this, value](double number) { editValue(value, number); });
@@ -122,18 +126,20 @@ void GeometryPanel::addRow(GeometryValue value, QGridLayout* grid)
 
 void GeometryPanel::addShownFrom(QGridLayout* grid)
 {
-    shownFrom_->addItems({tr("as from the detector"), tr("mirrored")});
-    shownFrom_->setAccessibleName(tr("Side that the image is shown from"));
-    shownFrom_->setToolTip(
-        tr("Angiograms are shown as seen from the detector. A mirrored export shows left and right "
-           "exchanged: the projection is mirrored with it, the vessels never are."));
+    speak(shownFrom_, [this] { setWords(*shownFrom_, {tr("as from the detector"), tr("mirrored")}); });
+    withName(shownFrom_, [] { return tr("Side that the image is shown from"); });
+    withTip(shownFrom_, [] {
+        return tr(
+            "Angiograms are shown as seen from the detector. A mirrored export shows left and right "
+            "exchanged: the projection is mirrored with it, the vessels never are.");
+    });
     connect(shownFrom_, &QComboBox::activated, this, [this](int index) {
         core::CArm cArm = state_.cArm;
         cArm.mirrored = {index == 1, core::Origin::User, "chosen in the window"};
         emit edited(cArm, tr("side of the image"));
     });
     const int line = grid->rowCount();
-    grid->addWidget(roleLabel("label", tr("image")), line, 0);
+    grid->addWidget(withText(roleLabel("label"), [] { return tr("image"); }), line, 0);
     grid->addWidget(shownFrom_, line, 1);
     grid->addWidget(shownFromOrigin_, line, 2);
 }
@@ -207,10 +213,6 @@ void GeometryPanel::showNotes()
     }
     for (const std::string& contradiction : state_.contradictions) {
         notes << coreText(contradiction);
-    }
-    if (state_.cArm.columnSpacingMm.origin == core::Origin::Derived && !state_.cameraOverride) {
-        notes << tr(
-            "The header gives no pixel spacing; this one is derived. Press Enter in it to confirm, or type it.");
     }
     if (state_.cArm.columnSpacingMm.origin == core::Origin::Derived && !state_.cameraOverride) {
         notes << tr(

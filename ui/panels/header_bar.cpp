@@ -1,6 +1,7 @@
 #include "ui/panels/header_bar.h"
 
 #include "ui/panels/section.h"
+#include "ui/words/spoken.h"
 
 #include <QHBoxLayout>
 
@@ -13,9 +14,9 @@ HeaderBar::HeaderBar(QWidget* parent)
     setAttribute(Qt::WA_StyledBackground);
     menuBar_->setNativeMenuBar(false);
     menuBar_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
-    auto* notice = roleLabel("attention", tr("Not for clinical use"));
+    auto* notice = withText(roleLabel("attention"), [] { return tr("Not for clinical use"); });
     notice->setObjectName(QStringLiteral("clinicalNotice"));
-    notice->setToolTip(tr("AngioPose is a research program, not a medical device."));
+    withTip(notice, [] { return tr("AngioPose is a research program, not a medical device."); });
 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(14, 4, 14, 4);

@@ -1,6 +1,7 @@
 #include "ui/panels/landmark_panel.h"
 
 #include "ui/actions/key_hint.h"
+#include "ui/words/spoken.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -17,23 +18,28 @@ constexpr int shownRows = 6;
 }   // namespace
 
 LandmarkPanel::LandmarkPanel(QWidget* parent)
-    : Section(tr("Landmarks"), Folding::Foldable, parent),
+    : Section(
+          "landmarks", [] { return tr("Landmarks"); }, Folding::Foldable, parent),
       list_(new QListWidget),
       verdict_(roleLabel("hint")),
-      mode_(new QPushButton(withKey(tr("Click pairs"), Command::Landmarks))),
-      place_(new QPushButton(tr("Place vessels"))),
-      remove_(new QPushButton(tr("Remove")))
+      mode_(withText(new QPushButton, [] { return withKey(tr("Click pairs"), Command::Landmarks); })),
+      place_(withText(new QPushButton, [] { return tr("Place vessels"); })),
+      remove_(withText(new QPushButton, [] { return tr("Remove"); }))
 {
     list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    list_->setAccessibleName(tr("Landmarks and how far each is off"));
+    withName(list_, [] { return tr("Landmarks and how far each is off"); });
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->installEventFilter(this);
     verdict_->setWordWrap(true);
     mode_->setCheckable(true);
-    mode_->setToolTip(tipWithKey(tr("A place on the vessels in 3-D (or a slice), then the same place in the image."),
-                                 Command::Landmarks));
-    place_->setToolTip(tr("Find the start pose from the pairs: Enter while clicking. Undo brings the old one back."));
-    remove_->setToolTip(tr("Remove the chosen pairs: Delete"));
+    withTip(mode_, [] {
+        return tipWithKey(tr("A place on the vessels in 3-D (or a slice), then the same place in the image."),
+                          Command::Landmarks);
+    });
+    withTip(place_, [] {
+        return tr("Find the start pose from the pairs: Enter while clicking. Undo brings the old one back.");
+    });
+    withTip(remove_, [] { return tr("Remove the chosen pairs: Delete"); });
     remove_->setProperty("role", "quiet");
     connect(place_, &QPushButton::clicked, this, &LandmarkPanel::poseRequested);
     connect(remove_, &QPushButton::clicked, this, &LandmarkPanel::removeSelected);
@@ -49,6 +55,7 @@ LandmarkPanel::LandmarkPanel(QWidget* parent)
     contentLayout()->addLayout(buttons);
     setFolded(true);
     showLandmarks({});
+    speak(this, [this] { showKeys(); });
 }
 
 void LandmarkPanel::bindMode(QAction& action)
@@ -64,6 +71,7 @@ void LandmarkPanel::bindMode(QAction& action)
 
 void LandmarkPanel::showLandmarks(const LandmarkState& state)
 {
+    count_ = state.landmarks.size();
     list_->clear();
     for (std::size_t i = 0; i < state.landmarks.size(); ++i) {
         const QString name = QString::fromStdString(state.landmarks[i].name);
@@ -78,8 +86,13 @@ void LandmarkPanel::showLandmarks(const LandmarkState& state)
     verdict_->setVisible(!state.verdict.isEmpty());
     place_->setEnabled(state.isEnough);
     remove_->setEnabled(false);
-    setHint(state.landmarks.empty() ? tr("%1 pairs places by clicks").arg(keyOf(Command::Landmarks))
-                                    : tr("%1 pairs").arg(state.landmarks.size()));
+    showKeys();
+}
+
+void LandmarkPanel::showKeys()
+{
+    setHint(count_ == 0 ? tr("%1: click pairs, then place").arg(keyOf(Command::Landmarks))
+                        : tr("%1 pairs").arg(count_));
 }
 
 void LandmarkPanel::removeSelected()

@@ -39,12 +39,14 @@ protected:
 
 private:
     void removeSelected();
+    void showKeys();
 
     QListWidget* list_;
     QLabel* verdict_;
     QPushButton* mode_;
     QPushButton* place_;
     QPushButton* remove_;
+    std::size_t count_ = 0;
 };
 
 }   // namespace ui

@@ -29,9 +29,15 @@ std::optional<double> parsed(QString text)
 NumberField::NumberField(NumberFormat format, QWidget* parent) : QLineEdit(parent), format_(std::move(format))
 {
     setProperty("role", "number");
-    const int unitWidth = format_.unit.isEmpty() ? 0 : fontMetrics().horizontalAdvance(format_.unit) + 8;
-    setTextMargins(0, 0, unitWidth, 0);
+    setUnit(format_.unit);
     connect(this, &QLineEdit::returnPressed, this, &NumberField::commit);
+}
+
+void NumberField::setUnit(const QString& unit)
+{
+    format_.unit = unit;
+    setTextMargins(0, 0, unit.isEmpty() ? 0 : fontMetrics().horizontalAdvance(unit) + 8, 0);
+    update();
 }
 
 void NumberField::showValue(std::optional<double> value)

@@ -27,6 +27,8 @@ public:
 
     void showValue(std::optional<double> value);   ///< silent; leaves text alone that the user is typing
     std::optional<double> value() const { return value_; }
+    void setUnit(const QString& unit);
+    void setDecimals(int decimals) { format_.decimals = decimals; }   ///< of what is shown next
     void setAsking(bool asking);   ///< glows: somebody should type or confirm this
 
 signals:

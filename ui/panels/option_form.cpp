@@ -3,6 +3,7 @@
 #include "ui/panels/number_field.h"
 #include "ui/panels/section.h"
 #include "ui/words/core_texts.h"
+#include "ui/words/spoken.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -78,10 +79,10 @@ void OptionForm::rebuild()
         }
         QWidget* editor = makeEditor(field);
         editor->setObjectName(fromView(field.key));
-        editor->setAccessibleName(coreText(field.label));
-        editor->setToolTip(coreText(field.help));
-        auto* label = roleLabel("label", coreText(field.label));
-        label->setToolTip(coreText(field.help));
+        withName(editor, [&field] { return coreText(field.label); });
+        withTip(editor, [&field] { return coreText(field.help); });
+        auto* label = withText(roleLabel("label"), [&field] { return coreText(field.label); });
+        withTip(label, [&field] { return coreText(field.help); });
         form_->addRow(label, editor);
         refreshers_.back()();
     }
@@ -91,9 +92,13 @@ QWidget* OptionForm::makeEditor(const core::OptionField& field)
 {
     if (!field.choices.empty()) {
         auto* box = new QComboBox;
-        for (const std::string_view choice : field.choices) {
-            box->addItem(choiceText(choice));
-        }
+        speak(box, [box, &field] {
+            QStringList words;
+            for (const std::string_view choice : field.choices) {
+                words << choiceText(choice);
+            }
+            setWords(*box, words);
+        });
         connect(box, &QComboBox::activated, this, [this, &field](int index) { write(field, index); });
         refreshers_.emplace_back([this, &field, box] { box->setCurrentIndex(static_cast<int>(field.read(options_))); });
         return box;

@@ -2,6 +2,7 @@
 
 #include "ui/actions/key_hint.h"
 #include "ui/panels/lock_dot.h"
+#include "ui/words/spoken.h"
 
 #include <QGridLayout>
 #include <QPushButton>
@@ -19,7 +20,9 @@ NumberFormat formatOf(PoseAxis axis)
 
 }   // namespace
 
-PosePanel::PosePanel(QWidget* parent) : Section(tr("Pose"), Folding::Fixed, parent)
+PosePanel::PosePanel(QWidget* parent)
+    : Section(
+          "pose", [] { return tr("Pose"); }, Folding::Fixed, parent)
 {
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(8);
@@ -34,25 +37,26 @@ PosePanel::PosePanel(QWidget* parent) : Section(tr("Pose"), Folding::Fixed, pare
         grid->addWidget(row.lock, line, 2);
         rows_[static_cast<std::size_t>(axis)] = row;
     }
-    auto* reset = new QPushButton(tr("Back to start pose"));
+    auto* reset = withText(new QPushButton, [] { return tr("Back to start pose"); });
     reset->setProperty("role", "quiet");
-    reset->setToolTip(tipWithKey(tr("Undo brings the pose back."), Command::ResetPose));
+    withTip(reset, [] { return tipWithKey(tr("Undo brings the pose back."), Command::ResetPose); });
     connect(reset, &QPushButton::clicked, this, &PosePanel::resetRequested);
     reset_ = reset;
     contentLayout()->addLayout(grid);
     contentLayout()->addWidget(reset);
-    showNudgeMode(false);
+    speak(this, [this] { showNudgeMode(isNudging_); });
     showOffset(std::nullopt);
 }
 
 PosePanel::Row PosePanel::makeRow(PoseAxis axis)
 {
-    Row row{roleLabel("label", labelOf(axis)), new NumberField(formatOf(axis)), new LockDot};
-    row.field->setAccessibleName(tr("Pose %1").arg(labelOf(axis)));
-    row.field->setToolTip(explanationOf(axis));
-    row.label->setToolTip(explanationOf(axis));
-    row.lock->setAccessibleName(tr("Lock %1").arg(labelOf(axis)));
-    row.lock->setToolTip(tr("Keep this value: nudging, dragging, typing and Register leave it as it is."));
+    Row row{withText(roleLabel("label"), [axis] { return labelOf(axis); }), new NumberField(formatOf(axis)),
+            new LockDot};
+    withName(row.field, [axis] { return tr("Pose %1").arg(labelOf(axis)); });
+    withTip(row.field, [axis] { return explanationOf(axis); });
+    withTip(row.label, [axis] { return explanationOf(axis); });
+    withName(row.lock, [axis] { return tr("Lock %1").arg(labelOf(axis)); });
+    withTip(row.lock, [] { return tr("Keep this value: nudging, dragging, typing and Register leave it as it is."); });
     row.label->setBuddy(row.field);
     connect(row.field, &NumberField::edited, this, [this, axis](double value) { editAxis(axis, value); });
     connect(row.lock, &QAbstractButton::clicked, this, [this, axis] { toggleLock(axis); });
@@ -83,6 +87,7 @@ void PosePanel::showLocks(const PoseLocks& locks)
 
 void PosePanel::showNudgeMode(bool on)
 {
+    isNudging_ = on;
     setHint(on ? tr("nudging · arrows · %1 ends").arg(keyOf(Command::Nudge))
                : tr("nudge %1 · fine Ctrl · coarse Shift").arg(keyOf(Command::Nudge)));
 }

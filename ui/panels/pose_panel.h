@@ -36,6 +36,7 @@ private:
     void toggleLock(PoseAxis axis);
 
     core::PoseOffset offset_;
+    bool isNudging_ = false;
     PoseLocks locks_{};
     std::array<Row, poseAxes.size()> rows_{};
     QAbstractButton* reset_;

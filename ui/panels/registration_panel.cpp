@@ -4,6 +4,7 @@
 #include "ui/help/help_page.h"
 #include "ui/panels/option_form.h"
 #include "ui/words/core_texts.h"
+#include "ui/words/spoken.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -24,28 +25,29 @@ QString fromView(std::string_view text)
 }   // namespace
 
 RegistrationPanel::RegistrationPanel(QWidget* parent)
-    : Section(tr("Registration"), Folding::Fixed, parent),
+    : Section(
+          "registration", [] { return tr("Registration"); }, Folding::Fixed, parent),
       method_(new QComboBox),
       summary_(roleLabel("hint")),
       form_(new OptionForm),
-      optionSection_(new Section(tr("Method and options"), Folding::Foldable)),
+      optionSection_(new Section(
+          "registration/options", [] { return tr("Method and options"); }, Folding::Foldable)),
       register_(new QPushButton),
-      stop_(new QPushButton(tr("Stop"))),
+      stop_(withText(new QPushButton, [] { return tr("Stop"); })),
       lockNote_(roleLabel("hint")),
       allViews_(new QCheckBox)
 {
     register_->setProperty("role", "primary");
-    register_->setAccessibleName(tr("Register"));
-    stop_->setToolTip(tr("Ends the run and keeps the best pose so far."));
+    withName(register_, [] { return tr("Register"); });
+    withTip(stop_, [] { return tr("Ends the run and keeps the best pose so far."); });
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
     buttons->addWidget(register_, 5);
     buttons->addWidget(stop_, 2);
 
-    method_->setAccessibleName(tr("Method"));
+    withName(method_, [] { return tr("Method"); });
     for (const core::MethodInfo& info : core::methodInfos()) {
         method_->addItem(fromView(info.label), QByteArray(info.id.data(), static_cast<qsizetype>(info.id.size())));
-        method_->setItemData(method_->count() - 1, coreText(info.summary), Qt::ToolTipRole);
     }
     summary_->setWordWrap(true);
     optionSection_->contentLayout()->addLayout(methodRow());
@@ -57,9 +59,12 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
     lockNote_->setWordWrap(true);
     contentLayout()->addLayout(buttons);
     allViews_->setChecked(true);
-    allViews_->setToolTip(
-        tr("One pose for all views, found by AngioPose's own method: depth in one view is a shift in "
-           "another. Without the tick only the shown view is registered."));
+    withTip(allViews_, [] {
+        return tr(
+            "One pose for all views: moving by hand moves the vessels in all of them, and Register fits all by "
+            "AngioPose's own method, for depth in one view is a shift in another. Without the tick only the "
+            "shown view is meant.");
+    });
     contentLayout()->addWidget(allViews_);
     contentLayout()->addWidget(lockNote_);
     contentLayout()->addWidget(optionSection_);
@@ -69,8 +74,19 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
     connect(allViews_, &QCheckBox::toggled, this, &RegistrationPanel::allViewsToggled);
     connect(method_, &QComboBox::activated, this, &RegistrationPanel::chooseMethod);
     connect(form_, &OptionForm::edited, this, &RegistrationPanel::optionsEdited);
-    showOptions(options_);
     showViewCount(1);
+    speak(this, [this] { sayWords(); });
+}
+
+/// Everything that depends on more than the language.
+void RegistrationPanel::sayWords()
+{
+    int index = 0;
+    for (const core::MethodInfo& info : core::methodInfos()) {
+        method_->setItemData(index++, coreText(info.summary), Qt::ToolTipRole);
+    }
+    showOptions(options_);
+    showViewCount(viewCount_);
     updateButtons();
 }
 
@@ -79,8 +95,8 @@ QHBoxLayout* RegistrationPanel::methodRow()
 {
     auto* about = new QToolButton;
     about->setText(QStringLiteral("?"));
-    about->setAccessibleName(tr("About this method"));
-    about->setToolTip(tr("What this method minimises, when it fails, and its source."));
+    withName(about, [] { return tr("About this method"); });
+    withTip(about, [] { return tr("What this method minimises, when it fails, and its source."); });
     connect(about, &QToolButton::clicked, this, [this] {
         auto* help = new HelpPage(QStringLiteral("methods/") + method_->currentData().toString(),
                                   tr("About this method"), window());
@@ -121,6 +137,7 @@ void RegistrationPanel::showLocks(int count)
 
 void RegistrationPanel::showViewCount(int count)
 {
+    viewCount_ = count;
     allViews_->setVisible(count > 1);
     allViews_->setText(tr("All %1 views together").arg(count));
 }

@@ -35,6 +35,7 @@ private:
     void showLocks(int count);
     QHBoxLayout* methodRow();
     void chooseMethod(int index);
+    void sayWords();
     void updateButtons();
 
     core::RegistrationOptions options_;
@@ -48,6 +49,7 @@ private:
     QCheckBox* allViews_;
     QString whyNot_;
     int auxiliaryCount_ = 0;
+    int viewCount_ = 1;
     bool running_ = false;
 };
 

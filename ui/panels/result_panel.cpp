@@ -4,6 +4,7 @@
 #include "ui/plots/convergence_plot.h"
 #include "ui/plots/histogram_plot.h"
 #include "ui/words/core_texts.h"
+#include "ui/words/spoken.h"
 
 #include <QHBoxLayout>
 
@@ -42,6 +43,8 @@ QString sourceWords(const JudgedPose& judged)
             return ResultPanel::tr("%1 · %2").arg(median, runSummary(judged.result));
         case PoseSource::Edited:
             return ResultPanel::tr("%1 · moved by hand").arg(median);
+        case PoseSource::Followed:
+            return ResultPanel::tr("%1 · followed").arg(median);
         case PoseSource::Start:
             break;
     }
@@ -52,11 +55,15 @@ QString sourceWords(const JudgedPose& judged)
 
 ResultPanel::ResultPanel(QWidget* parent)
     : QWidget(parent),
-      section_(new Section(tr("Result"), Folding::Fixed)),
+      section_(new Section(
+          "result", [] { return tr("Result"); }, Folding::Fixed)),
       solutions_(new SolutionStrip),
-      residualSection_(new Section(tr("Residuals"), Folding::Foldable)),
-      convergenceSection_(new Section(tr("Convergence"), Folding::Foldable)),
-      motionSection_(new Section(tr("Motion"), Folding::Foldable)),
+      residualSection_(new Section(
+          "residuals", [] { return tr("Residuals"); }, Folding::Foldable)),
+      convergenceSection_(new Section(
+          "convergence", [] { return tr("Convergence"); }, Folding::Foldable)),
+      motionSection_(new Section(
+          "motion", [] { return tr("Motion"); }, Folding::Foldable)),
       certain_(sentenceBox("fineBox")),
       doubtful_(sentenceBox("attentionBox")),
       histogram_(new HistogramPlot),
@@ -65,20 +72,30 @@ ResultPanel::ResultPanel(QWidget* parent)
 {
     auto* numbers = new QHBoxLayout;
     numbers->setSpacing(4);
-    numbers->addWidget(makeNumber(median_, tr("median, mm"), tr("Half of the vessel points lie nearer than this.")), 1);
-    numbers->addWidget(makeNumber(p95_, tr("95 %, mm"), tr("95 of 100 vessel points lie nearer than this.")), 1);
+    numbers->addWidget(makeNumber(
+                           median_, [] { return tr("median, mm"); },
+                           [] { return tr("Half of the vessel points lie nearer than this."); }),
+                       1);
     numbers->addWidget(
-        makeNumber(coverage_, tr("covered"), tr("Share of the traced vessels that the tree explains within 3 px.")), 1);
+        makeNumber(
+            p95_, [] { return tr("95 %, mm"); }, [] { return tr("95 of 100 vessel points lie nearer than this."); }),
+        1);
+    numbers->addWidget(makeNumber(
+                           coverage_, [] { return tr("covered"); },
+                           [] { return tr("Share of the traced vessels that the tree explains within 3 px."); }),
+                       1);
     section_->contentLayout()->addLayout(numbers);
     section_->contentLayout()->addWidget(certain_);
     section_->contentLayout()->addWidget(doubtful_);
-    certain_->setToolTip(tr("± is one standard deviation."));
-    doubtful_->setToolTip(tr("± is one standard deviation."));
+    withTip(certain_, [] { return tr("± is one standard deviation."); });
+    withTip(doubtful_, [] { return tr("± is one standard deviation."); });
 
-    residualSection_->setHint(tr("mm, all points"));
+    speak(this, [this] {
+        residualSection_->setHint(tr("mm, all points"));
+        motionSection_->setHint(tr("mm across, by frame"));
+    });
     residualSection_->contentLayout()->addWidget(histogram_);
     convergenceSection_->contentLayout()->addWidget(convergence_);
-    motionSection_->setHint(tr("mm across, by frame"));
     motionSection_->contentLayout()->addWidget(motion_);
 
     auto* layout = new QVBoxLayout(this);
@@ -99,17 +116,15 @@ void ResultPanel::showMotion(const std::vector<FrameMotion>& motion)
     motionSection_->setVisible(!motion.empty());
 }
 
-QWidget* ResultPanel::makeNumber(QLabel*& value, const QString& caption, const QString& toolTip)
+QWidget* ResultPanel::makeNumber(QLabel*& value, const Words& caption, const Words& toolTip)
 {
-    auto* cell = new QWidget;
-    cell->setToolTip(toolTip);
-    value = roleLabel("bigNumber");
-    value->setAccessibleName(caption);
+    auto* cell = withTip(new QWidget, toolTip);
+    value = withName(roleLabel("bigNumber"), caption);
     auto* layout = new QVBoxLayout(cell);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(value);
-    layout->addWidget(roleLabel("hint", caption));
+    layout->addWidget(withText(roleLabel("hint"), caption));
     return cell;
 }
 
@@ -165,7 +180,7 @@ void ResultPanel::showHistory(const std::vector<core::IterationReport>& history)
         convergenceSection_->setHint({});
         return;
     }
-    convergenceSection_->setHint(tr("median %1 → %2 px, steps: %3")
+    convergenceSection_->setHint(tr("%1 → %2 px · steps: %3")
                                      .arg(history.front().medianDistancePx, 0, 'f', 1)
                                      .arg(history.back().medianDistancePx, 0, 'f', 1)
                                      .arg(history.size()));

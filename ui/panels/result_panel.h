@@ -12,7 +12,7 @@ class ConvergencePlot;
 class HistogramPlot;
 
 /// How a pose came about.
-enum class PoseSource { Start, Edited, Run };
+enum class PoseSource { Start, Edited, Run, Followed };
 
 /// What the result panel shows of one judged pose.
 struct JudgedPose {
@@ -39,7 +39,7 @@ public:
     MotionPlot& motion() { return *motion_; }
 
 private:
-    QWidget* makeNumber(QLabel*& value, const QString& caption, const QString& toolTip);
+    QWidget* makeNumber(QLabel*& value, const Words& caption, const Words& toolTip);
     void showSentences(const JudgedPose& judged, const core::VesselTree& tree);
 
     Section* section_;

@@ -6,8 +6,11 @@
 
 namespace ui {
 
-Section::Section(const QString& title, Folding folding, QWidget* parent)
-    : QWidget(parent), title_(roleLabel("heading", title)), hint_(new ElidedLabel("hint")), content_(new QWidget)
+Section::Section(const char* name, const Words& title, Folding folding, QWidget* parent)
+    : QWidget(parent),
+      title_(withText(roleLabel("heading"), title)),
+      hint_(new ElidedLabel("hint")),
+      content_(new QWidget)
 {
     auto* header = new QHBoxLayout;
     header->setSpacing(6);
@@ -15,7 +18,7 @@ Section::Section(const QString& title, Folding folding, QWidget* parent)
         fold_ = new QToolButton;
         fold_->setProperty("role", "fold");
         fold_->setArrowType(Qt::DownArrow);
-        fold_->setAccessibleName(tr("Fold %1").arg(title));
+        withName(fold_, [title] { return tr("Fold %1").arg(title()); });
         connect(fold_, &QToolButton::clicked, this, [this] { setFolded(!isFolded()); });
         title_->installEventFilter(this);
         hint_->installEventFilter(this);
@@ -25,7 +28,7 @@ Section::Section(const QString& title, Folding folding, QWidget* parent)
     hint_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     header->addWidget(hint_, 1);
 
-    setObjectName(title);   // by which its folding is remembered
+    setObjectName(QLatin1String(name));
     contentLayout_ = new QVBoxLayout(content_);
     contentLayout_->setContentsMargins(0, 0, 0, 0);
     contentLayout_->setSpacing(6);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/panels/elided_label.h"
+#include "ui/words/spoken.h"
 
 #include <QLabel>
 #include <QToolButton>
@@ -15,7 +16,8 @@ enum class Folding { Fixed, Foldable };
 class Section : public QWidget {
     Q_OBJECT
 public:
-    Section(const QString& title, Folding folding, QWidget* parent = nullptr);
+    /// `name` is the object name, by which the folding is remembered.
+    Section(const char* name, const Words& title, Folding folding, QWidget* parent = nullptr);
 
     void setHint(const QString& hint);
     void setFolded(bool folded);

@@ -2,6 +2,7 @@
 
 #include "ui/actions/key_hint.h"
 #include "ui/theme/active_theme.h"
+#include "ui/words/spoken.h"
 
 #include <QDateTime>
 #include <QHeaderView>
@@ -48,13 +49,17 @@ QString toolTipOf(const core::PoseSnapshot& snapshot)
 }   // namespace
 
 SnapshotPanel::SnapshotPanel(QWidget* parent)
-    : Section(tr("Poses"), Folding::Foldable, parent),
+    : Section(
+          "poses", [] { return tr("Poses"); }, Folding::Foldable, parent),
       list_(new QTreeWidget),
-      empty_(roleLabel("hint", tr("%1 keeps the pose; %2 goes between two. Every run leaves its pose here.")
-                                   .arg(keyOf(Command::KeepPose), keyOf(Command::SwitchPoses)))),
-      compare_(new QPushButton(tr("Compare …")))
+      empty_(withText(roleLabel("hint"),
+                      [] {
+                          return tr("%1 keeps the pose; %2 goes between two. Every run leaves its pose here.")
+                              .arg(keyOf(Command::KeepPose), keyOf(Command::SwitchPoses));
+                      })),
+      compare_(withText(new QPushButton, [] { return tr("Compare …"); }))
 {
-    list_->setAccessibleName(tr("Kept poses"));
+    withName(list_, [] { return tr("Kept poses"); });
     list_->setColumnCount(ColumnCount);
     list_->setHeaderHidden(true);
     list_->setRootIsDecorated(true);
@@ -66,15 +71,17 @@ SnapshotPanel::SnapshotPanel(QWidget* parent)
     list_->setContextMenuPolicy(Qt::CustomContextMenu);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->header()->setStretchLastSection(false);
+    list_->header()->setMinimumSectionSize(16);
     list_->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
     list_->header()->setSectionResizeMode(Mark, QHeaderView::ResizeToContents);
     list_->header()->setSectionResizeMode(Median, QHeaderView::ResizeToContents);
     list_->installEventFilter(this);
     empty_->setWordWrap(true);
 
-    auto* keep = new QPushButton(withKey(tr("Keep pose"), Command::KeepPose));
-    keep->setToolTip(tipWithKey(tr("Keeps this pose with its numbers under a name."), Command::KeepPose));
-    compare_->setToolTip(tipWithKey(tr("Poses and methods side by side, as a table."), Command::ComparePoses));
+    auto* keep = withText(new QPushButton, [] { return withKey(tr("Keep pose"), Command::KeepPose); });
+    withTip(keep, [] { return tipWithKey(tr("Keeps this pose with its numbers under a name."), Command::KeepPose); });
+    withTip(compare_,
+            [] { return tipWithKey(tr("Poses and methods side by side, as a table."), Command::ComparePoses); });
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
     buttons->addWidget(keep);

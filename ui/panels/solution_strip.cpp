@@ -1,6 +1,7 @@
 #include "ui/panels/solution_strip.h"
 
 #include "ui/actions/key_hint.h"
+#include "ui/words/spoken.h"
 
 #include <QListWidget>
 #include <QScopedValueRollback>
@@ -22,10 +23,14 @@ QPixmap pixmapOf(const core::ColorImage& picture, double ratio)
 }   // namespace
 
 SolutionStrip::SolutionStrip(QWidget* parent)
-    : Section(tr("Solutions"), Folding::Foldable, parent), list_(new QListWidget)
+    : Section(
+          "solutions", [] { return tr("Solutions"); }, Folding::Foldable, parent),
+      list_(new QListWidget)
 {
-    setHint(tr("%1 shows the next · %2 takes it").arg(keyOf(Command::NextSolution), keyOf(Command::TakeSolution)));
-    list_->setAccessibleName(tr("Solutions of the run"));
+    speak(this, [this] {
+        setHint(tr("%1 shows the next · %2 takes it").arg(keyOf(Command::NextSolution), keyOf(Command::TakeSolution)));
+    });
+    withName(list_, [] { return tr("Solutions of the run"); });
     list_->setViewMode(QListView::IconMode);
     list_->setMovement(QListView::Static);
     list_->setFlow(QListView::LeftToRight);

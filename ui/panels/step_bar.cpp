@@ -5,7 +5,17 @@
 #include <QHBoxLayout>
 #include <QStyle>
 
+#include <array>
+
 namespace ui {
+namespace {
+
+constexpr std::array names{QT_TRANSLATE_NOOP("ui::StepBar", "Vessels"),  QT_TRANSLATE_NOOP("ui::StepBar", "Angiogram"),
+                           QT_TRANSLATE_NOOP("ui::StepBar", "Geometry"), QT_TRANSLATE_NOOP("ui::StepBar", "Start pose"),
+                           QT_TRANSLATE_NOOP("ui::StepBar", "Register"), QT_TRANSLATE_NOOP("ui::StepBar", "Review"),
+                           QT_TRANSLATE_NOOP("ui::StepBar", "Export")};
+
+}   // namespace
 
 StepBar::StepBar(QWidget* parent) : QWidget(parent)
 {
@@ -14,10 +24,8 @@ StepBar::StepBar(QWidget* parent) : QWidget(parent)
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 0, 8, 0);
     layout->setSpacing(4);
-    const std::array names{tr("Vessels"),  tr("Angiogram"), tr("Geometry"), tr("Start pose"),
-                           tr("Register"), tr("Review"),    tr("Export")};
     for (int i = 0; i < stepCount; ++i) {
-        auto* button = new StepButton(names[static_cast<std::size_t>(i)]);
+        auto* button = new StepButton([i] { return tr(names[static_cast<std::size_t>(i)]); });
         connect(button, &QAbstractButton::clicked, this, [this, i] { emit stepClicked(static_cast<Step>(i)); });
         layout->addWidget(button);
         buttons_[static_cast<std::size_t>(i)] = button;

@@ -38,9 +38,9 @@ QString glyphOf(StepMark mark)
 
 }   // namespace
 
-StepButton::StepButton(const QString& name, QWidget* parent) : QAbstractButton(parent)
+StepButton::StepButton(const Words& name, QWidget* parent) : QAbstractButton(parent)
 {
-    setText(name);
+    withText(this, name);
     setCursor(Qt::PointingHandCursor);
     setFocusPolicy(Qt::TabFocus);
     setFixedHeight(40);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/panels/step_bar.h"
+#include "ui/words/spoken.h"
 
 #include <QAbstractButton>
 
@@ -12,7 +13,7 @@ enum class HintRoom { Shown, Dropped };
 class StepButton : public QAbstractButton {
     Q_OBJECT
 public:
-    explicit StepButton(const QString& name, QWidget* parent = nullptr);
+    explicit StepButton(const Words& name, QWidget* parent = nullptr);
 
     void showState(const StepState& state);
     void setCurrent(bool current);

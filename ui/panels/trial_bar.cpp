@@ -2,6 +2,7 @@
 
 #include "ui/actions/key_hint.h"
 #include "ui/panels/section.h"
+#include "ui/words/spoken.h"
 
 #include <QHBoxLayout>
 #include <QPushButton>
@@ -12,12 +13,13 @@ TrialBar::TrialBar(QWidget* parent) : QWidget(parent), words_(roleLabel("attenti
 {
     setProperty("role", "column");
     setAttribute(Qt::WA_StyledBackground);
-    auto* abandon = new QPushButton(tr("Abandon"));
-    abandon->setToolTip(tr("Ends the trial; the log says that it was abandoned."));
-    auto* done = new QPushButton(withKey(tr("Done"), Command::TrialDone));
+    auto* abandon = withText(new QPushButton, [] { return tr("Abandon"); });
+    withTip(abandon, [] { return tr("Ends the trial; the log says that it was abandoned."); });
+    auto* done = withText(new QPushButton, [] { return withKey(tr("Done"), Command::TrialDone); });
     done->setProperty("role", "primary");
-    done->setAccessibleName(tr("Done"));
-    done->setToolTip(tipWithKey(tr("Logs time and pose, and brings the numbers back."), Command::TrialDone));
+    withName(done, [] { return tr("Done"); });
+    withTip(done,
+            [] { return tipWithKey(tr("Logs time and pose, and brings the numbers back."), Command::TrialDone); });
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(14, 6, 14, 6);
     layout->setSpacing(10);
@@ -27,13 +29,20 @@ TrialBar::TrialBar(QWidget* parent) : QWidget(parent), words_(roleLabel("attenti
     connect(done, &QPushButton::clicked, this, &TrialBar::doneRequested);
     connect(abandon, &QPushButton::clicked, this, &TrialBar::abandonRequested);
     hide();
+    speak(this, [this] { sayWhoseTrial(); });
 }
 
 void TrialBar::showTrial(const QString& observer)
 {
-    words_->setText(
-        tr("Blind trial of %1: lay the vessels onto the image. Numbers come back when you are done.").arg(observer));
+    observer_ = observer;
+    sayWhoseTrial();
     show();
+}
+
+void TrialBar::sayWhoseTrial()
+{
+    words_->setText(
+        tr("Blind trial of %1: lay the vessels onto the image. Numbers come back when you are done.").arg(observer_));
 }
 
 }   // namespace ui

@@ -19,7 +19,10 @@ signals:
     void abandonRequested();
 
 private:
+    void sayWhoseTrial();
+
     QLabel* words_;
+    QString observer_;
 };
 
 }   // namespace ui

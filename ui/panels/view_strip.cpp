@@ -1,5 +1,7 @@
 #include "ui/panels/view_strip.h"
 
+#include "ui/words/spoken.h"
+
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QListWidget>
@@ -26,7 +28,7 @@ ViewStrip::ViewStrip(QWidget* parent) : QWidget(parent), list_(new QListWidget)
 {
     setProperty("role", "column");
     setAttribute(Qt::WA_StyledBackground);
-    list_->setAccessibleName(tr("Views of the case"));
+    withName(list_, [] { return tr("Views of the case"); });
     list_->setFlow(QListView::LeftToRight);
     list_->setMovement(QListView::Static);
     list_->setWrapping(false);
@@ -38,8 +40,8 @@ ViewStrip::ViewStrip(QWidget* parent) : QWidget(parent), list_(new QListWidget)
     list_->setContextMenuPolicy(Qt::CustomContextMenu);
     auto* add = new QToolButton;
     add->setText(QStringLiteral("+"));
-    add->setAccessibleName(tr("Add a view"));
-    add->setToolTip(tr("Another angiogram of the same vessels (Ctrl+Shift+V)"));
+    withName(add, [] { return tr("Add a view"); });
+    withTip(add, [] { return tr("Another angiogram of the same vessels (Ctrl+Shift+V)"); });
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(4, 2, 8, 2);
     layout->setSpacing(6);

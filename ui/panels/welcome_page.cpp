@@ -2,6 +2,7 @@
 
 #include "ui/actions/key_hint.h"
 #include "ui/panels/section.h"
+#include "ui/words/spoken.h"
 
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -19,18 +20,21 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new QVBoxLa
 {
     setProperty("role", "welcome");
     setAttribute(Qt::WA_StyledBackground);
-    auto* heading = roleLabel("welcome", tr("Lay a vessel tree onto its angiogram"));
-    auto* hint = roleLabel("label", tr("Drop a case here, or vessels together with an angiogram."));
-    auto* formats = roleLabel(
-        "hint", tr("Vessels: CT as DICOM folder, NIfTI, NRRD or MetaImage, masks, centrelines (VTP, VTK, CSV, SWC).  "
-                   "Angiograms: DICOM XA, PNG, TIFF."));
+    auto* heading = withText(roleLabel("welcome"), [] { return tr("Lay a vessel tree onto its angiogram"); });
+    auto* hint =
+        withText(roleLabel("label"), [] { return tr("Drop a case here, or vessels together with an angiogram."); });
+    auto* formats = withText(roleLabel("hint"), [] {
+        return tr(
+            "Vessels: CT as DICOM folder, NIfTI, NRRD or MetaImage, masks, centrelines (VTP, VTK, CSV, SWC).  "
+            "Angiograms: DICOM XA, PNG, TIFF.");
+    });
     for (QLabel* label : {heading, hint, formats}) {
         label->setAlignment(Qt::AlignCenter);
         label->setWordWrap(true);
     }
-    auto* open = new QPushButton(withKey(tr("Open …"), Command::Open));
+    auto* open = withText(new QPushButton, [] { return withKey(tr("Open …"), Command::Open); });
     open->setProperty("role", "primary");
-    auto* sample = new QPushButton(tr("Open the sample case"));
+    auto* sample = withText(new QPushButton, [] { return tr("Open the sample case"); });
     auto* buttons = new QHBoxLayout;
     buttons->addStretch(1);
     buttons->addWidget(open);

@@ -2,6 +2,7 @@
 
 #include "ui/panels/section.h"
 #include "ui/places/view_window.h"
+#include "ui/words/spoken.h"
 
 #include <QPushButton>
 #include <QTimer>
@@ -9,7 +10,7 @@
 
 namespace ui {
 
-ViewFrame::ViewFrame(QWidget& view, const QString& title, QWidget* parent)
+ViewFrame::ViewFrame(QWidget& view, const Words& title, QWidget* parent)
     : QStackedWidget(parent), view_(&view), home_(new QWidget), absence_(makeAbsence()), title_(title)
 {
     auto* layout = new QVBoxLayout(home_);
@@ -23,9 +24,9 @@ QWidget* ViewFrame::makeAbsence()
 {
     auto* absence = new QWidget;
     auto* layout = new QVBoxLayout(absence);
-    auto* words = roleLabel("hint", tr("In a window of its own"));
+    auto* words = withText(roleLabel("hint"), [] { return tr("In a window of its own"); });
     words->setAlignment(Qt::AlignCenter);
-    auto* back = new QPushButton(tr("Bring it back"));
+    auto* back = withText(new QPushButton, [] { return tr("Bring it back"); });
     back->setProperty("role", "link");
     connect(back, &QPushButton::clicked, this, [this] { setOut(false); });
     layout->addStretch(1);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/words/spoken.h"
+
 #include <QByteArray>
 #include <QStackedWidget>
 
@@ -13,7 +15,7 @@ class ViewFrame : public QStackedWidget {
     Q_OBJECT
 public:
     /// Owns the view. `title` names it in its own window.
-    ViewFrame(QWidget& view, const QString& title, QWidget* parent = nullptr);
+    ViewFrame(QWidget& view, const Words& title, QWidget* parent = nullptr);
 
     bool isOut() const { return isOut_; }
     void setOut(bool out);
@@ -33,7 +35,7 @@ private:
     QWidget* view_;
     QWidget* home_;
     QWidget* absence_;
-    QString title_;
+    Words title_;
     ViewWindow* window_ = nullptr;
     QByteArray place_;
     bool isOut_ = false;

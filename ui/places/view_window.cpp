@@ -12,9 +12,9 @@ constexpr QSize usualSize(900, 760);
 
 }   // namespace
 
-ViewWindow::ViewWindow(QWidget* mainWindow, const QString& title) : QWidget(mainWindow, Qt::Window)
+ViewWindow::ViewWindow(QWidget* mainWindow, const Words& title) : QWidget(mainWindow, Qt::Window)
 {
-    setWindowTitle(title);
+    speak(this, [this, title] { setWindowTitle(title()); });
     setProperty("role", "canvas");
     setAttribute(Qt::WA_StyledBackground);
     addActions(mainWindow->actions());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/words/spoken.h"
+
 #include <QWidget>
 
 namespace ui {
@@ -9,7 +11,7 @@ namespace ui {
 class ViewWindow : public QWidget {
     Q_OBJECT
 public:
-    ViewWindow(QWidget* mainWindow, const QString& title);
+    ViewWindow(QWidget* mainWindow, const Words& title);
 
     void hold(QWidget& view);
     void goToAnotherScreen();   ///< stays where it is when there is only one

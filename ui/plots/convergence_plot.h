@@ -8,7 +8,7 @@
 
 namespace ui {
 
-/// Median distance of the tree to the traced vessels over the steps of the run.
+/// Median distance of the tree to the traced vessels over the steps of the run, logarithmic.
 class ConvergencePlot : public QWidget {
     Q_OBJECT
 public:
@@ -22,6 +22,8 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void paintDecades(QPainter& painter, const QRectF& area, double bottom, double top) const;
+
     std::vector<double> medianPx_;
 };
 

@@ -1,6 +1,7 @@
 #include "ui/plots/frame_bars.h"
 
 #include "ui/theme/active_theme.h"
+#include "ui/words/spoken.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -34,7 +35,7 @@ FrameBars::FrameBars(QWidget* parent) : QWidget(parent)
     setMinimumHeight(36);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
-    setAccessibleName(tr("Frames by opacification"));
+    withName(this, [] { return tr("Frames by opacification"); });
 }
 
 void FrameBars::showFrames(const FrameCurve& curve)

@@ -1,6 +1,7 @@
 #include "ui/plots/histogram_plot.h"
 
 #include "ui/theme/active_theme.h"
+#include "ui/words/spoken.h"
 
 #include <QPainter>
 
@@ -17,7 +18,7 @@ constexpr int labelHeight = 18;
 HistogramPlot::HistogramPlot(QWidget* parent) : QWidget(parent)
 {
     setMinimumHeight(92);
-    setAccessibleName(tr("Histogram of residuals"));
+    withName(this, [] { return tr("Histogram of residuals"); });
 }
 
 void HistogramPlot::showValues(const std::vector<double>& valuesMm, double scaleMaximumMm)

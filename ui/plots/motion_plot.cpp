@@ -1,6 +1,7 @@
 #include "ui/plots/motion_plot.h"
 
 #include "ui/theme/active_theme.h"
+#include "ui/words/spoken.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -25,7 +26,7 @@ MotionPlot::MotionPlot(QWidget* parent) : QWidget(parent)
     setMinimumHeight(92);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
-    setAccessibleName(tr("Motion of the vessels by frame"));
+    withName(this, [] { return tr("Motion of the vessels by frame"); });
 }
 
 void MotionPlot::showMotion(const std::vector<FrameMotion>& motion)

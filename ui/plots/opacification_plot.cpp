@@ -1,6 +1,7 @@
 #include "ui/plots/opacification_plot.h"
 
 #include "ui/theme/active_theme.h"
+#include "ui/words/spoken.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -38,7 +39,7 @@ OpacificationPlot::OpacificationPlot(QWidget* parent) : QWidget(parent)
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(360, 200);
-    setAccessibleName(tr("Opacification over the frames"));
+    withName(this, [] { return tr("Opacification over the frames"); });
 }
 
 void OpacificationPlot::showFrames(const FrameCurve& curve)

@@ -146,6 +146,11 @@ void OverlayScene::setMode(OverlayMode mode)
     ++parts_->revision;
 }
 
+OverlayMode OverlayScene::mode() const
+{
+    return parts_->content.mode;
+}
+
 void OverlayScene::setVeiled(bool veiled)
 {
     parts_->content.isVeiled = veiled;

@@ -68,6 +68,7 @@ public:
 
     void setViewRect(const ViewRect& rect);
     const core::ImageF& frame() const;
+    OverlayMode mode() const;
     ViewRect viewRect() const;
     double lineWidthPx() const;
 

@@ -9,15 +9,24 @@ namespace {
 
 constexpr double crossArm = 0.32;   // of the ring's radius
 
-StrokeLine arc(const PoseHandleLook& look, double startRad, double sweepRad, const Color& color)
+Eigen::Vector2d directionOf(double angleRad)
+{
+    return {std::cos(angleRad), std::sin(angleRad)};
+}
+
+StrokeLine arc(const Eigen::Vector2d& centre, double radius, double startRad, double sweepRad, const Color& color)
 {
     StrokeLine line;
-    const int steps = std::max(2, static_cast<int>(std::abs(sweepRad) * look.radius / 3.0));
+    const int steps = std::max(2, static_cast<int>(std::abs(sweepRad) * radius / 3.0));
     for (int k = 0; k <= steps; ++k) {
-        const double angle = startRad + sweepRad * k / steps;
-        line.push_back({look.centre + look.radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)), color});
+        line.push_back({centre + radius * directionOf(startRad + sweepRad * k / steps), color});
     }
     return line;
+}
+
+StrokeLine arc(const PoseHandleLook& look, double startRad, double sweepRad, const Color& color)
+{
+    return arc(look.centre, look.radius, startRad, sweepRad, color);
 }
 
 void addWithShade(StrokeMesh& mesh, const StrokeLine& line, double widthPx)
@@ -61,6 +70,63 @@ void addCross(StrokeMesh& mesh, const PoseHandleLook& look)
     }
 }
 
+/// A line with heads at both ends: both ways can be dragged.
+void addDoubleArrow(StrokeMesh& mesh, const StrokeLine& shaft, double widthPx, double pixelScale)
+{
+    addWithShade(mesh, shaft, widthPx);
+    const auto addHead = [&](const StrokePoint& tip, const StrokePoint& before) {
+        const Eigen::Vector2d back = (before.at - tip.at).normalized();
+        const Eigen::Vector2d side(-back.y(), back.x());
+        const double length = 6.0 * pixelScale;
+        addWithShade(mesh,
+                     {{tip.at + length * (back + 0.7 * side), tip.color},
+                      tip,
+                      {tip.at + length * (back - 0.7 * side), tip.color}},
+                     widthPx);
+    };
+    addHead(shaft.front(), shaft[1]);
+    addHead(shaft.back(), shaft[shaft.size() - 2]);
+}
+
+/// The shaft of an outer handle, from the left or from below.
+StrokeLine outerShaft(const PoseHandleLook& look, PoseHandle handle, const Color& tone)
+{
+    constexpr double below = -0.5 * std::numbers::pi;
+    const double radius = look.radius + outerHandleGapPx * look.pixelScale;
+    if (handle == PoseHandle::Depth) {
+        const double half = radius * std::sin(outerHandleHalfRad);
+        return {{look.centre + Eigen::Vector2d(-radius, -half), tone},
+                {look.centre + Eigen::Vector2d(-radius, half), tone}};
+    }
+    const double middle = handle == PoseHandle::LaoRao ? below : 0.0;
+    return arc(look.centre, radius, middle - outerHandleHalfRad, 2.0 * outerHandleHalfRad, tone);
+}
+
+/// Where the knob of the active handle is: in the middle, moved by the drag as far as the shaft goes.
+Eigen::Vector2d knobOf(const PoseHandleLook& look, PoseHandle handle)
+{
+    const double radius = look.radius + outerHandleGapPx * look.pixelScale;
+    const double angle = std::clamp(look.slidePx / radius, -outerHandleHalfRad, outerHandleHalfRad);
+    if (handle == PoseHandle::Depth) {
+        return look.centre + radius * Eigen::Vector2d(-1.0, std::sin(angle));
+    }
+    return look.centre + radius * directionOf(handle == PoseHandle::LaoRao ? angle - 0.5 * std::numbers::pi : angle);
+}
+
+void addOuterHandles(StrokeMesh& mesh, const PoseHandleLook& look)
+{
+    const Palette& tones = palette(ThemeMode::Dark);
+    for (const PoseHandle handle : {PoseHandle::LaoRao, PoseHandle::CraCau, PoseHandle::Depth}) {
+        const bool isActive = look.active == handle;
+        const bool isHot = isActive || (look.hot == handle && look.active == PoseHandle::None);
+        const Color& tone = isHot ? tones.attention : tones.text;
+        addDoubleArrow(mesh, outerShaft(look, handle, tone), (isHot ? 2.0 : 1.3) * look.pixelScale, look.pixelScale);
+        if (isActive) {
+            addDot(mesh, {knobOf(look, handle), tones.attention}, 5.0 * look.pixelScale, 1.0);
+        }
+    }
+}
+
 }   // namespace
 
 StrokeMesh poseHandleStrokes(const PoseHandleLook& look)
@@ -69,6 +135,7 @@ StrokeMesh poseHandleStrokes(const PoseHandleLook& look)
     if (look.radius > 0.0) {
         addRing(mesh, look);
         addCross(mesh, look);
+        addOuterHandles(mesh, look);
     }
     return mesh;
 }

@@ -2,6 +2,7 @@
 
 #include "ui/actions/key_hint.h"
 #include "ui/views/tree_view.h"
+#include "ui/words/spoken.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -17,7 +18,8 @@ CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
     : QWidget(parent),
       model_(model),
       bar_(new QWidget),
-      allSlices_(makeTool(QStringLiteral("⊞"), tr("All slices, large"), Command::SlicesLarge)),
+      allSlices_(makeTool(
+          QStringLiteral("⊞"), [] { return tr("All slices, large"); }, Command::SlicesLarge)),
       stack_(new QStackedWidget),
       treeView_(treeView),
       slice_(new SliceView(model, core::BodyPlane::Axial))
@@ -27,17 +29,18 @@ CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
     auto* tabs = new QHBoxLayout(bar_);
     tabs->setContentsMargins(10, 4, 6, 2);
     tabs->setSpacing(2);
-    tabs_[0] = makeTab(tr("3-D"), std::nullopt);
+    tabs_[0] = makeTab([] { return tr("3-D"); }, std::nullopt);
     for (std::size_t i = 0; i < core::bodyPlanes.size(); ++i) {
-        tabs_[i + 1] = makeTab(nameOf(core::bodyPlanes[i]), core::bodyPlanes[i]);
+        tabs_[i + 1] = makeTab([plane = core::bodyPlanes[i]] { return nameOf(plane); }, core::bodyPlanes[i]);
     }
     for (QToolButton* tab : tabs_) {
         tabs->addWidget(tab);
     }
     tabs->addStretch(1);
-    QToolButton* alone =
-        makeTool(QStringLiteral("⤢"), tr("Only this view in the window, and back"), Command::CornerOnly);
-    QToolButton* window = makeTool(QStringLiteral("↗"), tr("In a window of its own, and back"), Command::CornerWindow);
+    QToolButton* alone = makeTool(
+        QStringLiteral("⤢"), [] { return tr("Only this view in the window, and back"); }, Command::CornerOnly);
+    QToolButton* window = makeTool(
+        QStringLiteral("↗"), [] { return tr("In a window of its own, and back"); }, Command::CornerWindow);
     connect(allSlices_, &QToolButton::clicked, this, &CornerViews::roomRequested);
     connect(alone, &QToolButton::clicked, this, &CornerViews::aloneRequested);
     connect(window, &QToolButton::clicked, this, &CornerViews::windowRequested);
@@ -46,7 +49,8 @@ CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
     for (QToolButton* tool : {allSlices_, alone, window}) {
         tabs->addWidget(tool);
     }
-    bar_->setToolTip(tipWithKey(tr("Double click: only this view in the window, and back"), Command::CornerOnly));
+    withTip(bar_,
+            [] { return tipWithKey(tr("Double click: only this view in the window, and back"), Command::CornerOnly); });
     bar_->installEventFilter(this);
 
     auto* layout = new QVBoxLayout(this);
@@ -58,13 +62,13 @@ CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
     followScan();
 }
 
-QToolButton* CornerViews::makeTool(const QString& sign, const QString& name, Command command)
+QToolButton* CornerViews::makeTool(const QString& sign, const Words& name, Command command)
 {
     auto* tool = new QToolButton;
     tool->setText(sign);
     tool->setProperty("role", "tab");
-    tool->setAccessibleName(name);
-    tool->setToolTip(tipWithKey(name, command));
+    withName(tool, name);
+    withTip(tool, [name, command] { return tipWithKey(name(), command); });
     return tool;
 }
 
@@ -77,10 +81,10 @@ bool CornerViews::eventFilter(QObject* watched, QEvent* event)
     return QWidget::eventFilter(watched, event);
 }
 
-QToolButton* CornerViews::makeTab(const QString& text, std::optional<core::BodyPlane> plane)
+QToolButton* CornerViews::makeTab(const Words& text, std::optional<core::BodyPlane> plane)
 {
     auto* tab = new QToolButton;
-    tab->setText(text);
+    withText(tab, text);
     tab->setProperty("role", "tab");
     tab->setCheckable(true);
     connect(tab, &QToolButton::clicked, this, [this, plane] { showPlane(plane); });

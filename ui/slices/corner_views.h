@@ -2,6 +2,7 @@
 
 #include "ui/actions/command.h"
 #include "ui/slices/slice_view.h"
+#include "ui/words/spoken.h"
 
 #include <QWidget>
 
@@ -36,8 +37,8 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    QToolButton* makeTool(const QString& sign, const QString& name, Command command);
-    QToolButton* makeTab(const QString& text, std::optional<core::BodyPlane> plane);
+    QToolButton* makeTool(const QString& sign, const Words& name, Command command);
+    QToolButton* makeTab(const Words& text, std::optional<core::BodyPlane> plane);
     void followScan();
 
     SliceModel& model_;

@@ -2,6 +2,7 @@
 
 #include "ui/slices/slice_annotations.h"
 #include "ui/theme/active_theme.h"
+#include "ui/words/spoken.h"
 
 #include <QPainter>
 
@@ -33,7 +34,10 @@ SliceView::SliceView(SliceModel& model, core::BodyPlane plane, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
-    setAccessibleName(nameOf(plane));
+    speak(this, [this] {
+        setAccessibleName(nameOf(plane_));
+        update();
+    });
     connect(&model, &SliceModel::scanChanged, this, [this] {
         isContentStale_ = true;
         fit();

@@ -1,6 +1,7 @@
 #include "ui/slices/slices_page.h"
 
 #include "ui/panels/section.h"
+#include "ui/words/spoken.h"
 
 #include <QCoreApplication>
 #include <QHBoxLayout>
@@ -48,15 +49,15 @@ QWidget* SlicesPage::makeBar()
     auto* layout = new QHBoxLayout(bar);
     layout->setContentsMargins(10, 4, 10, 4);
     layout->setSpacing(4);
-    layout->addWidget(roleLabel("label", tr("Window")));
+    layout->addWidget(withText(roleLabel("label"), [] { return tr("Window"); }));
     fillPresets(*layout);
     layout->addStretch(1);
-    auto* window = new QPushButton(tr("Own window"));
+    auto* window = withText(new QPushButton, [] { return tr("Own window"); });
     window->setProperty("role", "link");
-    window->setToolTip(tr("The slices in a window of their own, and back (F9)"));
+    withTip(window, [] { return tr("The slices in a window of their own, and back (F9)"); });
     connect(window, &QPushButton::clicked, this, &SlicesPage::windowRequested);
     layout->addWidget(window);
-    auto* back = new QPushButton(tr("Back to the angiogram"));
+    auto* back = withText(new QPushButton, [] { return tr("Back to the angiogram"); });
     back->setProperty("role", "link");
     connect(back, &QPushButton::clicked, this, &SlicesPage::closeRequested);
     layout->addWidget(back);
@@ -65,23 +66,26 @@ QWidget* SlicesPage::makeBar()
 
 void SlicesPage::fillPresets(QHBoxLayout& bar)
 {
-    const auto add = [&](const QString& name, const QString& tip, auto choose) {
-        auto* button = new QPushButton(name);
+    const auto add = [&](const Words& name, const Words& tip, auto choose) {
+        auto* button = withTip(withText(new QPushButton, name), tip);
         button->setProperty("role", "quiet");
-        button->setToolTip(tip);
         connect(button, &QPushButton::clicked, this, choose);
         bar.addWidget(button);
     };
     for (const WindowPreset& preset : windowPresets()) {
-        add(QCoreApplication::translate("ui::WindowPreset", preset.name),
-            tr("W %1 L %2 HU").arg(preset.window.width, 0, 'f', 0).arg(preset.window.level, 0, 'f', 0),
+        add([name = preset.name] { return QCoreApplication::translate("ui::WindowPreset", name); },
+            [window = preset.window] {
+                return tr("W %1 L %2 HU").arg(window.width, 0, 'f', 0).arg(window.level, 0, 'f', 0);
+            },
             [this, window = preset.window] { model_.setWindow(window); });
     }
-    add(tr("Automatic"), tr("From the values of this scan; right drag in a slice changes it by hand."), [this] {
-        if (model_.volume()) {
-            model_.setWindow(windowOfValues(*model_.volume()));
-        }
-    });
+    add([] { return tr("Automatic"); },
+        [] { return tr("From the values of this scan; right drag in a slice changes it by hand."); },
+        [this] {
+            if (model_.volume()) {
+                model_.setWindow(windowOfValues(*model_.volume()));
+            }
+        });
 }
 
 }   // namespace ui

@@ -1,6 +1,7 @@
 #include "ui/slices/tracing_panel.h"
 
 #include "ui/panels/number_field.h"
+#include "ui/words/spoken.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -20,18 +21,17 @@ namespace {
 constexpr int listHeight = 96;
 constexpr int panelWidth = 250;
 
-QPushButton* switchButton(const QString& text, const QString& tip)
+QPushButton* switchButton(const Words& text, const Words& tip)
 {
-    auto* button = new QPushButton(text);
+    auto* button = withTip(withText(new QPushButton, text), tip);
     button->setCheckable(true);
-    button->setToolTip(tip);
     return button;
 }
 
-QLayout* labelled(const QString& text, QWidget* field)
+QLayout* labelled(const Words& text, QWidget* field)
 {
     auto* row = new QHBoxLayout;
-    row->addWidget(roleLabel("label", text), 1);
+    row->addWidget(withText(roleLabel("label"), text), 1);
     row->addWidget(field, 1);
     return row;
 }
@@ -48,22 +48,28 @@ QString pointText(const QString& kind, const Eigen::Vector3d& point)
 }   // namespace
 
 TracingPanel::TracingPanel(QWidget* parent)
-    : Section(tr("Trace vessels"), Folding::Fixed, parent),
+    : Section(
+          "tracing", [] { return tr("Trace vessels"); }, Folding::Fixed, parent),
       thresholdBox_(new QWidget),
-      automatic_(new QCheckBox(tr("Automatic threshold"))),
-      threshold_(new NumberField({-32768.0, 65535.0, 0, tr("HU"), 5.0})),
+      automatic_(withText(new QCheckBox, [] { return tr("Automatic threshold"); })),
+      threshold_(new NumberField({-32768.0, 65535.0, 0, QString(), 5.0})),
       slider_(new QSlider(Qt::Horizontal)),
-      preview_(new QCheckBox(tr("Show in the slices what is above"))),
-      seed_(
-          switchButton(tr("Seeds"), tr("Then click vessels in a slice: only what is connected to a seed is traced."))),
-      avoid_(switchButton(tr("Avoid"), tr("Then click heart, veins or bone in a slice: what is reached from there on "
-                                          "wider ways is left out."))),
+      preview_(withText(new QCheckBox, [] { return tr("Show in the slices what is above"); })),
+      seed_(switchButton(
+          [] { return tr("Seeds"); },
+          [] { return tr("Then click vessels in a slice: only what is connected to a seed is traced."); })),
+      avoid_(switchButton([] { return tr("Avoid"); },
+                          [] {
+                              return tr(
+                                  "Then click heart, veins or bone in a slice: what is reached from there on "
+                                  "wider ways is left out.");
+                          })),
       points_(new QListWidget),
-      remove_(new QPushButton(tr("Remove"))),
-      minLength_(new NumberField({0.0, 1000.0, 1, tr("mm"), 1.0})),
-      minRadius_(new NumberField({0.0, 1000.0, 2, tr("mm"), 0.1})),
-      trace_(new QPushButton(tr("Trace"))),
-      stop_(new QPushButton(tr("Stop"))),
+      remove_(withText(new QPushButton, [] { return tr("Remove"); })),
+      minLength_(new NumberField({0.0, 1000.0, 1, QStringLiteral("mm"), 1.0})),
+      minRadius_(new NumberField({0.0, 1000.0, 2, QStringLiteral("mm"), 0.1})),
+      trace_(withText(new QPushButton, [] { return tr("Trace"); })),
+      stop_(withText(new QPushButton, [] { return tr("Stop"); })),
       note_(roleLabel("hint"))
 {
     contentLayout()->setSpacing(8);
@@ -80,16 +86,20 @@ TracingPanel::TracingPanel(QWidget* parent)
     setFixedWidth(panelWidth);
     showOptions({});
     showRange(std::nullopt, {});
-    updateButtons();
+    speak(this, [this] {
+        fillPoints();
+        updateButtons();
+    });
 }
 
 QLayout* TracingPanel::thresholdRows()
 {
     auto* rows = new QVBoxLayout;
     rows->setSpacing(6);
-    slider_->setAccessibleName(tr("Threshold"));
-    threshold_->setAccessibleName(tr("Threshold"));
-    threshold_->setToolTip(tr("The vessels begin at this value of the scan."));
+    speak(threshold_, [this] { threshold_->setUnit(tr("HU")); });
+    withName(slider_, [] { return tr("Threshold"); });
+    withName(threshold_, [] { return tr("Threshold"); });
+    withTip(threshold_, [] { return tr("The vessels begin at this value of the scan."); });
     rows->addWidget(automatic_);
     auto* row = new QHBoxLayout;
     row->addWidget(slider_, 2);
@@ -114,7 +124,7 @@ QLayout* TracingPanel::pointRows()
     row->addWidget(avoid_);
     row->addWidget(remove_);
     rows->addLayout(row);
-    points_->setAccessibleName(tr("Seeds and places to avoid"));
+    withName(points_, [] { return tr("Seeds and places to avoid"); });
     points_->setFixedHeight(listHeight);
     points_->setFrameShape(QFrame::NoFrame);
     points_->installEventFilter(this);
@@ -139,12 +149,12 @@ QLayout* TracingPanel::limitRows()
 {
     auto* rows = new QVBoxLayout;
     rows->setSpacing(4);
-    minLength_->setAccessibleName(tr("Shortest branch"));
-    minLength_->setToolTip(tr("Branches that leave their parent's wall by less are removed."));
-    minRadius_->setAccessibleName(tr("Thinnest branch"));
-    minRadius_->setToolTip(tr("Branches whose mean radius is smaller are removed."));
-    rows->addLayout(labelled(tr("Shortest branch"), minLength_));
-    rows->addLayout(labelled(tr("Thinnest branch"), minRadius_));
+    withName(minLength_, [] { return tr("Shortest branch"); });
+    withTip(minLength_, [] { return tr("Branches that leave their parent's wall by less are removed."); });
+    withName(minRadius_, [] { return tr("Thinnest branch"); });
+    withTip(minRadius_, [] { return tr("Branches whose mean radius is smaller are removed."); });
+    rows->addLayout(labelled([] { return tr("Shortest branch"); }, minLength_));
+    rows->addLayout(labelled([] { return tr("Thinnest branch"); }, minRadius_));
     connect(minLength_, &NumberField::edited, this, [this](double value) {
         options_.minBranchLengthMm = value;
         emit optionsEdited(options_);
@@ -160,7 +170,7 @@ QLayout* TracingPanel::buttonRow()
 {
     auto* row = new QHBoxLayout;
     trace_->setProperty("role", "primary");
-    stop_->setToolTip(tr("Ends the tracing; the vessels stay as they were."));
+    withTip(stop_, [] { return tr("Ends the tracing; the vessels stay as they were."); });
     row->addWidget(trace_, 5);
     row->addWidget(stop_, 2);
     connect(trace_, &QPushButton::clicked, this, &TracingPanel::traceRequested);

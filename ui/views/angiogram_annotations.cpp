@@ -44,6 +44,9 @@ QStringList ownLines(const AngiogramAnnotations& annotations, double zoom)
     parts << QStringLiteral("W %1 L %2").arg(number(annotations.range.window()), number(annotations.range.level()));
     parts << QStringLiteral("%1 %").arg(qRound(100.0 * zoom));
     QStringList lines = toLines(annotations.texts.bottomLeft);
+    if (!annotations.keyText.isEmpty()) {
+        lines << annotations.keyText;
+    }
     lines << parts.join(QStringLiteral(" · "));
     return lines;
 }
@@ -113,11 +116,11 @@ void paintScale(QPainter& painter, const QSizeF& size, const AngiogramAnnotation
     const auto label = [&](double y, const QString& text, const Color& tone) {
         drawShadowedText(painter, QRectF(bar.left() - 64.0, y - 8.0, 58.0, 16.0), flags, text, colorOf(tone));
     };
-    const int decimals = maximum < 10.0 ? 1 : 0;
+    const bool isFine = std::fmod(5.0 * maximum, 1.0) > 1e-6;   // its half needs another digit
+    const int decimals = maximum >= 10.0 ? 0 : isFine ? 2 : 1;
     label(bar.top() - 24.0, inMm ? QStringLiteral("mm") : QStringLiteral("px"), annotationTones().label);
     label(bar.top() - 6.0, QStringLiteral("> %1").arg(maximum, 0, 'f', decimals), annotationTones().text);
-    label(bar.top() + 9.0, QString::number(maximum, 'f', decimals), annotationTones().text);
-    label(bar.center().y(), QString::number(0.5 * maximum, 'f', decimals + 1), annotationTones().text);
+    label(bar.center().y(), QString::number(0.5 * maximum, 'f', decimals), annotationTones().text);
     label(bar.bottom() - 1.0, QStringLiteral("0"), annotationTones().text);
 }
 
@@ -178,7 +181,7 @@ void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotation
 void paintAnnotations(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations,
                       const ImageViewport& viewport, const OverlayScene& scene)
 {
-    const Ground ground(viewport, scene);
+    const Ground ground(viewport, scene, annotations.taken);
     const CornerTexts& texts = annotations.texts;
     const QRectF topLeft = paintCorner(painter, size, Corner::TopLeft, toLines(texts.topLeft), ground);
     const QRectF topRight = paintCorner(painter, size, Corner::TopRight, toLines(texts.topRight), ground, topLeft);
@@ -189,7 +192,7 @@ void paintAnnotations(QPainter& painter, const QSizeF& size, const AngiogramAnno
         paintRuler(painter, size, below, viewport.zoom() / annotations.mmPerImagePx);
     }
     paintSides(painter, size, annotations, {topLeft, topRight, beside, below});
-    if (annotations.scaleMaximumPx > 0.0) {
+    if (annotations.scaleMaximumPx > 0.0 && !annotations.hasRadiograph) {
         paintScale(painter, size, annotations);
     }
     if (!annotations.mode.text.isEmpty()) {

@@ -7,8 +7,11 @@
 #include "ui/views/image_sides.h"
 #include "ui/views/image_viewport.h"
 
+#include <QRectF>
 #include <QSizeF>
 #include <QString>
+
+#include <vector>
 
 class QPainter;
 
@@ -24,6 +27,7 @@ struct ModeLabel {
 struct AngiogramAnnotations {
     CornerTexts texts;
     QString frameText;
+    QString keyText;   ///< what a key would show
     core::DisplayRange range;
     double scaleMaximumPx = 0.0;   ///< 0: no residual scale
     double scaleMaximumMm = 0.0;
@@ -31,6 +35,8 @@ struct AngiogramAnnotations {
     QString sideMark;   ///< that image or view are mirrored; empty: as from the detector
     ImageSides sides;   ///< empty: nobody knows
     ModeLabel mode;
+    bool hasRadiograph = false;   ///< it shows no residuals: no scale
+    std::vector<QRectF> taken;   ///< by what lies on the image: texts keep clear of it
 };
 
 /// Paints them in a widget of this size. Texts beside the picture stay whole; over the picture they shrink and then

@@ -1,6 +1,7 @@
 #include "ui/views/angiogram_view.h"
 
 #include "ui/views/angiogram_interaction.h"
+#include "ui/words/spoken.h"
 
 #include <algorithm>
 #include <utility>
@@ -24,7 +25,10 @@ AngiogramView::AngiogramView(QWidget* parent) : QWidget(parent), interaction_(st
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(80, 80);
     setAttribute(Qt::WA_OpaquePaintEvent);
-    setAccessibleName(tr("Angiogram with the projected vessel tree"));
+    speak(this, [this] {
+        setAccessibleName(tr("Angiogram with the projected vessel tree"));
+        update();
+    });
 }
 
 AngiogramView::~AngiogramView() = default;
@@ -67,8 +71,14 @@ void AngiogramView::setFrame(const core::ImageF& frame)
 
 void AngiogramView::setFramePosition(int index, int count)
 {
-    interaction_->annotations.frameText = count > 1 ? tr("frame %1 of 0–%2").arg(index).arg(count - 1) : QString();
+    interaction_->frame = {index, count};
     update();
+}
+
+QString AngiogramView::frameText() const
+{
+    const auto [index, count] = interaction_->frame;
+    return count > 1 ? tr("frame %1 of 0–%2").arg(index).arg(count - 1) : QString();
 }
 
 void AngiogramView::setCornerTexts(const CornerTexts& texts)
@@ -100,7 +110,8 @@ void AngiogramView::setCutout(Cutout::Shape shape)
 void AngiogramView::placeCutout(const QPointF& position)
 {
     constexpr double lensRadius = 70.0;
-    scene_.setCutout({cutout_, imageFromWidget(position), lensRadius / zoom()});
+    interaction_->cutout = {cutout_, imageFromWidget(position), lensRadius / zoom()};
+    scene_.setCutout(interaction_->cutout);
     update();
 }
 

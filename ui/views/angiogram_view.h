@@ -39,6 +39,7 @@ public:
     void addBar(QWidget* bar);   ///< of a tool: at the bottom of the image, in the middle
     bool filterToolKey(QKeyEvent& event);   ///< true when the key is the tool's, or an Esc that it ends by
     void setRadiograph(const QImage& picture);   ///< lies over the whole frame, below the texts; null: nothing
+    const QImage& radiograph() const;
     void setKeptOut(const core::Mask2d& fieldMask);   ///< hatches where it is 0; empty: nothing
     void setMousePreset(const MousePreset& preset);
     void setResidualScale(double maximumPx, double maximumMm);   ///< 0 hides the scale
@@ -97,6 +98,9 @@ private:
     void placeCutout(const QPointF& position);
     QSize deviceSize() const;
     QString sideMark() const;
+    QString frameText() const;
+    QString keyText() const;
+    std::vector<QRectF> barPlaces() const;
     void dragBy(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void startDrag();
     void paintRadiograph(QPainter& painter) const;

@@ -1,6 +1,8 @@
 // The drawing half of AngiogramView.
+#include "ui/actions/key_hint.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_interaction.h"
+#include "ui/views/cutout_edge.h"
 
 #include <QPainter>
 
@@ -46,9 +48,40 @@ void AngiogramView::paintRadiograph(QPainter& painter) const
     const QPointF topLeft = widgetFromImage({-0.5, -0.5});
     const QPointF bottomRight = widgetFromImage({frame.width - 0.5, frame.height - 0.5});
     const bool isMirrored = topLeft.x() > bottomRight.x();
+    painter.save();
+    QPainterPath shown;
+    shown.addRect(rect());
+    painter.setClipPath(shown.subtracted(cutoutPath(interaction_->cutout, interaction_->viewport, size())));
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.drawImage(QRectF(topLeft, bottomRight).normalized(),
                       isMirrored ? interaction_->radiograph.mirrored(true, false) : interaction_->radiograph);
+    painter.restore();
+}
+
+const QImage& AngiogramView::radiograph() const
+{
+    return interaction_->radiograph;
+}
+
+/// The keys of the review, where there are vessels to look at.
+QString AngiogramView::keyText() const
+{
+    if (scene_.treePasses(interaction_->viewport.imageRectOf({0.0, 0.0}, {1.0 * width(), 1.0 * height()}))) {
+        return tr("flicker %1 · swipe %2 · hide H · outline %3")
+            .arg(keyOf(Command::Flicker), keyOf(Command::Swipe), keyOf(Command::Outline));
+    }
+    return {};
+}
+
+std::vector<QRectF> AngiogramView::barPlaces() const
+{
+    std::vector<QRectF> places;
+    for (const QWidget* bar : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (bar->isVisible()) {
+            places.emplace_back(bar->geometry());
+        }
+    }
+    return places;
 }
 
 QString AngiogramView::sideMark() const
@@ -114,11 +147,18 @@ void AngiogramView::paintEvent(QPaintEvent*)
         const QSizeF covered = QSizeF(interaction_->keptOut.size()) * zoom();
         painter.drawImage(QRectF(topLeft, covered), interaction_->keptOut);
     }
+    if (cutout_ != Cutout::Shape::None) {
+        paintCutoutEdge(painter, cutoutPath(interaction_->cutout, interaction_->viewport, size()));
+    }
     interaction_->annotations.mmPerImagePx = interaction_->mmPerImagePx();
+    interaction_->annotations.hasRadiograph = !interaction_->radiograph.isNull();
+    interaction_->annotations.taken = barPlaces();
     interaction_->annotations.sides = interaction_->isOrientationKnown
                                           ? imageSides(interaction_->camera, interaction_->cameraFromPatient)
                                           : ImageSides{};
     interaction_->annotations.sideMark = sideMark();
+    interaction_->annotations.frameText = frameText();
+    interaction_->annotations.keyText = keyText();
     if (isFromSource()) {
         std::swap(interaction_->annotations.sides.left, interaction_->annotations.sides.right);
     }

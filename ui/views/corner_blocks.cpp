@@ -70,7 +70,7 @@ QRectF paintCorner(QPainter& painter, const QSizeF& size, Corner corner, const Q
     for (const auto& [shown, font] : choices) {
         const QRectF block = clearOf(taken, blockRect(size, corner, shown, font), corner);
         const bool coversPicture = ground.hasPicture(block);
-        if (ground.hasVessels(block) || (coversPicture && font == full)) {
+        if (ground.isTaken(block) || ground.hasVessels(block) || (coversPicture && font == full)) {
             continue;
         }
         if (coversPicture) {

@@ -6,6 +6,9 @@
 #include <QRectF>
 #include <QStringList>
 
+#include <algorithm>
+#include <vector>
+
 class QPainter;
 
 namespace ui {
@@ -15,7 +18,16 @@ enum class Corner { TopLeft, TopRight, BottomLeft, BottomRight };
 /// Knows what of the angiogram lies under a part of the widget.
 class Ground {
 public:
-    Ground(const ImageViewport& viewport, const OverlayScene& scene) : viewport_(viewport), scene_(scene) {}
+    /// `taken`: by what else lies on the image, in widget px.
+    Ground(const ImageViewport& viewport, const OverlayScene& scene, const std::vector<QRectF>& taken)
+        : viewport_(viewport), scene_(scene), taken_(taken)
+    {
+    }
+
+    bool isTaken(const QRectF& part) const
+    {
+        return std::ranges::any_of(taken_, [&part](const QRectF& each) { return each.intersects(part); });
+    }
 
     bool hasVessels(const QRectF& part) const
     {
@@ -35,10 +47,11 @@ public:
 private:
     const ImageViewport& viewport_;
     const OverlayScene& scene_;
+    const std::vector<QRectF>& taken_;
 };
 
 /// Draws a block of lines in a corner and gives back the room it took; `taken` is that of the corner beside it.
-/// Where it would lie on vessels it gets smaller, then folds to one line, then stays away.
+/// Where it would lie on vessels or what else is there it gets smaller, then folds to one line, then stays away.
 QRectF paintCorner(QPainter& painter, const QSizeF& size, Corner corner, const QStringList& lines, const Ground& ground,
                    const QRectF& taken = {});
 

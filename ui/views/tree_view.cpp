@@ -1,5 +1,7 @@
 #include "ui/views/tree_view.h"
 
+#include "ui/words/spoken.h"
+
 #include <vtkRenderWindow.h>
 #include <QApplication>
 #include <QContextMenuEvent>
@@ -36,7 +38,7 @@ void paintCrosshair(QPainter& painter, const QPointF& at, const QColor& color)
 TreeView::TreeView(QWidget* parent) : VtkView(parent)
 {
     scene_.attachTo(renderWindow());
-    setAccessibleName(tr("3-D view of vessel tree, X-ray source and detector"));
+    withName(this, [] { return tr("3-D view of vessel tree, X-ray source and detector"); });
 }
 
 TreeView::~TreeView() = default;

@@ -138,7 +138,7 @@ void VtkView::render(Quality quality)
 
 void VtkView::paintEvent(QPaintEvent*)
 {
-    if (picture_.size() != deviceSize()) {
+    if (picture_.isNull()) {
         render(Quality::Draft);
     }
     QPainter painter(this);
@@ -146,8 +146,13 @@ void VtkView::paintEvent(QPaintEvent*)
         paintExcuse(painter);
         return;
     }
-    picture_.setDevicePixelRatio(devicePixelRatio());
-    painter.drawImage(QPointF(0.0, 0.0), picture_);
+    if (picture_.size() == deviceSize()) {
+        picture_.setDevicePixelRatio(devicePixelRatio());
+        painter.drawImage(QPointF(0.0, 0.0), picture_);
+    } else {   // for a moment: the window's repaint does not wait for VTK
+        painter.drawImage(rect(), picture_);
+        requestRender();
+    }
     painter.setRenderHint(QPainter::Antialiasing);
     paintAnnotations(painter);
 }

@@ -11,7 +11,8 @@ QStringList languages();
 /// The first of the desktop's languages that the window speaks; English where it speaks none.
 QString desktopLanguage();
 
-/// Makes windows made from now on speak the language, Qt's own dialogs too. Numbers keep their point in all of them.
+/// The language of all words from now on, those of Qt's own dialogs too; see `speakAgain`. Numbers keep their point in
+/// all of them.
 void applyLanguage(const QString& code);
 
 /// The code that was applied last.

@@ -17,7 +17,7 @@ public:
     const QString& lastAction() const { return last_; }
 
 private:
-    Desk desk();   ///< as it is now: another language makes another window
+    Desk desk();
     QString doSomething();
     void closeDialogs();
     void putWindowBack();

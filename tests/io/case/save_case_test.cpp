@@ -1,3 +1,4 @@
+#include "core/case_views.h"
 #include "io/case_file.h"
 
 #include "tests/io/case/small_case.h"
@@ -90,6 +91,38 @@ TEST(SaveCase, KeepsKeysItDoesNotKnow)
     const auto again = io::loadCase(small.path("saved.angiopose"), small.warnings);
     ASSERT_TRUE(again);
     EXPECT_EQ(nlohmann::json::parse(again.value().extraKeys), nlohmann::json::parse(loaded.value().extraKeys));
+    EXPECT_EQ(again.value().viewExtraKeys, loaded.value().viewExtraKeys);
+}
+
+TEST(SaveCase, KeepsKeysOfOtherViewsWithTheView)
+{
+    SmallCase small;
+    nlohmann::json json = small.json();
+    nlohmann::json view{{"angiogram", json["angiogram"]}, {"geometry", json["geometry"]}, {"pose", json["pose"]}};
+    view["operator"] = "C. D.";
+    view["geometry"]["tableHeightMm"] = -99.5;
+    view["angiogram"]["image"]["plane"] = "B";
+    json["geometry"]["tableHeightMm"] = -12.25;
+    json["site"] = "Kragujevac";
+    json["views"] = {view};
+    const auto loaded = small.load(json);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    const auto saved = [&small](const core::RegistrationCase& values) {
+        EXPECT_TRUE(io::saveCase(values, small.path("saved.angiopose")));
+        return nlohmann::json::parse(test::readText(small.path("saved.angiopose")));
+    };
+    const nlohmann::json same = saved(loaded.value());
+    EXPECT_EQ(same["site"], "Kragujevac");
+    EXPECT_EQ(same["geometry"]["tableHeightMm"], -12.25);
+    ASSERT_EQ(same["views"].size(), 1U);
+    EXPECT_EQ(same["views"][0]["operator"], "C. D.");
+    EXPECT_EQ(same["views"][0]["geometry"]["tableHeightMm"], -99.5);
+    EXPECT_EQ(same["views"][0]["angiogram"]["image"]["plane"], "B");
+    // The keys go where their view goes.
+    const nlohmann::json swapped = saved(core::showingView(loaded.value(), 0));
+    EXPECT_EQ(swapped["site"], "Kragujevac");
+    EXPECT_EQ(swapped["geometry"]["tableHeightMm"], -99.5);
+    EXPECT_EQ(swapped["views"][0]["geometry"]["tableHeightMm"], -12.25);
 }
 
 TEST(SaveCase, NeverOverwritesAnInput)

@@ -205,6 +205,35 @@ TEST_F(AngiogramViewInput, DraggingTheRingRollsClockwise)
     EXPECT_EQ(offset.rightMm, 0.0);
 }
 
+/// Each handle around the ring moves its own degree of freedom, and as the arrow keys do.
+TEST_F(AngiogramViewInput, TheHandlesAroundTheRingTurnAndMoveInDepth)
+{
+    ui::NudgeTool nudge(*view_);
+    view_->setTool(&nudge);
+    core::PoseOffset offset;
+    QObject::connect(&nudge, &ui::NudgeTool::dragged, [&](const core::PoseOffset& o) { offset = o; });
+    const double outer = 0.12 * view_->height() + ui::outerHandleGapPx;
+    const QPointF centre = view_->widgetFromImage(projected(Eigen::Vector3d::Zero()));
+    const auto dragFrom = [&](const QPointF& from, const QPointF& way) {
+        offset = {};
+        const QPoint start = (centre + from).toPoint();
+        drag(Qt::LeftButton, start, {start + (0.5 * way).toPoint(), start + way.toPoint()});
+        QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, start + way.toPoint());
+    };
+    dragFrom({0.0, outer}, {20.0, 0.0});
+    EXPECT_NEAR(offset.laoRaoDeg, 20.0 / outer * 57.2958, 0.5);
+    dragFrom({outer, 0.0}, {0.0, -20.0});
+    EXPECT_NEAR(offset.craCauDeg, 20.0 / outer * 57.2958, 0.5);
+    dragFrom({-outer, 0.0}, {0.0, -20.0});
+    EXPECT_GT(offset.alongRayMm, 1.0);
+    core::PoseOffset depthAlone;
+    depthAlone.alongRayMm = offset.alongRayMm;
+    EXPECT_EQ(offset, depthAlone);
+    dragFrom({outer + 60.0, 0.0}, {0.0, -20.0});
+    EXPECT_GT(offset.upMm, 0.1);   // beside the handles: a shift
+    EXPECT_EQ(offset.craCauDeg, 0.0);
+}
+
 TEST_F(AngiogramViewInput, EscapeAndRightClickTakeADragBack)
 {
     ui::NudgeTool nudge(*view_);

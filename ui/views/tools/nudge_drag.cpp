@@ -7,6 +7,28 @@ namespace ui {
 namespace {
 
 constexpr double ringReachPx = 13.0;
+constexpr double depthPace = 4.0;   // depth hardly shows: a drag moves four times as far along the ray as across it
+
+double outerRadius(const NudgeGrip& grip)
+{
+    return grip.ringRadius + outerHandleGapPx;
+}
+
+/// The handle around the ring at this way from the centre (v down).
+PoseHandle outerHandleAt(const NudgeGrip& grip, const Eigen::Vector2d& way)
+{
+    const double outer = outerRadius(grip);
+    if (std::abs(way.x() + outer) <= ringReachPx && std::abs(way.y()) <= outer * std::sin(outerHandleHalfRad)) {
+        return PoseHandle::Depth;
+    }
+    if (std::abs(way.norm() - outer) > ringReachPx) {
+        return PoseHandle::None;
+    }
+    const double angle = std::atan2(way.y(), way.x());
+    return std::abs(angle) <= outerHandleHalfRad                            ? PoseHandle::CraCau
+           : std::abs(angle - 0.5 * std::numbers::pi) <= outerHandleHalfRad ? PoseHandle::LaoRao
+                                                                            : PoseHandle::None;
+}
 
 }   // namespace
 
@@ -21,14 +43,19 @@ PoseHandle handleAt(const NudgeGrip& grip, const Eigen::Vector2d& position)
     if (!(grip.ringRadius > 0.0)) {
         return PoseHandle::None;
     }
-    const double distance = (position - grip.centre).norm();
-    return std::abs(distance - grip.ringRadius) <= ringReachPx ? PoseHandle::Roll : PoseHandle::Shift;
+    const Eigen::Vector2d way = position - grip.centre;
+    if (std::abs(way.norm() - grip.ringRadius) <= ringReachPx) {
+        return PoseHandle::Roll;
+    }
+    const PoseHandle outer = outerHandleAt(grip, way);
+    return outer != PoseHandle::None ? outer : PoseHandle::Shift;
 }
 
 NudgeDrag::NudgeDrag(PoseHandle handle, const NudgeGrip& grip, const Eigen::Vector2d& start)
     : handle_(handle),
       centre_(grip.centre),
       mmPerPx_(grip.mmPerPx),
+      degPerPx_(180.0 / std::numbers::pi / outerRadius(grip)),
       last_(start),
       startRad_(screenAngleRad(grip.centre, start))
 {
@@ -36,18 +63,34 @@ NudgeDrag::NudgeDrag(PoseHandle handle, const NudgeGrip& grip, const Eigen::Vect
 
 core::PoseOffset NudgeDrag::moveTo(const Eigen::Vector2d& position, double pace)
 {
-    core::PoseOffset offset;
-    if (handle_ == PoseHandle::Roll) {
-        const double turn = screenAngleRad(centre_, position) - screenAngleRad(centre_, last_);
-        sweepRad_ += pace * std::remainder(turn, 2.0 * std::numbers::pi);
-        offset.rollDeg = sweepRad_ * 180.0 / std::numbers::pi;
-    } else {
-        shiftPx_ += pace * (position - last_);
-        offset.rightMm = shiftPx_.x() * mmPerPx_.x();
-        offset.upMm = -shiftPx_.y() * mmPerPx_.y();
-    }
+    const double turn = screenAngleRad(centre_, position) - screenAngleRad(centre_, last_);
+    sweepRad_ += pace * std::remainder(turn, 2.0 * std::numbers::pi);
+    shiftPx_ += pace * (position - last_);
     last_ = position;
+    core::PoseOffset offset;
+    switch (handle_) {
+        case PoseHandle::Roll:
+            offset.rollDeg = sweepRad_ * 180.0 / std::numbers::pi;
+            break;
+        case PoseHandle::LaoRao:
+            offset.laoRaoDeg = degPerPx_ * slidePx();
+            break;
+        case PoseHandle::CraCau:
+            offset.craCauDeg = degPerPx_ * slidePx();
+            break;
+        case PoseHandle::Depth:
+            offset.alongRayMm = depthPace * mmPerPx_.y() * slidePx();
+            break;
+        default:
+            offset.rightMm = shiftPx_.x() * mmPerPx_.x();
+            offset.upMm = -shiftPx_.y() * mmPerPx_.y();
+    }
     return offset;
+}
+
+double NudgeDrag::slidePx() const
+{
+    return handle_ == PoseHandle::LaoRao ? shiftPx_.x() : -shiftPx_.y();
 }
 
 }   // namespace ui

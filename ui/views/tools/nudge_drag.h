@@ -14,7 +14,8 @@ struct NudgeGrip {
     Eigen::Vector2d mmPerPx = Eigen::Vector2d::Zero();   ///< widget px at the pivot's depth, along u and v
 };
 
-/// The handle at a widget position: the ring with a generous margin rolls, everything else shifts.
+/// The handle at a widget position: the ring with a generous margin rolls, arcs and slide around it turn and move in
+/// depth, everything else shifts.
 PoseHandle handleAt(const NudgeGrip& grip, const Eigen::Vector2d& position);
 
 /// One drag of the tree, added up step by step so that the pace may change on the way.
@@ -29,11 +30,13 @@ public:
     const Eigen::Vector2d& centre() const { return centre_; }
     double startAngleRad() const { return startRad_; }   ///< clockwise on screen from the right
     double sweepRad() const { return sweepRad_; }
+    double slidePx() const;   ///< of an outer handle: to the right, or up
 
 private:
     PoseHandle handle_;
     Eigen::Vector2d centre_;
     Eigen::Vector2d mmPerPx_;
+    double degPerPx_;
     Eigen::Vector2d last_;
     Eigen::Vector2d shiftPx_ = Eigen::Vector2d::Zero();
     double startRad_ = 0.0;

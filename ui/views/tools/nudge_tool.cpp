@@ -5,6 +5,7 @@
 #include "ui/views/roll_cursor.h"
 
 #include <QKeyEvent>
+#include <QPainter>
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,7 @@ core::PoseOffset asSeen(core::PoseOffset offset, const AngiogramView& view)
 
 QString NudgeTool::caption() const
 {
-    return tr("Nudge: drag shifts, ring rolls, Ctrl is fine, Esc takes back");
+    return tr("Nudge: drag shifts, ring rolls, arcs turn, slide is depth, Ctrl is fine, Esc takes back");
 }
 
 const Color& NudgeTool::tone() const
@@ -66,6 +67,7 @@ bool NudgeTool::startDrag(const ToolPoint& pressed)
     const PoseHandle handle = handleAt(grasped, toVector(pressed.position));
     if (handle != PoseHandle::None) {
         nudge_.emplace(handle, grasped, toVector(pressed.position));
+        dragged_ = {};
         emit dragStarted();
     }
     return true;   // a drag beside the tree must not change the grey values either
@@ -75,9 +77,9 @@ void NudgeTool::drag(const ToolPoint& point)
 {
     if (nudge_) {
         const double pace = point.modifiers.testFlag(Qt::ControlModifier) ? finePace : 1.0;
-        const core::PoseOffset offset = asSeen(nudge_->moveTo(toVector(point.position), pace), view());
+        dragged_ = asSeen(nudge_->moveTo(toVector(point.position), pace), view());
         view().update();
-        emit dragged(offset);
+        emit dragged(dragged_);
     }
 }
 
@@ -130,7 +132,17 @@ void NudgeTool::keyPress(const QKeyEvent& event)
 std::optional<QCursor> NudgeTool::cursor(bool) const
 {
     const PoseHandle handle = nudge_ ? nudge_->handle() : hotHandle_;
-    return handle == PoseHandle::Roll ? rollCursor() : QCursor(Qt::SizeAllCursor);
+    switch (handle) {
+        case PoseHandle::Roll:
+            return rollCursor();
+        case PoseHandle::LaoRao:
+            return QCursor(Qt::SizeHorCursor);
+        case PoseHandle::CraCau:
+        case PoseHandle::Depth:
+            return QCursor(Qt::SizeVerCursor);
+        default:
+            return QCursor(Qt::SizeAllCursor);
+    }
 }
 
 PoseHandleLook NudgeTool::look() const
@@ -150,6 +162,7 @@ PoseHandleLook NudgeTool::look() const
         shown.active = nudge_->handle();
         shown.rollStartRad = -nudge_->startAngleRad();
         shown.rollSweepRad = -nudge_->sweepRad();
+        shown.slidePx = nudge_->slidePx() * ratio;
     }
     return shown;
 }
@@ -159,6 +172,52 @@ void NudgeTool::drawStrokes(Canvas canvas) const
     PoseHandleLook shown = look();
     shown.centre.y() = canvas.height - shown.centre.y();
     fillStrokes(poseHandleStrokes(shown), canvas.height, canvas);
+}
+
+/// What is grasped, or how far it has been dragged, in words beside it.
+QString NudgeTool::words() const
+{
+    const auto amount = [this](PoseAxis axis) {
+        const double value = valueOf(dragged_, axis);
+        const QString number = (value < 0.0 ? QStringLiteral("−") : QStringLiteral("+")) +
+                               QString::number(std::abs(value), 'f', isShift(axis) ? 2 : 1);
+        return number + (isShift(axis) ? QStringLiteral(" mm") : QStringLiteral("°"));
+    };
+    const PoseHandle handle = nudge_ ? nudge_->handle() : hotHandle_;
+    const bool isShifted = handle == PoseHandle::Shift;
+    if (handle == PoseHandle::None || (isShifted && !nudge_)) {
+        return {};
+    }
+    if (isShifted) {
+        return amount(PoseAxis::Right) + QStringLiteral("  ↑ ") + amount(PoseAxis::Up);
+    }
+    const PoseAxis axis = handle == PoseHandle::Roll     ? PoseAxis::Roll
+                          : handle == PoseHandle::LaoRao ? PoseAxis::LaoRao
+                          : handle == PoseHandle::CraCau ? PoseAxis::CraCau
+                                                         : PoseAxis::AlongRay;
+    return nudge_ ? labelOf(axis) + QLatin1Char(' ') + amount(axis) : labelOf(axis);
+}
+
+void NudgeTool::paint(QPainter& painter) const
+{
+    const NudgeGrip grasped = grip();
+    const QString text = grasped.ringRadius > 0.0 ? words() : QString();
+    if (text.isEmpty()) {
+        return;
+    }
+    QFont font = painter.font();
+    font.setPixelSize(12);
+    painter.setFont(font);
+    const double width = painter.fontMetrics().horizontalAdvance(text) + 16.0;
+    const double above = grasped.centre.y() - grasped.ringRadius - outerHandleGapPx - 8.0;
+    QRectF box(grasped.centre.x() - 0.5 * width, above - 20.0, width, 20.0);
+    box.moveTo(std::clamp(box.left(), 4.0, std::max(4.0, view().width() - width - 4.0)),
+               std::clamp(box.top(), 30.0, std::max(30.0, view().height() - 24.0)));
+    QColor ground(0, 0, 0, 165);
+    painter.fillRect(box, ground);
+    const Color& shade = nudge_ ? tone() : palette(ThemeMode::Dark).text;
+    painter.setPen(QColor(shade.red, shade.green, shade.blue));
+    painter.drawText(box, Qt::AlignCenter, text);
 }
 
 }   // namespace ui

@@ -7,7 +7,8 @@
 
 namespace ui {
 
-/// Moves the tree on the image: inside the ring drags shift, on the ring they roll; keys move by steps.
+/// Moves the tree on the image: drags shift, on the ring they roll, on the arcs around it they turn, on the slide they
+/// move in depth; keys move by steps.
 class NudgeTool : public ImageTool {
     Q_OBJECT
 public:
@@ -26,10 +27,11 @@ public:
     void keyPress(const QKeyEvent& event) override;
     std::optional<QCursor> cursor(bool isDragging) const override;
     void drawStrokes(Canvas canvas) const override;
+    void paint(QPainter& painter) const override;
 
 signals:
     void dragStarted();
-    void dragged(const core::PoseOffset& offsetSinceStart);   ///< right/up mm at the pivot's depth, or roll
+    void dragged(const core::PoseOffset& offsetSinceStart);   ///< of the grasped handle alone
     void dragFinished();
     void dragCancelled();
     void keyNudged(const ui::Nudge& nudge);
@@ -37,8 +39,10 @@ signals:
 private:
     NudgeGrip grip() const;   ///< of the tree's pivot
     PoseHandleLook look() const;
+    QString words() const;
 
     std::optional<NudgeDrag> nudge_;
+    core::PoseOffset dragged_;   ///< by the drag under way
     PoseHandle hotHandle_ = PoseHandle::None;
     double hotAngleRad_ = 0.0;
 };
