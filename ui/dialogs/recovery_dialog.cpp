@@ -11,6 +11,7 @@ namespace {
 
 constexpr int dialogWidth = 640;
 constexpr int listHeight = 150;
+constexpr int rowSpacing = 10;
 constexpr int pathRole = Qt::UserRole;
 
 }   // namespace
@@ -66,6 +67,7 @@ void RecoveryDialog::fill(const std::vector<RecoveryRow>& rows)
     for (const RecoveryRow& row : rows) {
         const QString folder = row.folder.isEmpty() ? tr("never saved") : row.folder;
         auto* item = new QTreeWidgetItem(list_, {row.name, row.when, folder});
+        item->setSizeHint(2, {0, list_->fontMetrics().height() + rowSpacing});   // the one that stretches
         item->setData(0, pathRole, row.path);
     }
     for (int column = 0; column < 2; ++column) {

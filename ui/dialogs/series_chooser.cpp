@@ -14,6 +14,7 @@ namespace {
 
 constexpr int dialogWidth = 860;
 constexpr int dialogHeight = 420;
+constexpr int rowSpacing = 10;
 constexpr int rowRole = Qt::UserRole;
 
 enum Column { Description, Modality, Images, Size, Spacing, Date, ColumnCount };
@@ -72,6 +73,7 @@ void SeriesChooser::fill()
         auto* item = new QTreeWidgetItem(
             list_, {row.description, row.modality, QString::number(row.imageCount), row.size, row.spacingMm, row.date});
         item->setData(Description, rowRole, static_cast<int>(i));
+        item->setSizeHint(Date, {0, list_->fontMetrics().height() + rowSpacing});   // the one that stretches
         item->setTextAlignment(Images, Qt::AlignRight | Qt::AlignVCenter);
         item->setToolTip(Description, row.notes.join(QLatin1Char('\n')));
         if (!row.isOpenable) {

@@ -5,7 +5,11 @@
 #include <QFile>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextCursor>
+#include <QTextDocument>
+#include <QTextList>
 #include <QVBoxLayout>
 
 /// Resources of a static library are there only once asked for, and only from outside any namespace.
@@ -25,6 +29,30 @@ QString pageOfClass(const QWidget& widget)
     return QStringLiteral("panels/") + name.replace(wordStart, QStringLiteral("_")).toLower();
 }
 
+/// Room between paragraphs, and headings that are told apart by weight more than by size: Markdown brings neither.
+void setType(QTextDocument& document, const QFont& font)
+{
+    constexpr double gapPx = 8.0;
+    constexpr double lineSharePercent = 125.0;
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        QTextCursor cursor(block);
+        QTextBlockFormat format;
+        const bool isHeading = block.blockFormat().headingLevel() > 0;
+        format.setTopMargin(isHeading && block.blockNumber() > 0 ? 2.0 * gapPx : 0.0);
+        format.setBottomMargin(block.textList() ? 0.5 * gapPx : gapPx);
+        format.setLineHeight(lineSharePercent, QTextBlockFormat::ProportionalHeight);
+        cursor.mergeBlockFormat(format);
+        if (isHeading) {
+            QTextCharFormat letters;
+            letters.setProperty(QTextFormat::FontSizeAdjustment, 0);
+            letters.setProperty(QTextFormat::FontPixelSize,
+                                font.pixelSize() + (block.blockFormat().headingLevel() == 1 ? 5 : 1));
+            cursor.select(QTextCursor::BlockUnderCursor);
+            cursor.mergeCharFormat(letters);
+        }
+    }
+}
+
 }   // namespace
 
 HelpPage::HelpPage(const QString& page, const QString& title, QWidget* parent) : QDialog(parent)
@@ -34,6 +62,8 @@ HelpPage::HelpPage(const QString& page, const QString& title, QWidget* parent) :
     setAttribute(Qt::WA_DeleteOnClose);
     auto* text = new QTextBrowser;
     text->setMarkdown(markdown(page));
+    setType(*text->document(), font());
+    text->document()->setDocumentMargin(14.0);
     text->setFrameShape(QFrame::NoFrame);
     text->setAccessibleName(title);
     auto* close = new QPushButton(tr("Close"));

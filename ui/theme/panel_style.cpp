@@ -26,7 +26,6 @@ QSplitter::handle:horizontal { width: 1px; }
 QSplitter::handle:vertical { height: 1px; }
 QDialog { background: @panel@; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
-QDialog QTreeView::item, QDialog QListView::item { padding-top: 5px; padding-bottom: 5px; }
 QWidget[role="header"] { background: @title@; }
 QWidget[role="stepBar"], QWidget[role="column"], QWidget[role="strip"] { background: @panel@; }
 QWidget[role="canvas"] { background: @canvas@; }
