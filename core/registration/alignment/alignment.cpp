@@ -9,11 +9,24 @@ namespace {
 
 constexpr double endOnShare = 0.3;   // shorter projected tangents say nothing about direction (§6.3)
 constexpr double agreeingGate = 0.5;   // within 33°
+constexpr std::size_t reverseStride = 2;   // neighbouring lines share their noise: every second one stands for two
 constexpr double cutOff = 4.0;   // beyond 4 ℓ a Welsch weight is below 4e-4: nothing
 
 AlignmentPoint alignmentPoint(const TreeSamples& tree, std::size_t i)
 {
     return {tree.points[i] - tree.centroid, tree.tangents[i], tree.branchIndex[i]};
+}
+
+/// Adds w r² to the model; only the lower triangle of its Hessian.
+inline void addRow(double weight, double residual, const Vector6d& J, NormalEquations& sum)
+{
+    const Vector6d weighted = weight * J;
+    for (int column = 0; column < 6; ++column) {
+        for (int row = column; row < 6; ++row) {
+            sum.hessian(row, column) += weighted[row] * J[column];
+        }
+    }
+    sum.gradient += residual * weighted;
 }
 
 }   // namespace
@@ -105,8 +118,6 @@ void Alignment::look(const CentroidPose& pose, double scalePx, Agreement& agreem
 {
     agreement.equations = {};
     agreement.branchWeight.assign(visibility_.size(), 0.0);
-    Matrix6d& H = agreement.equations.hessian;
-    Vector6d& g = agreement.equations.gradient;
     const double perSquaredScale = -0.5 / (scalePx * scalePx);
     double costShare = 0.0;
     Match found;
@@ -121,19 +132,63 @@ void Alignment::look(const CentroidPose& pose, double scalePx, Agreement& agreem
         const double weight = importance * agreeing;
         agreement.branchWeight[branch] += agreeing;
         costShare -= weight;
-        const Vector6d J = residualGradient(found);
-        const Vector6d weighted = weight * J;
-        for (int column = 0; column < 6; ++column) {
-            for (int row = column; row < 6; ++row) {
-                H(row, column) += weighted[row] * J[column];
-            }
-        }
-        g += found.residual * weighted;
+        addRow(weight, found.residual, residualGradient(found), agreement.equations);
     }
     for (std::size_t b = 0; b < pointCount_.size(); ++b) {
         agreement.branchWeight[b] /= pointCount_[b];
     }
     agreement.loss = 2.0 * scalePx * scalePx * costShare;
+}
+
+void Alignment::projectPoints(const CentroidPose& pose, double reachPx)
+{
+    buffers_.projected.reserve(points_.size());
+    buffers_.projected.restart(camera_.width, camera_.height, reachPx);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        const Eigen::Vector3d X = pose.rotation * points_[i].fromCentroid + pose.centroidInCamera;
+        const auto pixel = project(camera_, X);
+        if (!pixel) {
+            continue;
+        }
+        const Eigen::Vector3d tangent = pose.rotation * points_[i].tangent;
+        const double su = camera_.fx * (tangent.x() - X.x() / X.z() * tangent.z());
+        const double sv = camera_.fy * (tangent.y() - X.y() / X.z() * tangent.z());
+        const double length = std::hypot(su, sv);
+        if (length >= endOnShare * camera_.fy) {
+            buffers_.projected.add({pixel->x(), pixel->y(), su / length, sv / length, static_cast<int>(i)});
+        }
+    }
+}
+
+void Alignment::addReverse(const CentroidPose& pose, double scalePx, Agreement& agreement)
+{
+    projectPoints(pose, cutOff * scalePx);
+    const double perSquaredScale = -0.5 / (scalePx * scalePx);
+    double weights = 0.0;
+    Match match;
+    const auto& lines = target_->lines();
+    for (std::size_t j = 0; j < lines.size(); j += reverseStride) {
+        const TargetLines::Line& line = lines[j];
+        const ProjectedPoint* nearest = buffers_.projected.nearest(line.x, line.y);
+        if (nearest == nullptr) {
+            continue;
+        }
+        const AlignmentPoint& point = points_[static_cast<std::size_t>(nearest->number)];
+        const double visibility = visibility_[static_cast<std::size_t>(point.branchIndex)];
+        const double du = nearest->u - line.x;
+        const double dv = nearest->v - line.y;
+        const double cosine = nearest->su * line.tx + nearest->sv * line.ty;
+        const double gate = cosine * cosine * cosine * cosine;
+        const double weight =
+            reverseStride * visibility * visibility * gate * std::exp(perSquaredScale * (du * du + dv * dv));
+        weights += weight;
+        match.turned = pose.rotation * point.fromCentroid;
+        match.inCamera = match.turned + pose.centroidInCamera;
+        match.normalX = -nearest->sv;
+        match.normalY = nearest->su;
+        addRow(weight, match.normalX * du + match.normalY * dv, residualGradient(match), agreement.equations);
+    }
+    agreement.loss -= 2.0 * scalePx * scalePx * weights;
 }
 
 double Alignment::loss(const CentroidPose& pose, double scalePx) const

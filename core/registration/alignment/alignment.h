@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/registration/alignment/projected_points.h"
 #include "core/registration/matching/target_lines.h"
 #include "core/registration/pose/start_prior.h"
 
@@ -41,6 +42,10 @@ public:
     /// The same into an agreement that is reused: nothing is allocated after the first time.
     void look(const CentroidPose& pose, double scalePx, Agreement& agreement) const;
 
+    /// Adds the other way round (ALGORITHMS §6.6 b): every line of the target is drawn to the branch that runs nearest
+    /// beside it, so that all of the image counts, not only what is nearest to some tree point.
+    void addReverse(const CentroidPose& pose, double scalePx, Agreement& agreement);
+
     /// The loss alone.
     double loss(const CentroidPose& pose, double scalePx) const;
 
@@ -64,6 +69,7 @@ public:
         Agreement current;
         Agreement trial;
         std::vector<double> residuals;
+        ProjectedPoints projected;
     };
     Buffers& buffers() { return buffers_; }
 
@@ -71,6 +77,7 @@ private:
     struct Match;
     bool match(const AlignmentPoint& point, const CentroidPose& pose, double limitPx, Match& match) const;
     Vector6d residualGradient(const Match& match) const;
+    void projectPoints(const CentroidPose& pose, double reachPx);
 
     std::vector<AlignmentPoint> points_;
     ProjectionCamera camera_;

@@ -41,7 +41,7 @@ RefinementResult FinalRefinement::refine(const CentroidPose& pose, const Refinem
     }
     all_->resetVisibility();
     const double startScalePx = std::max(result.scalePx, options_.finalScalePx);
-    const RefinementSchedule schedule{startScalePx, options_.finalScalePx, 0.7, 2, 20, options_.maxIterations};
+    const RefinementSchedule schedule{startScalePx, options_.finalScalePx, 0.7, 2, 20, options_.maxIterations, true};
     result = core::refine(*all_, prior_, result.pose, schedule, observe);
     if (result.stopReason != StopReason::StoppedByUser) {
         const auto exact = partners_.refine(result.pose);

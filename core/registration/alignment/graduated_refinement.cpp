@@ -13,11 +13,13 @@ constexpr double madToStd = 1.4826;
 /// One refinement under way.
 class Refinement {
 public:
-    Refinement(Alignment& alignment, const StartPrior& prior, const CentroidPose& start, double scalePx)
+    Refinement(Alignment& alignment, const StartPrior& prior, const CentroidPose& start,
+               const RefinementSchedule& schedule)
         : alignment_(alignment),
           prior_(prior),
           pose_(start),
-          scalePx_(scalePx),
+          scalePx_(schedule.startScalePx),
+          bothWays_(schedule.bothWays),
           current_(alignment.buffers().current),
           trial_(alignment.buffers().trial),
           residuals_(alignment.buffers().residuals)
@@ -73,6 +75,9 @@ private:
     void lookAt(const CentroidPose& pose, Agreement& agreement) const
     {
         alignment_.look(pose, scalePx_, agreement);
+        if (bothWays_) {
+            alignment_.addReverse(pose, scalePx_, agreement);
+        }
         const double variance = noiseVariance(scalePx_);
         prior_.add(pose, variance, agreement.equations);
         agreement.loss += variance * prior_.cost(pose);
@@ -82,6 +87,7 @@ private:
     const StartPrior& prior_;
     CentroidPose pose_;
     double scalePx_;
+    bool bothWays_;
     Damping damping_;
     Agreement& current_;
     Agreement& trial_;
@@ -94,7 +100,7 @@ RefinementResult refine(Alignment& alignment, const StartPrior& prior, const Cen
                         const RefinementSchedule& schedule, const RefinementObserver& observe)
 {
     constexpr double spreadMm = 50.0;
-    Refinement refinement(alignment, prior, start, schedule.startScalePx);
+    Refinement refinement(alignment, prior, start, schedule);
     RefinementResult result;
     const double levels = std::log(schedule.endScalePx / schedule.startScalePx) / std::log(schedule.shrink);
     const double expectedSteps = levels * schedule.stepsPerScale + schedule.lastSteps + 1.0;

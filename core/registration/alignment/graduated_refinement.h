@@ -15,6 +15,7 @@ struct RefinementSchedule {
     int stepsPerScale = 2;
     int lastSteps = 0;   ///< further steps at the end scale, until they no longer move the image
     int maxSteps = 60;
+    bool bothWays = false;   ///< the target's lines are drawn to the tree, too (§6.6 b)
 };
 
 struct RefinementStep {

@@ -55,6 +55,36 @@ TEST_F(AlignmentTest, GradientsMatchDifferencesOfResiduals)
     EXPECT_GT(compared, 5000);
 }
 
+TEST_F(AlignmentTest, LinesDrawnToTheTreePullItBack)
+{
+    Agreement reverse;
+    CentroidPose pose = beside;
+    for (int k = 0; k < 4; ++k) {
+        reverse = {};
+        alignment.addReverse(pose, 5.0, reverse);
+        pose = moved(pose, dampedStep(reverse.equations, 1e-6));
+    }
+    EXPECT_LT(stepBetween(truth, pose).head<3>().norm(), 0.1 * stepBetween(truth, beside).head<3>().norm());
+    EXPECT_LT(stepBetween(truth, pose).segment<2>(3).norm(), 0.1 * stepBetween(truth, beside).segment<2>(3).norm());
+}
+
+TEST_F(AlignmentTest, NearestProjectedPointIsFoundWithinReachOnly)
+{
+    ProjectedPoints points;
+    points.restart(100, 60, 6.0);
+    points.add({50.0, 30.0, 1.0, 0.0, 7});
+    points.add({57.0, 30.0, 1.0, 0.0, 8});
+    points.add({-5.0, 30.0, 1.0, 0.0, 9});
+    ASSERT_NE(points.nearest(52.0, 31.0), nullptr);
+    EXPECT_EQ(points.nearest(52.0, 31.0)->number, 7);
+    EXPECT_EQ(points.nearest(55.0, 31.0)->number, 8);
+    EXPECT_EQ(points.nearest(50.0, 37.0), nullptr);
+    EXPECT_EQ(points.nearest(-3.0, 30.0), nullptr);
+    EXPECT_EQ(points.nearest(500.0, -300.0), nullptr);
+    points.restart(100, 60, 6.0);
+    EXPECT_EQ(points.nearest(50.0, 30.0), nullptr);
+}
+
 TEST_F(AlignmentTest, LookSumsUpTheRows)
 {
     std::vector<ResidualRow> rows;
