@@ -15,6 +15,9 @@ FileQueue::FileQueue(QObject* parent) : QObject(parent)
 
 FileQueue::~FileQueue()
 {
+    if (running_) {
+        (void)watcher_.result();   // waits; what the worker wrote is seen from here on
+    }
     watcher_.waitForFinished();
     for (std::size_t i = running_ ? 1 : 0; i < tasks_.size(); ++i) {
         (void)guarded<QString>(tasks_[i].work);
