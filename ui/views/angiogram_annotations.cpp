@@ -124,6 +124,21 @@ void paintScale(QPainter& painter, const QSizeF& size, const AngiogramAnnotation
     label(bar.bottom() - 1.0, QStringLiteral("0"), annotationTones().text);
 }
 
+QFont modeFont(const QPainter& painter)
+{
+    return sized(painter.font(), 11);
+}
+
+/// Where the words of a mode go: at the top, in the middle; empty without a mode.
+QRectF modeBox(const QPainter& painter, const QSizeF& size, const ModeLabel& mode)
+{
+    if (mode.text.isEmpty()) {
+        return {};
+    }
+    const double width = QFontMetricsF(modeFont(painter)).horizontalAdvance(mode.text) + 16.0;
+    return {0.5 * (size.width() - width), 6.0, width, 20.0};
+}
+
 void paintMode(QPainter& painter, const QSizeF& size, const ModeLabel& mode)
 {
     constexpr double border = 3.0;
@@ -132,12 +147,10 @@ void paintMode(QPainter& painter, const QSizeF& size, const ModeLabel& mode)
     painter.fillRect(QRectF(0.0, size.height() - border, size.width(), border), tone);
     painter.fillRect(QRectF(0.0, 0.0, border, size.height()), tone);
     painter.fillRect(QRectF(size.width() - border, 0.0, border, size.height()), tone);
-    painter.setFont(sized(painter.font(), 11));
-    const QRectF line(0.0, 8.0, size.width(), 16.0);
-    const double width = QFontMetricsF(painter.font()).horizontalAdvance(mode.text) + 16.0;
-    painter.fillRect(QRectF(0.5 * (size.width() - width), line.top() - 2.0, width, line.height() + 4.0),
-                     colorOf(annotationTones().canvas, 0.65));
-    drawShadowedText(painter, line, Qt::AlignHCenter | Qt::AlignVCenter, mode.text, tone);
+    const QRectF box = modeBox(painter, size, mode);
+    painter.setFont(modeFont(painter));
+    painter.fillRect(box, colorOf(annotationTones().canvas, 0.65));
+    drawShadowedText(painter, box, Qt::AlignHCenter | Qt::AlignVCenter, mode.text, tone);
 }
 
 /// How far up the bottom letter, how far down the top one has to go to stay clear of the corner texts.
@@ -183,8 +196,10 @@ void paintAnnotations(QPainter& painter, const QSizeF& size, const AngiogramAnno
 {
     const Ground ground(viewport, scene, annotations.taken);
     const CornerTexts& texts = annotations.texts;
-    const QRectF topLeft = paintCorner(painter, size, Corner::TopLeft, toLines(texts.topLeft), ground);
-    const QRectF topRight = paintCorner(painter, size, Corner::TopRight, toLines(texts.topRight), ground, topLeft);
+    const QRectF mode = modeBox(painter, size, annotations.mode);
+    const QRectF topLeft = paintCorner(painter, size, Corner::TopLeft, toLines(texts.topLeft), ground, mode);
+    const QRectF topRight =
+        paintCorner(painter, size, Corner::TopRight, toLines(texts.topRight), ground, topLeft.united(mode));
     const QRectF beside = paintCorner(painter, size, Corner::BottomRight, toLines(texts.bottomRight), ground);
     const QRectF below =
         paintCorner(painter, size, Corner::BottomLeft, ownLines(annotations, viewport.zoom()), ground, beside);
