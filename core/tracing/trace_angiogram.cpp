@@ -17,6 +17,7 @@
 #include "core/tracing/vessel_branches.h"
 #include "core/tracing/vessel_threshold.h"
 #include "core/tracing/vesselness.h"
+#include "core/tracing/working_size.h"
 
 #include <algorithm>
 #include <bit>
@@ -108,17 +109,45 @@ Mask2d wholeVessels(const Mask2d& vessels, const ImageF& evidence, const TraceOp
 }
 
 std::vector<Curve2d> centredCurves(std::vector<std::vector<Eigen::Vector2d>> paths, const ImageF& opacity,
-                                   const Mask2d& field, const TraceOptions& options)
+                                   const Mask2d& field, double maxRadiusPx)
 {
     std::erase_if(paths, [&](const auto& path) { return runsStraightAcross(path, field); });
     std::vector<Curve2d> curves(paths.size());
     parallelFor(
         paths.size(), std::min(mostThreads, threadCount(0)),
-        [&](std::size_t k) {
-            curves[k] = centredCurve(paths[k], static_cast<int>(k) + 1, opacity, options.maxVesselRadiusPx);
-        },
+        [&](std::size_t k) { curves[k] = centredCurve(paths[k], static_cast<int>(k) + 1, opacity, maxRadiusPx); },
         [](double) { return true; });
     return curves;
+}
+
+/// What is found in a frame of usual size.
+struct SeenVessels {
+    Mask2d fieldMask;
+    Mask2d vesselMask;
+    ImageF vesselness;
+    ImageF opacity;
+    std::vector<std::vector<Eigen::Vector2d>> paths;   ///< along the middles of the mask
+};
+
+SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options)
+{
+    SeenVessels seen;
+    seen.fieldMask = tracedField(vesselsDark, options);
+    seen.opacity = flattenBackground(vesselsDark, seen.fieldMask, surroundingsInRadii * options.maxVesselRadiusPx);
+    const ImageF ridges = ridgeStrength(seen.opacity, options.minVesselRadiusPx, options.maxVesselRadiusPx);
+    double clutter = 0.0;
+    ImageF clear;
+    atOnce([&] { clear = withoutStars(ridges, seen.opacity); },
+           [&] {
+               clutter = clutterLevel(seen.opacity, ridges, seen.fieldMask, options.minVesselRadiusPx,
+                                      options.maxVesselRadiusPx);
+           });
+    const ImageF evidence = vesselEvidence(clear, seen.fieldMask, clutter, options.sensitivity);
+    atOnce([&] { seen.vesselMask = wholeVessels(vesselPixels(evidence), evidence, options); },
+           [&] { seen.vesselness = normalised(std::move(clear)); });
+    seen.paths = orderedCurves(vesselBranches(seen.vesselMask, evidence, seen.fieldMask, options),
+                               crossingInRadii * options.maxVesselRadiusPx);
+    return seen;
 }
 
 }   // namespace
@@ -128,25 +157,21 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
     if (const std::string problem = problemWith(frame); !problem.empty()) {
         return Error{problem};
     }
-    AngiogramTrace trace;
     const ImageF vesselsDark = withVesselsDark(frame, polarity);
-    trace.fieldMask = tracedField(vesselsDark, options);
-    const ImageF opacity =
-        flattenBackground(vesselsDark, trace.fieldMask, surroundingsInRadii * options.maxVesselRadiusPx);
-    const ImageF ridges = ridgeStrength(opacity, options.minVesselRadiusPx, options.maxVesselRadiusPx);
-    double clutter = 0.0;
-    ImageF clear;
-    atOnce([&] { clear = withoutStars(ridges, opacity); },
-           [&] {
-               clutter =
-                   clutterLevel(opacity, ridges, trace.fieldMask, options.minVesselRadiusPx, options.maxVesselRadiusPx);
-           });
-    const ImageF evidence = vesselEvidence(clear, trace.fieldMask, clutter, options.sensitivity);
-    atOnce([&] { trace.vesselMask = wholeVessels(vesselPixels(evidence), evidence, options); },
-           [&] { trace.vesselness = normalised(std::move(clear)); });
-    const SkeletonGraph branches = vesselBranches(trace.vesselMask, evidence, trace.fieldMask, options);
-    trace.centerline.curves = centredCurves(orderedCurves(branches, crossingInRadii * options.maxVesselRadiusPx),
-                                            opacity, trace.fieldMask, options);
+    const WorkingSize size = workingSizeOf(frame);
+    auto seen = seenVessels(toWorkingSize(vesselsDark, size), options);
+    AngiogramTrace trace;
+    trace.fieldMask = fromWorkingSize(seen.fieldMask, size, frame.width, frame.height);
+    trace.vesselMask = fromWorkingSize(seen.vesselMask, size, frame.width, frame.height);
+    trace.vesselness = fromWorkingSize(seen.vesselness, size, frame.width, frame.height);
+    const double maxRadiusPx = options.maxVesselRadiusPx / size.factor();
+    const ImageF opacity = size.halvings == 0
+                               ? std::move(seen.opacity)
+                               : flattenBackground(vesselsDark, trace.fieldMask, surroundingsInRadii * maxRadiusPx);
+    for (auto& path : seen.paths) {
+        path = fromWorkingSize(std::move(path), size);
+    }
+    trace.centerline.curves = centredCurves(std::move(seen.paths), opacity, trace.fieldMask, maxRadiusPx);
     if (trace.centerline.curves.empty()) {
         return Error{
             "Nothing like a vessel was found in the angiogram frame. Choose a frame with more contrast, raise "

@@ -10,7 +10,8 @@
 
 namespace core {
 
-/// One set of defaults for every image; lengths in px of the stored frame.
+/// One set of defaults for every image; lengths in px of a frame of usual size (see `WorkingSize`): in frames twice as
+/// large they are twice as long.
 struct TraceOptions {
     double minVesselRadiusPx = 1.5;   ///< thinnest vessel looked for
     double maxVesselRadiusPx = 8.0;   ///< widest vessel looked for
