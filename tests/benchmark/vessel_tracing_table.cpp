@@ -3,9 +3,8 @@
 
 #include "core/simulation/simulate_cta.h"
 #include "core/tracing/volume/trace_vessels.h"
-#include "io/volume_file.h"
 #include "tests/benchmark/arguments.h"
-#include "tests/support/test_data.h"
+#include "tests/benchmark/thoracic_scan.h"
 #include "tests/support/tree_agreement.h"
 
 #include <algorithm>
@@ -20,6 +19,9 @@
 #include <vector>
 
 namespace {
+
+using benchmarks::Course;
+using benchmarks::ThoracicScan;
 
 const std::string usage =
     "Usage: vessel_tracing_table [--simulated ] [--real ] [--large ] [--seeds <n>]\n"
@@ -119,169 +121,17 @@ void printSimulated(int seeds)
     table.print();
 }
 
-core::Volume readScan(const std::string& relative)
-{
-    auto read = io::readVolume(test::dataFile(relative).string());
-    if (!read) {
-        std::printf("%s\n", read.error().message.c_str());
-        return {};
-    }
-    return std::move(read).value().volume;
-}
-
-/// The given arteries of the thoracic CTA as labels 1, 2, …; label 0 elsewhere.
-core::LabelVolume givenArteries()
-{
-    core::LabelVolume all;
-    std::uint16_t label = 0;
-    for (const char* name : {"aorta", "brachiocephalic_trunk", "common_carotid_artery_left", "subclavian_artery_left",
-                             "celiac_trunk", "superior_mesenteric_artery"}) {
-        const core::Volume mask = readScan(std::string("thoracic-aorta-cta/") + name + ".nii.gz");
-        if (all.voxels.empty()) {
-            all = core::LabelVolume(mask.geometry);
-        }
-        ++label;
-        for (std::size_t v = 0; v < mask.voxels.size(); ++v) {
-            all.voxels[v] = mask.voxels[v] != 0 ? label : all.voxels[v];
-        }
-    }
-    return all;
-}
-
-bool isInside(const core::LabelVolume& labels, const Eigen::Vector3d& point)
-{
-    const Eigen::Vector3i voxel = (labels.geometry.patientFromVoxel().inverse() * point).array().round().cast<int>();
-    return labels.geometry.contains(voxel) && labels.at(voxel.x(), voxel.y(), voxel.z()) != 0;
-}
-
-/// A stretch of a branch outside the masks.
-struct OutsideRun {
-    int branch = 0;
-    double lengthMm = 0.0;
-    double radiusMm = 0.0;   ///< median, as are the values
-    double value = 0.0;
-    Eigen::Vector3d from = Eigen::Vector3d::Zero();
-    Eigen::Vector3d to = Eigen::Vector3d::Zero();
-};
-
-constexpr double sampleMm = 0.5;
-
-double medianOf(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return values.empty() ? 0.0 : *middle;
-}
-
-double valueAt(const core::Volume& scan, const Eigen::Vector3d& point)
-{
-    const Eigen::Vector3i voxel = (scan.geometry.patientFromVoxel().inverse() * point).array().round().cast<int>();
-    const Eigen::Vector3i at = voxel.cwiseMax(0).cwiseMin((scan.geometry.size.array() - 1).matrix());
-    return scan.value(scan.geometry.index(at.x(), at.y(), at.z()));
-}
-
-OutsideRun runOf(const core::VesselBranch& branch, std::size_t first, std::size_t last, const core::Volume& scan)
-{
-    std::vector<double> values;
-    for (std::size_t i = first; i < last; ++i) {
-        values.push_back(valueAt(scan, branch.pointsInPatient[i]));
-    }
-    const auto radii = branch.radiusMm.begin();
-    return {branch.id,
-            sampleMm * static_cast<double>(last - first),
-            medianOf({radii + static_cast<std::ptrdiff_t>(first), radii + static_cast<std::ptrdiff_t>(last)}),
-            medianOf(values),
-            branch.pointsInPatient[first],
-            branch.pointsInPatient[last - 1]};
-}
-
-/// Where a curve runs, masked or not.
-struct Course {
-    double insideMm = 0.0;
-    double insideValue = 0.0;   ///< median
-    std::vector<OutsideRun> outside;
-    std::vector<Eigen::Vector3d> insidePoints;
-};
-
-Course courseOf(const core::VesselTree& tree, const core::LabelVolume& labels, const core::Volume& scan)
-{
-    Course course;
-    std::vector<double> values;
-    for (const core::VesselBranch& branch : core::resampled(tree, sampleMm).branches) {
-        const auto& way = branch.pointsInPatient;
-        for (std::size_t i = 0; i < way.size();) {
-            const std::size_t first = i;
-            const bool isIn = isInside(labels, way[i]);
-            while (i < way.size() && isInside(labels, way[i]) == isIn) {
-                ++i;
-            }
-            if (!isIn) {
-                course.outside.push_back(runOf(branch, first, i, scan));
-                continue;
-            }
-            for (std::size_t n = first; n < i; ++n) {
-                course.insidePoints.push_back(way[n]);
-                values.push_back(valueAt(scan, way[n]));
-            }
-        }
-    }
-    course.insideMm = sampleMm * static_cast<double>(course.insidePoints.size());
-    course.insideValue = medianOf(values);
-    return course;
-}
-
-/// Share of the masks' axes beside which the curve runs within the masks. The axis of an aorta with two lumens lies
-/// between them, so that a distance to it would say nothing.
-double coveredShare(const core::VesselTree& axes, const std::vector<Eigen::Vector3d>& insidePoints)
-{
-    constexpr double reachMm = 2.0;   // along the axis
-    std::vector<Eigen::Vector3d> axis;
-    for (const core::VesselBranch& branch : core::resampled(axes, sampleMm).branches) {
-        axis.insert(axis.end(), branch.pointsInPatient.begin(), branch.pointsInPatient.end());
-    }
-    std::vector<bool> isBeside(axis.size(), false);
-    for (const Eigen::Vector3d& point : insidePoints) {
-        const auto nearest = std::min_element(axis.begin(), axis.end(), [&](const auto& a, const auto& b) {
-            return (a - point).squaredNorm() < (b - point).squaredNorm();
-        });
-        isBeside[static_cast<std::size_t>(nearest - axis.begin())] = true;
-    }
-    std::size_t covered = 0;
-    for (const Eigen::Vector3d& point : axis) {
-        for (std::size_t n = 0; n < axis.size(); ++n) {
-            if (isBeside[n] && (axis[n] - point).norm() <= reachMm) {
-                ++covered;
-                break;
-            }
-        }
-    }
-    return static_cast<double>(covered) / std::max(1.0, static_cast<double>(axis.size()));
-}
-
-/// As bright as the masked arteries are: a vessel that the masks leave out.
-bool isArterial(const OutsideRun& run, const Course& course)
-{
-    return std::abs(run.value - course.insideValue) <= 0.1 * course.insideValue;
-}
-
-Course addThoracic(Table& table, const std::string& name, const core::Result<core::TracedVessels>& traced,
-                   const core::LabelVolume& arteries, const core::VesselTree& axes, const core::Volume& scan)
+void addThoracic(Table& table, const std::string& name, const core::Result<core::TracedVessels>& traced,
+                 const ThoracicScan& thorax)
 {
     if (!traced) {
         table.add({name, traced.error().message});
-        return {};
+        return;
     }
     const core::VesselTree& tree = traced.value().tree;
-    Course course = courseOf(tree, arteries, scan);
-    double arterialMm = 0.0;
-    double otherMm = 0.0;
-    for (const OutsideRun& run : course.outside) {
-        (isArterial(run, course) ? arterialMm : otherMm) += run.lengthMm;
-    }
-    const double all = course.insideMm + arterialMm + otherMm;
-    table.add({name, fixed(course.insideMm / all, 3), fixed(arterialMm / all, 3), fixed(otherMm / all, 3),
-               fixed(coveredShare(axes, course.insidePoints), 3), std::to_string(tree.branches.size()), fixed(all, 0)});
-    return course;
+    const Course course = benchmarks::courseOf(tree, thorax);
+    table.add({name, fixed(course.inside, 3), fixed(course.outsideArterial, 3), fixed(course.outsideOther, 3),
+               fixed(course.covered, 3), std::to_string(tree.branches.size()), fixed(course.lengthMm, 0)});
 }
 
 std::string placeOf(const Eigen::Vector3d& point, const core::Volume& scan)
@@ -294,10 +144,10 @@ void printOutside(const Course& course, const core::Volume& scan)
 {
     Table table({"one seed, outside the masks: branch", "length [mm]", "radius [mm]", "HU", "as arteries", "from voxel",
                  "to voxel"});
-    for (const OutsideRun& run : course.outside) {
+    for (const benchmarks::OutsideRun& run : course.outside) {
         if (run.lengthMm >= 2.0) {
             table.add({std::to_string(run.branch), fixed(run.lengthMm, 1), fixed(run.radiusMm, 1), fixed(run.value, 0),
-                       isArterial(run, course) ? "yes" : "no", placeOf(run.from, scan), placeOf(run.to, scan)});
+                       run.isArterial ? "yes" : "no", placeOf(run.from, scan), placeOf(run.to, scan)});
         }
     }
     table.print();
@@ -305,35 +155,36 @@ void printOutside(const Course& course, const core::Volume& scan)
 
 void printThoracic()
 {
-    const core::Volume scan = readScan("thoracic-aorta-cta/ct_cropped.nii.gz");
-    const core::LabelVolume arteries = givenArteries();
-    // The masks are a network's, with stubs on their walls that are no vessels.
-    const auto axes = core::traceLabels(arteries, {}, {.minBranchLengthMm = 12.0});
-    if (scan.voxels.empty() || !axes) {
+    const std::optional<ThoracicScan> read = benchmarks::readThoracicScan();
+    if (!read) {
         return;
     }
-    const Eigen::Affine3d patientFromVoxel = scan.geometry.patientFromVoxel();
-    const auto at = [&](int i, int j, int k) { return (patientFromVoxel * Eigen::Vector3d(i, j, k)).eval(); };
-    const core::VesselTree& masks = axes.value().tree;
+    const ThoracicScan& thorax = *read;
     Table table({"thoracic CTA", "inside masks", "outside, as bright", "outside, other", "masks covered", "branches",
                  "length [mm]"});
-    addThoracic(table, "from the masks", axes, arteries, masks, scan);
-    // Clicks into the ascending aorta; into ventricle, atria, pulmonary artery, superior vena cava and the
-    // brachiocephalic vein before and beside the arch.
+    core::TracedVessels given;
+    given.tree = thorax.axes;
+    addThoracic(table, "from the masks", given, thorax);
     core::VesselTracingOptions options;
-    options.seedsInPatient = {at(51, 48, 107)};
-    options.rootInPatient = at(52, 48, 85);
-    const Course course = addThoracic(table, "one seed", core::traceVessels(scan, options), arteries, masks, scan);
-    options.avoidInPatient = {at(48, 73, 82), at(75, 54, 62),  at(75, 45, 85),  at(36, 67, 92), at(67, 28, 85),
-                              at(36, 31, 80), at(38, 47, 110), at(64, 52, 131), at(45, 45, 133)};
-    addThoracic(table, "seed, heart and veins avoided", core::traceVessels(scan, options), arteries, masks, scan);
+    options.seedsInPatient = {benchmarks::seedOf(thorax)};
+    options.rootInPatient = benchmarks::rootOf(thorax);
+    const auto fromSeed = core::traceVessels(thorax.scan, options);
+    addThoracic(table, "one seed", fromSeed, thorax);
+    // Clicks into ventricle, atria, pulmonary artery, superior vena cava and the brachiocephalic vein before and beside
+    // the arch.
+    options.avoidInPatient = {thorax.at(48, 73, 82),  thorax.at(75, 54, 62),  thorax.at(75, 45, 85),
+                              thorax.at(36, 67, 92),  thorax.at(67, 28, 85),  thorax.at(36, 31, 80),
+                              thorax.at(38, 47, 110), thorax.at(64, 52, 131), thorax.at(45, 45, 133)};
+    addThoracic(table, "seed, heart and veins avoided", core::traceVessels(thorax.scan, options), thorax);
     table.print();
-    printOutside(course, scan);
+    if (fromSeed) {
+        printOutside(benchmarks::courseOf(fromSeed.value().tree, thorax), thorax.scan);
+    }
 }
 
 void printStent()
 {
-    const core::Volume scan = readScan("abdominal-aorta-stent-ct/stent.nrrd");
+    const core::Volume scan = benchmarks::readScan("abdominal-aorta-stent-ct/stent.nrrd");
     if (scan.voxels.empty()) {
         return;
     }
