@@ -4,6 +4,7 @@
 #include "io/dicom/open_dicom.h"
 #include "io/dicom_series.h"
 #include "io/file_hash.h"
+#include "io/label_list.h"
 #include "io/series/dicom_segmentation.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -87,14 +88,52 @@ core::Result<LoadedVessels> traceSurface(const std::string& path, const core::Ve
                     core::traceMask(mask.value(), input.tracing, tracingObserver(observe)), path);
 }
 
+/// Which labels are traced: those asked for, else those whose names are vessels', else all. Says so where several are
+/// there.
+core::Status chooseLabels(LoadedVessels& loaded, const core::LabelVolume& image, const std::string& path)
+{
+    const std::vector<ListedLabel> all = listedLabels(image, readLabelNames(path));
+    std::vector<int>& chosen = loaded.input.labels;
+    for (const int label : chosen) {
+        if (std::ranges::none_of(all, [label](const ListedLabel& each) { return each.label == label; })) {
+            return fileError(path, "it has no label " + std::to_string(label) + " but " +
+                                       (all.empty() ? "none at all" : labelText(all)) + ". Choose one of these.");
+        }
+    }
+    const bool isByName = chosen.empty();
+    if (isByName) {
+        chosen = vesselsByName(all);
+    }
+    std::vector<ListedLabel> traced;
+    std::vector<ListedLabel> leftOut;
+    for (const ListedLabel& each : all) {
+        const bool isChosen = chosen.empty() || std::ranges::find(chosen, each.label) != chosen.end();
+        (isChosen ? traced : leftOut).push_back(each);
+    }
+    if (all.size() > 1) {
+        loaded.warnings.push_back("Labels traced: " + labelText(traced) + ".");
+    }
+    if (isByName && !leftOut.empty()) {
+        loaded.warnings.push_back("Labels left out, by their names: " + labelText(leftOut) + ".");
+    }
+    return core::Done{};
+}
+
+core::Result<LoadedVessels> traceLabelImage(LoadedVessels loaded, const core::LabelVolume& image,
+                                            const std::string& path, const ReadObserver& observe)
+{
+    if (const core::Status chosen = chooseLabels(loaded, image, path); !chosen) {
+        return chosen.error();
+    }
+    auto traced = core::traceLabels(image, loaded.input.labels, loaded.input.tracing, tracingObserver(observe));
+    return withTree(std::move(loaded), std::move(traced), path);
+}
+
 core::Result<LoadedVessels> traceSegmentation(const std::string& path, const core::VesselInput& input,
                                               const ReadObserver& observe)
 {
     const auto labels = readLabels(path, partOf(observe, 0.0, readShare));
-    return labels ? withTree(untraced(input, {}),
-                             core::traceLabels(labels.value(), input.labels, input.tracing, tracingObserver(observe)),
-                             path)
-                  : labels.error();
+    return labels ? traceLabelImage(untraced(input, {}), labels.value(), path, observe) : labels.error();
 }
 
 core::Result<LoadedVessels> traceVolume(const std::string& path, core::VesselInput input, const ReadObserver& observe)
@@ -110,8 +149,7 @@ core::Result<LoadedVessels> traceVolume(const std::string& path, core::VesselInp
     if (looksLikeLabels(loaded.volume)) {
         loaded.warnings.emplace_back("The volume holds labels: its vessels are taken as they are marked.");
         input.kind = VesselInputKind::Segmentation;
-        auto traced = core::traceLabels(labelsOf(loaded.volume), input.labels, input.tracing, tracingObserver(observe));
-        return withTree(untraced(input, loaded.warnings), std::move(traced), path);
+        return traceLabelImage(untraced(input, loaded.warnings), labelsOf(loaded.volume), path, observe);
     }
     LoadedVessels vessels = untraced(input, loaded.warnings);
     vessels.identity = loaded.identity;

@@ -71,6 +71,27 @@ core::Result<LoadedVolume> readDicomVolume(const std::string& path, const std::s
     return loaded;
 }
 
+/// Whole numbers from 0, mostly background, the rest in pieces of one value.
+template <class ValueAt>
+bool areLabels(std::size_t count, const ValueAt& valueAt)
+{
+    std::bitset<65536> seen;
+    std::size_t inside = 0, inPieces = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double value = valueAt(i);
+        if (value < 0.0) {
+            return false;
+        }
+        seen.set(std::min<std::size_t>(static_cast<std::size_t>(value), 65535));
+        if (value > 0.0) {
+            ++inside;
+            inPieces += i + 1 < count && valueAt(i + 1) == value ? 1 : 0;
+        }
+    }
+    const bool isMask = seen.count() <= 3;
+    return seen.test(0) && (isMask || (2 * inside < count && 2 * inPieces > inside && seen.count() <= 512));
+}
+
 }   // namespace
 
 bool isVolumeFile(const std::string& path)
@@ -118,7 +139,11 @@ core::Result<LoadedVolume> readVolume(const std::string& path, const std::string
 core::Result<core::LabelVolume> readLabels(const std::string& path, const ReadObserver& observe)
 {
     if (isDicomFile(path)) {
-        return readDicomSegmentation(path, observe);
+        auto labels = readDicomSegmentation(path, observe);
+        const bool isSlice = labels && (labels.value().geometry.size.array() < 2).any();
+        return isSlice
+                   ? fileError(path, "it has one plane: a single slice is no volume. Choose the whole segmentation.")
+                   : std::move(labels);
     }
     const auto stored = openStored(path);
     return stored ? readLabelVoxels(stored.value(), observe) : stored.error();
@@ -126,26 +151,13 @@ core::Result<core::LabelVolume> readLabels(const std::string& path, const ReadOb
 
 bool looksLikeLabels(const core::Volume& volume)
 {
-    const std::size_t count = volume.voxels.size();
     const bool isPlain = volume.slope == 1.0 && volume.intercept == std::floor(volume.intercept);
-    if (!isPlain || count == 0) {
-        return false;
-    }
-    std::bitset<65536> seen;
-    std::size_t inside = 0, inPieces = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double value = volume.value(i);
-        if (value < 0.0) {
-            return false;
-        }
-        seen.set(std::min<std::size_t>(static_cast<std::size_t>(value), 65535));
-        if (value > 0.0) {
-            ++inside;
-            inPieces += i + 1 < count && volume.voxels[i + 1] == volume.voxels[i] ? 1 : 0;
-        }
-    }
-    const bool isMask = seen.count() <= 3;
-    return seen.test(0) && (isMask || (2 * inside < count && 2 * inPieces > inside && seen.count() <= 512));
+    return isPlain && areLabels(volume.voxels.size(), [&](std::size_t i) { return volume.value(i); });
+}
+
+bool looksLikeLabels(const core::LabelVolume& image)
+{
+    return areLabels(image.voxels.size(), [&](std::size_t i) { return static_cast<double>(image.voxels[i]); });
 }
 
 core::LabelVolume labelsOf(const core::Volume& volume)

@@ -48,6 +48,7 @@ core::Result<core::LabelVolume> readLabels(const std::string& path, const ReadOb
 
 /// True for volumes whose values are labels: whole numbers from 0, mostly background, the rest in pieces of one value.
 bool looksLikeLabels(const core::Volume& volume);
+bool looksLikeLabels(const core::LabelVolume& image);
 
 /// The labels of a volume for which `looksLikeLabels` holds.
 core::LabelVolume labelsOf(const core::Volume& volume);

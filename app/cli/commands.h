@@ -88,7 +88,7 @@ struct TraceVesselArguments {
     std::string outputPath;
     std::string maskPath;   ///< empty: the lumen is not written
     std::string seriesId;
-    std::vector<int> labels;
+    std::vector<std::string> labels;   ///< numbers or names; empty: those of vessels, or all
     double unitMm = 1.0;
     core::VesselTracingOptions tracing;
 };

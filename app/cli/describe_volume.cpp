@@ -1,6 +1,7 @@
 #include "app/cli/describe_volume.h"
 
 #include "io/dicom_series.h"
+#include "io/label_list.h"
 #include "io/series/dicom_segmentation.h"
 #include "io/surface_file.h"
 #include "io/volume_file.h"
@@ -73,6 +74,21 @@ Json seriesJson(const io::DicomSeries& series)
     return json;
 }
 
+Json labelsJson(const std::vector<io::ListedLabel>& labels)
+{
+    Json list = Json::array();
+    for (const io::ListedLabel& each : labels) {
+        Json json{{"label", each.label}};
+        if (!each.name.empty()) {
+            json["name"] = each.name;
+        }
+        json["voxels"] = each.voxels;
+        json["volumeMl"] = each.volumeMl;
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
 }   // namespace
 
 core::Result<Json> folderJson(const std::string& path)
@@ -95,13 +111,14 @@ core::Result<Json> volumeJson(const std::string& path)
         return summary.error();
     }
     const io::VolumeSummary& volume = summary.value();
-    return Json{{"kind", volume.isDeclaredLabels ? "label image" : "volume"},
-                {"format", volume.format},
-                {"voxelType", volume.voxelType},
-                {"slope", volume.slope},
-                {"intercept", volume.intercept},
-                {"geometry", geometryJson(volume.geometry)},
-                {"warnings", volume.warnings}};
+    Json json{{"kind", "volume"},      {"format", volume.format},       {"voxelType", volume.voxelType},
+              {"slope", volume.slope}, {"intercept", volume.intercept}, {"geometry", geometryJson(volume.geometry)}};
+    if (const auto labels = io::labelsIn(path)) {
+        json["kind"] = "label image";
+        json["labels"] = labelsJson(*labels);
+    }
+    json["warnings"] = volume.warnings;
+    return json;
 }
 
 core::Result<Json> dicomVolumeJson(const std::string& path)
@@ -116,14 +133,9 @@ core::Result<Json> segmentationJson(const std::string& path)
     if (!labels) {
         return labels.error();
     }
-    const auto named = io::listSegments(path);
-    Json segments = Json::array();
-    for (const io::DicomSegment& segment : named ? named.value() : std::vector<io::DicomSegment>{}) {
-        segments.push_back({{"label", segment.number}, {"name", segment.name}});
-    }
     return Json{{"kind", "segmentation"},
                 {"format", "DICOM segmentation"},
-                {"segments", segments},
+                {"labels", labelsJson(io::listedLabels(labels.value(), io::readLabelNames(path)))},
                 {"geometry", geometryJson(labels.value().geometry)}};
 }
 

@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/texts/number_text.h"
+#include "io/label_list.h"
 #include "io/vessel_input_file.h"
 #include "io/vessel_tree_file.h"
 #include "io/volume_file.h"
@@ -15,10 +16,24 @@ core::VesselInput vesselInputOf(const TraceVesselArguments& arguments, core::Ves
     core::VesselInput input;
     input.kind = kind;
     input.seriesId = arguments.seriesId;
-    input.labels = arguments.labels;
     input.unitMm = arguments.unitMm;
     input.tracing = arguments.tracing;
     return input;
+}
+
+/// The labels that the arguments name; the file is read for it.
+core::Result<std::vector<int>> labelsAskedFor(const TraceVesselArguments& arguments)
+{
+    if (arguments.labels.empty()) {
+        return std::vector<int>();
+    }
+    const auto listed = io::labelsIn(arguments.inputPath);
+    if (!listed) {
+        return core::Error{arguments.inputPath +
+                           ": it is no label image, so it has no labels. Leave --label out, or choose a segmentation."};
+    }
+    auto labels = io::labelsCalled(arguments.labels, *listed);
+    return labels ? labels : core::Error{arguments.inputPath + ": " + labels.error().message};
 }
 
 core::LabelVolume labelsOf(const core::VoxelMask& mask)
@@ -58,12 +73,17 @@ int runTraceVessel(const TraceVesselArguments& arguments)
     if (!arguments.labels.empty() && kind.value() == core::VesselInputKind::Volume) {
         kind = core::VesselInputKind::Segmentation;
     }
+    const auto labels = labelsAskedFor(arguments);
+    if (!labels) {
+        return failInput(labels.error().message);
+    }
+    core::VesselInput input = vesselInputOf(arguments, kind.value());
+    input.labels = labels.value();
     ProgressLine progress("tracing");
-    const auto vessels =
-        io::readVessels(arguments.inputPath, vesselInputOf(arguments, kind.value()), [&progress](double fraction) {
-            progress.show(fraction, "");
-            return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
-        });
+    const auto vessels = io::readVessels(arguments.inputPath, input, [&progress](double fraction) {
+        progress.show(fraction, "");
+        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+    });
     if (!vessels) {
         return failInput(vessels.error().message);
     }

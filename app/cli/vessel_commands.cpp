@@ -73,7 +73,10 @@ void addTraceVessel(CLI::App& app, int& exitCode)
         ->check(CLI::Range(0.0, 1000.0));
     command->add_option("--point-spacing", arguments->tracing.pointSpacingMm, "Between points of a branch, mm")
         ->check(CLI::Range(0.01, 100.0));
-    command->add_option("--labels", arguments->labels, "Labels that are vessels, e.g. 1,2 (default: all)")
+    command
+        ->add_option("--label,--labels", arguments->labels,
+                     "Labels that are vessels, by number or name, e.g. 1,2 or aorta; `info` lists them (default: those "
+                     "with names of vessels, else all)")
         ->delimiter(',');
     command->add_option("--unit-mm", arguments->unitMm, "Length of one unit of a surface, mm")
         ->check(CLI::Range(1e-6, 1e4));

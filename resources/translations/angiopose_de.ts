@@ -4039,6 +4039,30 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Not for clinical use</source>
         <translation>Nicht für den klinischen Einsatz</translation>
     </message>
+    <message>
+        <source>Labels left out, by their names: %1.</source>
+        <translation>Nach ihren Namen weggelassene Labels: %1.</translation>
+    </message>
+    <message>
+        <source>Labels traced: %1.</source>
+        <translation>Erfasste Labels: %1.</translation>
+    </message>
+    <message>
+        <source>it has no label &quot;%1&quot; but %2. Choose one of these.</source>
+        <translation>sie hat kein Label „%1“, aber %2. Wählen Sie eines davon.</translation>
+    </message>
+    <message>
+        <source>it has no label %1 but %2. Choose one of these.</source>
+        <translation>sie hat kein Label %1, aber %2. Wählen Sie eines davon.</translation>
+    </message>
+    <message>
+        <source>it has one plane: a single slice is no volume. Choose the whole segmentation.</source>
+        <translation>sie hat eine Ebene: Eine einzelne Schicht ist kein Volumen. Wählen Sie die ganze Segmentierung.</translation>
+    </message>
+    <message>
+        <source>none at all</source>
+        <translation>gar keines</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

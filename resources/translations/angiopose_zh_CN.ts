@@ -4039,6 +4039,30 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Not for clinical use</source>
         <translation>不得用于临床</translation>
     </message>
+    <message>
+        <source>Labels left out, by their names: %1.</source>
+        <translation>按名称略去的标签：%1。</translation>
+    </message>
+    <message>
+        <source>Labels traced: %1.</source>
+        <translation>已追踪的标签：%1。</translation>
+    </message>
+    <message>
+        <source>it has no label &quot;%1&quot; but %2. Choose one of these.</source>
+        <translation>它没有标签“%1”，只有 %2。请从中选择。</translation>
+    </message>
+    <message>
+        <source>it has no label %1 but %2. Choose one of these.</source>
+        <translation>它没有标签 %1，只有 %2。请从中选择。</translation>
+    </message>
+    <message>
+        <source>it has one plane: a single slice is no volume. Choose the whole segmentation.</source>
+        <translation>它只有一个平面：单个切片不是体数据。请选择完整的分割。</translation>
+    </message>
+    <message>
+        <source>none at all</source>
+        <translation>完全没有标签</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

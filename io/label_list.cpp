@@ -1,0 +1,143 @@
+#include "io/label_list.h"
+
+#include "io/dicom/open_dicom.h"
+#include "io/series/dicom_segmentation.h"
+#include "io/support/numbers.h"
+#include "io/volume/nrrd_fields.h"
+#include "io/volume/open_stored.h"
+#include "io/volume_file.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace io {
+namespace {
+
+constexpr std::size_t mostMentioned = 8;
+
+template <std::size_t Count>
+bool holdsAny(const std::string& name, const std::array<std::string_view, Count>& words)
+{
+    return std::any_of(words.begin(), words.end(),
+                       [&](std::string_view word) { return name.find(word) != std::string::npos; });
+}
+
+/// Parts of the names that Terminologia Anatomica and common segmentation programs give.
+bool isArteryName(const std::string& name)
+{
+    constexpr std::array<std::string_view, 10> words{"arter", "aort",   "carotid", "coronar",   "celiac",
+                                                     "trunk", "vessel", "lumen",   "subclavia", "vascul"};
+    constexpr std::array<std::string_view, 7> others{"thromb", "calci", "plaque", "valve", "wall", "annulus", "sinus"};
+    return holdsAny(name, words) && !holdsAny(name, others);
+}
+
+bool isVeinName(const std::string& name)
+{
+    constexpr std::array<std::string_view, 5> words{"vein", "vena", "venous", "cava", "portal"};
+    return holdsAny(name, words);
+}
+
+template <class IsMeant>
+std::vector<int> labelsWhere(const std::vector<ListedLabel>& labels, const IsMeant& isMeant)
+{
+    std::vector<int> found;
+    for (const ListedLabel& each : labels) {
+        if (isMeant(lowered(each.name))) {
+            found.push_back(each.label);
+        }
+    }
+    return found;
+}
+
+}   // namespace
+
+LabelNames readLabelNames(const std::string& path)
+{
+    if (!isDicomFile(path)) {
+        const auto stored = openStored(path);
+        return stored ? labelNamesOf(stored.value()) : LabelNames();
+    }
+    LabelNames names;
+    const auto segments = listSegments(path);
+    for (const DicomSegment& segment : segments ? segments.value() : std::vector<DicomSegment>{}) {
+        names.emplace(segment.number, segment.name);
+    }
+    return names;
+}
+
+std::vector<ListedLabel> listedLabels(const core::LabelVolume& image, const LabelNames& names)
+{
+    std::vector<std::size_t> counts(65536, 0);
+    for (const std::uint16_t voxel : image.voxels) {
+        ++counts[voxel];
+    }
+    const double voxelMl = image.geometry.spacingMm.prod() / 1000.0;
+    std::vector<ListedLabel> labels;
+    for (int label = 1; label < static_cast<int>(counts.size()); ++label) {
+        if (const std::size_t voxels = counts[static_cast<std::size_t>(label)]; voxels > 0) {
+            const auto name = names.find(label);
+            labels.push_back({label, name == names.end() ? std::string() : name->second, voxels,
+                              voxelMl * static_cast<double>(voxels)});
+        }
+    }
+    return labels;
+}
+
+std::optional<std::vector<ListedLabel>> labelsIn(const std::string& path, const ReadObserver& observe)
+{
+    const bool isSegmentation = isDicomFile(path) && isDicomSegmentation(path);
+    if (!isSegmentation && !isVolumeFile(path)) {
+        return std::nullopt;
+    }
+    const auto summary = isSegmentation ? core::Result<VolumeSummary>(VolumeSummary{}) : describeVolume(path);
+    const bool isSure = isSegmentation || (summary && summary.value().isDeclaredLabels);
+    if (!isSure && (!summary || summary.value().voxelType.starts_with("float"))) {
+        return std::nullopt;
+    }
+    const auto image = readLabels(path, observe);
+    if (!image || !(isSure || looksLikeLabels(image.value()))) {
+        return std::nullopt;
+    }
+    return listedLabels(image.value(), readLabelNames(path));
+}
+
+std::vector<int> vesselsByName(const std::vector<ListedLabel>& labels)
+{
+    std::vector<int> found =
+        labelsWhere(labels, [](const std::string& name) { return isArteryName(name) && !isVeinName(name); });
+    if (found.empty()) {
+        found = labelsWhere(labels, isVeinName);
+    }
+    return found.size() == labels.size() ? std::vector<int>() : found;
+}
+
+std::string labelText(const std::vector<ListedLabel>& labels)
+{
+    std::string text;
+    for (std::size_t i = 0; i < std::min(labels.size(), mostMentioned); ++i) {
+        text += (i == 0 ? "" : ", ") + std::to_string(labels[i].label);
+        text += labels[i].name.empty() ? "" : " " + labels[i].name;
+    }
+    return labels.size() > mostMentioned ? text + ", …" : text;
+}
+
+core::Result<std::vector<int>> labelsCalled(const std::vector<std::string>& wanted,
+                                            const std::vector<ListedLabel>& labels)
+{
+    std::vector<int> numbers;
+    for (const std::string& each : wanted) {
+        const auto number = parseInteger(each);
+        const auto found = std::find_if(labels.begin(), labels.end(), [&](const ListedLabel& label) {
+            return number ? label.label == *number : lowered(label.name) == lowered(each);
+        });
+        if (found == labels.end()) {
+            return core::Error{"it has no label \"" + each.substr(0, 40) + "\" but " +
+                               (labels.empty() ? "none at all" : labelText(labels)) + ". Choose one of these."};
+        }
+        numbers.push_back(found->label);
+    }
+    return numbers;
+}
+
+}   // namespace io

@@ -1,0 +1,119 @@
+#include "io/label_list.h"
+
+#include "io/vessel_input_file.h"
+#include "io/volume_file.h"
+#include "tests/support/forked_vessel.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/test_data.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using io::ListedLabel;
+using test::TemporaryFolder;
+
+std::vector<ListedLabel> named(std::initializer_list<const char*> names)
+{
+    std::vector<ListedLabel> labels;
+    for (const char* name : names) {
+        labels.push_back({static_cast<int>(labels.size()) + 1, name, 10, 0.1});
+    }
+    return labels;
+}
+
+TEST(LabelList, CountsVoxelsAndVolume)
+{
+    const auto listed = io::listedLabels(test::forkLabels(), {{7, "box"}});
+    ASSERT_EQ(listed.size(), 2U);
+    EXPECT_EQ(listed[0].label, 2);
+    EXPECT_EQ(listed[0].name, "");
+    EXPECT_NEAR(listed[0].volumeMl, 1e-3 * static_cast<double>(listed[0].voxels), 1e-12) << "voxels of 1 mm";
+    EXPECT_EQ(listed[1], (ListedLabel{7, "box", 5 * 64 * 96, 0.001 * 5 * 64 * 96}));
+}
+
+TEST(LabelList, ReadsTheLabelTableOfNifti)
+{
+    ANGIOPOSE_NEEDS_DATA("thoracic-aorta-cta");
+    const auto names = io::readLabelNames(test::dataFile("thoracic-aorta-cta/T710_renal.nii.gz").string());
+    EXPECT_EQ(
+        names,
+        (io::LabelNames{
+            {1, "celiac_trunk"}, {2, "superior_mesenteric_artery"}, {3, "renal_arteries"}, {4, "organ_aorta_T264"}}));
+    EXPECT_TRUE(io::readLabelNames(test::dataFile("thoracic-aorta-cta/aorta.nii.gz").string()).empty());
+}
+
+TEST(LabelList, ReadsTheSegmentsOfSlicer)
+{
+    const TemporaryFolder folder;
+    const std::string path =
+        folder.write("body.seg.nrrd",
+                     "NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: 2 2 2\n"
+                     "space directions: (1,0,0) (0,1,0) (0,0,1)\nencoding: raw\nendian: little\nspace origin: (0,0,0)\n"
+                     "Segment0_ID:=Segment_1\nSegment0_LabelValue:=3\nSegment0_Name:=Aorta\n"
+                     "Segment1_ID:=Segment_2\nSegment1_LabelValue:=1\nSegment1_Name:=Left "
+                     "kidney\n\n\x03\x01\x03\x01\x03\x01\x03\x01");
+    EXPECT_EQ(io::readLabelNames(path), (io::LabelNames{{1, "Left kidney"}, {3, "Aorta"}}));
+}
+
+TEST(LabelList, NamesOfArteriesWinOverOrgansAndVeins)
+{
+    EXPECT_EQ(io::vesselsByName(named({"liver", "aorta", "inferior_vena_cava", "iliac_artery_left"})),
+              (std::vector<int>{2, 4}));
+    EXPECT_EQ(io::vesselsByName(named({"spleen", "portal_vein_and_splenic_vein"})), std::vector<int>{2});
+    EXPECT_TRUE(io::vesselsByName(named({"celiac_trunk", "organ_aorta_T264"})).empty()) << "all: nothing to choose";
+    EXPECT_TRUE(io::vesselsByName(named({"", ""})).empty());
+    EXPECT_EQ(io::vesselsByName(named({"Aorta", "aortic valve", "Calcified plaque"})), std::vector<int>{1});
+}
+
+TEST(LabelList, FindsLabelsByNumberAndName)
+{
+    const auto labels = named({"liver", "Aorta"});
+    const auto found = io::labelsCalled({"aorta", "1"}, labels);
+    ASSERT_TRUE(found) << found.error().message;
+    EXPECT_EQ(found.value(), (std::vector<int>{2, 1}));
+    const auto missing = io::labelsCalled({"spleen"}, labels);
+    ASSERT_FALSE(missing);
+    EXPECT_NE(missing.error().message.find("1 liver, 2 Aorta"), std::string::npos) << missing.error().message;
+}
+
+/// The fork is called an artery, the box an organ.
+std::string namedFork(const TemporaryFolder& folder)
+{
+    const std::string plain = folder.file("plain.nrrd");
+    EXPECT_TRUE(io::writeLabels(test::forkLabels(), plain));
+    std::string content = test::readText(plain);
+    const std::size_t headEnd = content.find("\n\n") + 1;
+    content.insert(headEnd,
+                   "Segment0_ID:=a\nSegment0_LabelValue:=7\nSegment0_Name:=liver\n"
+                   "Segment1_ID:=b\nSegment1_LabelValue:=2\nSegment1_Name:=hepatic artery\n");
+    return folder.write("fork.seg.nrrd", content);
+}
+
+TEST(LabelList, TracingTakesTheVesselsAndSaysSo)
+{
+    const TemporaryFolder folder;
+    core::VesselInput input;
+    input.kind = core::VesselInputKind::Segmentation;
+    const auto traced = io::readVessels(namedFork(folder), input);
+    ASSERT_TRUE(traced) << traced.error().message;
+    EXPECT_EQ(traced.value().input.labels, std::vector<int>{2});
+    EXPECT_EQ(test::endsOf(traced.value().tree), 3);
+    ASSERT_EQ(traced.value().warnings.size(), 2U);
+    EXPECT_EQ(traced.value().warnings[0], "Labels traced: 2 hepatic artery.");
+    EXPECT_EQ(traced.value().warnings[1], "Labels left out, by their names: 7 liver.");
+}
+
+TEST(LabelList, TracingRefusesALabelThatIsNotThere)
+{
+    const TemporaryFolder folder;
+    core::VesselInput input;
+    input.kind = core::VesselInputKind::Segmentation;
+    input.labels = {5};
+    const auto traced = io::readVessels(namedFork(folder), input);
+    ASSERT_FALSE(traced);
+    EXPECT_NE(traced.error().message.find("it has no label 5 but 2 hepatic artery, 7 liver"), std::string::npos)
+        << traced.error().message;
+}
+
+}   // namespace
