@@ -30,13 +30,16 @@ core::RegistrationInput makeInput(int points, int imageSizePx)
     return input;
 }
 
-/// Allocations between two reports of one stage: what an iteration and its report cost.
+/// Allocations between two reports of one stage: what an iteration and its report cost; and once, between the last
+/// iteration and the report of the end, for what closes a registration.
 class AllocationsByStep {
 public:
     core::Verdict operator()(const core::IterationReport& report)
     {
         const std::uint64_t now = allocationsOfThisThread();
-        if (report.stage == lastStage_) {
+        if (report.progress >= 1.0) {
+            closing_ = now - lastCount_;
+        } else if (report.stage == lastStage_) {
             steps_.push_back(now - lastCount_);
         }
         lastStage_ = report.stage;
@@ -54,8 +57,11 @@ public:
         return steps_.empty() ? 0.0 : static_cast<double>(*std::max_element(steps_.begin(), steps_.end()));
     }
 
+    double closing() const { return static_cast<double>(closing_); }
+
 private:
     std::vector<std::uint64_t> steps_;
+    std::uint64_t closing_ = 0;
     std::string_view lastStage_;
     std::uint64_t lastCount_ = 0;
 };
@@ -83,6 +89,7 @@ void run(benchmark::State& state, const std::string& method, const core::Registr
         1e6 * stages.solveMs() / std::max(1.0, iterations) / static_cast<double>(input.tree.pointCount());
     state.counters["allocs/step"] = allocations.median();
     state.counters["most"] = allocations.most();
+    state.counters["closing"] = allocations.closing();
 }
 
 void byPoints(benchmark::State& state, const std::string& method)
