@@ -3,8 +3,7 @@
 namespace core {
 namespace {
 
-constexpr double leastSeedRadiusMm = 4.5;   ///< thinner vessels lead to wider ones through themselves
-constexpr double leastTrunkRadiusMm = 5.0;   ///< thinner vessels say nothing about how wide their trunk is
+constexpr double leastSeedRadiusMm = 5.0;   ///< thinner vessels say nothing about how wide their trunk is
 constexpr double leastChamberRadiusMm = 4.0;   ///< thinner leaks are left to pruning
 constexpr double leastNeckShare = 0.3;   ///< of the radius beyond it: stenoses and compressed lumens are wider
 constexpr double mostChamberShare = 1.35;   ///< of the radius at the seed
@@ -17,12 +16,11 @@ std::vector<std::uint32_t> voxelsBeyondNecks(const DistanceMap& distances, const
     if (necks.seedRadiusMm < leastSeedRadiusMm) {
         return beyond;
     }
-    const bool isTrunk = necks.seedRadiusMm >= leastTrunkRadiusMm;
     for (std::uint32_t voxel = 0; voxel < necks.units.size(); ++voxel) {
         const double radiusMm = distances.mm(voxel);
         const bool isNarrowNeck = necks.units[voxel] < leastNeckShare * distances.units[voxel];
         if (radiusMm >= leastChamberRadiusMm && necks.units[voxel] > 0 &&
-            (isNarrowNeck || (isTrunk && radiusMm > mostChamberShare * necks.seedRadiusMm))) {
+            (isNarrowNeck || radiusMm > mostChamberShare * necks.seedRadiusMm)) {
             beyond.push_back(voxel);
         }
     }
