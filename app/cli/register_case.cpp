@@ -51,7 +51,7 @@ core::Status applyArguments(core::RegistrationCase& registrationCase, const Regi
     }
     for (const std::string& assignment : arguments.options) {
         if (const auto status = core::setOption(registrationCase.options, assignment); !status) {
-            return status;
+            return status.error();
         }
     }
     if (!arguments.locks.empty()) {
