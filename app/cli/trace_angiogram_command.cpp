@@ -71,7 +71,7 @@ core::Result<Picture> chosenPicture(const TraceAngiogramArguments& arguments, co
 core::Status writeTrace(const core::AngiogramTrace& trace, const TraceAngiogramArguments& arguments)
 {
     if (const auto status = io::writeCenterline2d(trace.centerline, arguments.outputPath); !status) {
-        return status;
+        return status.error();
     }
     return arguments.maskPath.empty() ? core::Status(core::Done{}) : io::writePng(trace.vesselMask, arguments.maskPath);
 }

@@ -216,10 +216,8 @@ void AuxiliaryController::start()
                                       excluded = current.excludedBranchIds, chosen = current.auxiliaryBranchIds,
                                       priorStd] {
         const auto branches = core::branchInformation(core::without(*tree, excluded), camera, pose);
-        std::vector<int> all;
-        for (const core::BranchInformation& branch : branches) {
-            all.push_back(branch.branchId);
-        }
+        std::vector<int> all(branches.size());
+        std::ranges::transform(branches, all.begin(), &core::BranchInformation::branchId);
         Advice advice;
         advice.stdOfAll = inDegrees(core::expectedStd(branches, all, priorStd));
         advice.stdOfChosen = inDegrees(core::expectedStd(branches, chosen.empty() ? all : chosen, priorStd));

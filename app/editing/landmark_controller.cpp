@@ -72,6 +72,7 @@ std::vector<ui::SliceMark> sliceMarksAt(const std::vector<Eigen::Vector3d>& poin
                                         const std::optional<Eigen::Vector3d>& pending)
 {
     std::vector<ui::SliceMark> marks;
+    marks.reserve(points.size() + 1);
     for (const Eigen::Vector3d& point : points) {
         marks.push_back({point, QString::number(marks.size() + 1)});
     }

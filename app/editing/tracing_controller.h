@@ -35,7 +35,7 @@ private:
     void setPick(ui::TracingPick pick);
     void showPreview();
     void findThreshold();   ///< that "automatic" comes to, on a worker
-    void finish(const VesselTrace& traced);
+    void finish(const VesselTrace& result);
     void ended();
     QString whyNot() const;
 

@@ -93,7 +93,8 @@ ExportController::Write ExportController::overlayWriter(const ui::ExportChoice& 
     options.range = view.shownRange();
     if (!view.radiograph().isNull()) {
         options.paintVessels = [radiograph = view.radiograph()](core::ColorImage& picture) {
-            QImage canvas(picture.rgb.data(), picture.width, picture.height, 3 * picture.width, QImage::Format_RGB888);
+            QImage canvas(picture.rgb.data(), picture.width, picture.height, qsizetype{3} * picture.width,
+                          QImage::Format_RGB888);
             QPainter painter(&canvas);
             painter.setRenderHint(QPainter::SmoothPixmapTransform);
             painter.drawImage(QRect(0, 0, picture.width, picture.height), radiograph);

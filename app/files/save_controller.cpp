@@ -36,16 +36,16 @@ SaveController::SaveController(CaseDocument& document, QWidget& window, QObject*
     connect(&autosave_, &Autosave::saved, this, &SaveController::forgetRecovered);
 }
 
-void SaveController::save(std::function<void()> whenSaved)
+void SaveController::save(const std::function<void()>& whenSaved)
 {
     if (document_.path().isEmpty()) {
-        saveAs(std::move(whenSaved));
+        saveAs(whenSaved);
     } else {
-        saveTo(document_.path(), std::move(whenSaved));
+        saveTo(document_.path(), whenSaved);
     }
 }
 
-void SaveController::saveAs(std::function<void()> whenSaved)
+void SaveController::saveAs(const std::function<void()>& whenSaved)
 {
     auto* dialog = new QFileDialog(&window_, tr("Save case"), suggestedCasePath(document_), tr("Cases (*.angiopose)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -56,7 +56,7 @@ void SaveController::saveAs(std::function<void()> whenSaved)
     dialog->open();
 }
 
-void SaveController::saveTo(const QString& path, std::function<void()> whenSaved)
+void SaveController::saveTo(const QString& path, const std::function<void()>& whenSaved)
 {
     if (document_.isInTrial()) {
         emit failed(tr("A blind trial is under way. End it before saving."));

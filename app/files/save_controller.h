@@ -18,9 +18,9 @@ class SaveController : public QObject {
 public:
     SaveController(CaseDocument& document, QWidget& window, QObject* parent = nullptr);
 
-    void save(std::function<void()> whenSaved = {});   ///< asks for a name where there is none
-    void saveAs(std::function<void()> whenSaved = {});
-    void saveTo(const QString& path, std::function<void()> whenSaved = {});   ///< returns at once
+    void save(const std::function<void()>& whenSaved = {});   ///< asks for a name where there is none
+    void saveAs(const std::function<void()>& whenSaved = {});
+    void saveTo(const QString& path, const std::function<void()>& whenSaved = {});   ///< returns at once
     bool isSaving() const { return files_.isBusy(); }
     void offerRecovery();
     void noteOpened(const QString& copy);   ///< another case is open; from a left copy, or not (empty)

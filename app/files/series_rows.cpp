@@ -5,6 +5,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace app {
 namespace {
 
@@ -71,10 +73,8 @@ ui::SeriesRow rowOf(const io::DicomSeries& series)
 
 std::vector<ui::SeriesRow> seriesRows(const std::vector<io::DicomSeries>& series)
 {
-    std::vector<ui::SeriesRow> rows;
-    for (const io::DicomSeries& each : series) {
-        rows.push_back(rowOf(each));
-    }
+    std::vector<ui::SeriesRow> rows(series.size());
+    std::ranges::transform(series, rows.begin(), rowOf);
     return rows;
 }
 

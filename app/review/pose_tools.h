@@ -34,7 +34,7 @@ public:
         Notices& notices;
         ui::MainWindow& window;
     };
-    explicit PoseTools(const Parts& parts, QObject* parent = nullptr);
+    explicit PoseTools(const Parts& on, QObject* parent = nullptr);
 
     bool isBusy() const { return table_.isRunning() || auxiliary_.isRunning(); }
     SnapshotController& snapshots() { return snapshots_; }
