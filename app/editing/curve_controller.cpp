@@ -1,6 +1,7 @@
 #include "app/editing/curve_controller.h"
 
 #include "app/document/edit_case.h"
+#include "app/jobs/future_result.h"
 #include "core/tracing/drawing_ground.h"
 #include "core/tracing/suspect_curves.h"
 #include "ui/dialogs/message_dialog.h"
@@ -48,7 +49,12 @@ CurveController::CurveController(const AngiogramParts& parts, QObject* parent)
     connectTool();
     connect(&document_, &CaseDocument::changed, this, &CurveController::follow);
     connect(&target_, &TargetProvider::changed, this, &CurveController::follow);
-    connect(&ground_, &QFutureWatcherBase::finished, this, [this] { tool_->setGround(ground_.result()); });
+    connect(&window_.angiogramView(), &ui::AngiogramView::toolChanged, this, &CurveController::follow);
+    connect(&ground_, &QFutureWatcherBase::finished, this, [this] {
+        if (grounded_) {   // or nothing is being made: the tool was left
+            tool_->setGround(takeResult(ground_));
+        }
+    });
     follow();
 }
 
@@ -87,6 +93,7 @@ void CurveController::follow()
     window_.actions()[ui::Command::TraceAgain]->setEnabled(isGiven);
     bar_->setEdited(isGiven);
     if (window_.angiogramView().tool() != tool_) {
+        dropGround();
         return;
     }
     if (!current.angiogram) {
@@ -139,6 +146,16 @@ void CurveController::wantGround()
     grounded_ = request;
     tool_->setGround(nullptr);
     ground_.setFuture(QtConcurrent::run([request] { return makeGround(request); }));
+}
+
+void CurveController::dropGround()
+{
+    if (!grounded_) {
+        return;
+    }
+    grounded_.reset();
+    ground_.setFuture({});   // what is being made is not wanted
+    tool_->setGround(nullptr);
 }
 
 /// Of a traced frame nothing was accepted yet: what the case has is of the curves of another.

@@ -30,6 +30,7 @@ private:
     void follow();
     void showCurves();
     void wantGround();
+    void dropGround();   ///< it is large, and keeps the angiogram it is of
     std::vector<int> suspects() const;
     std::vector<int> acceptedHere() const;
     void take(const core::Centerline2d& curves, const QString& what);

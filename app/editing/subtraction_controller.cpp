@@ -1,6 +1,7 @@
 #include "app/editing/subtraction_controller.h"
 
 #include "app/document/edit_case.h"
+#include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
@@ -156,7 +157,7 @@ void SubtractionController::compute()
 
 void SubtractionController::publish()
 {
-    const Outcome outcome = run_.future().takeResult();   // the future must not keep the run alive
+    const Outcome outcome = takeResult(run_);
     const Wish done = *std::exchange(computing_, std::nullopt);
     if (outcome) {
         made_.remember(done.stored, done.treatment, outcome.value());
@@ -223,7 +224,7 @@ void SubtractionController::startPreview()
 
 void SubtractionController::showPreview()
 {
-    const Picture picture = preview_.result();
+    const Picture picture = takeResult(preview_);
     if (window_.angiogramView().tool() == shiftTool_) {
         if (!picture) {
             notices_.showNote(QString::fromStdString(picture.error().message));

@@ -1,5 +1,6 @@
 #include "app/jobs/follow_job.h"
 
+#include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
 
 #include <QtConcurrentRun>
@@ -16,7 +17,7 @@ FollowJob::FollowJob(QObject* parent) : QObject(parent)
 FollowJob::~FollowJob()
 {
     requestStop();
-    watcher_.waitForFinished();
+    waitFor(watcher_);
 }
 
 void FollowJob::start(core::RegistrationCase registrationCase)
@@ -38,7 +39,7 @@ void FollowJob::start(core::RegistrationCase registrationCase)
 void FollowJob::publish()
 {
     running_ = false;
-    const Outcome outcome = watcher_.result();
+    const Outcome outcome = takeResult(watcher_);
     if (outcome) {
         emit finished(outcome.value());
     } else {

@@ -1,5 +1,6 @@
 #include "app/jobs/joint_job.h"
 
+#include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
 #include "core/joint_case.h"
 
@@ -44,7 +45,7 @@ JointJob::JointJob(QObject* parent) : QObject(parent)
 JointJob::~JointJob()
 {
     requestStop();
-    watcher_.waitForFinished();
+    waitFor(watcher_);
 }
 
 void JointJob::start(std::vector<core::RegistrationCase> views, core::Centerline2d target)
@@ -90,7 +91,7 @@ JointJob::Outcome JointJob::solve(const std::vector<core::RegistrationCase>& vie
 
 void JointJob::publish()
 {
-    const Outcome outcome = watcher_.result();
+    const Outcome outcome = takeResult(watcher_);
     if (outcome) {
         emit finished(outcome.value());
     } else {

@@ -1,5 +1,6 @@
 #include "app/jobs/judge_job.h"
 
+#include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
 #include "core/evaluation/branch_distances.h"
 
@@ -56,7 +57,7 @@ void JudgeJob::start(JudgeRequest request)
 void JudgeJob::publish()
 {
     running_ = false;
-    const auto outcome = watcher_.result();
+    const auto outcome = takeResult(watcher_);
     const bool wanted = !std::exchange(cancelled_, false);
     if (waiting_) {
         start(*std::exchange(waiting_, std::nullopt));

@@ -1,5 +1,6 @@
 #include "app/jobs/load_job.h"
 
+#include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
 
 #include <QtConcurrentRun>
@@ -57,7 +58,7 @@ void LoadJob::publish()
     }
     running_ = false;
     poll_.stop();
-    const Outcome outcome = watcher_.result();
+    const Outcome outcome = takeResult(watcher_);
     if (outcome) {
         emit finished(outcome.value());
     } else {

@@ -1,5 +1,6 @@
 #include "app/jobs/radiograph_job.h"
 
+#include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
 #include "core/registration/picture/radiograph.h"
 
@@ -44,13 +45,19 @@ RadiographJob::RadiographJob(QObject* parent) : QObject(parent)
 
 RadiographJob::~RadiographJob()
 {
-    watcher_.waitForFinished();
+    waitFor(watcher_);
 }
 
 void RadiographJob::setInput(core::RegistrationInput input, core::RegistrationOptions options)
 {
     cancel();
     source_ = std::make_shared<RadiographSource>(std::move(input), std::move(options));
+}
+
+void RadiographJob::clear()
+{
+    cancel();
+    source_.reset();
 }
 
 void RadiographJob::cancel()
@@ -80,7 +87,7 @@ void RadiographJob::start(const core::RigidTransform& cameraFromPatient)
 void RadiographJob::publish()
 {
     running_ = false;
-    const core::Result<core::ImageF> outcome = watcher_.result();
+    const core::Result<core::ImageF> outcome = takeResult(watcher_);
     const bool wasCancelled = std::exchange(cancelled_, false);
     if (const auto next = std::exchange(waiting_, std::nullopt)) {
         start(*next);

@@ -25,13 +25,14 @@ public:
     void setInput(core::RegistrationInput input,
                   core::RegistrationOptions options);   ///< made ready with the next wish
     void request(const core::RigidTransform& cameraFromPatient);
-    void cancel();   ///< drops what waits and what is being made
+    void clear();   ///< drops what waits, what is being made and the input
 
 signals:
     void made(const core::ImageF& picture);   ///< vessels bright on 0, at half the image's resolution
     void failed(const QString& reason);
 
 private:
+    void cancel();   ///< drops what waits and what is being made
     void start(const core::RigidTransform& cameraFromPatient);
     void publish();
 

@@ -1,5 +1,6 @@
 #include "app/jobs/registration_job.h"
 
+#include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
 
 #include <QtConcurrentRun>
@@ -38,7 +39,7 @@ RegistrationJob::RegistrationJob(QObject* parent) : QObject(parent)
 RegistrationJob::~RegistrationJob()
 {
     requestStop();
-    watcher_.waitForFinished();
+    waitFor(watcher_);
 }
 
 void RegistrationJob::start(core::RegistrationInput input, core::RegistrationOptions options)
@@ -62,7 +63,7 @@ void RegistrationJob::start(core::RegistrationInput input, core::RegistrationOpt
 void RegistrationJob::publish()
 {
     publishPending_ = false;
-    const Outcome outcome = watcher_.result();
+    const Outcome outcome = takeResult(watcher_);
     if (outcome) {
         emit finished(outcome.value());
     } else {

@@ -1,5 +1,6 @@
 #include "app/jobs/trace_job.h"
 
+#include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
 
 #include <QtConcurrentRun>
@@ -32,15 +33,14 @@ void TraceJob::start(TraceRequest request)
     Q_ASSERT(!isRunning() && request.angiogram && request.frame >= 0 &&
              request.frame < request.angiogram->frameCount());
     running_ = true;
-    request_ = std::move(request);
     watcher_.setFuture(QtConcurrent::run(
-        [snapshot = request_] { return guarded<SharedTrace>([&snapshot] { return trace(snapshot); }); }));
+        [snapshot = std::move(request)] { return guarded<SharedTrace>([&snapshot] { return trace(snapshot); }); }));
 }
 
 void TraceJob::publish()
 {
     running_ = false;
-    const auto outcome = watcher_.result();
+    const auto outcome = takeResult(watcher_);
     if (outcome) {
         emit finished(outcome.value());
     } else {

@@ -40,7 +40,6 @@ public:
 
     void start(TraceRequest request);
     bool isRunning() const { return running_; }
-    const TraceRequest& request() const { return request_; }
 
 signals:
     void finished(const app::SharedTrace& traced);
@@ -49,7 +48,6 @@ signals:
 private:
     void publish();
 
-    TraceRequest request_;
     QFutureWatcher<core::Result<SharedTrace>> watcher_;
     bool running_ = false;
 };

@@ -1,5 +1,6 @@
 #include "app/jobs/vessel_trace_job.h"
 
+#include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
 #include "io/vessel_input_file.h"
 
@@ -90,7 +91,7 @@ void VesselTraceJob::publish()
 {
     running_ = false;
     poll_.stop();
-    const auto outcome = watcher_.result();
+    const auto outcome = takeResult(watcher_);
     if (shared_->isStopWished) {
         emit stopped();
     } else if (outcome) {

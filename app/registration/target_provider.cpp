@@ -1,6 +1,7 @@
 #include "app/registration/target_provider.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace app {
 namespace {
@@ -26,11 +27,11 @@ std::optional<TraceRequest> requestFor(const core::RegistrationCase& registratio
 TargetProvider::TargetProvider(QObject* parent) : QObject(parent)
 {
     connect(&job_, &TraceJob::finished, this, [this](const SharedTrace& traced) {
-        remember(traced);
+        remember(*std::exchange(asked_, std::nullopt), traced);
         startWanted();
     });
     connect(&job_, &TraceJob::failed, this, [this](const QString& reason) {
-        if (wanted_ == job_.request()) {
+        if (wanted_ == std::exchange(asked_, std::nullopt)) {
             settle(SharedTrace(), reason);
         } else {
             startWanted();
@@ -65,6 +66,7 @@ void TargetProvider::startWanted()
     }
     settle(SharedTrace(), {});
     if (!job_.isRunning()) {
+        asked_ = wanted_;
         job_.start(*wanted_);
     }
 }
@@ -78,9 +80,8 @@ SharedTrace TargetProvider::known(const TraceRequest& request)
     return found == traced_.end() ? nullptr : found->trace;
 }
 
-void TargetProvider::remember(const SharedTrace& traced)
+void TargetProvider::remember(const TraceRequest& asked, const SharedTrace& traced)
 {
-    const TraceRequest& asked = job_.request();
     traced_.push_back({asked.angiogram, asked.frame, asked.options, traced});
     std::size_t bytes = 0;
     for (const Remembered& one : traced_) {

@@ -37,13 +37,14 @@ private:
 
     void startWanted();
     SharedTrace known(const TraceRequest& request);
-    void remember(const SharedTrace& traced);
+    void remember(const TraceRequest& asked, const SharedTrace& traced);
     void settle(const SharedTrace& trace, const QString& problem);
     void settleGiven(const SharedCenterline& given);
     void settle(const SharedCenterline& target, const SharedTrace& trace, const QString& problem);
 
     TraceJob job_;
     std::optional<TraceRequest> wanted_;
+    std::optional<TraceRequest> asked_;   ///< what is being traced
     std::deque<Remembered> traced_;   ///< newest last
     SharedCenterline current_;
     SharedTrace trace_;

@@ -57,9 +57,17 @@ void RadiographController::setWanted(bool wanted)
             job_.request(on_.document.current().cameraFromPatient);
         }
     } else {
-        job_.cancel();
-        on_.window.angiogramView().setRadiograph({});
+        clear();
     }
+}
+
+void RadiographController::clear()
+{
+    job_.clear();
+    isReady_ = false;
+    tree_.reset();
+    volume_.reset();
+    on_.window.angiogramView().setRadiograph({});
 }
 
 void RadiographController::followDocument()
@@ -69,16 +77,18 @@ void RadiographController::followDocument()
     const std::optional<core::ProjectionCamera> known = camera ? std::optional(camera.value()) : std::nullopt;
     const bool isSame = isReady_ && current.tree == tree_ && current.volume == volume_ && known == camera_ &&
                         current.excludedBranchIds == excluded_;
+    if (isReady_ && !(current.tree && current.angiogram)) {
+        clear();
+    }
     if (!isWanted_ || isSame || !on_.target.current()) {
         return;
     }
     auto input = core::registrationInputOf(current, *on_.target.current());
-    isReady_ = static_cast<bool>(input);
-    if (!isReady_) {
-        job_.cancel();
-        on_.window.angiogramView().setRadiograph({});
+    if (!input) {
+        clear();
         return;
     }
+    isReady_ = true;
     tree_ = current.tree;
     volume_ = current.volume;
     camera_ = known;

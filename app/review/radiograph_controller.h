@@ -26,6 +26,7 @@ public:
 private:
     void setWanted(bool wanted);
     void followDocument();
+    void clear();   ///< keeps nothing of a case that may be closed
     void show(const core::ImageF& picture);
 
     Parts on_;

@@ -123,7 +123,7 @@ bool openAfresh(app::CaseController& controller, const QStringList& paths)
     controller.open(paths);
     const bool isOpen = QTest::qWaitFor([&] { return !controller.isLoading() && controller.judgement(); }, 60000);
     QTest::qWait(1000);
-    return isOpen;
+    return isOpen && QTest::qWaitFor([] { return QThreadPool::globalInstance()->activeThreadCount() == 0; }, 60000);
 }
 
 /// The files named, or the sample case, made now.

@@ -6,6 +6,8 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QTest>
+#include <QTimer>
+#include <QToolButton>
 
 #include <array>
 
@@ -47,6 +49,24 @@ bool leadsAway(const QAbstractButton& button)
     return button.text().contains(QStringLiteral("Open")) || button.text().contains(QStringLiteral("Quit"));
 }
 
+void workInMenus(RandomHand& hand)
+{
+    static constexpr int mostMenus = 4;   // one may lead to the next
+    for (int i = 0; i < mostMenus && QApplication::activePopupWidget(); ++i) {
+        workIn(*QApplication::activePopupWidget(), hand);
+    }
+    while (QWidget* menu = QApplication::activePopupWidget()) {
+        menu->close();
+    }
+}
+
+/// A click on a button with a menu (the one for what the menu bar has no room for) ends with the menu.
+bool holdsMenu(const QAbstractButton& button)
+{
+    const auto* tool = qobject_cast<const QToolButton*>(&button);
+    return tool && tool->menu();
+}
+
 QString clickButton(Desk& desk)
 {
     const auto buttons = usable<QAbstractButton>(desk.window);
@@ -56,6 +76,9 @@ QString clickButton(Desk& desk)
     QAbstractButton* button = desk.hand.oneOf(buttons);
     if (leadsAway(*button)) {
         return {};
+    }
+    if (holdsMenu(*button)) {
+        QTimer::singleShot(0, button, [&hand = desk.hand] { workInMenus(hand); });
     }
     const QString name = QStringLiteral("button ") + button->text() + button->accessibleName();
     QTest::mouseClick(button, Qt::LeftButton, {}, button->rect().center());

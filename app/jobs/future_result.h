@@ -1,0 +1,25 @@
+#pragma once
+
+#include <QFuture>
+#include <QFutureWatcher>
+
+namespace app {
+
+/// What finished work found, once: a future that kept it would keep closed cases alive. From then on the future is
+/// neither running nor finished.
+template <typename T>
+T takeResult(const QFutureWatcher<T>& watcher)
+{
+    return watcher.future().takeResult();
+}
+
+/// Waits for work that is under way; one whose result was taken would be waited for for ever.
+template <typename T>
+void waitFor(QFutureWatcher<T>& watcher)
+{
+    if (watcher.isRunning()) {
+        watcher.waitForFinished();
+    }
+}
+
+}   // namespace app
