@@ -109,6 +109,7 @@ void PoseTableController::refresh()
     }
     const Eigen::Vector3d pivot = core::centroidInPatient(*document_.current().tree);
     std::vector<ui::PoseRow> rows;
+    rows.reserve(all.size());
     for (const core::PoseSnapshot& each : all) {
         rows.push_back({each, core::differenceBetween(reference->cameraFromPatient, each.cameraFromPatient, pivot)});
     }

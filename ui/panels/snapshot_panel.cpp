@@ -59,6 +59,17 @@ SnapshotPanel::SnapshotPanel(QWidget* parent)
                       })),
       compare_(withText(new QPushButton, [] { return tr("Compare …"); }))
 {
+    empty_->setWordWrap(true);
+    setUpList();
+    contentLayout()->addWidget(empty_);
+    contentLayout()->addWidget(list_);
+    contentLayout()->addLayout(makeButtons());
+    connectList();
+    showSnapshots({});
+}
+
+void SnapshotPanel::setUpList()
+{
     withName(list_, [] { return tr("Kept poses"); });
     list_->setColumnCount(ColumnCount);
     list_->setHeaderHidden(true);
@@ -76,8 +87,10 @@ SnapshotPanel::SnapshotPanel(QWidget* parent)
     list_->header()->setSectionResizeMode(Mark, QHeaderView::ResizeToContents);
     list_->header()->setSectionResizeMode(Median, QHeaderView::ResizeToContents);
     list_->installEventFilter(this);
-    empty_->setWordWrap(true);
+}
 
+QHBoxLayout* SnapshotPanel::makeButtons()
+{
     auto* keep = withText(new QPushButton, [] { return withKey(tr("Keep pose"), Command::KeepPose); });
     withTip(keep, [] { return tipWithKey(tr("Keeps this pose with its numbers under a name."), Command::KeepPose); });
     withTip(compare_,
@@ -86,12 +99,13 @@ SnapshotPanel::SnapshotPanel(QWidget* parent)
     buttons->setSpacing(8);
     buttons->addWidget(keep);
     buttons->addWidget(compare_);
-    contentLayout()->addWidget(empty_);
-    contentLayout()->addWidget(list_);
-    contentLayout()->addLayout(buttons);
-
     connect(keep, &QPushButton::clicked, this, &SnapshotPanel::keepRequested);
     connect(compare_, &QPushButton::clicked, this, &SnapshotPanel::compareRequested);
+    return buttons;
+}
+
+void SnapshotPanel::connectList()
+{
     connect(list_, &QTreeWidget::itemSelectionChanged, this, [this] {
         if (const auto ids = selectedIds(); !showing_ && ids.size() == 1) {
             emit wasPicked(*ids.begin());
@@ -110,7 +124,6 @@ SnapshotPanel::SnapshotPanel(QWidget* parent)
     connect(list_, &QTreeWidget::itemExpanded, this, &SnapshotPanel::fitHeight);
     connect(list_, &QTreeWidget::itemCollapsed, this, &SnapshotPanel::fitHeight);
     connect(list_, &QWidget::customContextMenuRequested, this, &SnapshotPanel::showContextMenu);
-    showSnapshots({});
 }
 
 void SnapshotPanel::fillItem(QTreeWidgetItem& item, const core::PoseSnapshot& snapshot) const

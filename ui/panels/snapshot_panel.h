@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+class QHBoxLayout;
 class QPushButton;
 class QTreeWidget;
 class QTreeWidgetItem;
@@ -47,6 +48,9 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void setUpList();
+    QHBoxLayout* makeButtons();
+    void connectList();
     QTreeWidgetItem* itemOf(int snapshotId) const;
     std::set<int> selectedIds() const;
     void fillItem(QTreeWidgetItem& item, const core::PoseSnapshot& snapshot) const;

@@ -1,4 +1,5 @@
-// The mouse and keyboard half of AngiogramView; what tools take of both is in angiogram_view_tools.cpp.
+// The mouse and keyboard half of AngiogramView; drags are in angiogram_view_drag.cpp, what tools take of both is in
+// angiogram_view_tools.cpp.
 #include "ui/views/angiogram_interaction.h"
 
 #include <QContextMenuEvent>
@@ -7,7 +8,6 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
-#include <algorithm>
 #include <climits>
 #include <cmath>
 #include <utility>
@@ -18,14 +18,6 @@ namespace {
 constexpr double pickTolerancePx = 7.0;
 constexpr double clickReachPx = 4.0;   // a press that moves less is a click
 constexpr double zoomPerWheelStep = 1.2;
-constexpr double zoomPerDragPx = 1.008;
-constexpr double windowPerDragPx = 1.0 / 300.0;   // of the window at hand
-constexpr double framesPerDragPx = 1.0 / 12.0;
-
-Eigen::Vector2d toVector(const QPointF& point)
-{
-    return {point.x(), point.y()};
-}
 
 }   // namespace
 
@@ -68,43 +60,6 @@ void AngiogramView::mouseMoveEvent(QMouseEvent* event)
     i.lastAt = event->position();
 }
 
-void AngiogramView::startDrag()
-{
-    Interaction& i = *interaction_;
-    i.isDragging = true;
-    i.isToolDragging =
-        i.tool && i.pressed == Qt::LeftButton && i.tool->startDrag(i.toolPoint(i.pressedAt, i.pressedWith));
-    i.dragAction = i.mouse.actionOf(i.pressed, i.pressedWith);
-    showCursor();
-}
-
-void AngiogramView::dragBy(const QPointF& position, Qt::KeyboardModifiers modifiers)
-{
-    Interaction& i = *interaction_;
-    const QPointF step = position - i.lastAt;
-    if (i.isToolDragging && i.tool) {
-        i.tool->drag(i.toolPoint(position, modifiers));
-        return;
-    }
-    switch (i.dragAction) {
-        case DragAction::Pan:
-            i.viewport.panBy(toVector(step));
-            update();
-            break;
-        case DragAction::Zoom:
-            zoomAt(i.pressedAt, std::pow(zoomPerDragPx, -step.y()));
-            break;
-        case DragAction::WindowLevel:
-            adjustWindowLevel(step);
-            break;
-        case DragAction::Frames:
-            scrollFrames(framesPerDragPx * step.y());
-            break;
-        case DragAction::None:
-            break;
-    }
-}
-
 /// Whole frames are asked for, parts are kept for later.
 void AngiogramView::scrollFrames(double frames)
 {
@@ -120,14 +75,6 @@ void AngiogramView::scrollFrames(double frames)
 void AngiogramView::setMousePreset(const MousePreset& preset)
 {
     interaction_->mouse = preset;
-}
-
-void AngiogramView::adjustWindowLevel(const QPointF& step)
-{
-    const core::DisplayRange range = interaction_->annotations.range;
-    const double smallest = 1e-6 * std::max(1.0, std::abs(range.level()));
-    const double window = std::max(smallest, range.window() * (1.0 + windowPerDragPx * step.x()));
-    setWindowLevel(window, range.level() + range.window() * windowPerDragPx * step.y());
 }
 
 void AngiogramView::mouseReleaseEvent(QMouseEvent* event)
@@ -150,21 +97,6 @@ void AngiogramView::mouseReleaseEvent(QMouseEvent* event)
     }
     hoverAt(event->position());
     showCursor();
-}
-
-bool AngiogramView::cancelDrag()
-{
-    Interaction& i = *interaction_;
-    if (i.pressed == Qt::NoButton || i.isCancelled) {
-        return false;
-    }
-    i.isCancelled = true;
-    if (std::exchange(i.isToolDragging, false) && i.tool) {
-        i.tool->cancelDrag();
-        update();
-    }
-    showCursor();
-    return true;
 }
 
 void AngiogramView::click(const QPointF& position, Qt::KeyboardModifiers modifiers)
@@ -251,7 +183,7 @@ void AngiogramView::mouseDoubleClickEvent(QMouseEvent* event)
 
 void AngiogramView::zoomAt(const QPointF& position, double factor)
 {
-    interaction_->viewport.zoomAt(toVector(position), factor);
+    interaction_->viewport.zoomAt({position.x(), position.y()}, factor);
     update();
     emit zoomChanged(zoom());
 }
