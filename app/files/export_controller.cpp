@@ -72,12 +72,13 @@ void ExportController::askOverlay()
     const auto chosen = [](const Setting<bool>& setting) { return setting.read() ? ui::Choice::On : ui::Choice::Off; };
     dialog->showChoice({settings::exportWidthPx.read(), chosen(settings::exportResiduals), ui::Choice::Off,
                         chosen(settings::exportEnglish)});
-    connect(dialog, &ui::ExportDialog::chosen, this, [this](const ui::ExportChoice& choice) {
+    const auto ask = [this](const ui::ExportChoice& choice) {
         settings::exportWidthPx.write(choice.widthPx);
         settings::exportResiduals.write(choice.residualColors == ui::Choice::On);
         settings::exportEnglish.write(choice.english == ui::Choice::On);
         askFile({tr("Export overlay"), tr("PNG pictures (*.png)"), QStringLiteral("png")}, overlayWriter(choice));
-    });
+    };
+    connect(dialog, &ui::ExportDialog::chosen, this, ask, Qt::QueuedConnection);   // one dialog goes, then one comes
     dialog->open();
 }
 

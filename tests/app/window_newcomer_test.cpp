@@ -82,8 +82,9 @@ protected:
         auto* choice = w.window.findChild<ui::ExportDialog*>();
         ASSERT_TRUE(choice);
         click(buttonCalled(choice, "Export …"));
-        auto* files = w.window.findChild<QFileDialog*>();
-        ASSERT_TRUE(files);
+        QFileDialog* files = nullptr;
+        ASSERT_TRUE(QTest::qWaitFor([&] { return (files = w.window.findChild<QFileDialog*>()) && files->isVisible(); },
+                                    test::patienceMs));
         click(files->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save));
         ASSERT_TRUE(QTest::qWaitFor([this] { return !pictures().isEmpty(); }, test::patienceMs));
     }

@@ -8,6 +8,7 @@
 #include "ui/views/angiogram_view.h"
 
 #include <malloc.h>
+#include <QAbstractButton>
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QTemporaryDir>
@@ -40,6 +41,13 @@ double processMs()
     return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
+/// What a button says, to be found by; it may be gone after its event.
+QString wordsOn(const QObject& receiver)
+{
+    const auto* button = qobject_cast<const QAbstractButton*>(&receiver);
+    return button ? QStringLiteral(" “%1”").arg(button->text()) : QString();
+}
+
 /// Measures the processor time of every event the loop delivers; events sent from within one count as part of it, and
 /// are told apart in what a slow one consisted of.
 class TimedApplication : public QApplication {
@@ -57,8 +65,10 @@ public:
         if (depth_ > 1 || !isWatching) {
             return QApplication::notify(receiver, event);
         }
-        const QString name =
-            QStringLiteral("%1 · event %2").arg(receiver->metaObject()->className()).arg(event->type());
+        const QString name = QStringLiteral("%1 · event %2%3")
+                                 .arg(QLatin1String(receiver->metaObject()->className()))
+                                 .arg(event->type())
+                                 .arg(wordsOn(*receiver));
         const double before = threadMs();
         ++depth_;
         const bool accepted = QApplication::notify(receiver, event);
