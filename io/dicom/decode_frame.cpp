@@ -2,6 +2,7 @@
 
 #include "io/dicom/decode_rle.h"
 #include "io/raster/read_jpeg.h"
+#include "io/support/captured_stderr.h"
 #include "io/support/quiet_libraries.h"
 
 #include <gdcmDataElement.h>
@@ -83,6 +84,13 @@ gdcm::Image imageOf(const PixelLayout& layout, gdcm::TransferSyntax::TSType synt
     return image;
 }
 
+/// GDCM's own JPEG libraries print what they think of a stream, and fill what is damaged with grey.
+bool decodeQuietly(const gdcm::Image& image, std::vector<char>& bytes)
+{
+    CapturedStderr said;
+    return image.GetBuffer(bytes.data()) && said.text().find("Corrupt") == std::string::npos;
+}
+
 }   // namespace
 
 std::optional<std::vector<char>> decodeFrame(std::string_view compressed, const std::string& transferSyntax,
@@ -108,7 +116,7 @@ std::optional<std::vector<char>> decodeFrame(std::string_view compressed, const 
         gdcm::Image image = imageOf(layout, syntax);
         image.SetDataElement(pixelElement(compressed));
         std::vector<char> bytes(image.GetBufferLength());
-        if (!image.GetBuffer(bytes.data())) {
+        if (!decodeQuietly(image, bytes)) {
             return std::nullopt;
         }
         layout.isPlanar = image.GetPlanarConfiguration() == 1;

@@ -3,6 +3,7 @@
 #include "io/raster/raster_integrity.h"
 #include "io/raster/read_jpeg.h"
 #include "io/raster/read_tiff.h"
+#include "io/support/captured_stderr.h"
 #include "io/support/file_error.h"
 #include "io/support/quiet_libraries.h"
 
@@ -129,6 +130,7 @@ core::Result<Raster> readRaster(std::string_view content, const std::string& pat
                                                        "grey or RGB with 8 or 16 bits, without tiles.");
     }
     try {
+        const CapturedStderr unheard;   // libpng's warnings about what is not the picture
         const itk::ImageIOBase::Pointer reader = itk::PNGImageIO::New().GetPointer();
         reader->SetFileName(path);
         reader->ReadImageInformation();
