@@ -8,6 +8,8 @@ namespace core {
 namespace {
 
 constexpr double usualVoxels = 5e7;
+constexpr double usualVoxelsInside = 5e6;
+constexpr double leastSpacingMm = 0.1;
 constexpr double maxVoxels = 8e8;
 constexpr int marginVoxels = 3;
 
@@ -148,6 +150,20 @@ void castAlong(int axis, const SurfaceMesh& mesh, Filling filling, VoxelMask& vo
     caster.vote(filling, votes);
 }
 
+/// Between the walls, by the divergence theorem; of an open mesh what its cones to the middle of the box hold.
+double insideMm3(const SurfaceMesh& mesh, const Box& box)
+{
+    const Eigen::Vector3d middle = 0.5 * (box.low + box.high);
+    double sixfold = 0.0;
+    for (const auto& triangle : mesh.triangles) {
+        const Eigen::Vector3d a = mesh.pointsInPatient[triangle[0]] - middle;
+        const Eigen::Vector3d b = mesh.pointsInPatient[triangle[1]] - middle;
+        const Eigen::Vector3d c = mesh.pointsInPatient[triangle[2]] - middle;
+        sixfold += a.dot(b.cross(c));
+    }
+    return std::abs(sixfold) / 6.0;
+}
+
 }   // namespace
 
 double usualSpacingMm(const SurfaceMesh& mesh)
@@ -157,7 +173,9 @@ double usualSpacingMm(const SurfaceMesh& mesh)
     }
     const Box box = boxOf(mesh);
     const Eigen::Vector3d extent = (box.high - box.low).cwiseMax(0.1);
-    return std::clamp(std::cbrt(extent.prod() / usualVoxels), 0.1, 10.0);
+    // Thinning takes its time for what lies inside: little of the box for vessels, all of it for a block.
+    const double needed = std::max(extent.prod() / usualVoxels, insideMm3(mesh, box) / usualVoxelsInside);
+    return std::max(std::cbrt(needed), leastSpacingMm);
 }
 
 Result<VoxelMask> fillSurface(const SurfaceMesh& mesh, double spacingMm)

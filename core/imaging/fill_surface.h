@@ -6,7 +6,7 @@
 
 namespace core {
 
-/// A voxel size that resolves the mesh within some fifty million voxels, never below 0.1 mm.
+/// A voxel size that resolves the mesh within some fifty million voxels, some five of them inside, never below 0.1 mm.
 double usualSpacingMm(const SurfaceMesh& mesh);
 
 /// Voxels whose centre lies inside the mesh, on a grid along the patient's axes with room around. A closed, oriented

@@ -67,6 +67,16 @@ TEST(FillSurface, OverlappingTubesAreOneInside)
     EXPECT_EQ(joined.value().voxels, alone.value().voxels);
 }
 
+TEST(FillSurface, UsualVoxelsAreCoarserForWhatIsSolid)
+{
+    const double slim = usualSpacingMm(tube(1.0, 400.0, true));
+    const double solid = usualSpacingMm(tube(60.0, 120.0, true));
+    EXPECT_NEAR(slim, 0.1, 1e-12) << "as fine as can be";
+    const double inside = std::numbers::pi * 60.0 * 60.0 * 120.0;
+    EXPECT_NEAR(inside / std::pow(solid, 3), 5e6, 1e5) << "voxels to be thinned";
+    EXPECT_EQ(usualSpacingMm(SurfaceMesh{}), 1.0);
+}
+
 TEST(FillSurface, RefusesWhatBoundsNothing)
 {
     EXPECT_FALSE(fillSurface({}, 1.0));
