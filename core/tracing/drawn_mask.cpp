@@ -1,0 +1,35 @@
+#include "core/tracing/drawn_mask.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+namespace {
+
+constexpr float edgeShare = 0.1F;   // of the range: this near to one of the levels
+constexpr double leastOfLevels = 0.97;   // of the pixels; the rest are edges smoothed on drawing or scaling
+
+}   // namespace
+
+std::optional<Mask2d> drawnMask(const ImageF& picture)
+{
+    const auto [low, high] = std::minmax_element(picture.pixels.begin(), picture.pixels.end());
+    if (picture.pixels.empty() || !std::isfinite(*low) || !std::isfinite(*high) || *low == *high) {
+        return std::nullopt;
+    }
+    const float margin = edgeShare * (*high - *low);
+    const float middle = 0.5F * (*low + *high);
+    std::size_t black = 0, white = 0;
+    Mask2d mask(picture.width, picture.height);
+    for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
+        const float value = picture.pixels[i];
+        black += value <= *low + margin ? 1 : 0;
+        white += value >= *high - margin ? 1 : 0;
+        mask.pixels[i] = value > middle ? 255 : 0;
+    }
+    const bool isDrawn =
+        static_cast<double>(black + white) >= leastOfLevels * static_cast<double>(mask.pixels.size()) && white < black;
+    return isDrawn ? std::optional(std::move(mask)) : std::nullopt;
+}
+
+}   // namespace core
