@@ -2,6 +2,7 @@
 
 #include "core/tracing/suggest_frame.h"
 #include "io/dicom/dicom_file.h"
+#include "io/dicom/open_dicom.h"
 #include "io/dicom/read_dicom.h"
 #include "io/dicom/write_dicom.h"
 #include "io/raster/read_raster.h"
@@ -42,8 +43,11 @@ core::Result<core::Angiogram> angiogramFrom(std::string_view content, const std:
         return rasterAngiogram(content, path);
     }
     const std::string_view found = describeContent(content);
-    return fileError(path, "this is " +
-                               (found.empty() ? std::string("no image this program reads") : std::string(found)) +
+    if (found.empty()) {
+        return fileError(path,
+                         "this is no image that this program reads. Choose a DICOM XA run, a PNG, TIFF or JPEG image.");
+    }
+    return fileError(path, "this is " + std::string(found) +
                                ", not an angiogram. Choose a DICOM XA run, a PNG, TIFF or JPEG image.");
 }
 
@@ -74,6 +78,12 @@ core::Result<core::Angiogram> readAngiogram(const std::string& path)
     core::Angiogram result = std::move(angiogram).value();
     result.suggestedFrame = result.frames.size() > 1 ? core::suggestFrame(result.frames, result.polarity) : 0;
     return result;
+}
+
+bool looksLikeImageFile(const std::string& path)
+{
+    const auto input = openInput(path);
+    return (input && looksLikeRaster(input.value().view())) || isDicomFile(path);
 }
 
 core::Status writeAngiogram(const core::Angiogram& angiogram, const std::string& path)

@@ -11,6 +11,9 @@ namespace io {
 /// ALGORITHMS §5.1 and their origin. Colour becomes grey with a warning. Fails with file, problem and remedy.
 core::Result<core::Angiogram> readAngiogram(const std::string& path);
 
+/// True for DICOM (packed with gzip too) and for pictures: what readAngiogram may read.
+bool looksLikeImageFile(const std::string& path);
+
 /// Writes the frames as an uncompressed multi-frame 16-bit DICOM XA with the geometry of `angiogram.cArm`.
 core::Status writeAngiogram(const core::Angiogram& angiogram, const std::string& path);
 

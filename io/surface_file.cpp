@@ -44,9 +44,12 @@ core::Result<PolygonSet> parse(std::string_view content, const std::string& path
         return parseObj(content, path);
     }
     const std::string_view found = describeContent(content);
-    return fileError(path, "this is " +
-                               (found.empty() ? std::string("no file this program knows") : std::string(found)) +
-                               ", not a surface. Choose a .vtp, .vtk, .stl, .ply or .obj file.");
+    if (found.empty()) {
+        return fileError(path,
+                         "this is no surface that this program reads. Choose a .vtp, .vtk, .stl, .ply or .obj file.");
+    }
+    return fileError(
+        path, "this is " + std::string(found) + ", not a surface. Choose a .vtp, .vtk, .stl, .ply or .obj file.");
 }
 
 /// Triangles of all polygons (fans); returns what is wrong.

@@ -52,6 +52,9 @@ core::Result<LoadedVessels> withTree(LoadedVessels loaded, core::Result<core::Tr
     loaded.lumen = std::move(vessels.lumen);
     loaded.threshold = vessels.threshold;
     loaded.warnings.insert(loaded.warnings.end(), vessels.warnings.begin(), vessels.warnings.end());
+    if (core::isCompact(loaded.tree)) {
+        loaded.warnings.emplace_back("What was traced is hardly longer than wide: check that it is a vessel.");
+    }
     return loaded;
 }
 
@@ -93,11 +96,14 @@ core::Result<LoadedVessels> traceSurface(const std::string& path, const core::Ve
 core::Status chooseLabels(LoadedVessels& loaded, const core::LabelVolume& image, const std::string& path)
 {
     const std::vector<ListedLabel> all = listedLabels(image, readLabelNames(path));
+    if (all.empty()) {
+        return fileError(path, "nothing is marked in it: every voxel is background. Choose another segmentation.");
+    }
     std::vector<int>& chosen = loaded.input.labels;
     for (const int label : chosen) {
         if (std::ranges::none_of(all, [label](const ListedLabel& each) { return each.label == label; })) {
-            return fileError(path, "it has no label " + std::to_string(label) + " but " +
-                                       (all.empty() ? "none at all" : labelText(all)) + ". Choose one of these.");
+            return fileError(
+                path, "it has no label " + std::to_string(label) + " but " + labelText(all) + ". Choose one of these.");
         }
     }
     const bool isByName = chosen.empty();

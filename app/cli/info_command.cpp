@@ -9,6 +9,7 @@
 #include "io/pose_file.h"
 #include "io/series/dicom_segmentation.h"
 #include "io/series/slice_record.h"
+#include "io/support/input_bytes.h"
 #include "io/vessel_tree_file.h"
 #include "io/volume_file.h"
 
@@ -139,6 +140,20 @@ core::Result<Json> imageJson(const std::string& path)
     return angiogram ? core::Result<Json>(angiogramJson(angiogram.value())) : angiogram.error();
 }
 
+core::Error unknownFile(const std::string& path)
+{
+    const auto input = io::openInput(path);
+    if (!input) {
+        return input.error();
+    }
+    const std::string found(io::describeContent(input.value().view()));
+    return {
+        path + ": this is " + (found.empty() ? "no file" : found + ", nothing") +
+        " that AngioPose reads. It reads cases (.angiopose), centrelines (VTP, VTK, CSV, SWC, .mrk.json), scans and "
+        "segmentations (DICOM, NIfTI, NRRD, MetaImage), surfaces (STL, PLY, OBJ), angiograms (DICOM, PNG, TIFF, JPEG) "
+        "and poses (.json, .tfm)."};
+}
+
 core::Result<Json> describe(const std::string& path)
 {
     if (std::filesystem::is_directory(path)) {
@@ -159,7 +174,10 @@ core::Result<Json> describe(const std::string& path)
     }
     const bool isTree =
         extension == ".vtp" || extension == ".vtk" || extension == ".vtu" || extension == ".swc" || extension == ".csv";
-    return isTree ? curvesOrSurfaceJson(path, extension) : imageJson(path);
+    if (isTree || io::looksLikeImageFile(path)) {
+        return isTree ? curvesOrSurfaceJson(path, extension) : imageJson(path);
+    }
+    return unknownFile(path);
 }
 
 /// The JSON as indented "key: value" lines for people.

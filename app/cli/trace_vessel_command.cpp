@@ -1,6 +1,8 @@
 #include "app/cli/commands.h"
 #include "app/texts/number_text.h"
 #include "io/label_list.h"
+#include "io/support/input_bytes.h"
+#include "io/surface_file.h"
 #include "io/vessel_input_file.h"
 #include "io/vessel_tree_file.h"
 #include "io/volume_file.h"
@@ -36,6 +38,21 @@ core::Result<std::vector<int>> labelsAskedFor(const TraceVesselArguments& argume
     return labels ? labels : core::Error{arguments.inputPath + ": " + labels.error().message};
 }
 
+/// Of a file that is no volume, segmentation or surface.
+std::string whyNotTraced(const std::string& path)
+{
+    if (io::readVesselTree(path)) {
+        return path + ": it holds centrelines already, which need no tracing. `convert` changes their format.";
+    }
+    const std::string extension = io::extensionOf(path);
+    if (extension == ".vtp" || extension == ".vtk" || extension == ".vtu") {   // neither lines nor triangles
+        const auto surface = io::readSurface(path);
+        return surface ? path + ": it cannot be traced. Choose another surface." : surface.error().message;
+    }
+    const auto volume = io::readVolume(path);   // says what the file is instead
+    return volume ? path + ": it cannot be traced. Choose a scan." : volume.error().message;
+}
+
 core::LabelVolume labelsOf(const core::VoxelMask& mask)
 {
     core::LabelVolume labels(mask.geometry);
@@ -50,7 +67,9 @@ void printTree(const io::LoadedVessels& vessels, const std::string& path)
     for (const core::VesselBranch& branch : vessels.tree.branches) {
         lengthMm += branch.lengthMm();
     }
-    std::printf("%s: %zu branches, %s mm", path.c_str(), vessels.tree.branches.size(), fixedText(lengthMm, 1).c_str());
+    const std::size_t count = vessels.tree.branches.size();
+    std::printf("%s: %zu %s, %s mm", path.c_str(), count, count == 1 ? "branch" : "branches",
+                fixedText(lengthMm, 1).c_str());
     if (vessels.volume) {
         std::printf(", lumen above %s", fixedText(vessels.threshold, 1).c_str());
     }
@@ -66,9 +85,7 @@ int runTraceVessel(const TraceVesselArguments& arguments)
         return failInput(kind.error().message);
     }
     if (kind.value() == core::VesselInputKind::Centerline) {
-        return failInput(arguments.inputPath +
-                         ": this is no volume, segmentation or surface. Centrelines need no "
-                         "tracing; `convert` changes their format.");
+        return failInput(whyNotTraced(arguments.inputPath));
     }
     if (!arguments.labels.empty() && kind.value() == core::VesselInputKind::Volume) {
         kind = core::VesselInputKind::Segmentation;

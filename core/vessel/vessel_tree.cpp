@@ -145,6 +145,18 @@ VesselTree without(const VesselTree& tree, const std::vector<int>& excludedIds)
     return result;
 }
 
+bool isCompact(const VesselTree& tree)
+{
+    double lengthMm = 0.0, greatestRadiusMm = 0.0;
+    for (const VesselBranch& branch : tree.branches) {
+        lengthMm += branch.lengthMm();
+        for (const double radius : branch.radiusMm) {
+            greatestRadiusMm = std::max(greatestRadiusMm, radius);
+        }
+    }
+    return lengthMm < 2.0 * (2.0 * greatestRadiusMm);
+}
+
 std::string findProblem(const VesselTree& tree)
 {
     if (tree.branches.empty()) {

@@ -48,6 +48,10 @@ VesselTree resampled(const VesselTree& tree, double spacingMm);
 /// The tree without the branches in `excludedIds`.
 VesselTree without(const VesselTree& tree, const std::vector<int>& excludedIds);
 
+/// True when all branches together are no longer than twice the greatest width: a ball or a block rather than vessels.
+/// Never without radii.
+bool isCompact(const VesselTree& tree);
+
 /// What makes this tree unusable (no branch, one point, NaN, …), in words for the user; empty when it is fine.
 std::string findProblem(const VesselTree& tree);
 

@@ -82,7 +82,8 @@ std::string findUnsupported(const Fields& fields)
     }
     const int dimensions = parseInteger(field(fields, {"NDims"})).value_or(0);
     if (dimensions != 3) {
-        return "it has " + std::to_string(dimensions) + " dimensions, but a volume has three. Choose the whole scan.";
+        return "it is " + std::to_string(dimensions) +
+               "-dimensional, but a volume has three dimensions. Choose the whole scan.";
     }
     if (const std::string channels = field(fields, {"ElementNumberOfChannels"}); !channels.empty() && channels != "1") {
         return "it has " + channels.substr(0, 8) + " values per voxel. Choose the scan itself, in grey values.";

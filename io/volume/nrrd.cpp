@@ -44,7 +44,8 @@ std::string findSizes(const NrrdFields& fields, Eigen::Vector3i& size, std::vect
     const std::vector<std::string> kinds = wordsOf(lowered(field(fields, "kinds")));
     const auto directions = vectorsOf(field(fields, "space directions"));
     if (sizes.size() < 3) {
-        return "it has " + std::to_string(sizes.size()) + " dimensions, but a volume has three. Choose the whole scan.";
+        return "it is " + std::to_string(sizes.size()) +
+               "-dimensional, but a volume has three dimensions. Choose the whole scan.";
     }
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         const auto count = parseInteger(sizes[i]);

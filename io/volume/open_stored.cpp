@@ -72,8 +72,12 @@ core::Result<StoredVolume> openStored(const std::string& path)
     const auto format = formatOf(head, path);
     if (!format) {
         const std::string_view found = describeContent(content);
-        return fileError(path, "this is " +
-                                   (found.empty() ? std::string("no file this program knows") : std::string(found)) +
+        if (found.empty()) {
+            return fileError(path,
+                             "this is no volume that this program reads. Choose a DICOM folder, NIfTI, NRRD or "
+                             "MetaImage (.mha, .mhd).");
+        }
+        return fileError(path, "this is " + std::string(found) +
                                    ", not a volume. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).");
     }
     switch (*format) {

@@ -2,6 +2,8 @@
 
 #include "io/support/numbers.h"
 #include "io/volume/byte_stream.h"
+#include "io/volume/nifti.h"
+#include "io/volume/nifti_header.h"
 #include "io/volume/quantization.h"
 
 #include <unistd.h>
@@ -10,6 +12,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 
 namespace io {
@@ -220,16 +223,42 @@ core::Result<core::LabelVolume> labelsAs(const StoredVolume& stored, const ReadO
     return labels;
 }
 
+/// A header that points at a whole volume and says nothing of the header in there would show that as voxels.
+bool isHeaderAmongVoxels(const StoredVolume& stored)
+{
+    const VoxelSource& source = stored.source;
+    if (source.path == stored.path || source.isAtEnd || source.offset + source.skip > 0) {
+        return false;
+    }
+    auto opened = ByteStream::open(source);
+    if (!opened) {
+        return false;
+    }
+    ByteStream stream = std::move(opened).value();
+    std::string head(niftiHeadSize, '\0');
+    head.resize(stream.readSome(head.data(), head.size()));
+    return head.starts_with("NRRD000") || niftiHeaderOf(head);
+}
+
 }   // namespace
 
 core::Status checkVoxels(const StoredVolume& stored)
 {
     const VoxelSource& source = stored.source;
+    if (!std::filesystem::exists(source.path)) {
+        return fileError(stored.path, "its voxels are in " + std::filesystem::path(source.path).filename().string() +
+                                          ", which is not there. Copy both files together.");
+    }
     const auto stream = ByteStream::open(source);
     if (!stream) {
         return source.path == stored.path ? stream.error()
                                           : fileError(stored.path, "the file with its voxels cannot be read (" +
                                                                        stream.error().message + ").");
+    }
+    if (isHeaderAmongVoxels(stored)) {
+        return fileError(stored.path,
+                         "its voxels begin with the header of another volume. Open that file itself, or "
+                         "give the bytes to skip: -1 where the voxels are the last ones.");
     }
     const std::uint64_t needed = stored.geometry.voxelCount() * bytesOf(stored.type);
     const std::uint64_t there = stream.value().fileSize() - std::min(source.offset, stream.value().fileSize());

@@ -2552,10 +2552,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>hat %1 Dimensionen (4-D oder mehr). Das gewünschte Volumen einzeln speichern und öffnen.</translation>
     </message>
     <message>
-        <source>it has %1 dimensions, but a volume has three. Choose the whole scan.</source>
-        <translation>hat %1 Dimensionen, ein Volumen aber drei. Den ganzen Scan wählen.</translation>
-    </message>
-    <message>
         <source>it has %1 points; a centreline tree has at most %2. Resample the centrelines.</source>
         <translation>hat %1 Punkte; ein Gefäßbaum hat höchstens %2. Die Mittellinien ausdünnen.</translation>
     </message>
@@ -2898,14 +2894,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>no data set</source>
         <translation>kein Datensatz</translation>
-    </message>
-    <message>
-        <source>no file this program knows</source>
-        <translation>keine bekannte Datei</translation>
-    </message>
-    <message>
-        <source>no image this program reads</source>
-        <translation>kein lesbares Bild</translation>
     </message>
     <message>
         <source>no improvement</source>
@@ -4062,6 +4050,38 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>none at all</source>
         <translation>gar keines</translation>
+    </message>
+    <message>
+        <source>What was traced is hardly longer than wide: check that it is a vessel.</source>
+        <translation>Das Erfasste ist kaum länger als breit: prüfen, ob es ein Gefäß ist.</translation>
+    </message>
+    <message>
+        <source>it is %1-dimensional, but a volume has three dimensions. Choose the whole scan.</source>
+        <translation>ist %1-dimensional, ein Volumen hat aber drei Dimensionen. Den ganzen Scan wählen.</translation>
+    </message>
+    <message>
+        <source>its voxels are in %1, which is not there. Copy both files together.</source>
+        <translation>die Voxel stehen in %1, das fehlt. Beide Dateien zusammen kopieren.</translation>
+    </message>
+    <message>
+        <source>its voxels begin with the header of another volume. Open that file itself, or give the bytes to skip: -1 where the voxels are the last ones.</source>
+        <translation>die Voxel beginnen mit dem Kopf eines anderen Volumens. Jene Datei selbst öffnen oder die zu überspringenden Bytes angeben: -1, wo die Voxel am Ende stehen.</translation>
+    </message>
+    <message>
+        <source>nothing is marked in it: every voxel is background. Choose another segmentation.</source>
+        <translation>nichts ist darin markiert: alle Voxel sind Hintergrund. Eine andere Segmentierung wählen.</translation>
+    </message>
+    <message>
+        <source>this is no image that this program reads. Choose a DICOM XA run, a PNG, TIFF or JPEG image.</source>
+        <translation>das ist kein Bild, das dieses Programm liest. Eine DICOM-XA-Serie, ein PNG-, TIFF- oder JPEG-Bild wählen.</translation>
+    </message>
+    <message>
+        <source>this is no surface that this program reads. Choose a .vtp, .vtk, .stl, .ply or .obj file.</source>
+        <translation>das ist keine Oberfläche, die dieses Programm liest. Eine .vtp-, .vtk-, .stl-, .ply- oder .obj-Datei wählen.</translation>
+    </message>
+    <message>
+        <source>this is no volume that this program reads. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).</source>
+        <translation>das ist kein Volumen, das dieses Programm liest. Einen DICOM-Ordner, NIfTI, NRRD oder MetaImage (.mha, .mhd) wählen.</translation>
     </message>
 </context>
 <context>

@@ -2552,10 +2552,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>有 %1 维（四维或以上）。请单独保存所需体数据再打开。</translation>
     </message>
     <message>
-        <source>it has %1 dimensions, but a volume has three. Choose the whole scan.</source>
-        <translation>有 %1 维，而体数据为三维。请选择完整扫描。</translation>
-    </message>
-    <message>
         <source>it has %1 points; a centreline tree has at most %2. Resample the centrelines.</source>
         <translation>有 %1 个点；中心线树最多 %2 个。请重采样中心线。</translation>
     </message>
@@ -2898,14 +2894,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>no data set</source>
         <translation>无数据集</translation>
-    </message>
-    <message>
-        <source>no file this program knows</source>
-        <translation>未知文件</translation>
-    </message>
-    <message>
-        <source>no image this program reads</source>
-        <translation>不支持的图像</translation>
     </message>
     <message>
         <source>no improvement</source>
@@ -4062,6 +4050,38 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>none at all</source>
         <translation>完全没有标签</translation>
+    </message>
+    <message>
+        <source>What was traced is hardly longer than wide: check that it is a vessel.</source>
+        <translation>提取结果的长度几乎不大于宽度：请检查是否为血管。</translation>
+    </message>
+    <message>
+        <source>it is %1-dimensional, but a volume has three dimensions. Choose the whole scan.</source>
+        <translation>为 %1 维，而体数据为三维。请选择完整扫描。</translation>
+    </message>
+    <message>
+        <source>its voxels are in %1, which is not there. Copy both files together.</source>
+        <translation>其体素在 %1 中，但该文件不存在。请将两个文件一起复制。</translation>
+    </message>
+    <message>
+        <source>its voxels begin with the header of another volume. Open that file itself, or give the bytes to skip: -1 where the voxels are the last ones.</source>
+        <translation>其体素以另一个体数据的文件头开始。请直接打开该文件，或给出要跳过的字节数：体素位于末尾时为 -1。</translation>
+    </message>
+    <message>
+        <source>nothing is marked in it: every voxel is background. Choose another segmentation.</source>
+        <translation>其中没有标记：所有体素均为背景。请选择其他分割。</translation>
+    </message>
+    <message>
+        <source>this is no image that this program reads. Choose a DICOM XA run, a PNG, TIFF or JPEG image.</source>
+        <translation>这不是本程序可读取的图像。请选择 DICOM XA 序列、PNG、TIFF 或 JPEG 图像。</translation>
+    </message>
+    <message>
+        <source>this is no surface that this program reads. Choose a .vtp, .vtk, .stl, .ply or .obj file.</source>
+        <translation>这不是本程序可读取的表面。请选择 .vtp、.vtk、.stl、.ply 或 .obj 文件。</translation>
+    </message>
+    <message>
+        <source>this is no volume that this program reads. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).</source>
+        <translation>这不是本程序可读取的体数据。请选择 DICOM 文件夹、NIfTI、NRRD 或 MetaImage（.mha、.mhd）。</translation>
     </message>
 </context>
 <context>

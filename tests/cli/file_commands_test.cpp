@@ -1,3 +1,5 @@
+#include "io/centerline2d_file.h"
+#include "io/image_file.h"
 #include "io/vessel_tree_file.h"
 #include "io/volume_file.h"
 #include "tests/cli/run_program.h"
@@ -10,6 +12,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace {
 
@@ -104,6 +107,97 @@ TEST(Cli, TracesALabelImageToATree)
     EXPECT_EQ(runCli({"trace-vessel", folder.file("tree.vtp"), "--output", folder.file("x.vtp")}).exitCode, 3);
 }
 
+/// What libraries print is no message of the program.
+void expectOnlyOwnMessages(const std::string& messages, const std::string& path)
+{
+    std::istringstream lines(messages);
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_TRUE(line.starts_with("angiopose-cli: ")) << path << ": " << line;
+    }
+}
+
+TEST(Cli, WarningsOfLibrariesAreNotPrinted)
+{
+    ANGIOPOSE_NEEDS_DATA("cerebral-dsa-frame");
+    const auto path = test::dataFile("cerebral-dsa-frame/Real-DSA-01-Segmentation.png").string();
+    const auto outcome = runCli({"info", path});
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_EQ(outcome.messages, "") << "libpng has its doubts about a chunk that is not the picture";
+}
+
+/// A white cross on black.
+core::Mask2d cross()
+{
+    core::Mask2d mask(200, 200);
+    for (int i = 20; i < 180; ++i) {
+        for (int across = 98; across < 103; ++across) {
+            mask.at(i, across) = mask.at(across, i) = 255;
+        }
+    }
+    return mask;
+}
+
+TEST(Cli, TracesADrawnMaskAsItIsDrawn)
+{
+    const TemporaryFolder folder;
+    ASSERT_TRUE(io::writePng(cross(), folder.file("mask.png")));
+    const auto outcome = runCli({"trace-angiogram", folder.file("mask.png"), "--output", folder.file("curves.csv"),
+                                 "--mask", folder.file("copy.png")});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.messages;
+    EXPECT_NE(outcome.messages.find("mask of two levels"), std::string::npos) << outcome.messages;
+    EXPECT_NE(outcome.output.find("frame 0: "), std::string::npos) << outcome.output;
+    const auto curves = io::readCenterline2d(folder.file("curves.csv"));
+    ASSERT_TRUE(curves) << curves.error().message;
+    for (const core::Curve2d& curve : curves.value().curves) {
+        for (const Eigen::Vector2d& point : curve.pointsPx) {
+            EXPECT_LT((point.array() - 100.0).abs().minCoeff(), 2.0) << "in the middle of an arm";
+        }
+    }
+    EXPECT_EQ(test::readText(folder.file("copy.png")), test::readText(folder.file("mask.png")));
+}
+
+TEST(Cli, SaysWhatAFileIsInsteadOfWhatIsWanted)
+{
+    const TemporaryFolder folder;
+    writeText(folder.file("notes.txt"), "Nothing of the kind.\n");
+    const auto info = runCli({"info", folder.file("notes.txt")});
+    EXPECT_EQ(info.exitCode, 3);
+    EXPECT_NE(info.messages.find("this is no file that AngioPose reads. It reads cases"), std::string::npos)
+        << info.messages;
+    const auto traced = runCli({"trace-vessel", folder.file("notes.txt"), "--output", folder.file("x.vtp")});
+    EXPECT_EQ(traced.exitCode, 3);
+    EXPECT_NE(traced.messages.find("this is no volume that this program reads. Choose"), std::string::npos)
+        << traced.messages;
+    writeText(folder.file("tree.csv"), "x,y,z\n0,0,0\n9,0,0\n");
+    const auto curves = runCli({"trace-vessel", folder.file("tree.csv"), "--output", folder.file("x.vtp")});
+    EXPECT_EQ(curves.exitCode, 3);
+    EXPECT_NE(curves.messages.find("holds centrelines already"), std::string::npos) << curves.messages;
+}
+
+TEST(Cli, DoubtsThatABallIsAVessel)
+{
+    const TemporaryFolder folder;
+    core::VolumeGeometry geometry;
+    geometry.size = {40, 40, 40};
+    core::LabelVolume ball(geometry);
+    for (int k = 0; k < 40; ++k) {
+        for (int j = 0; j < 40; ++j) {
+            for (int i = 0; i < 40; ++i) {
+                ball.at(i, j, k) = Eigen::Vector3d(i - 19.5, j - 19.5, k - 19.5).norm() < 15.0 ? 1 : 0;
+            }
+        }
+    }
+    ASSERT_TRUE(io::writeLabels(ball, folder.file("ball.nrrd")));
+    const auto outcome = runCli({"trace-vessel", folder.file("ball.nrrd"), "--output", folder.file("tree.csv")});
+    EXPECT_TRUE(outcome.exitCode == 3 || outcome.messages.find("hardly longer than wide") != std::string::npos)
+        << outcome.messages;
+    std::fill(ball.voxels.begin(), ball.voxels.end(), std::uint16_t{0});
+    ASSERT_TRUE(io::writeLabels(ball, folder.file("empty.nrrd")));
+    const auto empty = runCli({"trace-vessel", folder.file("empty.nrrd"), "--output", folder.file("tree.csv")});
+    EXPECT_EQ(empty.exitCode, 3);
+    EXPECT_NE(empty.messages.find("nothing is marked in it"), std::string::npos) << empty.messages;
+}
+
 /// Every odd, malformed or truncated file: a load or one clear message, quickly and in little memory.
 TEST(Cli, ExoticFilesLoadOrAreRefusedClearly)
 {
@@ -121,6 +215,7 @@ TEST(Cli, ExoticFilesLoadOrAreRefusedClearly)
             EXPECT_TRUE(outcome.exitCode == 0 || outcome.exitCode == 3) << path << ": " << outcome.exitCode;
             EXPECT_LT(outcome.seconds, 10.0) << path;
             EXPECT_LT(outcome.peakMemoryKiB, 1024 * 1024) << path;
+            expectOnlyOwnMessages(outcome.messages, path);
             if (outcome.exitCode == 3) {
                 EXPECT_EQ(std::count(outcome.messages.begin(), outcome.messages.end(), '\n'), 1) << outcome.messages;
                 EXPECT_NE(outcome.messages.find(entry.path().filename().string()), std::string::npos)

@@ -39,6 +39,19 @@ TEST(VesselTree, ABranchLeavingMidwayMakesABifurcation)
     EXPECT_EQ(nodes.size(), 4u);
 }
 
+TEST(VesselTree, CompactIsWhatIsHardlyLongerThanWide)
+{
+    EXPECT_FALSE(isCompact(forkedTree()));
+    VesselTree ball;
+    ball.branches.push_back({1, "", {{0, 0, 0}, {0, 0, 23}}, {2, 12}});
+    EXPECT_TRUE(isCompact(ball));
+    ball.branches.push_back({2, "", {{0, 0, 23}, {0, 0, 60}}, {}});
+    EXPECT_FALSE(isCompact(ball)) << "all branches count";
+    ball.branches.resize(1);
+    ball.branches.front().radiusMm.clear();
+    EXPECT_FALSE(isCompact(ball)) << "widths unknown";
+}
+
 TEST(VesselTree, CentroidWeighsByLengthNotByPoints)
 {
     VesselTree tree;
