@@ -102,6 +102,21 @@ std::optional<std::vector<ListedLabel>> labelsIn(const std::string& path, const 
     return listedLabels(image.value(), readLabelNames(path));
 }
 
+core::Result<LabelOverview> readLabelOverview(const std::string& path, const ReadObserver& observe)
+{
+    const auto image = readLabels(path, observe);
+    if (!image) {
+        return image.error();
+    }
+    LabelOverview overview{listedLabels(image.value(), readLabelNames(path)), {}};
+    std::vector<int> numbers;
+    for (const ListedLabel& each : overview.labels) {
+        numbers.push_back(each.label);
+    }
+    overview.rows = core::labelRows(image.value(), numbers);
+    return overview;
+}
+
 std::vector<int> vesselsByName(const std::vector<ListedLabel>& labels)
 {
     std::vector<int> found =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/imaging/label_rows.h"
 #include "core/imaging/volume.h"
 #include "core/support/result.h"
 #include "io/support/read_observer.h"
@@ -31,6 +32,13 @@ std::vector<ListedLabel> listedLabels(const core::LabelVolume& image, const Labe
 /// The labels of a label image or DICOM segmentation; nothing for a scan, which is told by its values (at once where it
 /// has any below 0, as CT has), and for what is no volume.
 std::optional<std::vector<ListedLabel>> labelsIn(const std::string& path, const ReadObserver& observe = {});
+
+/// What there is to choose from in a label image: its labels, and where they lie, by their places in the list.
+struct LabelOverview {
+    std::vector<ListedLabel> labels;
+    core::LabelRows rows;
+};
+core::Result<LabelOverview> readLabelOverview(const std::string& path, const ReadObserver& observe = {});
 
 /// The labels whose names are those of arteries or of vessels in general; of veins where there are only those. Empty
 /// when no name says so, or all do.

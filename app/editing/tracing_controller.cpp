@@ -38,12 +38,12 @@ std::vector<ui::SliceMark> marksAt(const std::vector<Eigen::Vector3d>& points)
 }   // namespace
 
 TracingController::TracingController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
-    : QObject(parent), document_(document), window_(window)
+    : QObject(parent), document_(document), window_(window), labels_(document, window)
 {
     connectPanel();
     connect(&document, &CaseDocument::changed, this, &TracingController::followDocument);
     connect(&document, &CaseDocument::stateChanged, this, [this] {
-        window_.tracing().showWhyNot(whyNot());
+        showWhyNot();
         if (waiting_ && !document_.isLocked()) {
             finish(*std::exchange(waiting_, std::nullopt));
         }
@@ -77,6 +77,7 @@ TracingController::TracingController(CaseDocument& document, ui::MainWindow& win
         window_.actions()[ui::Command::SlicesLarge]->setChecked(true);
         start();
     });
+    connect(&labels_, &LabelController::edited, this, &TracingController::showWhyNot);
     ui::speak(this, [this] { followDocument(); });
 }
 
@@ -103,6 +104,9 @@ QString TracingController::whyNot() const
     if (current.centerlineFile.path.empty() || current.vesselInput.kind == core::VesselInputKind::Centerline) {
         return tr("These vessels were not traced: open a scan, a segmentation or a surface.");
     }
+    if (labels_.isNothingTicked()) {
+        return tr("No label is ticked: tick those that are vessels.");
+    }
     return document_.isLocked() ? tr("A registration is running. Stop it first.") : QString();
 }
 
@@ -110,11 +114,13 @@ void TracingController::followDocument()
 {
     const core::RegistrationCase& current = document_.current();
     ui::TracingPanel& panel = window_.tracing();
-    if (current.volume != shownVolume_) {
-        shownVolume_ = current.volume;
+    const std::shared_ptr<const core::Volume> traced =
+        current.vesselInput.kind == core::VesselInputKind::Volume ? current.volume : nullptr;
+    if (traced != shownVolume_) {
+        shownVolume_ = traced;
         level_.setFuture({});
         panel.showFound(std::nullopt);
-        panel.showRange(thresholdRange(window_.slices()), {});
+        panel.showRange(traced ? thresholdRange(window_.slices()) : std::nullopt, {});
         if (window_.actions()[ui::Command::SlicesLarge]->isChecked()) {
             findThreshold();
         }
@@ -123,9 +129,15 @@ void TracingController::followDocument()
         shownInput_ = current.vesselInput;
         setDraft(shownInput_.tracing);
     }
-    panel.showWhyNot(whyNot());
-    window_.actions()[ui::Command::TraceScan]->setEnabled(whyNot().isEmpty() && window_.slices().hasScan());
+    showWhyNot();
     showPreview();
+}
+
+void TracingController::showWhyNot()
+{
+    const QString reason = whyNot();
+    window_.tracing().showWhyNot(reason);
+    window_.actions()[ui::Command::TraceScan]->setEnabled(reason.isEmpty() && window_.slices().hasScan());
 }
 
 void TracingController::setDraft(const core::VesselTracingOptions& draft)
@@ -179,6 +191,7 @@ void TracingController::start()
     const core::RegistrationCase& current = document_.current();
     VesselTraceRequest request{current.centerlineFile.path, current.vesselInput, current.volume};
     request.input.tracing = draft_;
+    request.input.labels = labels_.draft();
     startedFrom_ = document_.state();
     window_.tracing().setRunning(true);
     window_.strip().showBusy(tr("Tracing the vessels of the scan …"));

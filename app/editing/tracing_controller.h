@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/document/case_document.h"
+#include "app/editing/label_controller.h"
 #include "app/jobs/vessel_trace_job.h"
 #include "ui/slices/tracing_panel.h"
 
@@ -31,6 +32,7 @@ signals:
 private:
     void connectPanel();
     void followDocument();
+    void showWhyNot();
     void setDraft(const core::VesselTracingOptions& draft);
     void setPick(ui::TracingPick pick);
     void showPreview();
@@ -41,10 +43,11 @@ private:
 
     CaseDocument& document_;
     ui::MainWindow& window_;
+    LabelController labels_;
     VesselTraceJob job_;
     core::VesselTracingOptions draft_;
     core::VesselInput shownInput_;
-    std::shared_ptr<const core::Volume> shownVolume_;
+    std::shared_ptr<const core::Volume> shownVolume_;   ///< that the vessels are traced from
     CaseState startedFrom_;
     std::optional<VesselTrace> waiting_;   ///< for the end of a registration
     ui::TracingPick pick_ = ui::TracingPick::Nothing;

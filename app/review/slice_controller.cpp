@@ -73,6 +73,10 @@ void SliceController::followDocument()
     const core::RegistrationCase& current = document_.current();
     const bool isNew = current.volume != shownVolume_;
     shownVolume_ = current.volume;
+    const bool hasLabels = current.vesselInput.kind == core::VesselInputKind::Segmentation;
+    const core::InputFile labels = hasLabels ? current.centerlineFile : core::InputFile();
+    const bool isNewLabels = labels != shownLabels_ && hasLabels;
+    shownLabels_ = labels;
     window_.slices().setTree(current.tree);
     window_.slices().setScan(current.volume, current.lumen);
     const bool hasScan = window_.slices().hasScan();
@@ -80,7 +84,7 @@ void SliceController::followDocument()
     window_.actions()[ui::Command::NextCornerView]->setEnabled(hasScan);
     if (!hasScan) {
         window_.actions()[ui::Command::SlicesLarge]->setChecked(false);
-    } else if (isNew && current.volume) {
+    } else if ((isNew && current.volume) || isNewLabels) {
         if (current.tree && !current.tree->branches.empty()) {
             goToBranch(current.tree->branches.front().id);
         }

@@ -31,6 +31,7 @@ private:
     ui::MainWindow& window_;
     std::set<int> selected_;   ///< last seen, to notice a new one
     std::shared_ptr<const core::Volume> shownVolume_;
+    core::InputFile shownLabels_;   ///< the label image the vessels come from
 };
 
 }   // namespace app

@@ -254,7 +254,7 @@ std::vector<std::uint8_t> sliceMask(const VoxelMask& mask, const SliceGrid& grid
 {
     const VoxelWalk walk = walkThrough(mask.geometry, grid);
     std::vector<std::uint8_t> pixels(static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height), 0);
-    const auto take = [&](std::size_t pixel, std::size_t voxel) { pixels[pixel] = mask.voxels[voxel] != 0 ? 1 : 0; };
+    const auto take = [&](std::size_t pixel, std::size_t voxel) { pixels[pixel] = mask.voxels[voxel]; };
     if (isEven(mask.geometry, walk, grid)) {
         forEven(mask.geometry, walk, grid, take);
     } else {

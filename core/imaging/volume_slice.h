@@ -60,7 +60,7 @@ int sliceIndex(const VolumeGeometry& geometry, BodyPlane plane, const Eigen::Vec
 /// Values at the pixels of a slice, linearly interpolated where these lie between voxels; NaN outside the volume.
 std::vector<float> sliceValues(const Volume& volume, const SliceGrid& grid);
 
-/// The mask at the pixels of a slice, by the nearest voxel; 0 outside.
+/// The mask as it is at the pixels of a slice, by the nearest voxel; 0 outside.
 std::vector<std::uint8_t> sliceMask(const VoxelMask& mask, const SliceGrid& grid);
 
 /// Value of the voxel that a point lies in; nothing outside.

@@ -1416,6 +1416,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Ready</source>
         <translation>Bereit</translation>
     </message>
+    <message>
+        <source>No label is ticked: tick those that are vessels.</source>
+        <translation>Kein Label ist angekreuzt: die ankreuzen, die Gefäße sind.</translation>
+    </message>
 </context>
 <context>
     <name>app::TreeActions</name>
@@ -5188,6 +5192,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Colours of vessels and residuals</source>
         <translation>Farben von Gefäßen und Abständen</translation>
     </message>
+    <message>
+        <source>Choose the labels that are vessels</source>
+        <translation>Labels wählen, die Gefäße sind</translation>
+    </message>
 </context>
 <context>
     <name>ui::ConvergencePlot</name>
@@ -6082,6 +6090,61 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>The key is “%1” now.</source>
         <translation>Die Taste ist jetzt „%1“.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::LabelChoice</name>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>Label %1</source>
+        <translation>Label %1</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Ticks every label of the list</source>
+        <translation>Kreuzt jedes Label der Liste an</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Unticks every label of the list</source>
+        <translation>Nimmt das Kreuz von jedem Label der Liste</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>Gefäße</translation>
+    </message>
+    <message>
+        <source>Ticks those that are vessels by their names</source>
+        <translation>Kreuzt die an, die dem Namen nach Gefäße sind</translation>
+    </message>
+    <message>
+        <source>Find a label</source>
+        <translation>Label suchen</translation>
+    </message>
+    <message>
+        <source>Labels that are vessels</source>
+        <translation>Labels, die Gefäße sind</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Labels</translation>
+    </message>
+    <message>
+        <source>Reading the labels …</source>
+        <translation>Die Labels werden gelesen …</translation>
+    </message>
+    <message>
+        <source>%1 of %2 ticked, %3</source>
+        <translation>%1 von %2 angekreuzt, %3</translation>
     </message>
 </context>
 <context>

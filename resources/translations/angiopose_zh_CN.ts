@@ -1416,6 +1416,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Ready</source>
         <translation>就绪</translation>
     </message>
+    <message>
+        <source>No label is ticked: tick those that are vessels.</source>
+        <translation>没有勾选标签：请勾选属于血管的标签。</translation>
+    </message>
 </context>
 <context>
     <name>app::TreeActions</name>
@@ -5188,6 +5192,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Colours of vessels and residuals</source>
         <translation>血管与残差的颜色</translation>
     </message>
+    <message>
+        <source>Choose the labels that are vessels</source>
+        <translation>选择属于血管的标签</translation>
+    </message>
 </context>
 <context>
     <name>ui::ConvergencePlot</name>
@@ -6082,6 +6090,61 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>The key is “%1” now.</source>
         <translation>快捷键现为“%1”。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::LabelChoice</name>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>Label %1</source>
+        <translation>标签 %1</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全选</translation>
+    </message>
+    <message>
+        <source>Ticks every label of the list</source>
+        <translation>勾选列表中的所有标签</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>全不选</translation>
+    </message>
+    <message>
+        <source>Unticks every label of the list</source>
+        <translation>取消勾选列表中的所有标签</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>血管</translation>
+    </message>
+    <message>
+        <source>Ticks those that are vessels by their names</source>
+        <translation>勾选名称表明是血管的标签</translation>
+    </message>
+    <message>
+        <source>Find a label</source>
+        <translation>查找标签</translation>
+    </message>
+    <message>
+        <source>Labels that are vessels</source>
+        <translation>属于血管的标签</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>Reading the labels …</source>
+        <translation>正在读取标签…</translation>
+    </message>
+    <message>
+        <source>%1 of %2 ticked, %3</source>
+        <translation>已勾选 %1 / %2，%3</translation>
     </message>
 </context>
 <context>

@@ -90,6 +90,20 @@ std::string namedFork(const TemporaryFolder& folder)
     return folder.write("fork.seg.nrrd", content);
 }
 
+TEST(LabelList, OverviewTellsWhereEachLabelLies)
+{
+    const TemporaryFolder folder;
+    const auto read = io::readLabelOverview(namedFork(folder));
+    ASSERT_TRUE(read) << read.error().message;
+    const io::LabelOverview& overview = read.value();
+    ASSERT_EQ(overview.labels.size(), 2U);
+    EXPECT_EQ(overview.labels[0].name, "hepatic artery");
+    EXPECT_EQ(overview.rows.rows.at(32, 18, 26), 1) << "in the trunk";
+    EXPECT_EQ(overview.rows.rows.at(32, 38, 26), 2) << "in the box";
+    EXPECT_LT(test::distanceToFork(overview.rows.middlesInPatient[0]), 4.0);
+    EXPECT_FALSE(io::readLabelOverview(folder.file("nowhere.nrrd")));
+}
+
 TEST(LabelList, TracingTakesTheVesselsAndSaysSo)
 {
     const TemporaryFolder folder;

@@ -24,6 +24,7 @@ enum class Command {
     CopyWindow,
     // Vessels
     TraceScan,
+    ChooseLabels,
     FindBranch,
     SelectAll,
     RenameBranch,

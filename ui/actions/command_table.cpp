@@ -46,6 +46,7 @@ std::span<const CommandRow> CommandTable::vesselsCommands()
 {
     static constexpr CommandRow rows[]{
         {Command::TraceScan, QT_TR_NOOP("Trace the scan again"), "Ctrl+T"},
+        {Command::ChooseLabels, QT_TR_NOOP("Choose the labels that are vessels"), "Ctrl+Shift+T"},
         {Command::FindBranch, QT_TR_NOOP("Find a branch"), "Ctrl+F", StartsGroup},
         {Command::SelectAll, QT_TR_NOOP("Select all branches"), "Ctrl+A"},
         {Command::RenameBranch, QT_TR_NOOP("Rename branch"), "F2"},

@@ -81,6 +81,31 @@ void SliceModel::setScan(std::shared_ptr<const core::Volume> volume, std::shared
     emit scanChanged();
 }
 
+void SliceModel::setLabels(LabelLayer labels)
+{
+    if (labels == labels_) {
+        return;
+    }
+    const bool isOtherMask = labels.rows != labels_.rows;
+    labels_ = std::move(labels);
+    if (isOtherMask) {
+        emit maskChanged();
+    }
+    emit lookChanged();
+}
+
+QString SliceModel::labelNameAt(const Eigen::Vector3d& pointInPatient) const
+{
+    if (!labels_.rows || labels_.names.isEmpty()) {
+        return {};
+    }
+    const core::VolumeGeometry& geometry = labels_.rows->geometry;
+    const Eigen::Vector3d at = geometry.patientFromVoxel().inverse() * pointInPatient;
+    const Eigen::Vector3i voxel = (at.array() + 0.5).floor().cast<int>();
+    const int row = geometry.contains(voxel) ? labels_.rows->at(voxel.x(), voxel.y(), voxel.z()) : 0;
+    return row > 0 ? labels_.names[std::min<qsizetype>(row, labels_.names.size()) - 1] : QString();
+}
+
 void SliceModel::setTree(std::shared_ptr<const core::VesselTree> tree)
 {
     if (tree != tree_) {

@@ -6,6 +6,7 @@
 #include "ui/slices/slice_picture.h"
 
 #include <QObject>
+#include <QStringList>
 
 #include <map>
 #include <memory>
@@ -24,6 +25,15 @@ struct SliceMark {
     bool operator==(const SliceMark&) const = default;
 };
 
+/// The labels of a label image, to be told apart in the slices.
+struct LabelLayer {
+    std::shared_ptr<const core::VoxelMask> rows;   ///< 1 + the place of a voxel's label below; the last for all beyond
+    std::vector<MaskTint> tints;
+    QStringList names;   ///< as many as tints
+
+    bool operator==(const LabelLayer&) const = default;
+};
+
 /// What all slice views show in common: the scan, what was traced in it, and the cross-hair that links them.
 class SliceModel : public QObject {
     Q_OBJECT
@@ -33,6 +43,7 @@ public:
     /// Either may be null; without a scan the lumen is shown alone. A new scan puts the cross-hair in its middle and
     /// chooses the window.
     void setScan(std::shared_ptr<const core::Volume> volume, std::shared_ptr<const core::VoxelMask> lumen);
+    void setLabels(LabelLayer labels);   ///< shown instead of the lumen; without rows that is shown again
     void setTree(std::shared_ptr<const core::VesselTree> tree);
     void setMarks(const BranchMarks& marks);
     void setPoints(SliceMarkKind kind, std::vector<SliceMark> points);   ///< replaces those of this kind
@@ -44,6 +55,9 @@ public:
     const core::VolumeGeometry* geometry() const;   ///< of the scan, or of the lumen; null without either
     const std::shared_ptr<const core::Volume>& volume() const { return volume_; }
     const std::shared_ptr<const core::VoxelMask>& lumen() const { return lumen_; }
+    const core::VoxelMask* mask() const { return labels_.rows ? labels_.rows.get() : lumen_.get(); }   ///< to be tinted
+    const std::vector<MaskTint>& labelTints() const { return labels_.tints; }   ///< empty: the mask is the lumen
+    QString labelNameAt(const Eigen::Vector3d& pointInPatient) const;   ///< empty where none is
     const core::VesselTree* tree() const { return tree_.get(); }
     const BranchMarks& marks() const { return marks_; }
     const std::map<SliceMarkKind, std::vector<SliceMark>>& points() const { return points_; }
@@ -54,6 +68,7 @@ public:
 
 signals:
     void scanChanged();
+    void maskChanged();   ///< labels instead of the lumen, or back
     void crosshairChanged();
     void lookChanged();   ///< window, preview
     void overlayChanged();   ///< branches, points
@@ -61,6 +76,7 @@ signals:
 private:
     std::shared_ptr<const core::Volume> volume_;
     std::shared_ptr<const core::VoxelMask> lumen_;
+    LabelLayer labels_;
     std::shared_ptr<const core::VesselTree> tree_;
     BranchMarks marks_;
     std::map<SliceMarkKind, std::vector<SliceMark>> points_;

@@ -43,26 +43,30 @@ std::vector<Station> stationsAlong(int screenPx, int slicePx, double first, doub
 /// Grey levels of window and tints, one table for each tint: the picture is made of look-ups.
 class ToneTable {
 public:
-    ToneTable(const SliceTints& tints)
+    ToneTable(const SliceTints& tints) : lastTint_(tints.mask.size())
     {
-        for (int grey = 0; grey < 256; ++grey) {
-            const auto at = static_cast<std::size_t>(grey);
-            const auto level = static_cast<std::uint8_t>(grey);
-            const Color plain{level, level, level};
-            tones_[0][at] = rgb(plain);
-            tones_[1][at] = rgb(mixed(plain, tints.lumen, tints.opacity));
-            tones_[2][at] = rgb(mixed(plain, tints.preview, tints.opacity));
-            tones_[3][at] = rgb(mixed(mixed(plain, tints.lumen, tints.opacity), tints.preview, tints.opacity));
+        for (std::size_t value = 0; value <= lastTint_; ++value) {
+            const MaskTint tint = value == 0 ? MaskTint{{}, 0.0} : tints.mask[value - 1];
+            for (const MaskTint& above : {MaskTint{{}, 0.0}, tints.preview}) {
+                auto& tones = tones_.emplace_back();
+                for (std::size_t grey = 0; grey < tones.size(); ++grey) {
+                    const auto level = static_cast<std::uint8_t>(grey);
+                    const Color below = mixed({level, level, level}, tint.color, tint.opacity);
+                    tones[grey] = rgb(mixed(below, above.color, above.opacity));
+                }
+            }
         }
     }
-    QRgb operator()(int grey, bool isLumen, bool isPreview) const
+    QRgb operator()(int grey, std::uint8_t mask, bool isPreview) const
     {
-        return tones_[(isLumen ? 1U : 0U) + (isPreview ? 2U : 0U)][static_cast<std::size_t>(grey)];
+        const std::size_t tint = std::min<std::size_t>(mask, lastTint_);
+        return tones_[2 * tint + (isPreview ? 1U : 0U)][static_cast<std::size_t>(grey)];
     }
 
 private:
     static QRgb rgb(const Color& color) { return qRgb(color.red, color.green, color.blue); }
-    std::array<std::array<QRgb, 256>, 4> tones_{};
+    std::size_t lastTint_;
+    std::vector<std::array<QRgb, 256>> tones_;   ///< of each mask value without and with the preview
 };
 
 /// Two neighbouring rows of the slice mixed into one.
@@ -98,7 +102,7 @@ struct RowPainter {
     float offset;
     float previewFrom;
 
-    void paint(const float* values, const std::uint8_t* lumen, QRgb* pixels) const
+    void paint(const float* values, const std::uint8_t* mask, QRgb* pixels) const
     {
         for (std::size_t x = 0; x < columns.size(); ++x) {
             const Station& at = columns[x];
@@ -112,8 +116,7 @@ struct RowPainter {
                 const float scaled = value * scale + offset;
                 grey = scaled > 255.0F ? 255 : scaled > 0.0F ? static_cast<int>(scaled) : 0;   // NaN is black
             }
-            const bool isLumen = lumen != nullptr && lumen[at.nearest] != 0;
-            pixels[x] = tones(grey, isLumen, value >= previewFrom);
+            pixels[x] = tones(grey, mask != nullptr ? mask[at.nearest] : std::uint8_t{0}, value >= previewFrom);
         }
     }
 };
@@ -126,7 +129,7 @@ void paintRow(const SliceContent& content, const Station& row, const RowPainter&
         mixRows(content, row, mixed);
     }
     const std::size_t nearest = static_cast<std::size_t>(row.nearest) * static_cast<std::size_t>(content.grid.width);
-    painter.paint(hasValues ? mixed.data() : nullptr, content.lumen.empty() ? nullptr : content.lumen.data() + nearest,
+    painter.paint(hasValues ? mixed.data() : nullptr, content.mask.empty() ? nullptr : content.mask.data() + nearest,
                   pixels);
 }
 

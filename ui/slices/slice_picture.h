@@ -19,17 +19,23 @@ struct GreyWindow {
     bool operator==(const GreyWindow&) const = default;
 };
 
-/// What a slice holds; values and lumen are empty where there is no scan or nothing was traced.
+/// What a slice holds; values and mask are empty where there is no scan or nothing was traced.
 struct SliceContent {
     core::SliceGrid grid;
     std::vector<float> values;
-    std::vector<std::uint8_t> lumen;
+    std::vector<std::uint8_t> mask;   ///< the lumen, or which label
+};
+
+struct MaskTint {
+    Color color;
+    double opacity = 0.35;
+
+    bool operator==(const MaskTint&) const = default;
 };
 
 struct SliceTints {
-    Color lumen;
-    Color preview;
-    double opacity = 0.35;
+    std::vector<MaskTint> mask;   ///< of mask value 1, 2, …; the last of all values from there on
+    MaskTint preview;
     std::optional<double> previewFrom;   ///< tints what is not below this value
 };
 

@@ -8,9 +8,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ui {
 namespace {
+
+constexpr double aloneOpacity = 0.6;   // of tints without a scan below them
+constexpr double tintOpacity = 0.28;
 
 Eigen::Vector2d toVector(const QPointF& point)
 {
@@ -41,6 +45,10 @@ SliceView::SliceView(SliceModel& model, core::BodyPlane plane, QWidget* parent)
     connect(&model, &SliceModel::scanChanged, this, [this] {
         isContentStale_ = true;
         fit();
+    });
+    connect(&model, &SliceModel::maskChanged, this, [this] {
+        isContentStale_ = true;
+        update();
     });
     connect(&model, &SliceModel::crosshairChanged, this, qOverload<>(&QWidget::update));
     connect(&model, &SliceModel::overlayChanged, this, qOverload<>(&QWidget::update));
@@ -88,7 +96,7 @@ void SliceView::cut()
     }
     content_.grid = grid;
     content_.values = model_.volume() ? core::sliceValues(*model_.volume(), grid) : std::vector<float>{};
-    content_.lumen = model_.lumen() ? core::sliceMask(*model_.lumen(), grid) : std::vector<std::uint8_t>{};
+    content_.mask = model_.mask() ? core::sliceMask(*model_.mask(), grid) : std::vector<std::uint8_t>{};
     isContentStale_ = false;
     isPictureStale_ = true;
 }
@@ -107,8 +115,15 @@ void SliceView::drawPicture()
         return;
     }
     const Palette& tones = ui::palette(ThemeMode::Dark);
-    const bool isAlone = content_.values.empty();
-    const SliceTints tints{tones.accent, tones.attention, isAlone ? 0.6 : 0.28, model_.previewFrom()};
+    const double opacity = content_.values.empty() ? aloneOpacity : tintOpacity;
+    std::vector<MaskTint> mask = model_.labelTints();
+    for (MaskTint& tint : mask) {   // given as without a scan below them
+        tint.opacity *= opacity / aloneOpacity;
+    }
+    if (mask.empty()) {
+        mask.push_back({tones.accent, opacity});
+    }
+    const SliceTints tints{std::move(mask), {tones.attention, opacity}, model_.previewFrom()};
     picture_ = slicePicture(content_, model_.window(), tints, viewport_, deviceSize, ratio);
     picture_.setDevicePixelRatio(ratio);
     isPictureStale_ = false;
@@ -154,15 +169,17 @@ QString SliceView::sliceText() const
 QStringList SliceView::placeTexts() const
 {
     const Eigen::Vector3d at = pointer_ ? patientFromWidget(*pointer_) : model_.crosshair();
+    const QString label = model_.labelNameAt(at);
+    const QStringList labels = label.isEmpty() ? QStringList() : QStringList(label);
     if (!model_.volume()) {
-        return {positionText(at)};
+        return labels + QStringList(positionText(at));
     }
     const auto value = core::valueAt(*model_.volume(), at);
     const QString number = !value                  ? tr("outside")
                            : model_.isHounsfield() ? tr("%1 HU").arg(*value, 0, 'f', 0)
                                                    : QString::number(*value, 'f', 0);
     const QString window = tr("W %1 L %2").arg(model_.window().width, 0, 'f', 0).arg(model_.window().level, 0, 'f', 0);
-    return {number + QStringLiteral(" · ") + window, positionText(at)};
+    return labels + QStringList{number + QStringLiteral(" · ") + window, positionText(at)};
 }
 
 QPointF SliceView::widgetFromPatient(const Eigen::Vector3d& pointInPatient) const

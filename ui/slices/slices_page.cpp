@@ -6,6 +6,8 @@
 #include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 namespace ui {
@@ -40,7 +42,16 @@ SlicesPage::SlicesPage(SliceModel& model, QWidget* parent) : QWidget(parent), mo
 
 void SlicesPage::setSidePanel(QWidget* panel)
 {
-    columns_->addWidget(panel);
+    auto* column = new QScrollArea;   // on low screens it is taller than the page
+    column->setProperty("role", "column");
+    column->setWidget(panel);
+    column->setWidgetResizable(true);
+    column->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    column->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
+    const int scrollBar = column->verticalScrollBar()->sizeHint().width();
+    column->setMinimumWidth(panel->minimumWidth() + scrollBar);
+    column->setMaximumWidth(panel->maximumWidth() + scrollBar);
+    columns_->addWidget(column);
 }
 
 QWidget* SlicesPage::makeBar()

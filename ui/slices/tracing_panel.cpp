@@ -1,6 +1,7 @@
 #include "ui/slices/tracing_panel.h"
 
 #include "ui/panels/number_field.h"
+#include "ui/slices/label_choice.h"
 #include "ui/words/spoken.h"
 
 #include <QCheckBox>
@@ -19,7 +20,8 @@ namespace ui {
 namespace {
 
 constexpr int listHeight = 96;
-constexpr int panelWidth = 250;
+constexpr int leastWidth = 250;
+constexpr int greatestWidth = 300;   // room for names and volumes of labels
 
 QPushButton* switchButton(const Words& text, const Words& tip)
 {
@@ -50,6 +52,7 @@ QString pointText(const QString& kind, const Eigen::Vector3d& point)
 TracingPanel::TracingPanel(QWidget* parent)
     : Section(
           "tracing", [] { return tr("Trace vessels"); }, Folding::Fixed, parent),
+      labels_(new LabelChoice),
       thresholdBox_(new QWidget),
       automatic_(withText(new QCheckBox, [] { return tr("Automatic threshold"); })),
       threshold_(new NumberField({-32768.0, 65535.0, 0, QString(), 5.0})),
@@ -76,6 +79,7 @@ TracingPanel::TracingPanel(QWidget* parent)
     auto* box = new QVBoxLayout(thresholdBox_);
     box->setContentsMargins(0, 0, 0, 0);
     box->addLayout(thresholdRows());
+    contentLayout()->addWidget(labels_);
     contentLayout()->addWidget(thresholdBox_);
     contentLayout()->addLayout(pointRows());
     contentLayout()->addLayout(limitRows());
@@ -83,7 +87,8 @@ TracingPanel::TracingPanel(QWidget* parent)
     note_->setWordWrap(true);
     contentLayout()->addWidget(note_);
     contentLayout()->addStretch(1);
-    setFixedWidth(panelWidth);
+    setMinimumWidth(leastWidth);
+    setMaximumWidth(greatestWidth);
     showOptions({});
     showRange(std::nullopt, {});
     speak(this, [this] {
@@ -312,6 +317,7 @@ void TracingPanel::updateButtons()
     trace_->setEnabled(!running_ && whyNot_.isEmpty());
     trace_->setText(running_ ? tr("Tracing …") : tr("Trace"));
     stop_->setEnabled(running_);
+    labels_->setRunning(running_);
     seed_->setEnabled(!running_);
     avoid_->setEnabled(!running_);
     remove_->setEnabled(!running_ && points_->currentRow() >= 0);

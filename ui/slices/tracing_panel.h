@@ -12,6 +12,7 @@ class QSlider;
 
 namespace ui {
 
+class LabelChoice;
 class NumberField;
 
 /// What a click in a slice does.
@@ -27,6 +28,7 @@ public:
     void showOptions(const core::VesselTracingOptions& options);   ///< silent
     /// Values that a threshold can have; nothing: what is traced has no values (labels, surface).
     void showRange(std::optional<std::pair<double, double>> range, const QString& unit);
+    LabelChoice& labels() { return *labels_; }
     void showFound(std::optional<double> threshold);   ///< what "automatic" comes to, when known
     void showPick(TracingPick pick);
     void showWhyNot(const QString& reason);   ///< empty: can be traced
@@ -61,6 +63,7 @@ private:
     QString whyNot_;
     bool running_ = false;
     bool hasValues_ = false;
+    LabelChoice* labels_;
     QWidget* thresholdBox_;
     QCheckBox* automatic_;
     NumberField* threshold_;

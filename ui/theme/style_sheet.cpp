@@ -63,6 +63,10 @@ QAbstractItemView { background: @panel@; border: none; alternate-background-colo
 QAbstractItemView::item { padding: 3px 6px; border: none; }
 QAbstractItemView::item:hover { background: @rowHover@; }
 QAbstractItemView::item:selected { background: @row@; color: @textStrong@; }
+QAbstractItemView::indicator { width: 14px; height: 14px; border: 1px solid @hint@; border-radius: 3px;
+  background: @field@; }
+QAbstractItemView::indicator:hover { border-color: @accent@; }
+QAbstractItemView::indicator:checked { border-color: @accent@; background: @accent@; image: url(:/icons/tick.svg); }
 QHeaderView::section { background: @panel@; color: @label@; border: none; padding: 4px 6px; }
 
 QScrollBar { background: transparent; margin: 0; }

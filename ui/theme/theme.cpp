@@ -49,6 +49,16 @@ constexpr Ramp blueAmber{dark.accent, {0x9d, 0xc2, 0xa6}, dark.attention, {0xe0,
 constexpr Ramp blueRed{{0x3f, 0x8c, 0xff}, {0xf2, 0xf2, 0xf2}, {0xff, 0x5a, 0x46}, {0xff, 0x3a, 0xd0}};
 constexpr Ramp brightness{{0x5c, 0x5c, 0x5c}, {0x98, 0x98, 0x98}, {0xd4, 0xd4, 0xd4}, {0xff, 0xff, 0xff}};
 
+// Neither the accent nor the attention tone; neighbours differ in brightness as well as in hue.
+constexpr std::array<Color, 8> labelColors{{{0xe6, 0x6a, 0x5c},
+                                            {0x5f, 0xc8, 0x8a},
+                                            {0x9a, 0x7c, 0xe8},
+                                            {0xe8, 0xd4, 0x6a},
+                                            {0x4a, 0x86, 0xd8},
+                                            {0xf0, 0x9c, 0xcc},
+                                            {0xa8, 0x78, 0x4c},
+                                            {0x86, 0xdc, 0xd8}}};
+
 std::atomic<ColorScheme> activeScheme{ColorScheme::BlueAmber};
 
 const Ramp& activeRamp()
@@ -108,6 +118,19 @@ Color residualColor(double fraction)
     const Ramp& ramp = activeRamp();
     const double f = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 1.0;
     return f < 0.5 ? mixed(ramp.fits, ramp.middle, 2.0 * f) : mixed(ramp.middle, ramp.end, 2.0 * f - 1.0);
+}
+
+Color labelColor(std::size_t place)
+{
+    const Color& own = labelColors[place % labelColors.size()];
+    switch (place / labelColors.size() % 3) {   // lighter, then darker before the colours come again
+        case 0:
+            return own;
+        case 1:
+            return mixed(own, dark.textStrong, 0.45);
+        default:
+            return mixed(own, dark.canvas, 0.2);
+    }
 }
 
 Color residualColorAboveScale()

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -53,6 +54,10 @@ Color residualColor(double fraction);
 
 /// For residuals that lie above the end of the scale.
 Color residualColorAboveScale();
+
+/// Tells the labels of a label image apart, by their places in the list; on black and on panels alike. Far places
+/// share colours.
+Color labelColor(std::size_t place);
 
 /// Style sheet of the whole application for a palette.
 std::string styleSheet(const Palette& palette);

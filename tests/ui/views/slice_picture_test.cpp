@@ -57,9 +57,9 @@ TEST(SlicePicture, ShowsTheWindowAndInterpolates)
 TEST(SlicePicture, TintsLumenAndWhatIsAboveTheThreshold)
 {
     SliceContent content = ramp();
-    content.lumen.assign(64, 0);
-    content.lumen[8 * 4 + 1] = 1;
-    SliceTints tints{{0, 0, 255}, {255, 0, 0}, 0.5, 450.0};
+    content.mask.assign(64, 0);
+    content.mask[8 * 4 + 1] = 1;
+    SliceTints tints{{{{0, 0, 255}, 0.5}}, {{255, 0, 0}, 0.5}, 450.0};
     const QImage picture = slicePicture(content, wholeRamp, tints, fittedViewport(), {80, 160}, 1.0);
     EXPECT_GT(qBlue(middleOf(picture, 1, 4)), qRed(middleOf(picture, 1, 4)));
     EXPECT_EQ(qBlue(middleOf(picture, 1, 3)), qRed(middleOf(picture, 1, 3)));
@@ -67,11 +67,27 @@ TEST(SlicePicture, TintsLumenAndWhatIsAboveTheThreshold)
     EXPECT_GT(qRed(middleOf(picture, 5, 4)), qBlue(middleOf(picture, 5, 4)));
 }
 
+TEST(SlicePicture, TintsEachLabelInItsColour)
+{
+    SliceContent content = ramp();
+    content.values.clear();
+    content.mask.assign(64, 0);
+    content.mask[8 * 4 + 1] = 1;
+    content.mask[8 * 4 + 3] = 2;
+    content.mask[8 * 4 + 5] = 200;   // beyond the tints: the last of them
+    const SliceTints tints{{{{0, 0, 255}, 1.0}, {{0, 200, 0}, 0.5}}, {}, std::nullopt};
+    const QImage picture = slicePicture(content, wholeRamp, tints, fittedViewport(), {80, 160}, 1.0);
+    EXPECT_EQ(middleOf(picture, 0, 4), qRgb(0, 0, 0));
+    EXPECT_EQ(middleOf(picture, 1, 4), qRgb(0, 0, 255));
+    EXPECT_EQ(middleOf(picture, 3, 4), qRgb(0, 100, 0));
+    EXPECT_EQ(middleOf(picture, 5, 4), middleOf(picture, 3, 4));
+}
+
 TEST(SlicePicture, IsBlackOutsideTheScan)
 {
     SliceContent content = ramp();
     content.values[0] = std::numeric_limits<float>::quiet_NaN();
-    const SliceTints everything{{0, 0, 255}, {255, 0, 0}, 0.5, -1e9};
+    const SliceTints everything{{{{0, 0, 255}, 0.5}}, {{255, 0, 0}, 0.5}, -1e9};
     const QImage picture = slicePicture(content, {10.0, -90.0}, everything, fittedViewport(), {200, 160}, 1.0);
     EXPECT_EQ(middleOf(picture, 0, 0), qRgb(0, 0, 0));
     EXPECT_NE(middleOf(picture, 4, 4), qRgb(0, 0, 0));

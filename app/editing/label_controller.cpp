@@ -1,0 +1,143 @@
+#include "app/editing/label_controller.h"
+
+#include "ui/main_window.h"
+#include "ui/slices/label_choice.h"
+#include "ui/slices/slices_page.h"
+#include "ui/words/core_texts.h"
+#include "ui/words/spoken.h"
+
+namespace app {
+namespace {
+
+constexpr double tickedOpacity = 0.75;
+constexpr double otherOpacity = 0.2;
+
+ui::LabelRow rowOf(const io::ListedLabel& label, std::size_t place)
+{
+    return {label.label, QString::fromStdString(label.name), label.volumeMl, ui::labelColor(place)};
+}
+
+}   // namespace
+
+LabelController::LabelController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
+    : QObject(parent), document_(document), window_(window)
+{
+    ui::LabelChoice& choice = window.tracing().labels();
+    QAction* large = window.actions()[ui::Command::SlicesLarge];
+    QAction* choose = window.actions()[ui::Command::ChooseLabels];
+    connect(&document, &CaseDocument::changed, this, &LabelController::followDocument);
+    connect(large, &QAction::toggled, this, &LabelController::readIfWanted);
+    connect(choose, &QAction::triggered, this, [large, &choice] {
+        large->setChecked(true);
+        choice.focusList();
+    });
+    connect(&choice, &ui::LabelChoice::chosenEdited, this, &LabelController::setDraft);
+    connect(&choice, &ui::LabelChoice::rowShown, this, [this](int row) {
+        const auto place = static_cast<std::size_t>(row);
+        if (overview_ && place < overview_->middlesInPatient.size()) {
+            window_.slices().setCrosshair(overview_->middlesInPatient[place]);
+        }
+    });
+    connect(&job_, &LabelJob::finished, this, &LabelController::takeOverview);
+    connect(&job_, &LabelJob::failed, &choice,
+            [&choice](const QString& reason) { choice.showProblem(ui::coreText(reason.toStdString())); });
+    ui::speak(this, [this] { showTicks(); });
+    followDocument();
+}
+
+std::vector<int> LabelController::draft() const
+{
+    return isEdited_ ? std::vector<int>(ticked_.begin(), ticked_.end()) : shownLabels_;
+}
+
+void LabelController::followDocument()
+{
+    const core::RegistrationCase& current = document_.current();
+    const bool isLabels = current.vesselInput.kind == core::VesselInputKind::Segmentation;
+    const core::InputFile file = isLabels ? current.centerlineFile : core::InputFile();
+    window_.actions()[ui::Command::ChooseLabels]->setEnabled(!file.path.empty());
+    if (file != shownFile_) {
+        shownFile_ = file;
+        job_.drop();
+        overview_.reset();
+        window_.slices().setLabels({});
+        if (file.path.empty()) {
+            window_.tracing().labels().showNothing();
+        } else {
+            window_.tracing().labels().showReading();
+        }
+        shownLabels_ = current.vesselInput.labels;
+        isEdited_ = false;
+        readIfWanted();
+    } else if (current.vesselInput.labels != shownLabels_) {
+        shownLabels_ = current.vesselInput.labels;
+        takeTicksOfCase();
+    }
+}
+
+/// A label image can be large: it is read for the list when that is in sight.
+void LabelController::readIfWanted()
+{
+    const bool isInSight = window_.actions()[ui::Command::SlicesLarge]->isChecked();
+    if (isInSight && !shownFile_.path.empty() && !overview_ && !job_.isRunning()) {
+        job_.start(shownFile_.path);
+    }
+}
+
+void LabelController::takeOverview(const LabelOverview& overview)
+{
+    overview_ = overview;
+    std::vector<ui::LabelRow> rows;
+    for (const io::ListedLabel& label : overview.labels) {
+        rows.push_back(rowOf(label, rows.size()));
+    }
+    window_.tracing().labels().showLabels(std::move(rows), overview.vessels);
+    takeTicksOfCase();
+    emit edited();
+}
+
+/// What the labels of the case come to: none named, those that are vessels by their names, else all.
+void LabelController::takeTicksOfCase()
+{
+    isEdited_ = false;
+    if (!overview_) {
+        return;
+    }
+    ticked_ = {shownLabels_.begin(), shownLabels_.end()};
+    if (ticked_.empty()) {
+        ticked_ = overview_->vessels;
+    }
+    for (const io::ListedLabel& label : overview_->labels) {
+        if (shownLabels_.empty() && overview_->vessels.empty()) {
+            ticked_.insert(label.label);
+        }
+    }
+    showTicks();
+}
+
+void LabelController::setDraft(const std::set<int>& labels)
+{
+    ticked_ = labels;
+    isEdited_ = true;
+    showTicks();
+    emit edited();
+}
+
+/// The ticks in the list and in the slices.
+void LabelController::showTicks()
+{
+    if (!overview_) {
+        return;
+    }
+    window_.tracing().labels().showChosen(ticked_);
+    ui::LabelLayer layer{overview_->rows, {}, {}};
+    for (const io::ListedLabel& label : overview_->labels) {
+        const std::size_t place = layer.tints.size();
+        const bool isTicked = ticked_.contains(label.label);
+        layer.tints.push_back({ui::labelColor(place), isTicked ? tickedOpacity : otherOpacity});
+        layer.names << textOf(rowOf(label, place));
+    }
+    window_.slices().setLabels(std::move(layer));
+}
+
+}   // namespace app

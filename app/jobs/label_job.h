@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/support/result.h"
+#include "io/label_list.h"
+
+#include <QFutureWatcher>
+#include <QObject>
+
+#include <atomic>
+#include <memory>
+#include <set>
+
+namespace app {
+
+/// What there is to choose from in a label image.
+struct LabelOverview {
+    std::vector<io::ListedLabel> labels;
+    std::set<int> vessels;   ///< by their names; empty where no name says so
+    std::shared_ptr<const core::VoxelMask> rows;   ///< see core::LabelRows
+    std::vector<Eigen::Vector3d> middlesInPatient;
+};
+
+/// Reads what labels there are off the GUI thread. A later start drops an earlier one, as does destruction.
+class LabelJob : public QObject {
+    Q_OBJECT
+public:
+    explicit LabelJob(QObject* parent = nullptr);
+    ~LabelJob() override;
+
+    void start(const std::string& path);
+    void drop();   ///< nothing comes any more
+    bool isRunning() const { return isDropped_ != nullptr; }
+
+signals:
+    void finished(const app::LabelOverview& overview);
+    void failed(const QString& reason);
+
+private:
+    std::shared_ptr<std::atomic<bool>> isDropped_;   ///< of the running read; null without one
+};
+
+}   // namespace app

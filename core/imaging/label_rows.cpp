@@ -1,0 +1,63 @@
+#include "core/imaging/label_rows.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace core {
+namespace {
+
+constexpr std::uint8_t lastRow = 255;
+constexpr std::size_t labelCount = std::size_t{1} << 16U;
+
+/// Calls `visit` with the place of each labelled voxel's label in the list and with its indices.
+template <class Visit>
+void forEachLabelled(const LabelVolume& image, const std::vector<std::size_t>& placeOf, const Visit& visit)
+{
+    std::size_t at = 0;
+    for (int k = 0; k < image.geometry.size.z(); ++k) {
+        for (int j = 0; j < image.geometry.size.y(); ++j) {
+            for (int i = 0; i < image.geometry.size.x(); ++i, ++at) {
+                if (const std::size_t place = placeOf[image.voxels[at]]; place > 0) {
+                    visit(place - 1, Eigen::Vector3d(i, j, k), at);
+                }
+            }
+        }
+    }
+}
+
+}   // namespace
+
+LabelRows labelRows(const LabelVolume& image, const std::vector<int>& labels)
+{
+    std::vector<std::size_t> placeOf(labelCount, 0);   // 0: not listed
+    for (std::size_t place = 0; place < labels.size(); ++place) {
+        placeOf[static_cast<std::size_t>(labels[place])] = place + 1;
+    }
+    LabelRows result{VoxelMask(image.geometry), {}};
+    std::vector<Eigen::Vector3d> means(labels.size(), Eigen::Vector3d::Zero());
+    std::vector<double> counts(labels.size(), 0.0);
+    forEachLabelled(image, placeOf, [&](std::size_t place, const Eigen::Vector3d& voxel, std::size_t at) {
+        result.rows.voxels[at] = static_cast<std::uint8_t>(std::min<std::size_t>(place + 1, lastRow));
+        means[place] += voxel;
+        counts[place] += 1.0;
+    });
+    for (std::size_t place = 0; place < labels.size(); ++place) {
+        means[place] /= std::max(counts[place], 1.0);
+    }
+    const Eigen::Vector3d& spacingMm = image.geometry.spacingMm;
+    std::vector<Eigen::Vector3d> nearest = means;
+    std::vector<double> distances(labels.size(), std::numeric_limits<double>::infinity());
+    forEachLabelled(image, placeOf, [&](std::size_t place, const Eigen::Vector3d& voxel, std::size_t) {
+        const double distance = (voxel - means[place]).cwiseProduct(spacingMm).squaredNorm();
+        if (distance < distances[place]) {
+            distances[place] = distance;
+            nearest[place] = voxel;
+        }
+    });
+    for (const Eigen::Vector3d& voxel : nearest) {
+        result.middlesInPatient.emplace_back(image.geometry.patientFromVoxel() * voxel);
+    }
+    return result;
+}
+
+}   // namespace core

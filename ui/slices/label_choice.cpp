@@ -1,0 +1,294 @@
+#include "ui/slices/label_choice.h"
+
+#include "ui/panels/section.h"
+#include "ui/theme/active_theme.h"
+#include "ui/words/spoken.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QPainter>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace ui {
+namespace {
+
+constexpr int mostRows = 10;   // seen at a time
+constexpr int leastRows = 3;
+constexpr int filteredFrom = 9;   // labels; fewer are seen at once
+constexpr int rowPadding = 8;
+constexpr int swatchPx = 10;
+constexpr int labelRole = Qt::UserRole;
+
+enum Column { Name, Volume };
+
+QIcon swatch(const Color& color, double devicePxPerPx)
+{
+    QPixmap pixmap(QSize(swatchPx, swatchPx) * devicePxPerPx);
+    pixmap.setDevicePixelRatio(devicePxPerPx);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(toQColor(color));
+    painter.drawRoundedRect(QRectF(0, 0, swatchPx, swatchPx), 2.0, 2.0);
+    return pixmap;
+}
+
+QString volumeText(double volumeMl)
+{
+    return LabelChoice::tr("%1 ml").arg(volumeMl, 0, 'f', volumeMl < 10.0 ? 2 : volumeMl < 100.0 ? 1 : 0);
+}
+
+QPushButton* link(const Words& text, const Words& tip)
+{
+    auto* button = withTip(withText(new QPushButton, text), tip);
+    button->setProperty("role", "link");
+    return button;
+}
+
+}   // namespace
+
+QString textOf(const LabelRow& row)
+{
+    return row.name.isEmpty() ? LabelChoice::tr("Label %1").arg(row.label)
+                              : QStringLiteral("%1  %2").arg(row.label).arg(row.name);
+}
+
+LabelChoice::LabelChoice(QWidget* parent)
+    : QWidget(parent),
+      all_(link([] { return tr("All"); }, [] { return tr("Ticks every label of the list"); })),
+      none_(link([] { return tr("None"); }, [] { return tr("Unticks every label of the list"); })),
+      vessels_(link([] { return tr("Vessels"); }, [] { return tr("Ticks those that are vessels by their names"); })),
+      filter_(new QLineEdit),
+      list_(new QTreeWidget),
+      sum_(roleLabel("hint"))
+{
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addLayout(headRow());
+    layout->addWidget(filter_);
+    layout->addWidget(list_);
+    layout->addWidget(sum_);
+    filter_->setClearButtonEnabled(true);
+    withName(filter_, [] { return tr("Find a label"); });
+    withName(list_, [] { return tr("Labels that are vessels"); });
+    list_->setRootIsDecorated(false);
+    list_->setIndentation(0);
+    list_->setUniformRowHeights(true);
+    list_->setHeaderHidden(true);
+    list_->setColumnCount(2);
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list_->header()->setMinimumSectionSize(1);
+    list_->header()->setStretchLastSection(false);
+    list_->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
+    list_->header()->setSectionResizeMode(Volume, QHeaderView::ResizeToContents);
+    connect(filter_, &QLineEdit::textChanged, this, &LabelChoice::filter);
+    connect(list_, &QTreeWidget::itemChanged, this, &LabelChoice::takeTicks);
+    connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+        if (item) {
+            emit rowShown(list_->indexOfTopLevelItem(item));
+        }
+    });
+    sum_->setWordWrap(true);
+    showNothing();
+    speak(this, [this] {
+        filter_->setPlaceholderText(tr("Find a label"));
+        sayTexts();
+    });
+}
+
+QLayout* LabelChoice::headRow()
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(0);
+    row->addWidget(withText(roleLabel("label"), [] { return tr("Labels"); }), 1);
+    row->addWidget(vessels_);
+    row->addWidget(all_);
+    row->addWidget(none_);
+    connect(all_, &QPushButton::clicked, this, [this] { choose(true); });
+    connect(none_, &QPushButton::clicked, this, [this] { choose(false); });
+    connect(vessels_, &QPushButton::clicked, this, [this] { choose(std::nullopt); });
+    return row;
+}
+
+void LabelChoice::showReading()
+{
+    isReading_ = true;
+    problem_.clear();
+    replaceRows({}, {});
+    show();
+}
+
+void LabelChoice::showProblem(const QString& reason)
+{
+    isReading_ = false;
+    problem_ = reason;
+    replaceRows({}, {});
+    show();
+}
+
+void LabelChoice::showNothing()
+{
+    replaceRows({}, {});
+    hide();
+}
+
+void LabelChoice::showLabels(std::vector<LabelRow> rows, std::set<int> suggested)
+{
+    isReading_ = false;
+    problem_.clear();
+    replaceRows(std::move(rows), std::move(suggested));
+    show();
+}
+
+void LabelChoice::replaceRows(std::vector<LabelRow> rows, std::set<int> suggested)
+{
+    rows_ = std::move(rows);
+    suggested_ = std::move(suggested);
+    vessels_->setVisible(!suggested_.empty());
+    filter_->setVisible(rows_.size() >= filteredFrom);
+    fill();
+}
+
+void LabelChoice::showChosen(const std::set<int>& labels)
+{
+    chosen_ = labels;
+    setTicks();
+    showFirstTicked();
+}
+
+/// Of many labels a few are ticked: they are not to be searched for. A row that the user is at stays in sight.
+void LabelChoice::showFirstTicked()
+{
+    const auto first = std::ranges::find_if(rows_, [this](const LabelRow& row) { return chosen_.contains(row.label); });
+    if (first != rows_.end() && !list_->currentItem()) {
+        list_->scrollToItem(list_->topLevelItem(static_cast<int>(first - rows_.begin())),
+                            QAbstractItemView::PositionAtCenter);
+    }
+}
+
+void LabelChoice::setRunning(bool running)
+{
+    list_->setEnabled(!running);
+    for (QPushButton* button : {all_, none_, vessels_}) {
+        button->setEnabled(!running);
+    }
+}
+
+void LabelChoice::focusList()
+{
+    list_->setFocus(Qt::OtherFocusReason);
+}
+
+void LabelChoice::fill()
+{
+    const QSignalBlocker quiet(list_);
+    list_->clear();
+    for (const LabelRow& row : rows_) {
+        auto* item = new QTreeWidgetItem(list_);
+        item->setData(Name, labelRole, row.label);
+        item->setIcon(Name, swatch(row.color, devicePixelRatioF()));
+        item->setTextAlignment(Volume, Qt::AlignRight | Qt::AlignVCenter);
+        item->setSizeHint(Name, {0, list_->fontMetrics().height() + rowPadding});
+    }
+    {
+        const QSignalBlocker quietFilter(filter_);
+        filter_->clear();
+    }
+    fitHeight();
+    setTicks();
+}
+
+void LabelChoice::fitHeight()
+{
+    const int rowHeight = list_->fontMetrics().height() + rowPadding;
+    const int rows = std::clamp(static_cast<int>(rows_.size()), leastRows, mostRows);
+    list_->setMinimumHeight(leastRows * rowHeight);
+    list_->setMaximumHeight(rows * rowHeight);
+}
+
+void LabelChoice::filter(const QString& text)
+{
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const bool isWanted = textOf(rows_[i]).contains(text.trimmed(), Qt::CaseInsensitive);
+        list_->topLevelItem(static_cast<int>(i))->setHidden(!isWanted);
+    }
+}
+
+void LabelChoice::choose(std::optional<bool> ticked)
+{
+    std::set<int> wanted = ticked ? chosen_ : suggested_;
+    for (int i = 0; ticked && i < list_->topLevelItemCount(); ++i) {
+        const QTreeWidgetItem* item = list_->topLevelItem(i);
+        const int label = item->data(Name, labelRole).toInt();
+        if (item->isHidden()) {
+            continue;
+        }
+        if (*ticked) {
+            wanted.insert(label);
+        } else {
+            wanted.erase(label);
+        }
+    }
+    if (wanted != chosen_) {
+        showChosen(wanted);
+        emit chosenEdited(chosen_);
+    }
+}
+
+void LabelChoice::takeTicks()
+{
+    std::set<int> ticked;
+    for (int i = 0; i < list_->topLevelItemCount(); ++i) {
+        const QTreeWidgetItem* item = list_->topLevelItem(i);
+        if (item->checkState(Name) == Qt::Checked) {
+            ticked.insert(item->data(Name, labelRole).toInt());
+        }
+    }
+    if (ticked != chosen_) {
+        chosen_ = std::move(ticked);
+        sayTexts();
+        emit chosenEdited(chosen_);
+    }
+}
+
+void LabelChoice::setTicks()
+{
+    const QSignalBlocker quiet(list_);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        list_->topLevelItem(static_cast<int>(i))
+            ->setCheckState(Name, chosen_.contains(rows_[i].label) ? Qt::Checked : Qt::Unchecked);
+    }
+    list_->viewport()->update();   // the blocked signals would have said so
+    sayTexts();
+}
+
+void LabelChoice::sayTexts()
+{
+    const QSignalBlocker quiet(list_);
+    double volumeMl = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const LabelRow& row = rows_[i];
+        QTreeWidgetItem* item = list_->topLevelItem(static_cast<int>(i));
+        item->setText(Name, textOf(row));
+        item->setText(Volume, volumeText(row.volumeMl));
+        item->setToolTip(Name, textOf(row) + QStringLiteral(" · ") + volumeText(row.volumeMl));
+        const bool isChosen = chosen_.contains(row.label);
+        volumeMl += isChosen ? row.volumeMl : 0.0;
+        count += isChosen ? 1 : 0;
+    }
+    sum_->setText(isReading_ ? tr("Reading the labels …")
+                  : !problem_.isEmpty()
+                      ? problem_
+                      : tr("%1 of %2 ticked, %3").arg(count).arg(rows_.size()).arg(volumeText(volumeMl)));
+}
+
+}   // namespace ui
