@@ -62,8 +62,8 @@ void addTraceVessel(CLI::App& app, int& exitCode)
     command->add_option("--series", arguments->seriesId, "Which series of a DICOM folder; `info FOLDER` lists them");
     command->add_option("--threshold", arguments->tracing.threshold, "The lumen begins here (HU; default: found)");
     addPoints(command, "--seed", arguments->tracing.seedsInPatient,
-              "x,y,z (LPS mm): trace what is connected to it; one in the widest vessel also parts the vessels from the "
-              "heart and from veins they touch; may be repeated");
+              "x,y,z (LPS mm) anywhere in a vessel: trace what is connected to it; may be repeated (default: the great "
+              "vessel, aorta or main artery, is found)");
     addPoints(command, "--avoid", arguments->tracing.avoidInPatient,
               "x,y,z (LPS mm) in the heart, a vein or bone; may be repeated");
     addPoints(command, "--root", *root, "x,y,z (LPS mm): the tree begins at the end nearest to it");

@@ -4087,6 +4087,18 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>this is no volume that this program reads. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).</source>
         <translation>das ist kein Volumen, das dieses Programm liest. Einen DICOM-Ordner, NIfTI, NRRD oder MetaImage (.mha, .mhd) wählen.</translation>
     </message>
+    <message>
+        <source>No seed was placed, and nothing is like a great vessel: the largest piece was traced. Place a seed in the vessels if it is not them.</source>
+        <translation>Kein Startpunkt gesetzt, und nichts gleicht einem großen Gefäß: Das größte Stück wurde erfasst. Einen Startpunkt in die Gefäße setzen, wenn es nicht diese sind.</translation>
+    </message>
+    <message>
+        <source>No seed was placed: the great vessel at %1 mm (LPS) was found and traced. Place a seed in another vessel if it is the wrong one.</source>
+        <translation>Kein Startpunkt gesetzt: Das große Gefäß bei %1 mm (LPS) wurde gefunden und erfasst. Einen Startpunkt in ein anderes Gefäß setzen, wenn es das falsche ist.</translation>
+    </message>
+    <message>
+        <source>The seed %1 mm (LPS) lies in nothing filled: the vessel %2 mm away was taken.</source>
+        <translation>Der Startpunkt %1 mm (LPS) liegt in nichts Gefülltem: Das Gefäß im Abstand von %2 mm wurde genommen.</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

@@ -4087,6 +4087,18 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>this is no volume that this program reads. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).</source>
         <translation>这不是本程序可读取的体数据。请选择 DICOM 文件夹、NIfTI、NRRD 或 MetaImage（.mha、.mhd）。</translation>
     </message>
+    <message>
+        <source>No seed was placed, and nothing is like a great vessel: the largest piece was traced. Place a seed in the vessels if it is not them.</source>
+        <translation>未放置种子点，也没有类似大血管的结构：已提取最大的一块。如果它不是所需血管，请在血管中放置种子点。</translation>
+    </message>
+    <message>
+        <source>No seed was placed: the great vessel at %1 mm (LPS) was found and traced. Place a seed in another vessel if it is the wrong one.</source>
+        <translation>未放置种子点：已找到并提取位于 %1 mm（LPS）的大血管。如果不对，请在其他血管中放置种子点。</translation>
+    </message>
+    <message>
+        <source>The seed %1 mm (LPS) lies in nothing filled: the vessel %2 mm away was taken.</source>
+        <translation>种子点 %1 mm（LPS）处没有造影剂：已采用距其 %2 mm 的血管。</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

@@ -12,13 +12,47 @@ namespace core {
 namespace {
 
 constexpr double seedReachMm = 3.0;
+constexpr double farSeedReachMm = 10.0;   ///< to the core of a wide vessel, which begins two voxels inside its wall
 constexpr double worthMentioning = 0.05;   ///< of the voxels that are kept
 
-std::string coordinates(const Eigen::Vector3d& point)
+Eigen::Vector3d placeOf(const VolumeGeometry& grid, std::uint32_t voxel)
 {
-    char text[96];
-    std::snprintf(text, sizeof text, "(%.1f, %.1f, %.1f)", point.x(), point.y(), point.z());
-    return text;
+    const auto at = static_cast<std::int64_t>(voxel);
+    const std::int64_t row = at / grid.size.x();
+    return grid.patientFromVoxel() * Eigen::Vector3d(static_cast<double>(at % grid.size.x()),
+                                                     static_cast<double>(row % grid.size.y()),
+                                                     static_cast<double>(row / grid.size.y()));
+}
+
+/// Of those of at least `leastValue`.
+std::optional<std::uint32_t> nearestVoxel(const VoxelMask& mask, const Eigen::Vector3d& placeInPatient, double reachMm,
+                                          std::uint8_t leastValue)
+{
+    const VolumeGeometry& grid = mask.geometry;
+    const Eigen::Vector3d place = grid.patientFromVoxel().inverse() * placeInPatient;
+    const Eigen::Array3d reach = reachMm / grid.spacingMm.array() + 1.0;
+    const Eigen::Vector3i low = (place.array() - reach).floor().max(0.0).cast<int>();
+    const Eigen::Vector3i high = (place.array() + reach).ceil().min(grid.size.cast<double>().array() - 1.0).cast<int>();
+    std::optional<std::uint32_t> nearest;
+    double nearestMm = reachMm;
+    for (int k = low.z(); k <= high.z(); ++k) {
+        for (int j = low.y(); j <= high.y(); ++j) {
+            for (int i = low.x(); i <= high.x(); ++i) {
+                const double away = grid.spacingMm.cwiseProduct(Eigen::Vector3d(i, j, k) - place).norm();
+                if (mask.at(i, j, k) >= leastValue && away <= nearestMm) {
+                    nearestMm = away;
+                    nearest = static_cast<std::uint32_t>(grid.index(i, j, k));
+                }
+            }
+        }
+    }
+    return nearest;
+}
+
+Error noVesselAt(const Eigen::Vector3d& seed)
+{
+    return Error{"The seed " + placeText(seed) +
+                 " mm (LPS) lies in no vessel. Place it inside one, or lower the threshold."};
 }
 
 Result<std::set<std::size_t>> piecesWithSeeds(const VoxelMask& mask, const std::vector<VoxelPiece>& pieces,
@@ -28,8 +62,7 @@ Result<std::set<std::size_t>> piecesWithSeeds(const VoxelMask& mask, const std::
     for (const Eigen::Vector3d& seed : seedsInPatient) {
         const std::optional<std::uint32_t> voxel = voxelNear(mask, seed);
         if (!voxel) {
-            return Error{"The seed " + coordinates(seed) +
-                         " mm (LPS) lies in no vessel. Place it inside one, or lower the threshold."};
+            return noVesselAt(seed);
         }
         for (std::size_t p = 0; p < pieces.size(); ++p) {
             if (std::binary_search(pieces[p].begin(), pieces[p].end(), *voxel)) {
@@ -71,27 +104,37 @@ std::size_t keepOnly(VoxelMask& mask, const std::vector<VoxelPiece>& pieces, con
 
 }   // namespace
 
+std::string placeText(const Eigen::Vector3d& point)
+{
+    char text[96];
+    std::snprintf(text, sizeof text, "(%.1f, %.1f, %.1f)", point.x(), point.y(), point.z());
+    return text;
+}
+
 std::optional<std::uint32_t> voxelNear(const VoxelMask& mask, const Eigen::Vector3d& seedInPatient)
 {
-    const VolumeGeometry& grid = mask.geometry;
-    const Eigen::Vector3d seed = grid.patientFromVoxel().inverse() * seedInPatient;
-    const Eigen::Array3d reach = seedReachMm / grid.spacingMm.array() + 1.0;
-    const Eigen::Vector3i low = (seed.array() - reach).floor().max(0.0).cast<int>();
-    const Eigen::Vector3i high = (seed.array() + reach).ceil().min(grid.size.cast<double>().array() - 1.0).cast<int>();
-    std::optional<std::uint32_t> nearest;
-    double nearestMm = std::max(seedReachMm, grid.spacingMm.maxCoeff());
-    for (int k = low.z(); k <= high.z(); ++k) {
-        for (int j = low.y(); j <= high.y(); ++j) {
-            for (int i = low.x(); i <= high.x(); ++i) {
-                const double away = grid.spacingMm.cwiseProduct(Eigen::Vector3d(i, j, k) - seed).norm();
-                if (mask.at(i, j, k) != 0 && away <= nearestMm) {
-                    nearestMm = away;
-                    nearest = static_cast<std::uint32_t>(grid.index(i, j, k));
-                }
-            }
+    return nearestVoxel(mask, seedInPatient, std::max(seedReachMm, mask.geometry.spacingMm.maxCoeff()), 1);
+}
+
+Result<SeedsInLumen> seedsInLumen(const VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient)
+{
+    SeedsInLumen seeds;
+    for (const Eigen::Vector3d& seed : seedsInPatient) {
+        if (voxelNear(mask, seed)) {
+            seeds.inPatient.push_back(seed);
+            continue;
         }
+        const auto voxel = nearestVoxel(mask, seed, farSeedReachMm, 2);
+        if (!voxel) {
+            return noVesselAt(seed);
+        }
+        seeds.inPatient.push_back(placeOf(mask.geometry, *voxel));
+        char away[32];
+        std::snprintf(away, sizeof away, "%.1f", (seeds.inPatient.back() - seed).norm());
+        seeds.warnings.push_back("The seed " + placeText(seed) + " mm (LPS) lies in nothing filled: the vessel " +
+                                 away + " mm away was taken.");
     }
-    return nearest;
+    return seeds;
 }
 
 Result<std::string> keepChosenPieces(VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient)

@@ -11,8 +11,22 @@
 
 namespace core {
 
+/// "(x, y, z)" in mm.
+std::string placeText(const Eigen::Vector3d& place);
+
 /// The set voxel that is nearest to a place in the patient (LPS mm), if there is one within 3 mm.
 std::optional<std::uint32_t> voxelNear(const VoxelMask& mask, const Eigen::Vector3d& seedInPatient);
+
+/// Seeds moved to the lumen that they were meant for.
+struct SeedsInLumen {
+    std::vector<Eigen::Vector3d> inPatient;
+    std::vector<std::string> warnings;   ///< about seeds that were moved far
+};
+
+/// Seeds up to 3 mm beside the lumen stay where they are; others are moved to the middle of a wide vessel (voxels above
+/// 1) within 10 mm: what does not fill, as thrombus and chalk, is part of the vessel too. Fails, naming it, for a seed
+/// that has neither.
+Result<SeedsInLumen> seedsInLumen(const VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient);
 
 /// Leaves of a mask what is asked for: the pieces that hold the seeds (LPS mm, within 3 mm), or without seeds the
 /// largest: that with the most voxels above 1 (cores of vessels), of equal ones that with the most voxels. Returns a

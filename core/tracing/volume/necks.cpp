@@ -94,4 +94,28 @@ Necks necksOf(const VoxelMask& mask, const DistanceMap& distances, const std::ve
     return necks;
 }
 
+double neckMm(const DistanceMap& distances, const Eigen::Vector3i& from, const Eigen::Vector3i& to, double aroundMm)
+{
+    const VolumeGeometry& grid = distances.geometry;
+    const Eigen::Array3i around = (aroundMm / grid.spacingMm.array()).ceil().cast<int>();
+    const Eigen::Array3i low = (from.cwiseMin(to).array() - around).max(0);
+    const Eigen::Array3i high = (from.cwiseMax(to).array() + around + 1).min(grid.size.array());
+    DistanceMap part{{}, distances.unitMm, {}};
+    part.geometry.size = high - low;
+    part.units.reserve(part.geometry.voxelCount());
+    for (int k = low.z(); k < high.z(); ++k) {
+        for (int j = low.y(); j < high.y(); ++j) {
+            for (int i = low.x(); i < high.x(); ++i) {
+                part.units.push_back(distances.units[grid.index(i, j, k)]);
+            }
+        }
+    }
+    const auto within = [&](const Eigen::Vector3i& voxel) {
+        const Eigen::Vector3i at = voxel.array() - low;
+        return static_cast<std::uint32_t>(part.geometry.index(at.x(), at.y(), at.z()));
+    };
+    TracingProgress unheard({});
+    return part.unitMm * necksFrom({within(from)}, part, unheard)[within(to)];
+}
+
 }   // namespace core

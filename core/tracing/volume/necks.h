@@ -25,4 +25,8 @@ struct Necks {
 Necks necksOf(const VoxelMask& mask, const DistanceMap& distances, const std::vector<Eigen::Vector3d>& seedsInPatient,
               TracingProgress& progress);
 
+/// The narrowest place on the widest way between two voxels, in mm, that strays from the box around both by no more
+/// than `aroundMm`; 0 where no way leads.
+double neckMm(const DistanceMap& distances, const Eigen::Vector3i& from, const Eigen::Vector3i& to, double aroundMm);
+
 }   // namespace core

@@ -16,6 +16,8 @@ namespace {
 constexpr std::uint8_t unreached = 1;
 constexpr std::uint8_t vessel = 2;
 constexpr std::uint8_t other = 3;
+constexpr double mostBeyondSection = 1.3;   ///< largest ball over section
+constexpr std::size_t mostTries = 4;   ///< great vessels that a seed is looked for in
 
 /// A voxel that is next to flooded ones: the widest comes first, of equal ones the earliest.
 struct Shore {
@@ -98,30 +100,139 @@ private:
     std::uint32_t turn_ = 0;
 };
 
+/// Finds what belongs to starts, again and again in one mask.
+class Splitter {
+public:
+    Splitter(VoxelMask& mask, const VesselTracingOptions& options, const VoxelFill& fill, TracingProgress& progress)
+        : mask_(mask),
+          options_(options),
+          fill_(fill),
+          progress_(progress),
+          distances_(distanceMap(mask, threadCount(options.threads), progress))
+    {
+    }
+
+    /// Labels what belongs to these places.
+    void split(const std::vector<Eigen::Vector3d>& startsInPatient)
+    {
+        for (std::uint8_t& voxel : mask_.voxels) {
+            voxel = voxel != 0 ? unreached : 0;
+        }
+        const Necks necks = necksOf(mask_, distances_, startsInPatient, progress_);
+        if (progress_.isStopped()) {
+            return;
+        }
+        Flood flood(mask_, distances_);
+        flood.start(startsInPatient, vessel);
+        flood.start(options_.avoidInPatient, other);
+        flood.start(voxelsBeyondNecks(distances_, necks), other);
+        if (fill_) {
+            flood.start(voxelsOfOtherBlood(distances_, necks.units, fill_), other);
+        }
+        flood.run(progress_);
+    }
+
+    /// After `split`.
+    bool holds(const Eigen::Vector3d& placeInPatient) const
+    {
+        const auto voxel = voxelNear(mask_, placeInPatient);
+        return voxel && mask_.voxels[*voxel] == vessel;
+    }
+
+    /// Labels what belongs to the first great vessel that holds the seed, else to the seed itself; the places that this
+    /// was reached from.
+    std::vector<Eigen::Vector3d> splitFor(const Eigen::Vector3d& seed, const std::vector<GreatVessel>& greatVessels)
+    {
+        const auto around = std::find_if(greatVessels.begin(), greatVessels.end(),
+                                         [&](const GreatVessel& great) { return great.surrounds(seed); });
+        if (around != greatVessels.end()) {
+            std::vector<Eigen::Vector3d> points = middlesOf(*around);
+            split(points);
+            if (holds(seed)) {
+                return points;
+            }
+        }
+        split({seed});
+        std::vector<std::vector<Eigen::Vector3d>> candidates = reached(greatVessels);
+        for (std::vector<Eigen::Vector3d>& points : candidates) {
+            split(points);
+            if (holds(seed) || progress_.isStopped()) {
+                return points;
+            }
+        }
+        if (!candidates.empty()) {
+            split({seed});
+        }
+        return {seed};
+    }
+
+    /// Points of its axes in this mask, without those from which the way up the distances leads out of it, into
+    /// something wider that touches.
+    std::vector<Eigen::Vector3d> middlesOf(const GreatVessel& great) const
+    {
+        std::vector<Eigen::Vector3d> middles;
+        for (const Trunk& trunk : great.trunks) {
+            for (std::size_t n = 0; n < trunk.radiusMm.size(); ++n) {
+                const auto voxel = voxelNear(mask_, trunk.pointsInPatient[n]);
+                if (voxel &&
+                    distances_.mm(wayToMiddle(*voxel, distances_).back()) <= mostBeyondSection * trunk.radiusMm[n]) {
+                    middles.push_back(trunk.pointsInPatient[n]);
+                }
+            }
+        }
+        return middles;
+    }
+
+private:
+    /// After `split`: points of the great vessels that it came to.
+    std::vector<std::vector<Eigen::Vector3d>> reached(const std::vector<GreatVessel>& greatVessels) const
+    {
+        std::vector<std::vector<Eigen::Vector3d>> reached;
+        for (const GreatVessel& great : greatVessels) {
+            std::vector<Eigen::Vector3d> points = middlesOf(great);
+            const auto held = std::count_if(points.begin(), points.end(), [this](const auto& p) { return holds(p); });
+            if (reached.size() < mostTries && !points.empty() &&
+                2 * held >= static_cast<std::ptrdiff_t>(points.size())) {
+                reached.push_back(std::move(points));
+            }
+        }
+        return reached;
+    }
+
+    VoxelMask& mask_;
+    const VesselTracingOptions& options_;
+    const VoxelFill& fill_;
+    TracingProgress& progress_;
+    DistanceMap distances_;
+};
+
 }   // namespace
 
-void splitBySeeds(VoxelMask& mask, const VesselTracingOptions& options, const VoxelFill& fill,
-                  TracingProgress& progress)
+std::vector<Eigen::Vector3d> splitBySeeds(VoxelMask& mask, const VesselTracingOptions& options, const VoxelFill& fill,
+                                          const std::vector<GreatVessel>& greatVessels, TracingProgress& progress)
 {
-    for (std::uint8_t& voxel : mask.voxels) {
-        voxel = voxel != 0 ? unreached : 0;
+    Splitter splitter(mask, options, fill, progress);
+    std::vector<Eigen::Vector3d> starts;
+    if (options.seedsInPatient.empty() && !greatVessels.empty()) {
+        starts = splitter.middlesOf(greatVessels.front());
+        starts = starts.empty() ? std::vector{greatVessels.front().middleInPatient()} : starts;
+        splitter.split(starts);
     }
-    const DistanceMap distances = distanceMap(mask, threadCount(options.threads), progress);
-    const Necks necks = necksOf(mask, distances, options.seedsInPatient, progress);
-    if (progress.isStopped()) {
-        return;
+    for (const Eigen::Vector3d& seed : options.seedsInPatient) {
+        if (!starts.empty() && splitter.holds(seed)) {
+            continue;
+        }
+        const std::vector<Eigen::Vector3d> its = splitter.splitFor(seed, greatVessels);
+        const bool isFirst = starts.empty();
+        starts.insert(starts.end(), its.begin(), its.end());
+        if (!isFirst) {
+            splitter.split(starts);
+        }
     }
-    Flood flood(mask, distances);
-    flood.start(options.seedsInPatient, vessel);
-    flood.start(options.avoidInPatient, other);
-    flood.start(voxelsBeyondNecks(distances, necks), other);
-    if (fill) {
-        flood.start(voxelsOfOtherBlood(distances, necks.units, fill), other);
-    }
-    flood.run(progress);
     for (std::uint8_t& voxel : mask.voxels) {
         voxel = voxel == vessel ? 1 : 0;
     }
+    return starts;
 }
 
 }   // namespace core

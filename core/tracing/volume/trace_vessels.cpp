@@ -4,12 +4,12 @@
 #include "core/tracing/tree/lumen_tree.h"
 #include "core/tracing/volume/axis_order.h"
 #include "core/tracing/volume/blood_level.h"
+#include "core/tracing/volume/chosen_lumen.h"
 #include "core/tracing/volume/chosen_pieces.h"
 #include "core/tracing/volume/fill_cavities.h"
+#include "core/tracing/volume/great_vessels.h"
 #include "core/tracing/volume/segment_lumen.h"
-#include "core/tracing/volume/split_by_seeds.h"
 #include "core/tracing/volume/tracing_progress.h"
-#include "core/tracing/volume/voxel_pieces.h"
 
 #include <algorithm>
 #include <limits>
@@ -20,12 +20,6 @@ namespace {
 
 constexpr int holeRounds = 4;
 constexpr double leastHoleFill = 0.4;   ///< share of blood around a voxel that is dark by noise
-constexpr double chosenShare = 0.9;   ///< of the stage "vessels", when the lumen is known
-
-Error stopped()
-{
-    return Error{"Tracing was stopped; nothing was kept."};
-}
 
 /// The set voxels in patient axis order.
 template <class Grid, class IsSet>
@@ -42,20 +36,6 @@ VoxelMask maskOf(const Grid& grid, const IsSet& isSet)
         }
     }
     return whole;
-}
-
-VoxelMask croppedMask(const VoxelMask& mask, const VoxelBox& box)
-{
-    VoxelMask part(cropped(mask.geometry, box));
-    for (int k = 0; k < part.geometry.size.z(); ++k) {
-        for (int j = 0; j < part.geometry.size.y(); ++j) {
-            const auto row = mask.voxels.begin() + static_cast<std::ptrdiff_t>(mask.geometry.index(
-                                                       box.low.x(), j + box.low.y(), k + box.low.z()));
-            std::copy_n(row, part.geometry.size.x(),
-                        part.voxels.begin() + static_cast<std::ptrdiff_t>(part.geometry.index(0, j, k)));
-        }
-    }
-    return part;
 }
 
 /// Back to the order in which the input is stored.
@@ -95,57 +75,31 @@ std::string loopWarning(int loops)
                             " loops were opened at their thinnest places: look there for vessels that only touch.";
 }
 
-VoxelFill movedBy(const VoxelFill& fill, const Eigen::Vector3i& low)
+/// Where tracing began without a seed.
+std::string startWarning(const std::optional<Eigen::Vector3d>& foundStart)
 {
-    return [&fill, low](int i, int j, int k) { return fill(i + low.x(), j + low.y(), k + low.z()); };
-}
-
-/// The lumen that is to be traced, cropped.
-struct ChosenLumen {
-    VoxelMask lumen;
-    VoxelBox box;   ///< where it lies in the whole, patient axis order
-    std::string warning;
-};
-
-Result<ChosenLumen> chosenLumen(VoxelMask whole, const VesselTracingOptions& options, const VoxelFill& fill,
-                                TracingProgress& progress)
-{
-    if (!options.avoidInPatient.empty() && options.seedsInPatient.empty()) {
-        return Error{"There are places to avoid, but no seed. Place at least one seed in the vessels."};
+    if (!foundStart) {
+        return "No seed was placed, and nothing is like a great vessel: the largest piece was traced. Place a seed in "
+               "the vessels if it is not them.";
     }
-    auto leftOut = keepChosenPieces(whole, options.seedsInPatient);
-    if (!leftOut) {
-        return leftOut.error();
-    }
-    if (!progress.advance(0.0)) {
-        return stopped();
-    }
-    ChosenLumen chosen;
-    chosen.warning = std::move(leftOut).value();
-    chosen.box = grown(boxOf(whole), 1, whole.geometry);
-    progress.advance(chosenShare);
-    chosen.lumen = croppedMask(whole, chosen.box);
-    whole = {};
-    if (!options.seedsInPatient.empty()) {
-        splitBySeeds(chosen.lumen, options, fill ? movedBy(fill, chosen.box.low) : VoxelFill(), progress);
-    }
-    return chosen;
+    return "No seed was placed: the great vessel at " + placeText(*foundStart) +
+           " mm (LPS) was found and traced. Place a seed in another vessel if it is the wrong one.";
 }
 
 Result<TracedVessels> treeOf(const ChosenLumen& chosen, const BloodFill& fill, const VolumeGeometry& stored,
                              const VesselTracingOptions& options, TracingProgress& progress)
 {
-    LumenTree found = lumenTree(chosen.lumen, fill, options, progress);
+    VesselTracingOptions chosenOptions = options;
+    chosenOptions.seedsInPatient = chosen.startsInPatient;
+    LumenTree found = lumenTree(chosen.lumen, fill, chosenOptions, progress);
     if (progress.isStopped()) {
-        return stopped();
+        return stoppedTracing();
     }
     TracedVessels traced;
     traced.tree = std::move(found.tree);
     traced.lumen = asStored(chosen.lumen, chosen.box, stored);
     traced.threshold = 0.5;
-    if (!chosen.warning.empty()) {
-        traced.warnings.push_back(chosen.warning);
-    }
+    traced.warnings = chosen.warnings;
     if (found.openedLoops > 0) {
         traced.warnings.push_back(loopWarning(found.openedLoops));
     }
@@ -179,7 +133,7 @@ Error noLongBranch()
 Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, const VesselTracingOptions& options,
                                  TracingProgress& progress)
 {
-    auto chosen = chosenLumen(std::move(whole), options, {}, progress);
+    auto chosen = chosenLumen(std::move(whole), options, {}, {}, progress);
     if (!chosen) {
         return chosen.error();
     }
@@ -230,7 +184,7 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
     progress.enter("vessels", 0.05, 0.7);
     VoxelMask candidates = segmentLumen(volume, order, level.value(), threadCount(options.threads), progress);
     if (!progress.advance(0.0)) {
-        return stopped();
+        return stoppedTracing();
     }
     if (std::none_of(candidates.voxels.begin(), candidates.voxels.end(),
                      [](std::uint8_t voxel) { return voxel != 0; })) {
@@ -239,7 +193,12 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
     const VoxelFill fill = [&volume, &order, &level](int i, int j, int k) {
         return (volume.value(order.stored(i, j, k)) - level.value().tissue) / level.value().contrast();
     };
-    auto chosen = chosenLumen(std::move(candidates), options, fill, progress);
+    const std::vector<GreatVessel> great = greatVessels(
+        coarseBlood(candidates, fill, threadCount(options.threads), progress), threadCount(options.threads), progress);
+    if (!progress.advance(0.0)) {
+        return stoppedTracing();
+    }
+    auto chosen = chosenLumen(std::move(candidates), options, fill, great, progress);
     if (!chosen) {
         return chosen.error();
     }
@@ -251,7 +210,7 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
         fillHoles(lumen.lumen, isHole);
     }
     if (!progress.advance(chosenShare)) {
-        return stopped();
+        return stoppedTracing();
     }
     fillCavities(lumen.lumen);
     auto traced =
@@ -262,6 +221,12 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
     }
     TracedVessels vessels = std::move(traced).value();
     vessels.threshold = level.value().threshold;
+    if (options.seedsInPatient.empty()) {
+        if (!lumen.startsInPatient.empty()) {
+            vessels.foundStart = great.front().middleInPatient();
+        }
+        vessels.warnings.insert(vessels.warnings.begin(), startWarning(vessels.foundStart));
+    }
     return vessels;
 }
 

@@ -19,7 +19,7 @@ struct VesselTracingOptions {
     std::optional<double> threshold =
         std::nullopt;   ///< lumen begins at this value (HU for CT); absent: found from the blood
     std::vector<Eigen::Vector3d> seedsInPatient =
-        {};   ///< LPS mm; only vessels connected to one of them; none: the largest
+        {};   ///< LPS mm; only vessels connected to one of them; none: those of the great vessel that is found
     std::vector<Eigen::Vector3d> avoidInPatient = {};   ///< LPS mm; what is reached from these on wider ways than from
                                                         ///< the seeds is no vessel: heart, vein, bone
     std::optional<Eigen::Vector3d> rootInPatient =
@@ -45,11 +45,14 @@ struct TracedVessels {
     VesselTree tree;   ///< root first, then by generation; ids 1, 2, …; radii, patient LPS
     VoxelMask lumen;   ///< the voxels that were traced, in the geometry of the input
     double threshold = 0.0;   ///< the value at which the lumen begins; 0.5 for masks
+    std::optional<Eigen::Vector3d>
+        foundStart;   ///< without seeds: a place in the great vessel that was begun at, LPS mm
     std::vector<std::string> warnings;   ///< plain words: pieces that were left out, loops that were opened, …
 };
 
 /// Contrast-filled vessels of a CT angiogram: threshold or seeded growth, bone and table left out, thinning, a tree of
-/// smooth centrelines with radii . Fails on an empty or flat volume, seeds outside the lumen, when
+/// smooth centrelines with radii. Without seeds the tree is that of the vessel most like an aorta (see `Trunk::worth`),
+/// else of the largest piece; a warning says which. Fails on an empty or flat volume, seeds outside the lumen, when
 /// nothing is like a vessel, and with "… stopped …" when the observer stops it; then nothing is kept.
 /// Needs at most twice the volume's own memory besides it.
 Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOptions& options = {},

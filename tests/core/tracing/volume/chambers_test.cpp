@@ -97,7 +97,7 @@ TEST_F(Chambers, SplittingCutsAtTheNeck)
     addTube({0, 52, 30}, {79, 52, 30}, 8.0);
     addTube({40, 30, 30}, {40, 52, 30}, 1.5);
     core::TracingProgress progress({});
-    core::splitBySeeds(mask_, {.seedsInPatient = {{10, 30, 30}}}, {}, progress);
+    core::splitBySeeds(mask_, {.seedsInPatient = {{10, 30, 30}}}, {}, {}, progress);
     EXPECT_EQ(mask_.at(20, 52, 30), 0);
     EXPECT_EQ(mask_.at(70, 30, 30), 1);
     EXPECT_EQ(mask_.at(70, 30, 37), 1);

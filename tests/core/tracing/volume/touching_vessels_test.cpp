@@ -78,7 +78,8 @@ TEST_F(TouchingVessels, SplittingTakesTheVeinAway)
     addBox({30, 12, 7}, {31, 16, 8});
     core::TracingProgress progress({});
     core::splitBySeeds(
-        mask_, {.seedsInPatient = {{30.0, 7.0, 7.0}}}, [](int, int j, int) { return j < 14 ? 1.0 : 0.7; }, progress);
+        mask_, {.seedsInPatient = {{30.0, 7.0, 7.0}}}, [](int, int j, int) { return j < 14 ? 1.0 : 0.7; }, {},
+        progress);
     EXPECT_EQ(mask_.at(10, 20, 7), 0);
     EXPECT_EQ(mask_.at(10, 16, 3), 0);
     EXPECT_EQ(mask_.at(10, 11, 3), 1);
@@ -90,7 +91,7 @@ TEST_F(TouchingVessels, AnAvoidedPlaceNeedNotLieInTheMiddle)
     const core::VesselTracingOptions options{.seedsInPatient = {{50.0, 7.0, 7.0}},
                                              .avoidInPatient = {{5.0, 24.0, 4.0}}};
     core::TracingProgress progress({});
-    core::splitBySeeds(mask_, options, {}, progress);
+    core::splitBySeeds(mask_, options, {}, {}, progress);
     EXPECT_EQ(mask_.at(5, 20, 7), 0);
     EXPECT_EQ(mask_.at(15, 20, 7), 0);
     EXPECT_EQ(mask_.at(5, 7, 7), 1);

@@ -122,6 +122,73 @@ TEST(TraceVolume, TakesAGivenThresholdAndSeeds)
     EXPECT_FALSE(core::traceVessels(volume, {.seedsInPatient = {{0, 15, 0}}}));
 }
 
+bool isSame(const core::VesselTree& a, const core::VesselTree& b)
+{
+    return std::ranges::equal(a.branches, b.branches, [](const core::VesselBranch& one, const core::VesselBranch& two) {
+        return one.pointsInPatient == two.pointsInPatient && one.radiusMm == two.radiusMm;
+    });
+}
+
+TEST(TraceVolume, IsTheSameForSeedsInAnyBranchAndForNone)
+{
+    const core::SimulatedCta cta =
+        core::simulateCta(3, {.branchCount = 6, .rootRadiusMm = 6.0},
+                          {.size = {128, 128, 120}, .spacingMm = {1.2, 1.2, 1.2}, .calcificationCount = 4});
+    const auto found = core::traceVessels(cta.volume);
+    ASSERT_TRUE(found) << found.error().message;
+    ASSERT_TRUE(found.value().foundStart);
+    EXPECT_LT(distanceTo(cta.tree, *found.value().foundStart), 3.0);
+    ASSERT_FALSE(found.value().warnings.empty());
+    EXPECT_NE(found.value().warnings.front().find("No seed was placed: the great vessel"), std::string::npos);
+    for (const core::VesselBranch& branch : cta.tree.branches) {
+        const Eigen::Vector3d seed = branch.pointsInPatient[branch.pointsInPatient.size() / 2];
+        const auto traced = core::traceVessels(cta.volume, {.seedsInPatient = {seed}});
+        ASSERT_TRUE(traced) << traced.error().message;
+        EXPECT_FALSE(traced.value().foundStart);
+        EXPECT_TRUE(isSame(traced.value().tree, found.value().tree)) << "seed in branch " << branch.id;
+    }
+}
+
+/// An aorta with an artery, and a heart of two chambers that it touches; 1.5 mm, 90 x 66 x 135 mm.
+Volume aortaAndHeart()
+{
+    const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {60, 44, 90}, {1.5, 1.5, 1.5});
+    return tubesInTissue(grid, {{{-22, 8, -70}, {-22, 8, 70}, 9.0},
+                                {{-22, 8, 30}, {-2, -20, 55}, 3.0},
+                                {{18, -4, -18}, {22, -4, -26}, 20.0},
+                                {{18, 0, 14}, {22, 0, 16}, 16.0},
+                                {{-22, 8, -20}, {10, 0, -20}, 2.5}});
+}
+
+TEST(TraceVolume, FindsTheAortaBesideAWiderHeart)
+{
+    const auto found = core::traceVessels(aortaAndHeart());
+    ASSERT_TRUE(found) << found.error().message;
+    ASSERT_TRUE(found.value().foundStart);
+    EXPECT_NEAR(found.value().foundStart->x(), -22.0, 2.0);
+    EXPECT_NEAR(found.value().foundStart->y(), 8.0, 2.0);
+    const core::VesselTree& tree = found.value().tree;
+    EXPECT_LT(distanceTo(tree, {-22, 8, -55}), 1.5);
+    EXPECT_LT(distanceTo(tree, {-22, 8, 55}), 1.5);
+    EXPECT_LT(distanceTo(tree, {-5, -16, 51}), 2.0);
+    for (const core::VesselBranch& branch : tree.branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            EXPECT_FALSE(point.x() > 5.0 && point.z() < 40.0) << "in the heart: " << point.transpose();
+        }
+    }
+}
+
+TEST(TraceVolume, SeedsBesideAWideVesselAreMeantForIt)
+{
+    const auto inside = core::traceVessels(aortaAndHeart(), {.seedsInPatient = {{-22, 8, -40}}});
+    const auto beside = core::traceVessels(aortaAndHeart(), {.seedsInPatient = {{-22, 21, -40}}});
+    ASSERT_TRUE(inside && beside);
+    EXPECT_TRUE(isSame(inside.value().tree, beside.value().tree));
+    ASSERT_FALSE(beside.value().warnings.empty());
+    EXPECT_NE(beside.value().warnings.front().find("lies in nothing filled"), std::string::npos);
+    EXPECT_FALSE(core::traceVessels(aortaAndHeart(), {.seedsInPatient = {{-22, 31, -40}}}));
+}
+
 TEST(TraceVolume, PartsAtTheNarrowestPlaceFromWhatIsAvoided)
 {
     const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {64, 40, 60}, {1.0, 1.0, 1.0});

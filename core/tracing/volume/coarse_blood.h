@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/imaging/volume.h"
+#include "core/tracing/tree/cross_section.h"
+#include "core/tracing/volume/touching_vessels.h"
+#include "core/tracing/volume/tracing_progress.h"
+
+namespace core {
+
+/// How far the places of a scan are filled with blood, as means over blocks of some 1.5 mm: enough for wide vessels,
+/// free of most noise, and a small part of the scan's memory.
+struct CoarseBlood {
+    VoxelGrid<std::uint8_t> shares;   ///< 200 = filled; in the patient, axes as those of the scan
+    VoxelMask lumen;   ///< blocks that are at least half full
+
+    /// By linear interpolation, at points in mm along the axes from the middle of the first block.
+    BloodFill fill() const;
+};
+
+/// `fill` counts where `lumen` is set and below one half, not where something else is bright. Incomplete when stopped.
+CoarseBlood coarseBlood(const VoxelMask& lumen, const VoxelFill& fill, int threads, TracingProgress& progress);
+
+}   // namespace core

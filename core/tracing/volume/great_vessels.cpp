@@ -1,0 +1,127 @@
+#include "core/tracing/volume/great_vessels.h"
+
+#include "core/tracing/volume/necks.h"
+#include "core/vessel/polyline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+namespace {
+
+constexpr double mostGapInRadii = 2.0;   ///< of both radii together, from a trunk's end to the axis of the next
+constexpr double leastSlenderness = 5.0;   ///< of one of the trunks; two chambers of the heart in a row reach 4.5
+constexpr double leastLengthMm = 40.0;   ///< of that trunk: marrow, ureters and dense gut are seen in shorter stretches
+constexpr double leastNeck = 0.45;   ///< of the thinner one's radius, on the way between; those that touch have 0.3
+constexpr double mostBeyondSection = 1.3;   ///< largest ball over section: else it lies in something that touches
+constexpr double leastOfOther = 0.5;   ///< thinner over wider radius: else one leaves the other
+
+/// Decides whether trunks continue one another.
+class Joiner {
+public:
+    explicit Joiner(const DistanceMap& distances)
+        : distances_(distances), gridFromPatient_(distances.geometry.patientFromVoxel().inverse())
+    {
+    }
+
+    bool isContinued(const Trunk& trunk, const Trunk& other) const
+    {
+        return isJoinedAt(trunk, 0, other) || isJoinedAt(trunk, trunk.radiusMm.size() - 1, other);
+    }
+
+private:
+    bool isJoinedAt(const Trunk& trunk, std::size_t end, const Trunk& other) const
+    {
+        const Eigen::Vector3d& tip = trunk.pointsInPatient[end];
+        const auto nearest = std::min_element(
+            other.pointsInPatient.begin(), other.pointsInPatient.end(),
+            [&](const auto& a, const auto& b) { return (a - tip).squaredNorm() < (b - tip).squaredNorm(); });
+        const double radius = trunk.radiusMm[end];
+        const double otherRadius = other.radiusMm[static_cast<std::size_t>(nearest - other.pointsInPatient.begin())];
+        const double thinner = std::min(radius, otherRadius);
+        return (*nearest - tip).norm() <= mostGapInRadii * (radius + otherRadius) &&
+               thinner >= leastOfOther * std::max(radius, otherRadius) &&
+               neckMm(distances_, middleAt(tip, radius), middleAt(*nearest, otherRadius),
+                      std::max(radius, otherRadius)) >=
+                   leastNeck * std::max(thinner, std::min(trunk.medianRadiusMm(), other.medianRadiusMm()));
+    }
+
+    /// Of the vessel around: the last section of a walk need not lie in its middle.
+    Eigen::Vector3i middleAt(const Eigen::Vector3d& inPatient, double radiusMm) const
+    {
+        const Eigen::Vector3i& size = distances_.geometry.size;
+        const Eigen::Vector3i at =
+            (gridFromPatient_ * inPatient).array().round().cast<int>().max(0).min(size.array() - 1);
+        const auto voxel = static_cast<std::uint32_t>(distances_.geometry.index(at.x(), at.y(), at.z()));
+        const std::uint32_t middle = wayToMiddle(voxel, distances_).back();
+        const auto found = static_cast<int>(distances_.mm(middle) <= mostBeyondSection * radiusMm ? middle : voxel);
+        return {found % size.x(), found / size.x() % size.y(), found / (size.x() * size.y())};
+    }
+
+    const DistanceMap& distances_;
+    Eigen::Affine3d gridFromPatient_;
+};
+
+}   // namespace
+
+Eigen::Vector3d GreatVessel::middleInPatient() const
+{
+    const std::vector<Eigen::Vector3d>& points = trunks.front().pointsInPatient;
+    return points[points.size() / 2];
+}
+
+double GreatVessel::worth() const
+{
+    double worth = 0.0;   // many small branches make no great vessel
+    for (const Trunk& trunk : trunks) {
+        worth = std::hypot(worth, trunk.worth());
+    }
+    return worth;
+}
+
+bool GreatVessel::surrounds(const Eigen::Vector3d& placeInPatient) const
+{
+    return std::any_of(trunks.begin(), trunks.end(), [&](const Trunk& trunk) {
+        for (std::size_t n = 0; n < trunk.radiusMm.size(); ++n) {
+            if ((trunk.pointsInPatient[n] - placeInPatient).norm() < trunk.radiusMm[n]) {
+                return true;
+            }
+        }
+        return false;
+    });
+}
+
+std::vector<GreatVessel> greatVessels(const CoarseBlood& blood, int threads, TracingProgress& progress)
+{
+    const DistanceMap distances = distanceMap(blood.lumen, threads, progress);
+    std::vector<Trunk> left = findTrunks(blood, distances, progress);
+    const Joiner joiner(distances);
+    std::vector<GreatVessel> vessels;
+    while (!left.empty()) {
+        GreatVessel vessel{{left.front()}};
+        left.erase(left.begin());
+        for (std::size_t t = 0; t < left.size() && progress.advance(0.0);) {
+            const bool isJoined = std::any_of(vessel.trunks.begin(), vessel.trunks.end(), [&](const Trunk& trunk) {
+                return joiner.isContinued(left[t], trunk) || joiner.isContinued(trunk, left[t]);
+            });
+            if (isJoined) {
+                vessel.trunks.push_back(left[t]);
+                left.erase(left.begin() + static_cast<std::ptrdiff_t>(t));
+                t = 0;   // those passed over may continue this one
+            } else {
+                ++t;
+            }
+        }
+        vessels.push_back(std::move(vessel));
+    }
+    std::erase_if(vessels, [](const GreatVessel& vessel) {
+        return std::none_of(vessel.trunks.begin(), vessel.trunks.end(), [](const Trunk& trunk) {
+            return trunk.slenderness() >= leastSlenderness && polylineLength<3>(trunk.pointsInPatient) >= leastLengthMm;
+        });
+    });
+    std::stable_sort(vessels.begin(), vessels.end(),
+                     [](const GreatVessel& a, const GreatVessel& b) { return a.worth() > b.worth(); });
+    return vessels;
+}
+
+}   // namespace core
