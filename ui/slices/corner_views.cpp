@@ -27,8 +27,8 @@ CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
     stack_->addWidget(treeView_);
     stack_->addWidget(slice_);
     auto* tabs = new QHBoxLayout(bar_);
-    tabs->setContentsMargins(10, 4, 6, 2);
-    tabs->setSpacing(2);
+    tabs->setContentsMargins(8, 4, 4, 2);
+    tabs->setSpacing(1);
     tabs_[0] = makeTab([] { return tr("3-D"); }, std::nullopt);
     for (std::size_t i = 0; i < core::bodyPlanes.size(); ++i) {
         tabs_[i + 1] = makeTab([plane = core::bodyPlanes[i]] { return nameOf(plane); }, core::bodyPlanes[i]);
@@ -66,7 +66,7 @@ QToolButton* CornerViews::makeTool(const QString& sign, const Words& name, Comma
 {
     auto* tool = new QToolButton;
     tool->setText(sign);
-    tool->setProperty("role", "tab");
+    tool->setProperty("role", "tabTool");
     withName(tool, name);
     withTip(tool, [name, command] { return tipWithKey(name(), command); });
     return tool;
@@ -86,6 +86,7 @@ QToolButton* CornerViews::makeTab(const Words& text, std::optional<core::BodyPla
     auto* tab = new QToolButton;
     withText(tab, text);
     tab->setProperty("role", "tab");
+    tab->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);   // never a clipped name
     tab->setCheckable(true);
     connect(tab, &QToolButton::clicked, this, [this, plane] { showPlane(plane); });
     return tab;

@@ -48,7 +48,9 @@ QPushButton[role="quiet"]:hover, QPushButton[role="quiet"]:focus { border-color:
 QPushButton[role="link"] { border: none; background: transparent; color: @accent@; padding: 2px 6px; }
 QPushButton[role="link"]:hover { text-decoration: underline; }
 QPushButton[role="link"]:disabled { color: @hint@; }
-QToolButton[role="tab"] { border: none; background: transparent; color: @label@; padding: 3px 6px; border-radius: 3px; }
+QToolButton[role="tab"] { border: none; background: transparent; color: @label@; padding: 3px 1px; border-radius: 3px; }
+QToolButton[role="tabTool"] { border: none; background: transparent; color: @label@; padding: 3px 0px; border-radius: 3px; }
+QToolButton[role="tabTool"]:hover, QToolButton[role="tabTool"]:focus,
 QToolButton[role="tab"]:hover, QToolButton[role="tab"]:focus { color: @textStrong@; background: @field@; }
 QToolButton[role="tab"]:checked { color: @textStrong@; background: @field@; font-weight: 600; }
 QToolButton[role="fold"] { border: none; background: transparent; padding: 0px; width: 12px; height: 12px; }
