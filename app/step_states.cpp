@@ -18,6 +18,10 @@ struct Words {
 
 StepState vessels(const core::RegistrationCase& current, const StepFacts& facts)
 {
+    if (!current.tree && current.volume) {
+        return {StepMark::Look, Words::tr("not traced"),
+                Words::tr("Nothing was traced in the scan. Place a seed or set the threshold beside its slices.")};
+    }
     if (!current.tree) {
         return {StepMark::Open, {}, Words::tr("Open a CT angiogram, a segmentation, a surface or a centreline.")};
     }

@@ -45,8 +45,13 @@ std::unique_ptr<QUndoCommand> editTree(CaseDocument& document, core::VesselTree 
 
 std::unique_ptr<QUndoCommand> takeTrace(CaseDocument& document, const TracedTree& traced, const QString& text)
 {
+    const core::RegistrationCase& current = document.current();
+    const bool isOfScan = traced.file.path == current.scanFile.path;   // which then lies beside no longer
     return std::make_unique<TraceTree>(document,
-                                       TraceTree::Values{traced.input,
+                                       TraceTree::Values{traced.file,
+                                                         isOfScan ? core::InputFile{} : current.scanFile,
+                                                         isOfScan ? std::string() : current.scanSeriesId,
+                                                         traced.input,
                                                          traced.lumen,
                                                          traced.tree,
                                                          false,

@@ -40,10 +40,12 @@ using EditTree =
     SetFields<&RegistrationCase::tree, &RegistrationCase::isTreeEdited, &RegistrationCase::auxiliaryBranchIds,
               &RegistrationCase::excludedBranchIds, &RegistrationCase::hiddenBranchIds,
               &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
-using TraceTree = SetFields<&RegistrationCase::vesselInput, &RegistrationCase::lumen, &RegistrationCase::tree,
-                            &RegistrationCase::isTreeEdited, &RegistrationCase::auxiliaryBranchIds,
-                            &RegistrationCase::excludedBranchIds, &RegistrationCase::hiddenBranchIds,
-                            &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
+using TraceTree =
+    SetFields<&RegistrationCase::centerlineFile, &RegistrationCase::scanFile, &RegistrationCase::scanSeriesId,
+              &RegistrationCase::vesselInput, &RegistrationCase::lumen, &RegistrationCase::tree,
+              &RegistrationCase::isTreeEdited, &RegistrationCase::auxiliaryBranchIds,
+              &RegistrationCase::excludedBranchIds, &RegistrationCase::hiddenBranchIds,
+              &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
 using ChangeOptions = SetFields<&RegistrationCase::options>;
 using ChangeGeometry = SetFields<&RegistrationCase::cArm, &RegistrationCase::cameraOverride,
                                  &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
@@ -99,6 +101,7 @@ std::unique_ptr<QUndoCommand> editTree(CaseDocument& document, core::VesselTree 
 
 /// The edit that puts a newly traced tree into the case, with how it was traced.
 struct TracedTree {
+    core::InputFile file;   ///< that it was traced from
     core::VesselInput input;
     std::shared_ptr<const core::VoxelMask> lumen;
     std::shared_ptr<const core::VesselTree> tree;

@@ -35,6 +35,27 @@ std::vector<ui::SliceMark> marksAt(const std::vector<Eigen::Vector3d>& points)
     return marks;
 }
 
+/// What tracing starts from.
+struct Source {
+    core::InputFile file;   ///< empty: from nothing
+    core::VesselInput input;
+};
+
+/// What the vessels were traced from, or the scan of a case without vessels: tracing it as it was opened has failed.
+Source sourceOf(const core::RegistrationCase& current)
+{
+    if (!current.centerlineFile.path.empty() && current.vesselInput.kind != core::VesselInputKind::Centerline) {
+        return {current.centerlineFile, current.vesselInput};
+    }
+    if (current.tree || !current.volume) {
+        return {};
+    }
+    core::VesselInput asVolume;
+    asVolume.kind = core::VesselInputKind::Volume;
+    asVolume.seriesId = current.scanSeriesId;
+    return {current.scanFile, asVolume};
+}
+
 }   // namespace
 
 TracingController::TracingController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
@@ -101,7 +122,7 @@ void TracingController::connectPanel()
 QString TracingController::whyNot() const
 {
     const core::RegistrationCase& current = document_.current();
-    if (current.centerlineFile.path.empty() || current.vesselInput.kind == core::VesselInputKind::Centerline) {
+    if (sourceOf(current).file.path.empty()) {
         return tr("These vessels were not traced: open a scan, a segmentation or a surface.");
     }
     if (labels_.isNothingTicked()) {
@@ -189,7 +210,9 @@ void TracingController::start()
     }
     setPick(ui::TracingPick::Nothing);
     const core::RegistrationCase& current = document_.current();
-    VesselTraceRequest request{current.centerlineFile.path, current.vesselInput, current.volume};
+    const Source source = sourceOf(current);
+    source_ = source.file;
+    VesselTraceRequest request{source.file.path, source.input, current.volume};
     request.input.tracing = draft_;
     request.input.labels = labels_.draft();
     startedFrom_ = document_.state();
@@ -211,7 +234,8 @@ void TracingController::finish(const VesselTrace& result)
     if (!draft_.threshold) {
         window_.tracing().showFound(result.threshold);
     }
-    if (!document_.push(takeTrace(document_, {result.input, result.lumen, result.tree}, tr("Trace vessels")))) {
+    if (!document_.push(
+            takeTrace(document_, {source_, result.input, result.lumen, result.tree}, tr("Trace vessels")))) {
         return;
     }
     const int count = static_cast<int>(result.tree->branches.size());

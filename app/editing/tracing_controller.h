@@ -49,6 +49,7 @@ private:
     core::VesselInput shownInput_;
     std::shared_ptr<const core::Volume> shownVolume_;   ///< that the vessels are traced from
     CaseState startedFrom_;
+    core::InputFile source_;   ///< of the trace under way
     std::optional<VesselTrace> waiting_;   ///< for the end of a registration
     ui::TracingPick pick_ = ui::TracingPick::Nothing;
     QFutureWatcher<std::optional<double>> level_;

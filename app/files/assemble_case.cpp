@@ -106,7 +106,8 @@ core::RegistrationCase withInputs(core::RegistrationCase base, const LoadedInput
         goToStart(base);
     }
     if (base.title.empty()) {
-        const std::string& path = base.angiogram ? base.imageFile.path : base.centerlineFile.path;
+        const std::string& vessels = base.tree ? base.centerlineFile.path : base.scanFile.path;
+        const std::string& path = base.angiogram ? base.imageFile.path : vessels;
         base.title = std::filesystem::path(path).stem().string();
     }
     return base;

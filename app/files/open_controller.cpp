@@ -48,8 +48,11 @@ void OpenController::open(const QStringList& paths)
 ScanUse OpenController::scanUse() const
 {
     const core::RegistrationCase& current = document_.current();
+    if (!current.tree) {
+        return ScanUse::TraceOrShow;
+    }
     const bool isOfFile = current.vesselInput.kind != core::VesselInputKind::Volume;
-    return current.tree && !current.volume && isOfFile ? ScanUse::Ask : ScanUse::Trace;
+    return !current.volume && isOfFile ? ScanUse::Ask : ScanUse::Trace;
 }
 
 void OpenController::openScan(ScanUse use)

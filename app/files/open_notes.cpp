@@ -2,6 +2,7 @@
 
 #include "app/files/assemble_case.h"
 #include "core/imaging/patient_match.h"
+#include "ui/actions/key_hint.h"
 #include "ui/words/core_texts.h"
 
 #include <QCoreApplication>
@@ -41,6 +42,11 @@ QStringList notesOf(const LoadedInputs& inputs, const core::RegistrationCase& op
 
 QStringList notesOnScan(const LoadedInputs& inputs, const core::RegistrationCase& opened)
 {
+    if (inputs.volume && !opened.tree) {
+        return {Words::tr("The scan is shown without vessels: place a seed or set the threshold in the slices (%1), "
+                          "then trace.")
+                    .arg(ui::keyOf(ui::Command::SlicesLarge))};
+    }
     const bool isBeside = inputs.volume && !inputs.tree && opened.tree;
     return isBeside && !liesIn(inputs.volume->geometry, *opened.tree)
                ? QStringList(

@@ -99,6 +99,17 @@ core::Status addScan(LoadedInputs& inputs, const QString& path, const QString& s
     return core::Done{};
 }
 
+/// A scan in which nothing could be traced is shown nevertheless: seeds and threshold can be set where it is seen.
+core::Status addUntraced(LoadedInputs& inputs, const QString& path, const QString& seriesId, const core::Error& problem,
+                         const io::ReadObserver& observe)
+{
+    if (!addScan(inputs, path, seriesId, observe)) {
+        return problem;
+    }
+    inputs.warnings.push_back(problem.message);
+    return core::Done{};
+}
+
 core::Status addVessels(LoadedInputs& inputs, const QString& path, const OpenHints& hints, const QString& seriesId,
                         const io::ReadObserver& observe)
 {
@@ -109,16 +120,22 @@ core::Status addVessels(LoadedInputs& inputs, const QString& path, const OpenHin
     if (!kind) {
         return kind.error();
     }
-    if (kind.value() == core::VesselInputKind::Volume && hints.scanUse != ScanUse::Trace) {
-        inputs.isScanAsked = hints.scanUse == ScanUse::Ask;
-        return inputs.isScanAsked ? core::Status(core::Done{}) : addScan(inputs, path, seriesId, observe);
+    const bool isScan = kind.value() == core::VesselInputKind::Volume;
+    inputs.isScanAsked = isScan && hints.scanUse == ScanUse::Ask;
+    if (inputs.isScanAsked) {
+        return core::Done{};
+    }
+    if (isScan && hints.scanUse == ScanUse::Beside) {
+        return addScan(inputs, path, seriesId, observe);
     }
     core::VesselInput input;
     input.kind = kind.value();
     input.seriesId = seriesId.toStdString();
     auto read = io::readVessels(path.toStdString(), input, observe);
     if (!read) {
-        return read.error();
+        return isScan && hints.scanUse == ScanUse::TraceOrShow
+                   ? addUntraced(inputs, path, seriesId, read.error(), observe)
+                   : core::Status(read.error());
     }
     io::LoadedVessels vessels = std::move(read).value();
     inputs.tree = std::make_shared<core::VesselTree>(std::move(vessels.tree));

@@ -37,8 +37,9 @@ struct LoadedInputs {
     io::MovedInputs moved;   ///< inputs of the case that were found elsewhere
 };
 
-/// What a scan is opened for: its vessels, or to be seen beside vessels that are there.
-enum class ScanUse { Trace, Beside, Ask };
+/// What a scan is opened for: its vessels, the same or, where none are found, to be seen, or to be seen beside vessels
+/// that are there.
+enum class ScanUse { Trace, TraceOrShow, Beside, Ask };
 
 /// What helps to open files beside their paths.
 struct OpenHints {

@@ -700,6 +700,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>The vessels do not lie in this scan: it may be another one, or have other axes.</source>
         <translation>Die Gefäße liegen nicht in diesem Scan: er kann ein anderer sein oder andere Achsen haben.</translation>
     </message>
+    <message>
+        <source>The scan is shown without vessels: place a seed or set the threshold in the slices (%1), then trace.</source>
+        <translation>Der Scan wird ohne Gefäße gezeigt: Startpunkt setzen oder Schwelle in den Schichten (%1) wählen, dann erfassen.</translation>
+    </message>
 </context>
 <context>
     <name>app::PictureController</name>
@@ -1318,6 +1322,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>from landmarks</source>
         <translation>aus Landmarken</translation>
+    </message>
+    <message>
+        <source>not traced</source>
+        <translation>nicht erfasst</translation>
+    </message>
+    <message>
+        <source>Nothing was traced in the scan. Place a seed or set the threshold beside its slices.</source>
+        <translation>Im Scan wurde nichts erfasst. Neben den Schichten einen Startpunkt setzen oder die Schwelle wählen.</translation>
     </message>
 </context>
 <context>

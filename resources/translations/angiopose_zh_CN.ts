@@ -700,6 +700,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>The vessels do not lie in this scan: it may be another one, or have other axes.</source>
         <translation>血管不在此扫描内：可能是其他扫描，或坐标轴不同。</translation>
     </message>
+    <message>
+        <source>The scan is shown without vessels: place a seed or set the threshold in the slices (%1), then trace.</source>
+        <translation>显示的扫描没有血管：请在切片（%1）中放置种子点或设置阈值，然后提取。</translation>
+    </message>
 </context>
 <context>
     <name>app::PictureController</name>
@@ -1318,6 +1322,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>from landmarks</source>
         <translation>来自标志点</translation>
+    </message>
+    <message>
+        <source>not traced</source>
+        <translation>未提取</translation>
+    </message>
+    <message>
+        <source>Nothing was traced in the scan. Place a seed or set the threshold beside its slices.</source>
+        <translation>扫描中未提取到任何内容。请在切片旁放置种子点或设置阈值。</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,8 @@
 #include "tests/app/open_window.h"
 #include "tests/support/forked_vessel.h"
 
+#include <QCheckBox>
+#include <QSlider>
 #include <QTemporaryDir>
 
 namespace app {
@@ -63,6 +65,64 @@ TEST_F(WindowScanBeside, OrItsVesselsAreTraced)
     ASSERT_TRUE(w.current().volume);
     EXPECT_NE(w.current().tree, before);
     EXPECT_TRUE(w.current().centerlineFile.path.ends_with("scan.nrrd"));
+}
+
+/// The fork in blood hardly brighter than tissue: no level can be told from the values.
+core::Volume faintScan()
+{
+    core::Volume scan = test::forkScan();
+    for (int k = 0; k < scan.geometry.size.z(); ++k) {
+        for (int j = 0; j < scan.geometry.size.y(); ++j) {
+            for (int i = 0; i < scan.geometry.size.x(); ++i) {
+                const std::int16_t value = scan.at(i, j, k);
+                scan.at(i, j, k) = value > 60 ? static_cast<std::int16_t>(60 + (value - 60) / 10) : value;
+            }
+        }
+    }
+    return scan;
+}
+
+TEST(WindowScanWithoutVessels, IsShownAndTracedByHand)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("faint.nrrd"));
+    ASSERT_TRUE(io::writeVolume(faintScan(), path.toStdString()));
+    OpenWindow w;
+    w.drop({path});
+    ASSERT_TRUE(w.current().volume);
+    EXPECT_FALSE(w.current().tree);
+    EXPECT_TRUE(w.window.slices().hasScan());
+
+    w.window.actions()[ui::Command::SlicesLarge]->setChecked(true);
+    QApplication::processEvents();
+    w.window.tracing().findChild<QCheckBox*>()->setChecked(false);
+    w.window.tracing().findChild<QSlider*>()->setValue(70);
+    w.window.actions()[ui::Command::TraceScan]->trigger();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return w.current().tree != nullptr; }, test::patienceMs));
+    EXPECT_EQ(test::endsOf(*w.current().tree), 3);
+    EXPECT_EQ(w.current().vesselInput.kind, core::VesselInputKind::Volume);
+    EXPECT_TRUE(w.current().centerlineFile.path.ends_with("faint.nrrd"));
+    EXPECT_TRUE(w.current().scanFile.path.empty());
+
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_FALSE(w.current().tree);
+    EXPECT_TRUE(w.current().scanFile.path.ends_with("faint.nrrd"));
+}
+
+TEST(WindowScanWithoutVessels, LeavesOtherVesselsAlone)
+{
+    const QTemporaryDir folder;
+    const QString good = folder.filePath(QStringLiteral("good.nrrd"));
+    const QString faint = folder.filePath(QStringLiteral("faint.nrrd"));
+    ASSERT_TRUE(io::writeVolume(test::forkScan(), good.toStdString()));
+    ASSERT_TRUE(io::writeVolume(faintScan(), faint.toStdString()));
+    OpenWindow w;
+    w.drop({good});
+    const auto before = w.current().tree;
+    ASSERT_TRUE(before);
+    w.drop({faint});
+    EXPECT_EQ(w.current().tree, before);
+    EXPECT_TRUE(w.current().centerlineFile.path.ends_with("good.nrrd"));
 }
 
 }   // namespace
