@@ -136,7 +136,7 @@ void TracingController::followDocument()
     const core::RegistrationCase& current = document_.current();
     ui::TracingPanel& panel = window_.tracing();
     const std::shared_ptr<const core::Volume> traced =
-        current.vesselInput.kind == core::VesselInputKind::Volume ? current.volume : nullptr;
+        sourceOf(current).input.kind == core::VesselInputKind::Volume ? current.volume : nullptr;
     if (traced != shownVolume_) {
         shownVolume_ = traced;
         level_.setFuture({});

@@ -87,7 +87,7 @@ void ViewSync::refresh()
     }
     window_.angiogramView().setOrientationKnown(shownCamera_ && isOrientationKnown(current));
     showCornerTexts();
-    if (document_.isEmpty()) {
+    if (document_.isEmpty() && !current.volume) {
         window_.showWelcomePage();
     } else {
         window_.showImagePage();

@@ -93,10 +93,12 @@ TEST(WindowScanWithoutVessels, IsShownAndTracedByHand)
     EXPECT_FALSE(w.current().tree);
     EXPECT_TRUE(w.window.slices().hasScan());
 
-    w.window.actions()[ui::Command::SlicesLarge]->setChecked(true);
-    QApplication::processEvents();
+    EXPECT_TRUE(w.window.actions()[ui::Command::SlicesLarge]->isChecked());
+    EXPECT_TRUE(w.window.tracing().isVisible());
     w.window.tracing().findChild<QCheckBox*>()->setChecked(false);
-    w.window.tracing().findChild<QSlider*>()->setValue(70);
+    auto* threshold = w.window.tracing().findChild<QSlider*>();
+    ASSERT_TRUE(threshold->isVisible());
+    threshold->setValue(70);
     w.window.actions()[ui::Command::TraceScan]->trigger();
     ASSERT_TRUE(QTest::qWaitFor([&] { return w.current().tree != nullptr; }, test::patienceMs));
     EXPECT_EQ(test::endsOf(*w.current().tree), 3);
