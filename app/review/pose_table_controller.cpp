@@ -168,8 +168,8 @@ void PoseTableController::flush()
         return;
     }
     const core::RegistrationCase& current = document_.current();
-    const bool stillFits = document_.state().caseNumber == origin_.caseNumber && current.tree == origin_.tree &&
-                           current.angiogram == origin_.angiogram;
+    const bool stillFits = document_.state().caseNumber == origin_.caseNumber && current.tree == origin_.tree.lock() &&
+                           current.angiogram == origin_.angiogram.lock();
     std::vector<core::PoseSnapshot> snapshots = current.snapshots;
     for (core::PoseSnapshot& solved : std::exchange(waiting_, {})) {
         snapshots = core::withSnapshot(std::move(snapshots), std::move(solved));

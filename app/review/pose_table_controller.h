@@ -29,11 +29,11 @@ public:
     void stop() { job_.requestStop(); }
 
 private:
-    /// What the runs started from: their results fit nothing else.
+    /// What the runs started from: their results fit nothing else. It does not keep a closed case.
     struct Origin {
         int caseNumber = 0;
-        std::shared_ptr<const core::VesselTree> tree;
-        std::shared_ptr<const core::Angiogram> angiogram;
+        std::weak_ptr<const core::VesselTree> tree;
+        std::weak_ptr<const core::Angiogram> angiogram;
         int frame = 0;
     };
     void connectTable();

@@ -32,7 +32,10 @@ QWidget* openDialog(const QWidget& window)
 }   // namespace
 
 RandomUser::RandomUser(app::WindowHost& host, std::uint64_t seed)
-    : host_(host), hand_(seed), folder_(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation))
+    : host_(host),
+      hand_(seed),
+      folder_(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)),
+      layout_(host.window().layoutState())
 {
     app::settings::trialLog.write(folder_ + QStringLiteral("/trials.csv"));
     app::settings::lastFolder.write(folder_);
@@ -89,7 +92,8 @@ void RandomUser::closeDialogs()
     }
 }
 
-/// As it was at the start: sizes of views and words are no part of what is compared.
+/// As it was at the start: sizes of views and words are no part of what is compared. Pictures of large views alone
+/// take tens of MiB.
 void RandomUser::putWindowBack()
 {
     using enum ui::Command;
@@ -99,7 +103,7 @@ void RandomUser::putWindowBack()
         window.actions()[command]->setChecked(false);
     }
     window.showNormal();
-    window.resize(1400, 900);
+    window.restoreLayout(layout_);
     window.actions()[LanguageEnglish]->trigger();
     window.actions()[ThemeDark]->trigger();
     QTest::qWait(1000);

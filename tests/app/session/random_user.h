@@ -25,6 +25,7 @@ private:
     app::WindowHost& host_;
     RandomHand hand_;
     QString folder_;
+    QByteArray layout_;   ///< of the window as it was found
     std::vector<Habit> habits_;
     int totalWeight_ = 0;
     QString last_;
