@@ -4,6 +4,7 @@
 #include "app/files/sample_case.h"
 #include "tests/app/session/random_user.h"
 #include "tests/app/session/session_check.h"
+#include "tests/benchmark/stack_watch.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_view.h"
 
@@ -23,12 +24,14 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace {
 
 constexpr double handlerLimitMs = 16.0;
+constexpr double lookAtStackMs = 10.0;
 constexpr double leakLimitMiB = 20.0;
 
 double threadMs()
@@ -61,6 +64,7 @@ public:
         int count = 0;
         double worstMs = 0.0;
         std::map<QString, double> innerMs;   ///< of all `count` together
+        std::vector<std::string> stack;   ///< of the worst, after `lookAtStackMs`
     };
 
     bool notify(QObject* receiver, QEvent* event) override
@@ -73,6 +77,9 @@ public:
                                  .arg(event->type())
                                  .arg(wordsOn(*receiver));
         const double before = threadMs();
+        if (depth_ == 0) {
+            stackWatch_.begin();
+        }
         ++depth_;
         const bool accepted = QApplication::notify(receiver, event);
         --depth_;
@@ -98,7 +105,10 @@ private:
     {
         Slow& slow = slowest[name];
         ++slow.count;
-        slow.worstMs = std::max(slow.worstMs, tookMs);
+        if (tookMs > slow.worstMs) {
+            slow.worstMs = tookMs;
+            slow.stack = stackWatch_.end();
+        }
         for (const auto& [inner, ms] : inner_) {
             slow.innerMs[inner] += ms;
         }
@@ -106,6 +116,7 @@ private:
 
     int depth_ = 0;
     std::map<QString, double> inner_;
+    benchmarks::StackWatch stackWatch_{lookAtStackMs};
 };
 
 /// What slow handlers spent their time with, largest first.
@@ -119,6 +130,28 @@ void printInner(const TimedApplication::Slow& slow)
     parts.resize(std::min<std::size_t>(parts.size(), 6));
     for (const auto& [ms, name] : parts) {
         std::printf("          %5.1f ms on average in %s\n", ms, qPrintable(name));
+    }
+}
+
+/// Where a slow handler was, from the inside out: our own functions, and what the innermost was calling.
+void printStack(const std::vector<std::string>& stack)
+{
+    constexpr std::size_t mostCalled = 3;
+    constexpr std::size_t mostOwn = 5;
+    const auto isOwn = [](const std::string& name) {
+        return name.starts_with("ui::") || name.starts_with("app::") || name.starts_with("core::") ||
+               name.starts_with("io::");
+    };
+    std::vector<std::string> told(stack.begin(), std::ranges::find_if(stack, isOwn));
+    told.resize(std::min(told.size(), mostCalled));
+    std::size_t own = 0;
+    for (const std::string& name : stack) {
+        if (isOwn(name) && own++ < mostOwn) {
+            told.push_back(name);
+        }
+    }
+    for (const std::string& name : told) {
+        std::printf("          in %s\n", name.c_str());
     }
 }
 
@@ -261,6 +294,7 @@ int run(TimedApplication& application, const QElapsedTimer& sinceStart, int acti
     for (const auto& [name, slow] : application.slowest) {
         std::printf("  %4d x, worst %6.1f ms  %s\n", slow.count, slow.worstMs, qPrintable(name));
         printInner(slow);
+        printStack(slow.stack);
     }
     return difference.isEmpty() && grownMiB < leakLimitMiB && closed.areNone() ? 0 : 1;
 }
