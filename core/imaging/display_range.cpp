@@ -10,8 +10,8 @@ namespace {
 constexpr double borderShare = 0.02;   // an extreme value that fills more of the frame than this is border or shutter
 constexpr double backgroundRoom = 0.75;   // contrast beyond the background, relative to that of the vessels
 
-/// Finite pixels, sorted; at most about 60 000 of them, evenly picked.
-std::vector<float> sortedSample(const ImageF& frame)
+/// Finite pixels; at most about 60 000 of them, evenly picked.
+std::vector<float> sampleOf(const ImageF& frame)
 {
     const std::size_t step = std::max<std::size_t>(1, frame.pixels.size() / 60000);
     std::vector<float> sample;
@@ -21,26 +21,32 @@ std::vector<float> sortedSample(const ImageF& frame)
             sample.push_back(frame.pixels[i]);
         }
     }
-    std::sort(sample.begin(), sample.end());
     return sample;
 }
 
-double quantile(const std::vector<float>& sorted, double fraction)
+/// Drops a large border of one extreme value.
+void keepExposedField(std::vector<float>& sample)
 {
-    const auto last = static_cast<double>(sorted.size() - 1);
-    return sorted[static_cast<std::size_t>(std::lround(fraction * last))];
+    const auto [lowest, highest] = std::ranges::minmax(sample);
+    const auto count = static_cast<double>(sample.size());
+    const auto atLowest = static_cast<double>(std::ranges::count(sample, lowest));
+    const auto atHighest = lowest < highest ? static_cast<double>(std::ranges::count(sample, highest)) : 0.0;
+    // Else the extreme is the picture itself.
+    const bool leavesEnough = count - atLowest - atHighest > 10.0 * borderShare * count;
+    const bool dropsLowest = leavesEnough && atLowest > borderShare * count;
+    const bool dropsHighest = leavesEnough && atHighest > borderShare * count;
+    std::erase_if(sample,
+                  [&](float value) { return (dropsLowest && value == lowest) || (dropsHighest && value == highest); });
 }
 
-/// Without a large border of one extreme value.
-std::vector<float> exposedField(const std::vector<float>& sample)
+/// The value that this share of the sample lies below. The sample is not sorted, only ordered anew: this runs for every
+/// frame of a cine.
+double quantile(std::vector<float>& sample, double fraction)
 {
-    const auto enough = static_cast<std::ptrdiff_t>(borderShare * static_cast<double>(sample.size()));
-    const auto afterLowest = std::upper_bound(sample.begin(), sample.end(), sample.front());
-    const auto firstHighest = std::lower_bound(afterLowest, sample.end(), sample.back());
-    const bool leavesEnough = firstHighest - afterLowest > 10 * enough;   // else the extreme is the picture itself
-    const bool dropsLowest = leavesEnough && afterLowest - sample.begin() > enough;
-    const bool dropsHighest = leavesEnough && sample.end() - firstHighest > enough;
-    return {dropsLowest ? afterLowest : sample.begin(), dropsHighest ? firstHighest : sample.end()};
+    const auto last = static_cast<double>(sample.size() - 1);
+    const auto at = sample.begin() + std::lround(fraction * last);
+    std::ranges::nth_element(sample, at);
+    return *at;
 }
 
 DisplayRange notEmpty(DisplayRange range)
@@ -55,11 +61,11 @@ DisplayRange notEmpty(DisplayRange range)
 
 DisplayRange displayRange(const ImageF& frame)
 {
-    const std::vector<float> sample = sortedSample(frame);
-    if (sample.empty()) {
+    std::vector<float> exposed = sampleOf(frame);
+    if (exposed.empty()) {
         return {};
     }
-    const std::vector<float> exposed = exposedField(sample);
+    keepExposedField(exposed);
     DisplayRange range{quantile(exposed, 0.005), quantile(exposed, 0.995)};
     // Thin dark vessels (or bright ones) hardly move the median: keep it away from white (from black).
     const double background = quantile(exposed, 0.5);
@@ -70,11 +76,11 @@ DisplayRange displayRange(const ImageF& frame)
 
 DisplayRange vesselRange(const ImageF& frame, Polarity polarity)
 {
-    const std::vector<float> sample = sortedSample(frame);
-    if (sample.empty()) {
+    std::vector<float> exposed = sampleOf(frame);
+    if (exposed.empty()) {
         return {};
     }
-    const std::vector<float> exposed = exposedField(sample);
+    keepExposedField(exposed);
     const double background = quantile(exposed, 0.5);
     return notEmpty(polarity == Polarity::VesselsDark ? DisplayRange{quantile(exposed, 0.005), background}
                                                       : DisplayRange{background, quantile(exposed, 0.995)});
