@@ -121,21 +121,23 @@ void KeySheet::showMatching()
 {
     const int place = list_->indexOfTopLevelItem(list_->currentItem());
     list_->clear();
-    QString heading;
+    QList<QTreeWidgetItem*> items;
+    QList<QTreeWidgetItem*> headings;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
         const KeyLine& line = lines_[i];
         if (!matches(line, search_->text())) {
             continue;
         }
-        if (line.heading != heading) {
-            heading = line.heading;
-            auto* item = headingItem(heading);
-            list_->addTopLevelItem(item);
-            item->setFirstColumnSpanned(true);
+        if (headings.isEmpty() || line.heading != headings.back()->text(0)) {
+            headings.append(headingItem(line.heading));
+            items.append(headings.back());
         }
-        auto* item = new QTreeWidgetItem({line.keys, line.effect});
-        item->setData(0, lineRole, static_cast<int>(i));
-        list_->addTopLevelItem(item);
+        items.append(new QTreeWidgetItem({line.keys, line.effect}));
+        items.back()->setData(0, lineRole, static_cast<int>(i));
+    }
+    list_->addTopLevelItems(items);   // at once, and spanned afterwards: either lays out the list anew
+    for (QTreeWidgetItem* heading : headings) {
+        heading->setFirstColumnSpanned(true);
     }
     list_->setCurrentItem(list_->topLevelItem(std::max(0, place)));
     stopListening(list_->topLevelItemCount() == 0 ? tr("No key for “%1”.").arg(search_->text())
