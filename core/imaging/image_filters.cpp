@@ -49,7 +49,7 @@ void blurRow(const float* source, float* target, int width, const std::vector<fl
              std::vector<float>& padded)
 {
     const int reach = static_cast<int>(kernel.size()) - 1;
-    padded.assign(static_cast<std::size_t>(width + 2 * reach), source[0]);
+    padded.assign(static_cast<std::size_t>(width) + 2 * (kernel.size() - 1), source[0]);
     std::copy(source, source + width, padded.begin() + reach);
     std::fill(padded.begin() + reach + width, padded.end(), source[width - 1]);
     const float* centre = padded.data() + reach;

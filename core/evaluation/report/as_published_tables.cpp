@@ -90,7 +90,7 @@ std::vector<std::string> cellsOf(const std::string& label, const Measured& measu
 /// Why PR is taken to the nearest point: what this run itself shows.
 std::string measureNote(const RunGroups& groups, const Condition& condition)
 {
-    const std::string reason =
+    std::string reason =
         "PR is the mean distance to the nearest target point here, not to the true partner as in the other table: only "
         "so do the published rows fit together.";
     const RunGroup& icp = groups.of(condition, "dt-icp");

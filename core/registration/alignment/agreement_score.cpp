@@ -1,5 +1,7 @@
 #include "core/registration/alignment/agreement_score.h"
 
+#include "core/support/cell_index.h"
+
 #include <algorithm>
 
 namespace core {
@@ -55,10 +57,9 @@ double AgreementScore::coveredTargetShare(const CentroidPose& pose)
         if (!(cell.minCoeff() >= 1.0 && cell.x() < columns_ - 2.0 && cell.y() < rows_ - 2.0)) {
             continue;
         }
-        std::uint8_t* centre =
-            &covered_[static_cast<std::size_t>(static_cast<int>(cell.y()) * columns_ + static_cast<int>(cell.x()))];
+        std::uint8_t* centre = &covered_[cellIndex(static_cast<int>(cell.y()), columns_, static_cast<int>(cell.x()))];
         for (int row = -1; row <= 1; ++row) {
-            std::fill_n(centre + row * columns_ - 1, 3, std::uint8_t{1});
+            std::fill_n(centre + static_cast<std::ptrdiff_t>(row) * columns_ - 1, 3, std::uint8_t{1});
         }
     }
     std::size_t hits = 0;
@@ -67,7 +68,7 @@ double AgreementScore::coveredTargetShare(const CentroidPose& pose)
         const TargetLines::Line& line = lines[i];
         const int column = std::clamp(static_cast<int>(line.x / cellPx), 0, columns_ - 1);
         const int row = std::clamp(static_cast<int>(line.y / cellPx), 0, rows_ - 1);
-        hits += covered_[static_cast<std::size_t>(row * columns_ + column)];
+        hits += covered_[cellIndex(row, columns_, column)];
     }
     const std::size_t asked = (lines.size() + lineStride_ - 1) / lineStride_;
     return static_cast<double>(hits) / static_cast<double>(asked);

@@ -76,7 +76,7 @@ public:
 private:
     struct Match;
     bool match(const AlignmentPoint& point, const CentroidPose& pose, double limitPx, Match& match) const;
-    Vector6d residualGradient(const Match& match) const;
+    Vector6d residualGradient(const Match& found) const;
     void projectPoints(const CentroidPose& pose, double reachPx);
 
     std::vector<AlignmentPoint> points_;

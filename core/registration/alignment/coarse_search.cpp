@@ -1,5 +1,7 @@
 #include "core/registration/alignment/coarse_search.h"
 
+#include "core/support/cell_index.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -13,7 +15,7 @@ constexpr int blockPx = 16;   // step of the shifts
 constexpr int phasePx = 4;   // resolution of the closeness image
 constexpr int phases = blockPx / phasePx;
 constexpr std::size_t keptPerOrientation = 3;
-constexpr std::size_t maxPoints = 257;   // sums of bytes must fit 16 bits
+[[maybe_unused]] constexpr std::size_t maxPoints = 257;   // sums of bytes must fit 16 bits
 constexpr double basinPx = 24.0;
 constexpr double basinSteps = 0.75;   // of the turns
 constexpr double beyondReach = 1.2;   // tilts on the diagonal may be this much longer
@@ -63,14 +65,16 @@ CoarseSearch::CoarseSearch(const ProjectionCamera& camera, const TargetLines& ta
     margin_ = 2;
     blockColumns_ = camera.width / blockPx + 1 + 2 * margin_;
     blockRows_ = camera.height / blockPx + 1 + 2 * margin_;
-    const auto blocks = static_cast<std::size_t>(blockColumns_ * blockRows_);
+    const auto blocks = cellIndex(blockRows_, blockColumns_, 0);
     closeness_.resize(blocks * phases * phases);
     std::uint8_t* value = closeness_.data();
     for (int phase = 0; phase < phases * phases; ++phase) {
+        const int phaseRow = phase / phases;
+        const int phaseColumn = phase % phases;
         for (int row = 0; row < blockRows_; ++row) {
             for (int column = 0; column < blockColumns_; ++column) {
-                const double u = (column - margin_) * blockPx + phase % phases * phasePx;
-                const double v = (row - margin_) * blockPx + phase / phases * phasePx;
+                const double u = (column - margin_) * blockPx + phaseColumn * phasePx;
+                const double v = (row - margin_) * blockPx + phaseRow * phasePx;
                 const double squared = TargetLines::squaredDistance(target.nearest(u, v), u, v);
                 *value++ = static_cast<std::uint8_t>(
                     std::lround(255.0 * std::exp(-0.5 * squared / (closenessPx * closenessPx))));
@@ -89,13 +93,13 @@ void CoarseSearch::addPoint(double u, double v, Shifts& shifts) const
     const int firstColumn = (column - phaseColumn) / phases;
     const int firstRow = (row - phaseRow) / phases;
     const std::uint8_t* phase =
-        &closeness_[static_cast<std::size_t>((phaseRow * phases + phaseColumn) * blockColumns_ * blockRows_)];
+        &closeness_[cellIndex(phaseRow, phases, phaseColumn) * cellIndex(blockRows_, blockColumns_, 0)];
 
     const int from = std::clamp(-firstColumn, 0, shifts.columns);
     const int to = std::clamp(blockColumns_ - firstColumn, from, shifts.columns);
     for (int r = std::max(0, -firstRow); r < std::min(shifts.rows, blockRows_ - firstRow); ++r) {
-        const std::uint8_t* source = phase + (firstRow + r) * blockColumns_ + firstColumn;
-        std::uint16_t* sum = &shifts.sums[static_cast<std::size_t>(r * shifts.columns)];
+        const std::uint8_t* source = phase + static_cast<std::ptrdiff_t>(firstRow + r) * blockColumns_ + firstColumn;
+        std::uint16_t* sum = &shifts.sums[cellIndex(r, shifts.columns, 0)];
         for (int c = from; c < to; ++c) {
             sum[c] = static_cast<std::uint16_t>(sum[c] + source[c]);
         }

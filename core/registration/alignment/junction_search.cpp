@@ -1,5 +1,7 @@
 #include "core/registration/alignment/junction_search.h"
 
+#include "core/support/cell_index.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
@@ -110,11 +112,11 @@ JunctionSearch::JunctionSearch(const RegistrationProblem& problem, const TargetL
 
 void JunctionSearch::drawMeetings(std::span<const Junction<2>> found)
 {
-    isNearJunction_.resize(static_cast<std::size_t>(columns_ * rows_));
+    isNearJunction_.resize(cellIndex(rows_, columns_, 0));
     for (int row = 0; row < rows_; ++row) {
         for (int column = 0; column < columns_; ++column) {
             const Eigen::Vector2d middle((column + 0.5) * cellPx, (row + 0.5) * cellPx);
-            isNearJunction_[static_cast<std::size_t>(row * columns_ + column)] =
+            isNearJunction_[cellIndex(row, columns_, column)] =
                 std::any_of(found.begin(), found.end(), [&](const Junction<2>& junction) {
                     return (junction.point - middle).squaredNorm() < meetingPx * meetingPx;
                 });
@@ -163,7 +165,7 @@ int JunctionSearch::meetings(const std::vector<Place>& nodes, const Fit& fit) co
         const double u = (axis * place.x() + camera_.cx) / cellPx;
         const double v = (place.y() + camera_.cy) / cellPx;
         if (u >= 0.0 && v >= 0.0 && u < columns_ && v < rows_) {
-            count += isNearJunction_[static_cast<std::size_t>(static_cast<int>(v) * columns_ + static_cast<int>(u))];
+            count += isNearJunction_[cellIndex(static_cast<int>(v), columns_, static_cast<int>(u))];
         }
     }
     return count;

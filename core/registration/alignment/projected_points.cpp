@@ -1,5 +1,7 @@
 #include "core/registration/alignment/projected_points.h"
 
+#include "core/support/cell_index.h"
+
 #include <algorithm>
 
 namespace core {
@@ -29,7 +31,7 @@ void ProjectedPoints::add(const ProjectedPoint& point)
     if (!(column >= 0.0 && row >= 0.0 && column < columns_ && row < rows_)) {
         return;
     }
-    int& first = first_[static_cast<std::size_t>(static_cast<int>(row) * columns_ + static_cast<int>(column))];
+    int& first = first_[cellIndex(static_cast<int>(row), columns_, static_cast<int>(column))];
     next_.push_back(first);
     first = static_cast<int>(points_.size());
     points_.push_back(point);
@@ -43,8 +45,7 @@ const ProjectedPoint* ProjectedPoints::nearest(double u, double v) const
     double bestSquared = reachPx_ * reachPx_;
     for (int y = std::max(0, row - 1); y <= std::min(rows_ - 1, row + 1); ++y) {
         for (int x = std::max(0, column - 1); x <= std::min(columns_ - 1, column + 1); ++x) {
-            for (int k = first_[static_cast<std::size_t>(y * columns_ + x)]; k >= 0;
-                 k = next_[static_cast<std::size_t>(k)]) {
+            for (int k = first_[cellIndex(y, columns_, x)]; k >= 0; k = next_[static_cast<std::size_t>(k)]) {
                 const ProjectedPoint& point = points_[static_cast<std::size_t>(k)];
                 const double squared = (point.u - u) * (point.u - u) + (point.v - v) * (point.v - v);
                 if (squared < bestSquared) {

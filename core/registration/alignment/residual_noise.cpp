@@ -14,7 +14,6 @@ constexpr int stretchStep = 5;   // a stretch starts every so many points
 constexpr double madToStd = 1.4826;
 constexpr int minStretchPoints = 6;
 constexpr std::size_t minStretches = 8;
-constexpr double exactPx = 0.1;   // smaller offsets are sampling, not shape
 constexpr double minScatterPx = 0.02;   // sampling of the curves: no fit is better than this
 constexpr double noMatchPx = 6.0;   // scatter to assume where next to nothing matches
 constexpr std::size_t maxLag = 20;

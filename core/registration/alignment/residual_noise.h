@@ -16,7 +16,7 @@ struct ResidualNoise {
 
     /// Of one row, counted as if its neighbours were independent (ALGORITHMS §6.10: l_c σ̂²); px².
     double rowVariance() const { return nearestPartnerGain * scatterPx * scatterPx * correlationPoints; }
-    /// Stretches lie beside the vessels as wholes, by more than sampling explains.
+    /// Stretches lie beside the vessels as wholes, by more than sampling (about 0.1 px) explains.
     bool hasOffsets() const { return offsetPx >= 0.1; }
 };
 

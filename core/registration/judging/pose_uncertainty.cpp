@@ -44,14 +44,14 @@ PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const Target
     return poseUncertainty(imageInformation(problem, target, pose, prior), prior, pose, problem.tree.spreadMm);
 }
 
-PoseUncertainty poseUncertainty(const Matrix6d& data, const StartPrior& prior, const CentroidPose& pose,
+PoseUncertainty poseUncertainty(const Matrix6d& imageInformation, const StartPrior& prior, const CentroidPose& pose,
                                 double spreadMm)
 {
     const StepBasis free = prior.freedom.freeSteps(pose);
     PoseUncertainty uncertainty;
-    uncertainty.covariance = inverseAmong(free, data + informationOf(prior));
+    uncertainty.covariance = inverseAmong(free, imageInformation + informationOf(prior));
     // A hint of prior keeps the inverse finite where the image tells nothing.
-    const Matrix6d imageAlone = inverseAmong(free, data + 1e-6 * informationOf(prior));
+    const Matrix6d imageAlone = inverseAmong(free, imageInformation + 1e-6 * informationOf(prior));
     for (int k = 0; k < 6; ++k) {
         uncertainty.observed[static_cast<std::size_t>(k)] =
             prior.freedom.isLocked(k) || std::sqrt(imageAlone(k, k)) < 0.5 * prior.std[k];

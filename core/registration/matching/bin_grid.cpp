@@ -29,7 +29,7 @@ void BinGrid::fill(const std::vector<Eigen::Vector2d>& pointsPx, double cellPx)
 
     const auto numberOf = [&](const Eigen::Vector2d& point) {
         const Eigen::Vector2i cell = cellOf(point);
-        return static_cast<std::size_t>(cell.y() * columns_ + cell.x());
+        return cellIndex(cell.y(), columns_, cell.x());
     };
     starts_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 2, 0);
     for (const Eigen::Vector2d& point : pointsPx) {

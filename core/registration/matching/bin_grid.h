@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/support/cell_index.h"
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <cstddef>
@@ -25,8 +27,8 @@ public:
         const int fromColumn = std::max(0, cell.x() - 1);
         const int toColumn = std::min(columns_ - 1, cell.x() + 1);
         for (int row = fromRow; row <= toRow && fromColumn <= toColumn; ++row) {
-            const auto first = static_cast<std::size_t>(row * columns_ + fromColumn);
-            const auto last = static_cast<std::size_t>(row * columns_ + toColumn);
+            const std::size_t first = cellIndex(row, columns_, fromColumn);
+            const std::size_t last = cellIndex(row, columns_, toColumn);
             for (std::int32_t k = starts_[first]; k < starts_[last + 1]; ++k) {
                 visit(static_cast<std::size_t>(numbers_[static_cast<std::size_t>(k)]));
             }

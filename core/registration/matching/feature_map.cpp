@@ -1,5 +1,7 @@
 #include "core/registration/matching/feature_map.h"
 
+#include "core/support/cell_index.h"
+
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -159,7 +161,7 @@ std::size_t FeatureMap::nearestIndex(const Eigen::Vector2d& queryPx) const
     double bestSquared = std::numeric_limits<double>::infinity();
     for (int r = std::max(0, row - 1); r <= std::min(rows_ - 1, row + 1); ++r) {
         for (int c = std::max(0, column - 1); c <= std::min(columns_ - 1, column + 1); ++c) {
-            const auto candidate = static_cast<std::size_t>(nearest_[static_cast<std::size_t>(r * columns_ + c)]);
+            const auto candidate = static_cast<std::size_t>(nearest_[cellIndex(r, columns_, c)]);
             const double squared = (points_[candidate] - queryPx).squaredNorm();
             if (squared < bestSquared) {
                 bestSquared = squared;

@@ -5,6 +5,7 @@
 #include "core/registration/pnp/sparse_kernel.h"
 #include "core/registration/pose/pose_parameters.h"
 #include "core/registration/pose/pose_trials.h"
+#include "core/support/cell_index.h"
 #include "core/support/random.h"
 #include "core/support/stopwatch.h"
 
@@ -150,7 +151,7 @@ std::vector<Scored> ParticleSearch::walkOutOfPlane()
     };
     std::array<bool, across * across> isSeen{};
     std::deque<Cell> waiting{{cellsToEachSide, cellsToEachSide, search_.start()}};
-    isSeen[static_cast<std::size_t>(cellsToEachSide * across + cellsToEachSide)] = true;
+    isSeen[cellIndex(cellsToEachSide, across, cellsToEachSide)] = true;
     std::vector<Scored> solved;
     double best = -1.0;
     while (!waiting.empty() && !search_.isStopped()) {
@@ -167,7 +168,7 @@ std::vector<Scored> ParticleSearch::walkOutOfPlane()
             const bool isInside = x >= 0 && y >= 0 && x < across && y < across;
             const bool isFree = (dx == 0 || !problem_.freedom.isLocked(PoseAxis::CraCau)) &&
                                 (dy == 0 || !problem_.freedom.isLocked(PoseAxis::LaoRao));
-            const auto number = static_cast<std::size_t>(isInside ? y * across + x : 0);
+            const std::size_t number = isInside ? cellIndex(y, across, x) : 0;
             if (isInside && isFree && !isSeen[number]) {
                 isSeen[number] = true;
                 Vector6d turn = Vector6d::Zero();

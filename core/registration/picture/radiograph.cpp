@@ -103,7 +103,9 @@ ImageF Radiograph::ofVoxels(const RigidTransform& cameraFromPatient) const
         const int parts = std::clamp(static_cast<int>(std::ceil(sizePx)), 1, 8);
         const auto share = voxel.brightness / static_cast<float>(parts * parts);
         for (int part = 0; part < parts * parts; ++part) {
-            const Eigen::Vector2d offset((part % parts + 0.5) / parts - 0.5, (part / parts + 0.5) / parts - 0.5);
+            const int row = part / parts;
+            const int column = part % parts;
+            const Eigen::Vector2d offset((column + 0.5) / parts - 0.5, (row + 0.5) / parts - 0.5);
             splat(image, *pixel + sizePx * offset, share);
         }
     }
