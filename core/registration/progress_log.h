@@ -1,15 +1,21 @@
 #pragma once
 
-#include "core/registration/registration.h"
+#include "core/registration/pose/tree_shift.h"
+#include "core/registration/registration_problem.h"
 
 namespace core {
 
 /// Carries the reports of a method to the observer and keeps them for the convergence plot.
 class ProgressLog {
 public:
-    explicit ProgressLog(const IterationObserver& observe) : observe_(observe) {}
+    /// Steps are counted from the problem's start pose.
+    ProgressLog(const RegistrationProblem& problem, const IterationObserver& observe)
+        : observe_(observe), shift_(problem.tree.points), last_(problem.start)
+    {
+    }
 
-    /// Numbers the report, keeps its progress from falling, passes it on. Once the answer was Stop it stays Stop.
+    /// Numbers and measures the step, keeps the progress from falling, passes the report on. Once the answer was Stop
+    /// it stays Stop.
     Verdict report(IterationReport report);
 
     bool isStopped() const { return isStopped_; }
@@ -18,6 +24,8 @@ public:
 
 private:
     const IterationObserver& observe_;
+    TreeShift shift_;
+    RigidTransform last_;   ///< cameraFromPatient of the report before
     std::vector<IterationReport> history_;
     double progress_ = 0.0;
     bool isStopped_ = false;

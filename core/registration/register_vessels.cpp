@@ -14,7 +14,7 @@ Result<RegistrationResult> registerVessels(const RegistrationInput& input, const
     if (!problem) {
         return problem.error();
     }
-    ProgressLog progress(observe);
+    ProgressLog progress(problem.value(), observe);
     const MethodSolution solution = findMethod(options.method)->solve(problem.value(), options, progress);
 
     RegistrationResult result = judgePose(problem.value(), options, solution);

@@ -43,6 +43,7 @@ struct IterationReport {
     double progress = 0.0;   ///< 0…1, never decreasing
     double scalePx = 0.0;   ///< current kernel width
     double medianDistancePx = 0.0;   ///< tree points to their nearest target point
+    double stepMm = 0.0;   ///< rms shift of the tree's points since the report before, or since the start
     RigidTransform cameraFromPatient;   ///< best pose so far
 };
 

@@ -5231,6 +5231,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>shown after a run</source>
         <translation>nach einem Lauf zu sehen</translation>
     </message>
+    <message>
+        <source>step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>median distance</source>
+        <translation>medianer Abstand</translation>
+    </message>
+    <message>
+        <source>shift of the vessels in one step</source>
+        <translation>Verschiebung der Gefäße je Schritt</translation>
+    </message>
+    <message>
+        <source>Above: half of the vessel points lie nearer than this to the traced vessels.
+Below: how far a step moved the vessels, root of the mean square over all points; the bottom line is no shift.</source>
+        <translation>Oben: die Hälfte der Gefäßpunkte liegt näher als dies an den erfassten Gefäßen.
+Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über alle Punkte; die unterste Linie heißt keine Verschiebung.</translation>
+    </message>
 </context>
 <context>
     <name>ui::CornerViews</name>
@@ -6842,10 +6860,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das ist die Startlage: noch nichts eingepasst. R registriert, N justiert.</translation>
     </message>
     <message>
-        <source>median distance, px</source>
-        <translation>mittlerer Abstand, px</translation>
-    </message>
-    <message>
         <source>Motion</source>
         <translation>Bewegung</translation>
     </message>
@@ -6860,6 +6874,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>%1 → %2 px · steps: %3</source>
         <translation>%1 → %2 px · Schritte: %3</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>Schritt %1</translation>
     </message>
 </context>
 <context>
@@ -7019,6 +7037,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Fenster</translation>
     </message>
     <message>
+        <source>Own window</source>
+        <translation>Eigenes Fenster</translation>
+    </message>
+    <message>
+        <source>The slices in a window of their own, and back (F9)</source>
+        <translation>Die Schichten in eigenem Fenster, und zurück (F9)</translation>
+    </message>
+    <message>
         <source>Back to the angiogram</source>
         <translation>Zurück zum Angiogramm</translation>
     </message>
@@ -7033,14 +7059,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>From the values of this scan; right drag in a slice changes it by hand.</source>
         <translation>Aus den Werten dieses CT; rechts ziehen in einer Schicht ändert von Hand.</translation>
-    </message>
-    <message>
-        <source>Own window</source>
-        <translation>Eigenes Fenster</translation>
-    </message>
-    <message>
-        <source>The slices in a window of their own, and back (F9)</source>
-        <translation>Die Schichten in eigenem Fenster, und zurück (F9)</translation>
     </message>
 </context>
 <context>

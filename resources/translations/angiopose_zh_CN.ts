@@ -5231,6 +5231,24 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>shown after a run</source>
         <translation>配准后显示</translation>
     </message>
+    <message>
+        <source>step %1</source>
+        <translation>第 %1 步</translation>
+    </message>
+    <message>
+        <source>median distance</source>
+        <translation>中位距离</translation>
+    </message>
+    <message>
+        <source>shift of the vessels in one step</source>
+        <translation>血管每步的移动</translation>
+    </message>
+    <message>
+        <source>Above: half of the vessel points lie nearer than this to the traced vessels.
+Below: how far a step moved the vessels, root of the mean square over all points; the bottom line is no shift.</source>
+        <translation>上：一半血管点到所追踪血管的距离小于此值。
+下：一步使血管移动的距离，为所有点的均方根；最底线表示没有移动。</translation>
+    </message>
 </context>
 <context>
     <name>ui::CornerViews</name>
@@ -6842,10 +6860,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这是初始位姿：尚未配准。R 配准，N 微调。</translation>
     </message>
     <message>
-        <source>median distance, px</source>
-        <translation>距离中位数，px</translation>
-    </message>
-    <message>
         <source>Motion</source>
         <translation>运动</translation>
     </message>
@@ -6860,6 +6874,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>%1 → %2 px · steps: %3</source>
         <translation>%1 → %2 px · 步数：%3</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>第 %1 步</translation>
     </message>
 </context>
 <context>
@@ -7018,6 +7036,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>窗宽</translation>
     </message>
     <message>
+        <source>Own window</source>
+        <translation>独立窗口</translation>
+    </message>
+    <message>
+        <source>The slices in a window of their own, and back (F9)</source>
+        <translation>切片用独立窗口，再次移回（F9）</translation>
+    </message>
+    <message>
         <source>Back to the angiogram</source>
         <translation>返回造影图像</translation>
     </message>
@@ -7032,14 +7058,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>From the values of this scan; right drag in a slice changes it by hand.</source>
         <translation>取自此扫描的数值；在断层上右键拖动可手动调整。</translation>
-    </message>
-    <message>
-        <source>Own window</source>
-        <translation>独立窗口</translation>
-    </message>
-    <message>
-        <source>The slices in a window of their own, and back (F9)</source>
-        <translation>切片用独立窗口，再次移回（F9）</translation>
     </message>
 </context>
 <context>

@@ -1,10 +1,14 @@
 #include "app/files/plot_export.h"
 
+#include "ui/plots/convergence_plot.h"
 #include "ui/plots/histogram_plot.h"
+#include "ui/plots/log_lane.h"
 
 #include <gtest/gtest.h>
 #include <QImage>
 #include <QSvgRenderer>
+
+#include <cmath>
 
 namespace app {
 namespace {
@@ -39,6 +43,39 @@ TEST(PlotExport, WritesThreeDotsPerPixelAsPng)
     QImage image;
     ASSERT_TRUE(image.loadFromData(plotAsPng(plot), "PNG"));
     EXPECT_EQ(image.size(), QSize(660, 276));
+}
+
+TEST(PlotExport, ShowsDistanceAndStepOfARunWithTheirUnits)
+{
+    ui::ConvergencePlot plot;
+    plot.resize(300, 148);
+    const QByteArray empty = plotAsSvg(plot);
+    std::vector<core::IterationReport> history(12);
+    for (std::size_t i = 0; i < history.size(); ++i) {
+        history[i].iteration = static_cast<int>(i) + 1;
+        history[i].medianDistancePx = 30.0 / static_cast<double>(i + 1);
+        history[i].stepMm = i % 3 == 2 ? 0.0 : 8.0 * std::pow(0.4, i);   // some steps move nothing
+    }
+    plot.showHistory(history);
+    const QByteArray svg = plotAsSvg(plot);
+
+    EXPECT_FALSE(svg.contains("<image"));
+    for (const char* words :
+         {"median distance", "shift of the vessels in one step", "10 px", "1 mm", "step 1", ">12<"}) {
+        EXPECT_TRUE(svg.contains(words)) << words;
+    }
+    EXPECT_FALSE(empty.contains("px"));
+    EXPECT_EQ(svg.count("stroke-dasharray"), 2)
+        << "the step's line and its sample are dashed: told apart without colour";
+}
+
+TEST(LogLane, SpansWhatCanBeSeenAndNoMore)
+{
+    const std::vector<double> still{2.0, 2.0}, deep{5.0, 0.0, 1e-9}, none{0.0, 0.0};
+    EXPECT_NEAR(ui::spanOf(still).top - ui::spanOf(still).bottom, 1.0, 1e-9);
+    EXPECT_GT(ui::spanOf(deep).top, std::log10(5.0));
+    EXPECT_NEAR(ui::spanOf(deep).top - ui::spanOf(deep).bottom, 4.0, 1e-9);
+    EXPECT_LT(ui::spanOf(none).bottom, ui::spanOf(none).top);
 }
 
 }   // namespace

@@ -170,7 +170,7 @@ void ResultPanel::startRun()
 void ResultPanel::showProgress(const core::IterationReport& report)
 {
     convergence_->append(report);
-    convergenceSection_->setHint(tr("median distance, px"));
+    convergenceSection_->setHint(tr("step %1").arg(report.iteration));
 }
 
 void ResultPanel::showHistory(const std::vector<core::IterationReport>& history)

@@ -8,7 +8,8 @@
 
 namespace ui {
 
-/// Median distance of the tree to the traced vessels over the steps of the run, logarithmic.
+/// A run step by step, one lane above the other: the median distance of the tree to the traced vessels, and how far
+/// the step moved the tree. Both logarithmic, each on a scale of its own.
 class ConvergencePlot : public QWidget {
     Q_OBJECT
 public:
@@ -16,15 +17,14 @@ public:
 
     void showHistory(const std::vector<core::IterationReport>& history);
     void append(const core::IterationReport& report);
-    QSize sizeHint() const override { return {200, 84}; }
+    QSize sizeHint() const override { return {200, 148}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    void paintDecades(QPainter& painter, const QRectF& area, double bottom, double top) const;
-
-    std::vector<double> medianPx_;
+    std::vector<int> iterations_;
+    std::vector<double> medianPx_, stepMm_;
 };
 
 }   // namespace ui

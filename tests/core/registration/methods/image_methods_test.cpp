@@ -59,8 +59,9 @@ struct DrawnCase {
 RigidTransform poseBy(const RegistrationInput& input, const RegistrationOptions& options)
 {
     const IterationObserver none;
-    ProgressLog progress(none);
-    return findMethod(options.method)->solve(makeProblem(input, options).value(), options, progress).cameraFromPatient;
+    const RegistrationProblem problem = makeProblem(input, options).value();
+    ProgressLog progress(problem, none);
+    return findMethod(options.method)->solve(problem, options, progress).cameraFromPatient;
 }
 
 RegistrationOptions optionsFor(std::string_view method)

@@ -27,7 +27,7 @@ RigidTransform poseOf(const RegistrationInput& input, const RegistrationOptions&
     const Result<RegistrationProblem> problem = makeProblem(input, options);
     EXPECT_TRUE(problem) << (problem ? "" : problem.error().message);
     const IterationObserver none;
-    ProgressLog progress(none);
+    ProgressLog progress(problem.value(), none);
     return findMethod(options.method)->solve(problem.value(), options, progress).cameraFromPatient;
 }
 

@@ -33,7 +33,7 @@ Outcome run(MethodFunction method, const RegistrationInput& input, const Registr
 {
     const Result<RegistrationProblem> problem = makeProblem(input, options);
     EXPECT_TRUE(problem) << (problem ? "" : problem.error().message);
-    ProgressLog progress(observe);
+    ProgressLog progress(problem.value(), observe);
     MethodSolution solution = method(problem.value(), options, progress);
     return {std::move(solution), progress.history()};
 }
