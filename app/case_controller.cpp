@@ -14,6 +14,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       branches_(document_),
       picking_(document_, branches_, sync_, window),
       pose_(document_),
+      pivot_(document_, window),
       landmarks_(document_, window),
       start_(document_, window),
       geometry_(document_, window),
@@ -63,6 +64,8 @@ void CaseController::connectNotes()
     connect(&branches_, &BranchController::refused, &notices_, &Notices::showNote);
     connect(&treeActions_, &TreeActions::refused, &notices_, &Notices::showNote);
     connect(&views_, &ViewController::refused, &notices_, &Notices::showNote);
+    connect(&pivot_, &PivotController::told, &notices_, &Notices::showNote);
+    connect(&treeActions_, &TreeActions::pivotWanted, &pivot_, &PivotController::pick);
     connect(&landmarks_, &LandmarkController::refused, &notices_, &Notices::showNote);
     connect(&landmarks_, &LandmarkController::placed, &notices_, &Notices::showNote);
     connect(&start_, &StartPoseController::refused, &notices_, &Notices::showNote);

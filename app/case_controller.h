@@ -7,6 +7,7 @@
 #include "app/editing/geometry_controller.h"
 #include "app/editing/history_controller.h"
 #include "app/editing/landmark_controller.h"
+#include "app/editing/pivot_controller.h"
 #include "app/editing/pose_controller.h"
 #include "app/editing/pose_gestures.h"
 #include "app/editing/start_pose_controller.h"
@@ -78,6 +79,7 @@ private:
     BranchController branches_;
     BranchPicking picking_;
     PoseController pose_;
+    PivotController pivot_;
     LandmarkController landmarks_;
     StartPoseController start_;
     GeometryController geometry_;

@@ -16,6 +16,7 @@ RegistrationCase withVesselsOf(const RegistrationCase& first, RegistrationCase v
     view.volume = first.volume;
     view.auxiliaryBranchIds = first.auxiliaryBranchIds;
     view.excludedBranchIds = first.excludedBranchIds;
+    view.pickedPivotInPatient = first.pickedPivotInPatient;
     return view;
 }
 

@@ -28,6 +28,14 @@ std::vector<std::string> contradictionsOf(const RegistrationCase& registrationCa
     return findContradictions(registrationCase.cArm, angiogram.gantry, {angiogram.width(), angiogram.height()});
 }
 
+std::optional<Eigen::Vector3d> pivotInPatient(const RegistrationCase& registrationCase)
+{
+    if (!registrationCase.tree) {
+        return std::nullopt;
+    }
+    return registrationCase.pickedPivotInPatient.value_or(centroidInPatient(*registrationCase.tree));
+}
+
 CArm cArmOfFrame(const RegistrationCase& registrationCase)
 {
     if (!registrationCase.angiogram) {
@@ -137,6 +145,7 @@ Result<RegistrationInput> registrationInputOf(const RegistrationCase& registrati
     if (const auto start = startPoseOf(registrationCase)) {
         input.lockReference = start.value();
     }
+    input.lockPivotInPatient = registrationCase.pickedPivotInPatient;
     input.auxiliaryBranchIds = registrationCase.auxiliaryBranchIds;
     input.excludedBranchIds = registrationCase.excludedBranchIds;
     input.image = imageOf(registrationCase, input.camera);

@@ -56,6 +56,7 @@ struct RegistrationCase {
     std::vector<int> auxiliaryBranchIds;
     std::vector<int> excludedBranchIds;
     std::vector<int> hiddenBranchIds;   ///< count, but are not drawn
+    std::optional<Eigen::Vector3d> pickedPivotInPatient;   ///< see pivotInPatient
 
     InputFile imageFile;
     std::shared_ptr<const Angiogram> angiogram;   ///< as it is shown and traced; null until loaded
@@ -84,6 +85,10 @@ struct RegistrationCase {
     std::optional<RegistrationResult> result;   ///< of the last run, while the pose is still its pose
     std::vector<PoseSnapshot> snapshots;   ///< poses kept by the user and left by runs, oldest first
 };
+
+/// What the vessels turn about by hand, and whose shifts are shown and locked: picked, or the tree's centroid; nothing
+/// without a tree.
+std::optional<Eigen::Vector3d> pivotInPatient(const RegistrationCase& registrationCase);
 
 /// The camera of the case: the override, or what follows from the C-arm and the image size.
 Result<ProjectionCamera> cameraOf(const RegistrationCase& registrationCase);

@@ -65,6 +65,7 @@ using ShowView = SetFields<&RegistrationCase::otherViews, &RegistrationCase::ima
                            &RegistrationCase::cameraFromPatient, &RegistrationCase::landmarks,
                            &RegistrationCase::result, &RegistrationCase::snapshots, &RegistrationCase::viewExtraKeys>;
 
+using PickPivot = SetFields<&RegistrationCase::pickedPivotInPatient>;
 using ChangeLandmarks = SetFields<&RegistrationCase::landmarks>;
 
 /// A start pose found by hand or landmarks becomes the case's own.
@@ -84,11 +85,12 @@ using JoinInputs =
               &RegistrationCase::volume, &RegistrationCase::scanFile, &RegistrationCase::scanSeriesId,
               &RegistrationCase::scanIdentity, &RegistrationCase::lumen, &RegistrationCase::tree,
               &RegistrationCase::isTreeEdited, &RegistrationCase::hiddenBranchIds,
-              &RegistrationCase::auxiliaryBranchIds, &RegistrationCase::excludedBranchIds, &RegistrationCase::imageFile,
-              &RegistrationCase::angiogram, &RegistrationCase::storedRun, &RegistrationCase::headerPlan,
-              &RegistrationCase::treatment, &RegistrationCase::frame, &RegistrationCase::targetFile,
-              &RegistrationCase::givenTarget, &RegistrationCase::editedFrame, &RegistrationCase::acceptedCurveIds,
-              &RegistrationCase::cArm, &RegistrationCase::cameraOverride, &RegistrationCase::hasInitialPose,
+              &RegistrationCase::auxiliaryBranchIds, &RegistrationCase::excludedBranchIds,
+              &RegistrationCase::pickedPivotInPatient, &RegistrationCase::imageFile, &RegistrationCase::angiogram,
+              &RegistrationCase::storedRun, &RegistrationCase::headerPlan, &RegistrationCase::treatment,
+              &RegistrationCase::frame, &RegistrationCase::targetFile, &RegistrationCase::givenTarget,
+              &RegistrationCase::editedFrame, &RegistrationCase::acceptedCurveIds, &RegistrationCase::cArm,
+              &RegistrationCase::cameraOverride, &RegistrationCase::hasInitialPose,
               &RegistrationCase::cameraFromPatient, &RegistrationCase::landmarks, &RegistrationCase::result>;
 
 /// The edit that makes the document's case like `wanted`, geometry only.

@@ -27,7 +27,7 @@ std::optional<PoseController::Frame> PoseController::frame() const
     if (!start || !camera) {
         return std::nullopt;
     }
-    return Frame{start.value(), camera.value(), core::centroidInPatient(*current.tree)};
+    return Frame{start.value(), camera.value(), *core::pivotInPatient(current)};
 }
 
 std::optional<core::PoseOffset> PoseController::currentOffset() const

@@ -204,6 +204,8 @@ void TreeActions::openBranchMenu(int branchId, const Eigen::Vector3d& pointInPat
     auto* menu = new QMenu(&window_);
     menu->addAction(window_.actions()[Command::ToggleAuxiliary]);
     menu->addAction(window_.actions()[Command::ToggleExcluded]);
+    menu->addAction(tr("Turn the vessels about this place"), this,
+                    [this, pointInPatient] { emit pivotWanted(pointInPatient); });
     menu->addSeparator();
     for (const Command command : branchCommands) {
         menu->addAction(window_.actions()[command]);

@@ -19,6 +19,7 @@ public:
 signals:
     void refused(const QString& why);
     void adviceChanged();
+    void pivotWanted(const Eigen::Vector3d& pointInPatient);   ///< by a menu
 
 private:
     void connectCommands();

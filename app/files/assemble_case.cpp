@@ -30,6 +30,7 @@ void putTree(core::RegistrationCase& target, const LoadedInputs& inputs)
     target.lumen = inputs.lumen;
     target.isTreeEdited = false;
     target.hiddenBranchIds.clear();
+    target.pickedPivotInPatient.reset();
     target.auxiliaryBranchIds.clear();
     target.excludedBranchIds.clear();
 }

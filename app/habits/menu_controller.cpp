@@ -50,7 +50,7 @@ QMenu* MenuController::makeMenu(std::optional<int> branchId)
 void MenuController::showAngiogramMenu(const QPoint& globalPosition, std::optional<int> branchId)
 {
     QMenu* menu = makeMenu(branchId);
-    addCommands(menu, window_.actions(), {Nudge, ResetPose, Register});
+    addCommands(menu, window_.actions(), {Nudge, PickPivot, CentroidPivot, ResetPose, Register});
     addCommands(menu, window_.actions(), {Fit, WorstBranch, AutoWindow, Invert});
     addCommands(menu, window_.actions(), {Outline, Swipe, Flicker, ShowTrace});
     addCommands(menu, window_.actions(), {ExportOverlay, CopyWindow});

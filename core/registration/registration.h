@@ -27,6 +27,7 @@ struct RegistrationInput {
     ProjectionCamera camera;
     RigidTransform initialCameraFromPatient;
     std::optional<RigidTransform> lockReference{};   ///< what locked angles are counted from; nothing: the start
+    std::optional<Eigen::Vector3d> lockPivotInPatient{};   ///< whose place locked shifts keep; nothing: the centroid
     std::vector<int> auxiliaryBranchIds{};   ///< {p'}; empty means the nodes
     std::vector<int> excludedBranchIds{};   ///< not used at all
     std::shared_ptr<const ImageF> image{};   ///< the frame that shows the target; null: image methods draw the target

@@ -140,11 +140,12 @@ std::string findProblem(const RegistrationInput& input, const VesselTree& usedTr
     return {};
 }
 
-/// Locked shifts hold for the centroid of the whole tree, the pivot that users see, whatever branches are excluded.
+/// Locked shifts hold for the pivot that users see: picked, or the centroid of the whole tree, whatever is excluded.
 PoseFreedom freedomOf(const RegistrationInput& input, const PoseLocks& locks, const RegistrationProblem& problem)
 {
-    const PoseFreedom::Frame frame{input.lockReference.value_or(problem.start).rotation,
-                                   centroidInPatient(input.tree) - problem.tree.centroid};
+    const PoseFreedom::Frame frame{
+        input.lockReference.value_or(problem.start).rotation,
+        input.lockPivotInPatient.value_or(centroidInPatient(input.tree)) - problem.tree.centroid};
     return {locks, frame, aboutCentroid(problem.start, problem.tree.centroid)};
 }
 

@@ -98,6 +98,9 @@ void readVessel(const Json& vessel, CaseDocument& document)
     values.auxiliaryBranchIds = vessel.value("auxiliaryBranches", std::vector<int>());
     values.excludedBranchIds = vessel.value("excludedBranches", std::vector<int>());
     values.hiddenBranchIds = vessel.value("hiddenBranches", std::vector<int>());
+    if (const Json& pivot = member(vessel, "pivotInPatientMm"); pivot.is_array()) {
+        values.pickedPivotInPatient = pointFrom(pivot);
+    }
     readEditedTree(vessel, document);
     values.vesselInput.labels = vessel.value("labels", std::vector<int>());
     values.vesselInput.unitMm = vessel.value("unitMm", 1.0);

@@ -114,6 +114,9 @@ Json vesselJson(const core::RegistrationCase& registrationCase, const std::files
     if (!registrationCase.hiddenBranchIds.empty()) {
         vessel["hiddenBranches"] = registrationCase.hiddenBranchIds;
     }
+    if (registrationCase.pickedPivotInPatient) {
+        vessel["pivotInPatientMm"] = pointJson(*registrationCase.pickedPivotInPatient);
+    }
     if (registrationCase.isTreeEdited && registrationCase.tree) {
         vessel["editedTree"] = Json::parse(treeJson(*registrationCase.tree));
     }

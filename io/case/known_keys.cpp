@@ -31,8 +31,8 @@ std::string knownCaseKeys(core::VesselInputKind vesselKind)
     Json keys = object({"format", "version", "title", "views", "method", "snapshots"});
     Json vessel = file;
     vessel["dicom"] = object({"seriesInstanceUid"});
-    keys["vessel"] =
-        object({"auxiliaryBranches", "excludedBranches", "hiddenBranches", "editedTree", "labels", "unitMm"});
+    keys["vessel"] = object({"auxiliaryBranches", "excludedBranches", "hiddenBranches", "pivotInPatientMm",
+                             "editedTree", "labels", "unitMm"});
     keys["vessel"][vesselKey(vesselKind)] = vessel;   // another kind beside it is kept, not read,
     keys["vessel"][vesselKey(core::VesselInputKind::Volume)] = vessel;   // but for a scan
     keys["vessel"]["tracing"] = object({"threshold", "seedsInPatientMm", "avoidInPatientMm", "rootInPatientMm",

@@ -733,6 +733,25 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
+    <name>app::PivotController</name>
+    <message>
+        <source>Pick the pivot</source>
+        <translation>Drehpunkt wählen</translation>
+    </message>
+    <message>
+        <source>The vessels turn about the picked place now.</source>
+        <translation>Die Gefäße drehen sich jetzt um die gewählte Stelle.</translation>
+    </message>
+    <message>
+        <source>Pivot back to the centroid</source>
+        <translation>Drehpunkt zurück zum Schwerpunkt</translation>
+    </message>
+    <message>
+        <source>The vessels turn about their centroid again.</source>
+        <translation>Die Gefäße drehen sich wieder um ihren Schwerpunkt.</translation>
+    </message>
+</context>
+<context>
     <name>app::PlotExport</name>
     <message>
         <source>Copy picture</source>
@@ -1454,6 +1473,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>%1 pieces · gap %2 mm: %3 – %4</source>
         <translation>%1 Stücke · Lücke %2 mm: %3 – %4</translation>
+    </message>
+    <message>
+        <source>Turn the vessels about this place</source>
+        <translation>Gefäße um diese Stelle drehen</translation>
     </message>
 </context>
 <context>
@@ -5220,6 +5243,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Choose the labels that are vessels</source>
         <translation>Labels wählen, die Gefäße sind</translation>
     </message>
+    <message>
+        <source>Pick the point to turn about</source>
+        <translation>Drehpunkt wählen</translation>
+    </message>
+    <message>
+        <source>Turn about the centroid again</source>
+        <translation>Wieder um den Schwerpunkt drehen</translation>
+    </message>
 </context>
 <context>
     <name>ui::ConvergencePlot</name>
@@ -6070,6 +6101,30 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <source>the next of the dashed curves: keep or leave out</source>
         <translation>die nächste der gestrichelten Kurven: behalten oder weglassen</translation>
     </message>
+    <message>
+        <source>While picking the pivot</source>
+        <translation>Beim Wählen des Drehpunkts</translation>
+    </message>
+    <message>
+        <source>a place on the vessels, in the image, in 3-D or in a slice</source>
+        <translation>eine Stelle auf den Gefäßen, im Bild, in 3-D oder in einer Schicht</translation>
+    </message>
+    <message>
+        <source>← →</source>
+        <translation>← →</translation>
+    </message>
+    <message>
+        <source>the next bifurcation or end</source>
+        <translation>die nächste Verzweigung oder das nächste Ende</translation>
+    </message>
+    <message>
+        <source>takes the place shown</source>
+        <translation>nimmt die gezeigte Stelle</translation>
+    </message>
+    <message>
+        <source>back to the centroid</source>
+        <translation>zurück zum Schwerpunkt</translation>
+    </message>
 </context>
 <context>
     <name>ui::KeySheet</name>
@@ -6400,6 +6455,20 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
+    <name>ui::PivotMark</name>
+    <message>
+        <source>pivot</source>
+        <translation>Drehpunkt</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PivotTool</name>
+    <message>
+        <source>Pivot: click the vessels, here or in 3-D · ← → and Enter: bifurcations · Del: centroid</source>
+        <translation>Drehpunkt: Gefäße anklicken, hier oder in 3-D · ← → und Eingabe: Verzweigungen · Entf: Schwerpunkt</translation>
+    </message>
+</context>
+<context>
     <name>ui::PoseAxis</name>
     <message>
         <source>right</source>
@@ -6483,6 +6552,10 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>nudge %1 · fine Ctrl · coarse Shift</source>
         <translation>justieren %1 · fein Strg · grob Umschalt</translation>
+    </message>
+    <message>
+        <source>Turns about the picked pivot, and shifts are those of it. %1 goes back to the centroid.</source>
+        <translation>Dreht um den gewählten Drehpunkt, und die Verschiebungen sind seine. %1 führt zum Schwerpunkt zurück.</translation>
     </message>
 </context>
 <context>

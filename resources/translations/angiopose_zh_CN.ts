@@ -733,6 +733,25 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
+    <name>app::PivotController</name>
+    <message>
+        <source>Pick the pivot</source>
+        <translation>选取旋转中心</translation>
+    </message>
+    <message>
+        <source>The vessels turn about the picked place now.</source>
+        <translation>血管现在围绕所选位置转动。</translation>
+    </message>
+    <message>
+        <source>Pivot back to the centroid</source>
+        <translation>旋转中心恢复为质心</translation>
+    </message>
+    <message>
+        <source>The vessels turn about their centroid again.</source>
+        <translation>血管重新围绕其质心转动。</translation>
+    </message>
+</context>
+<context>
     <name>app::PlotExport</name>
     <message>
         <source>Copy picture</source>
@@ -1454,6 +1473,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>%1 pieces · gap %2 mm: %3 – %4</source>
         <translation>%1 段 · 间隙 %2 mm：%3 – %4</translation>
+    </message>
+    <message>
+        <source>Turn the vessels about this place</source>
+        <translation>围绕此处转动血管</translation>
     </message>
 </context>
 <context>
@@ -5220,6 +5243,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Choose the labels that are vessels</source>
         <translation>选择属于血管的标签</translation>
     </message>
+    <message>
+        <source>Pick the point to turn about</source>
+        <translation>选取旋转中心</translation>
+    </message>
+    <message>
+        <source>Turn about the centroid again</source>
+        <translation>恢复围绕质心转动</translation>
+    </message>
 </context>
 <context>
     <name>ui::ConvergencePlot</name>
@@ -6070,6 +6101,30 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <source>the next of the dashed curves: keep or leave out</source>
         <translation>下一条虚线曲线：保留或排除</translation>
     </message>
+    <message>
+        <source>While picking the pivot</source>
+        <translation>选取旋转中心时</translation>
+    </message>
+    <message>
+        <source>a place on the vessels, in the image, in 3-D or in a slice</source>
+        <translation>血管上的位置：图像、三维视图或切片中</translation>
+    </message>
+    <message>
+        <source>← →</source>
+        <translation>← →</translation>
+    </message>
+    <message>
+        <source>the next bifurcation or end</source>
+        <translation>下一个分叉或末端</translation>
+    </message>
+    <message>
+        <source>takes the place shown</source>
+        <translation>采用所示位置</translation>
+    </message>
+    <message>
+        <source>back to the centroid</source>
+        <translation>恢复为质心</translation>
+    </message>
 </context>
 <context>
     <name>ui::KeySheet</name>
@@ -6400,6 +6455,20 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
+    <name>ui::PivotMark</name>
+    <message>
+        <source>pivot</source>
+        <translation>旋转中心</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PivotTool</name>
+    <message>
+        <source>Pivot: click the vessels, here or in 3-D · ← → and Enter: bifurcations · Del: centroid</source>
+        <translation>旋转中心：在此处或三维视图中点击血管 · ← → 和回车：分叉 · Delete：质心</translation>
+    </message>
+</context>
+<context>
     <name>ui::PoseAxis</name>
     <message>
         <source>right</source>
@@ -6483,6 +6552,10 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>nudge %1 · fine Ctrl · coarse Shift</source>
         <translation>微调 %1 · 精细 Ctrl · 粗调 Shift</translation>
+    </message>
+    <message>
+        <source>Turns about the picked pivot, and shifts are those of it. %1 goes back to the centroid.</source>
+        <translation>围绕所选旋转中心转动，位移亦指该点。%1 恢复为质心。</translation>
     </message>
 </context>
 <context>

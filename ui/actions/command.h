@@ -52,6 +52,8 @@ enum class Command {
     Opacification,
     // Pose
     Nudge,
+    PickPivot,
+    CentroidPivot,
     ResetPose,
     StartHere,
     StartFromAngles,

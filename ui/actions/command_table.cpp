@@ -85,6 +85,8 @@ std::span<const CommandRow> CommandTable::poseCommands()
 {
     static constexpr CommandRow rows[]{
         {Command::Nudge, QT_TR_NOOP("Nudge mode"), "N", Switch},
+        {Command::PickPivot, QT_TR_NOOP("Pick the point to turn about"), "Shift+N", Switch},
+        {Command::CentroidPivot, QT_TR_NOOP("Turn about the centroid again"), "Ctrl+Shift+N"},
         {Command::ResetPose, QT_TR_NOOP("Back to start pose"), "Backspace"},
         {Command::StartHere, QT_TR_NOOP("This pose is the start pose"), "Shift+Backspace"},
         {Command::StartFromAngles, QT_TR_NOOP("Start pose from the angles"), "Ctrl+Backspace"},

@@ -53,6 +53,11 @@ void KeyNotes::addModes(std::vector<KeyLine>& lines)
          {tr(", ."), tr("roll by 1°")},
          {tr("Alt+arrows"), tr("turn LAO/RAO and CRA/CAU by 1°")},
          {tr("drag"), tr("move; on the ring roll; Esc takes it back, then ends the mode")}});
+    add(lines, tr("While picking the pivot"),
+        {{tr("click"), tr("a place on the vessels, in the image, in 3-D or in a slice")},
+         {tr("← →"), tr("the next bifurcation or end")},
+         {tr("Enter"), tr("takes the place shown")},
+         {tr("Del"), tr("back to the centroid")}});
     add(lines, tr("While clicking landmarks"),
         {{tr("click"), tr("in 3-D or a slice, then in the image: one pair")},
          {tr("drag"), tr("a node of the vessels to its place, or a cross elsewhere")},

@@ -42,7 +42,16 @@ PosePanel::PosePanel(QWidget* parent)
     withTip(reset, [] { return tipWithKey(tr("Undo brings the pose back."), Command::ResetPose); });
     connect(reset, &QPushButton::clicked, this, &PosePanel::resetRequested);
     reset_ = reset;
+    pivotNote_ = roleLabel("hint");
+    pivotNote_->setWordWrap(true);
+    pivotNote_->hide();
+    speak(this, [this] {
+        pivotNote_->setText(
+            tr("Turns about the picked pivot, and shifts are those of it. %1 goes back to the centroid.")
+                .arg(keyOf(Command::CentroidPivot)));
+    });
     contentLayout()->addLayout(grid);
+    contentLayout()->addWidget(pivotNote_);
     contentLayout()->addWidget(reset);
     speak(this, [this] { showNudgeMode(isNudging_); });
     showOffset(std::nullopt);
@@ -83,6 +92,11 @@ void PosePanel::showLocks(const PoseLocks& locks)
         rows_[i].field->setReadOnly(locks[i]);
         setRole(rows_[i].label, locks[i] ? "attention" : "label");
     }
+}
+
+void PosePanel::showPickedPivot(bool isPicked)
+{
+    pivotNote_->setVisible(isPicked);
 }
 
 void PosePanel::showNudgeMode(bool on)

@@ -17,6 +17,7 @@ public:
 
     void showOffset(const std::optional<core::PoseOffset>& offset);   ///< nothing: there is no pose to edit yet
     void showLocks(const PoseLocks& locks);
+    void showPickedPivot(bool isPicked);   ///< else the numbers are about the centroid
     void showNudgeMode(bool on);
     void setActiveAxis(std::optional<PoseAxis> axis);   ///< the one in use, marked in amber
 
@@ -39,6 +40,7 @@ private:
     bool isNudging_ = false;
     PoseLocks locks_{};
     std::array<Row, poseAxes.size()> rows_{};
+    QLabel* pivotNote_ = nullptr;
     QAbstractButton* reset_;
 };
 

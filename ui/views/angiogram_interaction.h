@@ -24,6 +24,7 @@ struct AngiogramView::Interaction {
     core::ProjectionCamera camera;
     core::RigidTransform cameraFromPatient;
     Eigen::Vector3d pivotInPatient = Eigen::Vector3d::Zero();
+    std::optional<Eigen::Vector3d> pickedPivot;
     double lineWidth = 2.4;
 
     QPointer<ImageTool> tool;

@@ -39,6 +39,14 @@ void AngiogramView::setPivot(const Eigen::Vector3d& pivotInPatient)
     update();
 }
 
+void AngiogramView::setPickedPivot(std::optional<Eigen::Vector3d> pickedInPatient)
+{
+    if (pickedInPatient != interaction_->pickedPivot) {
+        interaction_->pickedPivot = pickedInPatient;
+        update();
+    }
+}
+
 void AngiogramView::setPose(const core::RigidTransform& cameraFromPatient)
 {
     interaction_->cameraFromPatient = cameraFromPatient;
@@ -198,7 +206,15 @@ const core::RigidTransform& AngiogramView::cameraFromPatient() const
 
 const Eigen::Vector3d& AngiogramView::pivotInPatient() const
 {
-    return interaction_->pivotInPatient;
+    return interaction_->pickedPivot ? *interaction_->pickedPivot : interaction_->pivotInPatient;
+}
+
+std::optional<QPointF> AngiogramView::placeOf(const Eigen::Vector3d& pointInPatient) const
+{
+    const auto pixel = core::findProblem(camera()).empty()
+                           ? core::project(camera(), cameraFromPatient() * pointInPatient)
+                           : std::nullopt;
+    return pixel ? std::optional(widgetFromImage(*pixel)) : std::nullopt;
 }
 
 Eigen::Vector2d AngiogramView::imageFromWidget(const QPointF& position) const

@@ -28,7 +28,8 @@ public:
     ~AngiogramView() override;
 
     OverlayScene& scene() { return scene_; }   ///< call update() after changing it
-    void setPivot(const Eigen::Vector3d& pivotInPatient);   ///< centroid of the tree: where ring and cross sit
+    void setPivot(const Eigen::Vector3d& pivotInPatient);   ///< centroid of the tree: where ring and cross sit, …
+    void setPickedPivot(std::optional<Eigen::Vector3d> pickedInPatient);   ///< … unless picked; marked then
     void setPose(const core::RigidTransform& cameraFromPatient);
     void setCamera(const core::ProjectionCamera& camera);
     void setFrame(const core::ImageF& frame);   ///< keeps zoom and window/level when the size stays
@@ -60,7 +61,8 @@ public:
     double zoom() const;   ///< device-independent px per image px
     const core::ProjectionCamera& camera() const;
     const core::RigidTransform& cameraFromPatient() const;
-    const Eigen::Vector3d& pivotInPatient() const;
+    const Eigen::Vector3d& pivotInPatient() const;   ///< picked, or the centroid
+    std::optional<QPointF> placeOf(const Eigen::Vector3d& pointInPatient) const;   ///< widget px, where it is seen
     int renderCount() const { return renderCount_; }   ///< how often it drew itself
     QSize sizeHint() const override { return {480, 360}; }
     QSize minimumSizeHint() const override { return {80, 80}; }
@@ -104,6 +106,8 @@ private:
     void dragBy(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void startDrag();
     void paintRadiograph(QPainter& painter) const;
+    void paintPivot(QPainter& painter) const;
+    bool showsVessels() const;
     void adjustWindowLevel(const QPointF& step);
     void scrollFrames(double frames);
     void zoomAt(const QPointF& position, double factor);

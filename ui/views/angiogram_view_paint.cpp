@@ -3,6 +3,7 @@
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_interaction.h"
 #include "ui/views/cutout_edge.h"
+#include "ui/views/pivot_mark.h"
 
 #include <QPainter>
 
@@ -63,10 +64,23 @@ const QImage& AngiogramView::radiograph() const
     return interaction_->radiograph;
 }
 
+bool AngiogramView::showsVessels() const
+{
+    return scene_.treePasses(interaction_->viewport.imageRectOf({0.0, 0.0}, {1.0 * width(), 1.0 * height()}));
+}
+
+void AngiogramView::paintPivot(QPainter& painter) const
+{
+    const auto place = interaction_->pickedPivot && showsVessels() ? placeOf(*interaction_->pickedPivot) : std::nullopt;
+    if (place) {
+        paintPivotMark(painter, *place, ui::palette(ThemeMode::Dark));
+    }
+}
+
 /// The keys of the review, where there are vessels to look at.
 QString AngiogramView::keyText() const
 {
-    if (scene_.treePasses(interaction_->viewport.imageRectOf({0.0, 0.0}, {1.0 * width(), 1.0 * height()}))) {
+    if (showsVessels()) {
         return tr("flicker %1 · swipe %2 · hide H · outline %3")
             .arg(keyOf(Command::Flicker), keyOf(Command::Swipe), keyOf(Command::Outline));
     }
@@ -166,6 +180,7 @@ void AngiogramView::paintEvent(QPaintEvent*)
     interaction_->annotations.mode =
         interaction_->tool ? ModeLabel{interaction_->tool->caption(), interaction_->tool->tone()} : ModeLabel{};
     ui::paintAnnotations(painter, size(), interaction_->annotations, interaction_->viewport, scene_);
+    paintPivot(painter);
     if (interaction_->tool) {
         painter.setRenderHint(QPainter::Antialiasing);
         interaction_->tool->paint(painter);

@@ -1,5 +1,6 @@
 #include "ui/views/tree_view.h"
 
+#include "ui/views/pivot_mark.h"
 #include "ui/words/spoken.h"
 
 #include <vtkRenderWindow.h>
@@ -75,6 +76,14 @@ void TreeView::showLandmarks(const std::vector<Eigen::Vector3d>& pointsInPatient
     update();
 }
 
+void TreeView::setPickedPivot(std::optional<Eigen::Vector3d> pointInPatient)
+{
+    if (pointInPatient != pickedPivot_) {
+        pickedPivot_ = pointInPatient;
+        update();
+    }
+}
+
 void TreeView::prepareFrame()
 {
     scene_.setPixelScale(devicePixelRatio());
@@ -99,6 +108,10 @@ void TreeView::paintAnnotations(QPainter& painter)
         painter.drawEllipse(at, 5.0, 5.0);
         painter.setPen(colorOf(tones.textStrong));
         painter.drawText(at + QPointF(7.0, -5.0), QString::number(i + 1));
+    }
+    if (pickedPivot_) {
+        const Eigen::Vector2d device = scene_.deviceFromPatient(*pickedPivot_);
+        paintPivotMark(painter, {device.x() / ratio, height() - device.y() / ratio}, tones);
     }
     for (const OrientationLetter& letter : scene_.orientationLetters()) {
         const QPointF at(letter.at.x() / ratio, height() - letter.at.y() / ratio);

@@ -22,6 +22,7 @@ public:
     void setCrosshair(std::optional<Eigen::Vector3d> pointInPatient);   ///< the place that the slices show
     void showLandmarks(const std::vector<Eigen::Vector3d>& pointsInPatient,
                        const std::optional<Eigen::Vector3d>& pendingInPatient);   ///< numbered from 1
+    void setPickedPivot(std::optional<Eigen::Vector3d> pointInPatient);   ///< what the vessels turn about
 
 signals:
     void roomRequested();   ///< large, or back
@@ -58,6 +59,7 @@ private:
     std::optional<Eigen::Vector3d> crosshair_;
     std::vector<Eigen::Vector3d> landmarks_;
     bool isLastPending_ = false;
+    std::optional<Eigen::Vector3d> pickedPivot_;
 };
 
 }   // namespace ui

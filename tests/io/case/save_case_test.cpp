@@ -35,6 +35,7 @@ TEST(SaveCase, RestoresEveryBit)
     original.title = "Größe \"π\"";
     original.auxiliaryBranchIds = {4, 5};
     original.excludedBranchIds = {11};
+    original.pickedPivotInPatient = Eigen::Vector3d(1.0 / 3.0, -0.1, 612.7);
     original.frame = 7;
     original.options.finalScalePx = 1.0 / 3.0 + 1.0;
     original.options.locks = {true, false, true, false, true, false};
@@ -55,6 +56,7 @@ TEST(SaveCase, RestoresEveryBit)
     EXPECT_EQ(copy.value().initialCameraFromPatient.matrix(), original.initialCameraFromPatient.matrix());
     EXPECT_EQ(copy.value().landmarks, original.landmarks);
     EXPECT_EQ(copy.value().otherViews, original.otherViews);
+    EXPECT_EQ(copy.value().pickedPivotInPatient, original.pickedPivotInPatient);
     EXPECT_EQ(copy.value().cArm.isocentreInPatientMm.value, original.cArm.isocentreInPatientMm.value);
     EXPECT_EQ(copy.value().cArm.isocentreInPatientMm.basis, "clicked");
     EXPECT_EQ(copy.value().auxiliaryBranchIds, original.auxiliaryBranchIds);

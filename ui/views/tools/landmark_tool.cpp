@@ -1,6 +1,5 @@
 #include "ui/views/tools/landmark_tool.h"
 
-#include "core/geometry/projection_camera.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_view.h"
 
@@ -46,14 +45,6 @@ QString LandmarkTool::caption() const
     return tr("Landmarks: click in 3-D and here, or drag a node · Enter places");
 }
 
-std::optional<QPointF> LandmarkTool::projected(const Eigen::Vector3d& pointInPatient) const
-{
-    const auto pixel = core::findProblem(view().camera()).empty()
-                           ? core::project(view().camera(), view().cameraFromPatient() * pointInPatient)
-                           : std::nullopt;
-    return pixel ? std::optional(view().widgetFromImage(*pixel)) : std::nullopt;
-}
-
 std::optional<LandmarkTool::Held> LandmarkTool::heldAt(const QPointF& position) const
 {
     std::optional<Held> nearest;
@@ -69,7 +60,7 @@ std::optional<LandmarkTool::Held> LandmarkTool::heldAt(const QPointF& position) 
         return nearest;
     }
     for (const Eigen::Vector3d& node : marks_.nodesInPatient) {
-        const auto place = projected(node);
+        const auto place = view().placeOf(node);
         if (place && distance(*place, position) < nearestPx) {
             nearestPx = distance(*place, position);
             nearest = Held{std::nullopt, node, view().imageFromWidget(*place)};
@@ -153,7 +144,7 @@ void LandmarkTool::paintPair(QPainter& painter, const QString& label, const std:
                              const std::optional<Eigen::Vector3d>& pointInPatient) const
 {
     const auto place = pixel ? std::optional(view().widgetFromImage(*pixel)) : std::nullopt;
-    const auto shadow = pointInPatient ? projected(*pointInPatient) : std::nullopt;
+    const auto shadow = pointInPatient ? view().placeOf(*pointInPatient) : std::nullopt;
     if (place && shadow) {
         painter.setPen(QPen(toQColor(tones().attention), 1.2, Qt::DotLine));
         painter.drawLine(*place, *shadow);
@@ -189,7 +180,7 @@ void LandmarkTool::paint(QPainter& painter) const
     }
     painter.setPen(QPen(toQColor(tones().textStrong), 1.4));
     for (const Eigen::Vector3d& node : marks_.nodesInPatient) {
-        if (const auto place = projected(node)) {
+        if (const auto place = view().placeOf(node)) {
             painter.drawEllipse(*place, 3.5, 3.5);
         }
     }

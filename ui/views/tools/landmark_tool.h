@@ -53,7 +53,6 @@ private:
         Eigen::Vector3d nodeInPatient = Eigen::Vector3d::Zero();
         Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
     };
-    std::optional<QPointF> projected(const Eigen::Vector3d& pointInPatient) const;   ///< widget px
     std::optional<Held> heldAt(const QPointF& position) const;
     void paintPair(QPainter& painter, const QString& label, const std::optional<Eigen::Vector2d>& pixel,
                    const std::optional<Eigen::Vector3d>& pointInPatient) const;

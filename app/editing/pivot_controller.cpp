@@ -1,0 +1,71 @@
+#include "app/editing/pivot_controller.h"
+
+#include "app/document/edit_case.h"
+#include "core/vessel/place_on_tree.h"
+#include "ui/main_window.h"
+#include "ui/views/angiogram_view.h"
+#include "ui/views/tools/bind_tool.h"
+#include "ui/views/tree_view.h"
+
+namespace app {
+
+PivotController::PivotController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
+    : QObject(parent), document_(document), window_(window), tool_(new ui::PivotTool(window.angiogramView()))
+{
+    QAction* picking = window.actions()[ui::Command::PickPivot];
+    ui::bindTool(*picking, window.angiogramView(), *tool_);
+    connect(tool_, &ui::PivotTool::picked, this, &PivotController::pick);
+    connect(tool_, &ui::PivotTool::centroidWanted, this, &PivotController::backToCentroid);
+    connect(&window, &ui::MainWindow::pointPicked, this, [this, picking](const Eigen::Vector3d& pointInPatient) {
+        if (picking->isChecked()) {
+            pick(pointInPatient);
+        }
+    });
+    connect(window.actions()[ui::Command::CentroidPivot], &QAction::triggered, this, &PivotController::backToCentroid);
+    connect(&document, &CaseDocument::changed, this, &PivotController::followDocument);
+    followDocument();
+}
+
+void PivotController::pick(const Eigen::Vector3d& pointInPatient)
+{
+    const auto& tree = document_.current().tree;
+    const auto place =
+        tree ? core::nearestOnTree(core::without(*tree, document_.current().hiddenBranchIds), pointInPatient)
+             : std::nullopt;
+    if (place) {
+        change(*place, tr("Pick the pivot"), tr("The vessels turn about the picked place now."));
+    }
+}
+
+void PivotController::backToCentroid()
+{
+    if (document_.current().pickedPivotInPatient) {
+        change(std::nullopt, tr("Pivot back to the centroid"), tr("The vessels turn about their centroid again."));
+    }
+}
+
+void PivotController::change(std::optional<Eigen::Vector3d> pivot, const QString& name, const QString& note)
+{
+    if (document_.push(std::make_unique<PickPivot>(document_, PickPivot::Values{pivot}, name))) {
+        window_.actions()[ui::Command::PickPivot]->setChecked(false);
+        emit told(note);
+    }
+}
+
+void PivotController::followDocument()
+{
+    const core::RegistrationCase& current = document_.current();
+    if (current.tree != tree_ || current.hiddenBranchIds != hidden_) {
+        tree_ = current.tree;
+        hidden_ = current.hiddenBranchIds;
+        tool_->showTree(tree_ ? core::without(*tree_, hidden_) : core::VesselTree{});
+    }
+    const auto& picked = tree_ ? current.pickedPivotInPatient : std::nullopt;
+    window_.angiogramView().setPickedPivot(picked);
+    window_.treeView().setPickedPivot(picked);
+    window_.pose().showPickedPivot(picked.has_value());
+    window_.actions()[ui::Command::PickPivot]->setEnabled(tree_ != nullptr);
+    window_.actions()[ui::Command::CentroidPivot]->setEnabled(picked.has_value());
+}
+
+}   // namespace app

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "ui/views/tools/pivot_tool.h"
+
+#include <QObject>
+
+namespace ui {
+class MainWindow;
+}
+
+namespace app {
+
+/// The place on the vessels that they turn about by hand: picked in the angiogram, in 3-D or in a slice, marked there
+/// until the centroid is wanted again.
+class PivotController : public QObject {
+    Q_OBJECT
+public:
+    PivotController(CaseDocument& document, ui::MainWindow& window, QObject* parent = nullptr);
+
+    void pick(const Eigen::Vector3d& pointInPatient);   ///< the place on the vessels nearest to it
+    void backToCentroid();
+
+signals:
+    void told(const QString& what);
+
+private:
+    void change(std::optional<Eigen::Vector3d> pivot, const QString& name, const QString& note);
+    void followDocument();
+
+    CaseDocument& document_;
+    ui::MainWindow& window_;
+    ui::PivotTool* tool_;   ///< owned by the view
+    std::shared_ptr<const core::VesselTree> tree_;   ///< shown by the tool,
+    std::vector<int> hidden_;   ///< without these branches
+};
+
+}   // namespace app

@@ -1,0 +1,132 @@
+#include "tests/app/open_window.h"
+
+#include "core/geometry/projection_camera.h"
+#include "core/registration_case.h"
+#include "core/vessel/vessel_tree.h"
+
+#include <cmath>
+
+namespace app {
+namespace {
+
+using test::OpenWindow;
+
+/// A place on the vessels far from their centroid, and where the angiogram shows it.
+struct Place {
+    Eigen::Vector3d pointInPatient;
+    QPoint at;
+};
+
+Place farPlace(OpenWindow& w)
+{
+    const Eigen::Vector3d centroid = core::centroidInPatient(*w.current().tree);
+    Place place;
+    double farthestMm = 0.0;
+    for (const core::VesselNode& node : core::findNodes(*w.current().tree)) {
+        const auto at = w.window.angiogramView().placeOf(node.pointInPatient);
+        const double mm = (node.pointInPatient - centroid).norm();
+        if (at && w.window.angiogramView().rect().adjusted(30, 60, -30, -60).contains(at->toPoint()) &&
+            mm > farthestMm) {
+            farthestMm = mm;
+            place = {node.pointInPatient, at->toPoint()};
+        }
+    }
+    EXPECT_GT(farthestMm, 5.0);
+    return place;
+}
+
+void pickAt(OpenWindow& w, const Place& place)
+{
+    w.press(Qt::Key_N, Qt::ShiftModifier);
+    EXPECT_TRUE(w.window.actions()[ui::Command::PickPivot]->isChecked());
+    QTest::mouseClick(&w.window.angiogramView(), Qt::LeftButton, Qt::NoModifier, place.at);
+}
+
+TEST(WindowPivot, PickedByClickTheVesselsTurnAboutItAndNotTheCentroid)
+{
+    OpenWindow w;
+    w.openSample();
+    const Place place = farPlace(w);
+    pickAt(w, place);
+
+    ASSERT_TRUE(w.current().pickedPivotInPatient);
+    EXPECT_LT((*w.current().pickedPivotInPatient - place.pointInPatient).norm(), 1e-9) << "the bifurcation itself";
+    EXPECT_FALSE(w.window.actions()[ui::Command::PickPivot]->isChecked()) << "one click, one pivot";
+    EXPECT_EQ(w.window.angiogramView().pivotInPatient(), place.pointInPatient) << "the handles sit there";
+
+    const core::RigidTransform before = w.current().cameraFromPatient;
+    w.press(Qt::Key_N);
+    w.press(Qt::Key_Right, Qt::AltModifier | Qt::ShiftModifier);
+    const core::RigidTransform after = w.current().cameraFromPatient;
+    EXPECT_GT(core::angleBetween(before.rotation, after.rotation), 0.1);
+    EXPECT_LT((after * place.pointInPatient - before * place.pointInPatient).norm(), 1e-9);
+    const Eigen::Vector3d centroid = core::centroidInPatient(*w.current().tree);
+    EXPECT_GT((after * centroid - before * centroid).norm(), 0.5);
+    const auto offset = w.controller.pose().currentOffset();
+    EXPECT_NEAR(offset->laoRaoDeg, 10.0, 1e-9);
+    EXPECT_NEAR(offset->rightMm, 0.0, 1e-9) << "shifts are those of the pivot";
+}
+
+TEST(WindowPivot, IsUndoneClearedAndPickedByKeys)
+{
+    OpenWindow w;
+    w.openSample();
+    pickAt(w, farPlace(w));
+    ASSERT_TRUE(w.current().pickedPivotInPatient);
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_FALSE(w.current().pickedPivotInPatient);
+    EXPECT_FALSE(w.window.actions()[ui::Command::CentroidPivot]->isEnabled());
+
+    w.press(Qt::Key_N, Qt::ShiftModifier);
+    w.press(Qt::Key_Right);
+    w.press(Qt::Key_Right);
+    w.press(Qt::Key_Return);
+    const auto nodes = core::findNodes(*w.current().tree);
+    ASSERT_TRUE(w.current().pickedPivotInPatient);
+    EXPECT_EQ(*w.current().pickedPivotInPatient, nodes[1].pointInPatient);
+
+    w.press(Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_FALSE(w.current().pickedPivotInPatient);
+    EXPECT_EQ(w.window.angiogramView().pivotInPatient(), core::centroidInPatient(*w.current().tree));
+}
+
+TEST(WindowPivot, ALockedShiftIsThatOfThePivotInARunToo)
+{
+    OpenWindow w;
+    w.openSample();
+    const Place place = farPlace(w);
+    pickAt(w, place);
+    ui::PoseLocks locks{};
+    locks[static_cast<std::size_t>(ui::PoseAxis::Right)] = true;
+    locks[static_cast<std::size_t>(ui::PoseAxis::Up)] = true;
+    w.controller.pose().setLocks(locks);
+    const core::RigidTransform before = w.current().cameraFromPatient;
+
+    w.press(Qt::Key_R);
+    w.waitForRun();
+
+    ASSERT_TRUE(w.current().result);
+    const core::RigidTransform after = w.current().cameraFromPatient;
+    EXPECT_GT(core::angleBetween(before.rotation, after.rotation), 1e-3);
+    EXPECT_LT((after * place.pointInPatient - before * place.pointInPatient).head<2>().norm(), 1e-6);
+}
+
+TEST(WindowPivot, IsSeenInBothViewsAndNotOnlyByColour)
+{
+    OpenWindow w;
+    w.openSample();
+    const Place place = farPlace(w);
+    const auto picture = [&w, &place] {
+        return w.window.angiogramView().grab(QRect(place.at - QPoint(10, 20), QSize(60, 40))).toImage();
+    };
+    const auto picture3d = [&w] { return w.window.treeView().grab().toImage(); };
+    QApplication::processEvents();
+    const QImage before = picture(), before3d = picture3d();
+    pickAt(w, place);
+    QApplication::processEvents();
+    EXPECT_NE(picture(), before);
+    EXPECT_NE(picture3d(), before3d);
+}
+
+}   // namespace
+}   // namespace app

@@ -1,0 +1,146 @@
+#include "ui/views/tools/pivot_tool.h"
+
+#include "core/vessel/place_on_tree.h"
+#include "ui/theme/active_theme.h"
+#include "ui/views/angiogram_view.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+
+#include <cmath>
+
+namespace ui {
+namespace {
+
+constexpr double reachPx = 12.0;   // widget px
+constexpr double nodeReachPx = 8.0;   // a click so near to a bifurcation means it
+
+}   // namespace
+
+void PivotTool::showTree(const core::VesselTree& tree)
+{
+    tree_ = tree;
+    nodes_.clear();
+    for (const core::VesselNode& node : core::findNodes(tree)) {
+        nodes_.push_back(node.pointInPatient);
+    }
+    candidate_.reset();
+    node_ = 0;
+}
+
+QString PivotTool::caption() const
+{
+    return tr("Pivot: click the vessels, here or in 3-D · ← → and Enter: bifurcations · Del: centroid");
+}
+
+const Color& PivotTool::tone() const
+{
+    return palette(ThemeMode::Dark).attention;
+}
+
+void PivotTool::end()
+{
+    candidate_.reset();
+}
+
+std::optional<Eigen::Vector3d> PivotTool::placeAt(const ToolPoint& point) const
+{
+    const Eigen::Vector3d* nearest = nullptr;
+    double nearestPx = nodeReachPx;
+    for (const Eigen::Vector3d& node : nodes_) {
+        if (const auto place = view().placeOf(node)) {
+            const QPointF way = *place - point.position;
+            if (std::hypot(way.x(), way.y()) < nearestPx) {
+                nearestPx = std::hypot(way.x(), way.y());
+                nearest = &node;
+            }
+        }
+    }
+    if (nearest) {
+        return *nearest;
+    }
+    if (!core::findProblem(view().camera()).empty()) {
+        return std::nullopt;
+    }
+    return core::placeUnderPixel(tree_, {view().camera(), view().cameraFromPatient()}, point.imagePx,
+                                 reachPx / view().zoom());
+}
+
+bool PivotTool::click(const ToolPoint& point)
+{
+    if (const auto place = placeAt(point)) {
+        emit picked(*place);
+    }
+    return true;   // beside the vessels nothing is picked, nor unselected
+}
+
+void PivotTool::hover(const ToolPoint& point)
+{
+    candidate_ = placeAt(point);
+    view().update();
+}
+
+void PivotTool::leave()
+{
+    candidate_.reset();
+}
+
+bool PivotTool::takesKey(const QKeyEvent& event) const
+{
+    switch (event.key()) {
+        case Qt::Key_Left:
+        case Qt::Key_Right:
+            return !nodes_.empty();
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            return candidate_.has_value();
+        case Qt::Key_Delete:
+            return true;
+        default:
+            return false;
+    }
+}
+
+void PivotTool::keyPress(const QKeyEvent& event)
+{
+    switch (event.key()) {
+        case Qt::Key_Left:
+            step(-1);
+            break;
+        case Qt::Key_Right:
+            step(1);
+            break;
+        case Qt::Key_Delete:
+            emit centroidWanted();
+            break;
+        default:
+            emit picked(*candidate_);
+    }
+}
+
+/// The first arrow shows the first or last node, the next ones go on from there.
+void PivotTool::step(int by)
+{
+    const std::size_t count = nodes_.size();
+    const bool isFirst = !candidate_ || *candidate_ != nodes_[node_];
+    node_ = isFirst ? (by > 0 ? 0 : count - 1) : (by > 0 ? node_ + 1 : node_ + count - 1) % count;
+    candidate_ = nodes_[node_];
+    view().update();
+}
+
+std::optional<QCursor> PivotTool::cursor(bool) const
+{
+    return QCursor(candidate_ ? Qt::PointingHandCursor : Qt::CrossCursor);
+}
+
+void PivotTool::paint(QPainter& painter) const
+{
+    const auto place = candidate_ ? view().placeOf(*candidate_) : std::nullopt;
+    if (place) {
+        painter.setPen(QPen(toQColor(tone()), 1.6, Qt::DotLine));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(*place, 9.0, 9.0);
+    }
+}
+
+}   // namespace ui
