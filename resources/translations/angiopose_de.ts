@@ -7104,37 +7104,6 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::SlicesPage</name>
-    <message>
-        <source>Window</source>
-        <translation>Fenster</translation>
-    </message>
-    <message>
-        <source>Own window</source>
-        <translation>Eigenes Fenster</translation>
-    </message>
-    <message>
-        <source>The slices in a window of their own, and back (F9)</source>
-        <translation>Die Schichten in eigenem Fenster, und zurück (F9)</translation>
-    </message>
-    <message>
-        <source>Back to the angiogram</source>
-        <translation>Zurück zum Angiogramm</translation>
-    </message>
-    <message>
-        <source>W %1 L %2 HU</source>
-        <translation>W %1 L %2 HE</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>From the values of this scan; right drag in a slice changes it by hand.</source>
-        <translation>Aus den Werten dieses CT; rechts ziehen in einer Schicht ändert von Hand.</translation>
-    </message>
-</context>
-<context>
     <name>ui::SnapshotPanel</name>
     <message>
         <source>median %1 mm, 95 % %2 mm, covered %3 %</source>
@@ -7503,6 +7472,37 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>In the whole window</source>
         <translation>Im ganzen Fenster</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowBar</name>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>Eigenes Fenster</translation>
+    </message>
+    <message>
+        <source>Back to the angiogram</source>
+        <translation>Zurück zum Angiogramm</translation>
+    </message>
+    <message>
+        <source>The slices in a window of their own, and back (F9)</source>
+        <translation>Die Schichten in eigenem Fenster, und zurück (F9)</translation>
+    </message>
+    <message>
+        <source>W %1 L %2 HU</source>
+        <translation>W %1 L %2 HE</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>From the values of this scan; right drag in a slice changes it by hand.</source>
+        <translation>Aus den Werten dieses CT; rechts ziehen in einer Schicht ändert von Hand.</translation>
     </message>
 </context>
 <context>

@@ -7103,37 +7103,6 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::SlicesPage</name>
-    <message>
-        <source>Window</source>
-        <translation>窗宽</translation>
-    </message>
-    <message>
-        <source>Own window</source>
-        <translation>独立窗口</translation>
-    </message>
-    <message>
-        <source>The slices in a window of their own, and back (F9)</source>
-        <translation>切片用独立窗口，再次移回（F9）</translation>
-    </message>
-    <message>
-        <source>Back to the angiogram</source>
-        <translation>返回造影图像</translation>
-    </message>
-    <message>
-        <source>W %1 L %2 HU</source>
-        <translation>W %1 L %2 HU</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>自动</translation>
-    </message>
-    <message>
-        <source>From the values of this scan; right drag in a slice changes it by hand.</source>
-        <translation>取自此扫描的数值；在断层上右键拖动可手动调整。</translation>
-    </message>
-</context>
-<context>
     <name>ui::SnapshotPanel</name>
     <message>
         <source>median %1 mm, 95 % %2 mm, covered %3 %</source>
@@ -7502,6 +7471,37 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>In the whole window</source>
         <translation>整个窗口</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WindowBar</name>
+    <message>
+        <source>Window</source>
+        <translation>窗宽</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>独立窗口</translation>
+    </message>
+    <message>
+        <source>Back to the angiogram</source>
+        <translation>返回造影图像</translation>
+    </message>
+    <message>
+        <source>The slices in a window of their own, and back (F9)</source>
+        <translation>切片用独立窗口，再次移回（F9）</translation>
+    </message>
+    <message>
+        <source>W %1 L %2 HU</source>
+        <translation>W %1 L %2 HU</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>From the values of this scan; right drag in a slice changes it by hand.</source>
+        <translation>取自此扫描的数值；在断层上右键拖动可手动调整。</translation>
     </message>
 </context>
 <context>

@@ -1,40 +1,48 @@
 #include "ui/slices/slices_page.h"
 
-#include "ui/panels/section.h"
-#include "ui/words/spoken.h"
+#include "ui/slices/window_bar.h"
 
-#include <QCoreApplication>
+#include <QEvent>
 #include <QHBoxLayout>
-#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace ui {
 namespace {
 
 constexpr int gapPx = 2;   // between the slices: tone, not lines
+constexpr int panelWidth = 300;   // room for names and volumes of labels
+constexpr int leastSlicesWidth = 260;   // narrower, and the slices show nothing beside a panel
 
 }   // namespace
 
-SlicesPage::SlicesPage(SliceModel& model, QWidget* parent) : QWidget(parent), model_(model), columns_(new QHBoxLayout)
+SlicesPage::SlicesPage(SliceModel& model, QWidget* parent)
+    : QWidget(parent), bar_(new WindowBar(model)), parts_(new QHBoxLayout)
 {
     for (const core::BodyPlane plane : core::bodyPlanes) {
         views_[plane] = new SliceView(model, plane);
         connect(views_[plane], &SliceView::roomRequested, this, &SlicesPage::closeRequested);
     }
+    connect(bar_, &WindowBar::closeRequested, this, &SlicesPage::closeRequested);
+    connect(bar_, &WindowBar::windowRequested, this, &SlicesPage::windowRequested);
     auto* upright = new QVBoxLayout;
     upright->setSpacing(gapPx);
     upright->addWidget(views_[core::BodyPlane::Coronal]);
     upright->addWidget(views_[core::BodyPlane::Sagittal]);
-    columns_->setSpacing(gapPx);
-    columns_->addWidget(views_[core::BodyPlane::Axial], 3);
-    columns_->addLayout(upright, 2);
+    auto* slices = new QHBoxLayout;
+    slices->setSpacing(gapPx);
+    slices->addWidget(views_[core::BodyPlane::Axial], 3);
+    slices->addLayout(upright, 2);
+    parts_->setSpacing(gapPx);
+    parts_->addLayout(slices, 3);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(makeBar());
-    layout->addLayout(columns_, 1);
+    layout->addWidget(bar_);
+    layout->addLayout(parts_, 1);
     setProperty("role", "column");
     setAttribute(Qt::WA_StyledBackground);
     setFocusProxy(views_[core::BodyPlane::Axial]);
@@ -42,61 +50,46 @@ SlicesPage::SlicesPage(SliceModel& model, QWidget* parent) : QWidget(parent), mo
 
 void SlicesPage::setSidePanel(QWidget* panel)
 {
-    auto* column = new QScrollArea;   // on low screens it is taller than the page
-    column->setProperty("role", "column");
-    column->setWidget(panel);
-    column->setWidgetResizable(true);
-    column->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    column->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
-    const int scrollBar = column->verticalScrollBar()->sizeHint().width();
-    column->setMinimumWidth(panel->minimumWidth() + scrollBar);
-    column->setMaximumWidth(panel->maximumWidth() + scrollBar);
-    columns_->addWidget(column);
+    panel_ = panel;
+    panelArea_ = new QScrollArea;   // on low screens it is taller than the page
+    panelArea_->setProperty("role", "column");
+    panelArea_->setWidget(panel);
+    panelArea_->setWidgetResizable(true);
+    panelArea_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    parts_->addWidget(panelArea_);
+    placePanel();
 }
 
-QWidget* SlicesPage::makeBar()
+void SlicesPage::resizeEvent(QResizeEvent* event)
 {
-    auto* bar = new QWidget;
-    auto* layout = new QHBoxLayout(bar);
-    layout->setContentsMargins(10, 4, 10, 4);
-    layout->setSpacing(4);
-    layout->addWidget(withText(roleLabel("label"), [] { return tr("Window"); }));
-    fillPresets(*layout);
-    layout->addStretch(1);
-    auto* window = withText(new QPushButton, [] { return tr("Own window"); });
-    window->setProperty("role", "link");
-    withTip(window, [] { return tr("The slices in a window of their own, and back (F9)"); });
-    connect(window, &QPushButton::clicked, this, &SlicesPage::windowRequested);
-    layout->addWidget(window);
-    auto* back = withText(new QPushButton, [] { return tr("Back to the angiogram"); });
-    back->setProperty("role", "link");
-    connect(back, &QPushButton::clicked, this, &SlicesPage::closeRequested);
-    layout->addWidget(back);
-    return bar;
+    QWidget::resizeEvent(event);
+    placePanel();
 }
 
-void SlicesPage::fillPresets(QHBoxLayout& bar)
+/// Words of another language ask for another width.
+bool SlicesPage::event(QEvent* event)
 {
-    const auto add = [&](const Words& name, const Words& tip, auto choose) {
-        auto* button = withTip(withText(new QPushButton, name), tip);
-        button->setProperty("role", "quiet");
-        connect(button, &QPushButton::clicked, this, choose);
-        bar.addWidget(button);
-    };
-    for (const WindowPreset& preset : windowPresets()) {
-        add([name = preset.name] { return QCoreApplication::translate("ui::WindowPreset", name); },
-            [window = preset.window] {
-                return tr("W %1 L %2 HU").arg(window.width, 0, 'f', 0).arg(window.level, 0, 'f', 0);
-            },
-            [this, window = preset.window] { model_.setWindow(window); });
+    const bool isDone = QWidget::event(event);
+    if (event->type() == QEvent::LayoutRequest) {
+        placePanel();
     }
-    add([] { return tr("Automatic"); },
-        [] { return tr("From the values of this scan; right drag in a slice changes it by hand."); },
-        [this] {
-            if (model_.volume()) {
-                model_.setWindow(windowOfValues(*model_.volume()));
-            }
-        });
+    return isDone;
+}
+
+/// Beside the slices as wide as its words need, below them as wide as the page.
+void SlicesPage::placePanel()
+{
+    if (!panel_) {
+        return;
+    }
+    const int scrollBar = panelArea_->verticalScrollBar()->sizeHint().width();
+    const int least = std::max(panel_->minimumWidth(), panel_->minimumSizeHint().width()) + scrollBar;
+    const bool isBelow = width() < least + leastSlicesWidth;
+    parts_->setDirection(isBelow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    parts_->setStretchFactor(panelArea_, isBelow ? 2 : 0);
+    panelArea_->setMinimumWidth(isBelow ? 0 : least);
+    panelArea_->setMaximumWidth(isBelow ? QWIDGETSIZE_MAX : std::max(least, panelWidth + scrollBar));
+    panelArea_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
 }
 
 }   // namespace ui

@@ -6,30 +6,41 @@
 
 #include <map>
 
-class QHBoxLayout;
+class QBoxLayout;
+class QScrollArea;
 
 namespace ui {
 
-/// The three planes of the scan in place of the angiogram, with window presets above and room for a panel beside.
+class WindowBar;
+
+/// The three planes of the scan in place of the angiogram, with window presets above and room for a panel beside them,
+/// or below where the page is narrow.
 class SlicesPage : public QWidget {
     Q_OBJECT
 public:
     explicit SlicesPage(SliceModel& model, QWidget* parent = nullptr);
 
     SliceView& view(core::BodyPlane plane) { return *views_.at(plane); }
+    const WindowBar& bar() const { return *bar_; }
     void setSidePanel(QWidget* panel);
+    QSize minimumSizeHint() const override { return {240, 200}; }
 
 signals:
     void closeRequested();
     void windowRequested();   ///< a window of its own, or back
 
-private:
-    QWidget* makeBar();
-    void fillPresets(QHBoxLayout& bar);
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    bool event(QEvent* event) override;
 
-    SliceModel& model_;
+private:
+    void placePanel();
+
+    WindowBar* bar_;
     std::map<core::BodyPlane, SliceView*> views_;
-    QHBoxLayout* columns_;
+    QBoxLayout* parts_;   ///< slices and panel
+    QWidget* panel_ = nullptr;
+    QScrollArea* panelArea_ = nullptr;
 };
 
 }   // namespace ui

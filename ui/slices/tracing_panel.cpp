@@ -21,7 +21,6 @@ namespace {
 
 constexpr int listHeight = 96;
 constexpr int leastWidth = 250;
-constexpr int greatestWidth = 300;   // room for names and volumes of labels
 
 QPushButton* switchButton(const Words& text, const Words& tip)
 {
@@ -88,7 +87,6 @@ TracingPanel::TracingPanel(QWidget* parent)
     contentLayout()->addWidget(note_);
     contentLayout()->addStretch(1);
     setMinimumWidth(leastWidth);
-    setMaximumWidth(greatestWidth);
     showOptions({});
     showRange(std::nullopt, {});
     speak(this, [this] {
