@@ -1,5 +1,6 @@
 #include "app/files/recent_cases.h"
 
+#include "app/files/case_pictures.h"
 #include "app/settings.h"
 
 #include <QFileInfo>
@@ -22,7 +23,15 @@ void rememberCase(const QString& path)
     QStringList cases = recentCases();
     cases.removeAll(absolute);
     cases.prepend(absolute);
-    settings::recentCases.write(cases.first(std::min(cases.size(), keptCases)));
+    cases = cases.first(std::min(cases.size(), keptCases));
+    settings::recentCases.write(cases);
+    keepCasePictures(cases);
+}
+
+void forgetRecentCases()
+{
+    settings::recentCases.write({});
+    keepCasePictures({});
 }
 
 }   // namespace app

@@ -7,5 +7,6 @@ namespace app {
 /// Paths of cases opened or saved lately, newest first.
 QStringList recentCases();
 void rememberCase(const QString& path);
+void forgetRecentCases();   ///< and their pictures
 
 }   // namespace app

@@ -1,5 +1,6 @@
 #include "app/files/save_controller.h"
 
+#include "app/files/case_pictures.h"
 #include "app/files/recent_cases.h"
 #include "app/files/save_folder.h"
 #include "app/settings.h"
@@ -68,6 +69,7 @@ void SaveController::saveTo(const QString& path, const std::function<void()>& wh
             if (const auto written = io::saveCase(snapshot, path.toStdString()); !written) {
                 return written.error();
             }
+            storeCasePicture(snapshot, path);
             return path;
         },
         [this, path, state = document_.state(), whenSaved](const core::Result<QString>& written) {

@@ -1,5 +1,6 @@
 #include "app/files/session_controller.h"
 
+#include "app/files/case_pictures.h"
 #include "app/files/recent_cases.h"
 #include "app/settings.h"
 #include "core/imaging/patient_match.h"
@@ -78,6 +79,8 @@ void SessionController::connectFiles()
 {
     connect(&window_, &ui::MainWindow::filesDropped, this, &SessionController::open);
     connect(&window_.welcome(), &ui::WelcomePage::recentRequested, this, [this](const QString& path) { open({path}); });
+    connect(&window_.welcome(), &ui::WelcomePage::clearRequested, this, &SessionController::clearRecent,
+            Qt::QueuedConnection);   // the button that asks for it goes away
     connect(window_.actions()[ui::Command::Close], &QAction::triggered, &window_, &QWidget::close);
 }
 
@@ -93,6 +96,7 @@ void SessionController::connectOpening()
     connect(&open_, &OpenController::opened, this, [this](const QStringList& notes) {
         save_.noteOpened(open_.openedCopy());
         fillRecent();
+        pictureOpened();
         notices_.showNote(notes.isEmpty() ? tr("Opened") : notes.join(QLatin1Char(' ')));
         warnOfMismatch();
     });
@@ -147,7 +151,42 @@ void SessionController::fillRecent()
         connect(action, &QAction::triggered, this, [this, path] { open({path}); });
     }
     menu->setEnabled(!menu->isEmpty());
-    window_.welcome().showRecent(recentCases());
+    if (!menu->isEmpty()) {
+        menu->addSeparator();
+        menu->addAction(tr("Clear the list"), this, &SessionController::clearRecent);
+    }
+    std::vector<ui::RecentCase> cases;
+    for (const QString& path : recentCases()) {
+        cases.push_back({path, casePicture(path)});
+    }
+    window_.welcome().showRecent(cases);
+}
+
+void SessionController::clearRecent()
+{
+    forgetRecentCases();
+    fillRecent();
+}
+
+/// Of a case that was opened from its file; one that is saved gets its picture then.
+void SessionController::pictureOpened()
+{
+    const QString path = document_.path();
+    if (path.isEmpty() || !casePicture(path).isNull()) {
+        return;
+    }
+    pictures_.run(
+        [snapshot = document_.current(), path]() -> core::Result<QString> {
+            if (!storeCasePicture(snapshot, path)) {
+                return core::Error{"There is nothing to show yet."};
+            }
+            return path;
+        },
+        [this](const core::Result<QString>& stored) {
+            if (stored) {
+                fillRecent();
+            }
+        });
 }
 
 }   // namespace app

@@ -48,6 +48,8 @@ private:
     void connectExporting();
     void showNotice();
     void fillRecent();
+    void clearRecent();
+    void pictureOpened();   ///< the case that was opened gets its picture among the recent ones
 
     ui::MainWindow& window_;
     CaseDocument& document_;
@@ -57,6 +59,7 @@ private:
     ExportController export_;
     OpenDialogs dialogs_;
     CloseController close_;
+    FileQueue pictures_;
 };
 
 }   // namespace app

@@ -1122,6 +1122,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Not the same patient?</source>
         <translation>Nicht derselbe Patient?</translation>
     </message>
+    <message>
+        <source>Clear the list</source>
+        <translation>Liste leeren</translation>
+    </message>
 </context>
 <context>
     <name>app::SnapshotController</name>
@@ -7461,6 +7465,14 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Open …</source>
         <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Clear the list</source>
+        <translation>Liste leeren</translation>
+    </message>
+    <message>
+        <source>Forgets these cases and removes their pictures; the case files stay.</source>
+        <translation>Vergisst diese Fälle und entfernt ihre Bilder; die Falldateien bleiben.</translation>
     </message>
 </context>
 <context>

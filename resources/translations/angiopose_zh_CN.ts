@@ -1122,6 +1122,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Not the same patient?</source>
         <translation>不是同一患者？</translation>
     </message>
+    <message>
+        <source>Clear the list</source>
+        <translation>清空列表</translation>
+    </message>
 </context>
 <context>
     <name>app::SnapshotController</name>
@@ -7460,6 +7464,14 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Open …</source>
         <translation>打开……</translation>
+    </message>
+    <message>
+        <source>Clear the list</source>
+        <translation>清空列表</translation>
+    </message>
+    <message>
+        <source>Forgets these cases and removes their pictures; the case files stay.</source>
+        <translation>忘记这些病例并删除其小图；病例文件保留。</translation>
     </message>
 </context>
 <context>

@@ -1,11 +1,19 @@
 #pragma once
 
-#include <QStringList>
+#include <QImage>
 #include <QWidget>
 
+#include <vector>
+
+class QPushButton;
 class QVBoxLayout;
 
 namespace ui {
+
+struct RecentCase {
+    QString path;
+    QImage picture;   ///< null: none was made
+};
 
 /// What the middle shows while no case is open: what can be dropped, the sample case, recent cases.
 class WelcomePage : public QWidget {
@@ -13,14 +21,17 @@ class WelcomePage : public QWidget {
 public:
     explicit WelcomePage(QWidget* parent = nullptr);
 
-    void showRecent(const QStringList& paths);
+    void showRecent(const std::vector<RecentCase>& cases);
 
 signals:
     void openRequested();
     void sampleRequested();
     void recentRequested(const QString& path);
+    void clearRequested();   ///< of the list of recent cases
 
 private:
+    QPushButton* makeRecent(const RecentCase& recent);
+
     QVBoxLayout* recent_;
 };
 

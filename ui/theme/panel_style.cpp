@@ -45,6 +45,9 @@ QPushButton[role="primary"]:focus { border-color: @textStrong@; }
 QPushButton[role="primary"]:disabled { background: @line@; border-color: @line@; color: @hint@; }
 QPushButton[role="quiet"] { border-color: transparent; color: @label@; padding: 3px 8px; }
 QPushButton[role="quiet"]:hover, QPushButton[role="quiet"]:focus { border-color: @line@; color: @textStrong@; }
+QPushButton[role="recent"] { border-color: transparent; background: transparent; color: @accent@; padding: 3px 10px 3px 4px; text-align: left; }
+QPushButton[role="recent"]:hover, QPushButton[role="recent"]:focus { border-color: @line@; background: @field@; }
+QPushButton[role="recent"]:disabled { color: @hint@; }
 QPushButton[role="link"] { border: none; background: transparent; color: @accent@; padding: 2px 6px; }
 QPushButton[role="link"]:hover { text-decoration: underline; }
 QPushButton[role="link"]:disabled { color: @hint@; }

@@ -1,0 +1,90 @@
+#include "app/files/case_pictures.h"
+
+#include "app/texts/overlay_picture.h"
+#include "core/support/quantile.h"
+#include "core/tracing/burned_in_text.h"
+#include "io/image_file.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace app {
+namespace {
+
+QString folderName()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/cases");
+}
+
+/// The name tells nothing about the case.
+QString pictureName(const QString& casePath)
+{
+    const QByteArray path = QFileInfo(casePath).absoluteFilePath().toUtf8();
+    return QString::fromLatin1(QCryptographicHash::hash(path, QCryptographicHash::Sha256).toHex().left(32)) +
+           QStringLiteral(".png");
+}
+
+QString picturePath(const QString& casePath)
+{
+    return folderName() + QLatin1Char('/') + pictureName(casePath);
+}
+
+/// The frame alone, in one grey where letters were drawn into it.
+std::shared_ptr<const core::Angiogram> withoutLetters(const core::Angiogram& run, int frame)
+{
+    core::Angiogram shown;
+    shown.polarity = run.polarity;
+    shown.cArm = run.cArm;
+    shown.frames = {run.frames[static_cast<std::size_t>(frame)]};
+    core::ImageF& picture = shown.frames.front();
+    const core::Mask2d letters = core::burnedInText(picture);
+    const auto grey =
+        static_cast<float>(core::quantile(std::vector<double>(picture.pixels.begin(), picture.pixels.end()), 0.5));
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        picture.pixels[i] = letters.pixels[i] != 0 ? grey : picture.pixels[i];
+    }
+    return std::make_shared<const core::Angiogram>(std::move(shown));
+}
+
+}   // namespace
+
+bool storeCasePicture(const core::RegistrationCase& registrationCase, const QString& casePath)
+{
+    const auto& run = registrationCase.angiogram;
+    const int frame = registrationCase.frame;
+    if (!run || frame < 0 || frame >= run->frameCount()) {
+        return false;
+    }
+    core::RegistrationCase shown = registrationCase;
+    shown.angiogram = withoutLetters(*run, frame);
+    shown.frame = 0;
+    const auto picture = drawThumbnail(shown, casePictureWidthPx);
+    if (!picture || !QDir().mkpath(folderName())) {
+        return false;
+    }
+    QFile::setPermissions(folderName(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    return static_cast<bool>(io::writePng(picture.value(), picturePath(casePath).toStdString()));
+}
+
+QImage casePicture(const QString& casePath)
+{
+    return QImage(picturePath(casePath));
+}
+
+void keepCasePictures(const QStringList& casePaths)
+{
+    QStringList kept;
+    for (const QString& path : casePaths) {
+        kept << pictureName(path);
+    }
+    QDir folder(folderName());
+    for (const QString& name : folder.entryList({QStringLiteral("*.png")}, QDir::Files)) {
+        if (!kept.contains(name)) {
+            folder.remove(name);
+        }
+    }
+}
+
+}   // namespace app

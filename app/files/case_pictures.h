@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/registration_case.h"
+
+#include <QImage>
+#include <QStringList>
+
+namespace app {
+
+/// Small pictures of recent cases in the user's cache folder: vessels over the image without texts, letters that are
+/// part of the image wiped out. They go with the list of recent cases.
+
+/// Width of a picture, device px.
+inline constexpr int casePictureWidthPx = 192;
+
+/// Makes and stores the picture of a case file; on a worker. False where there is nothing to show yet.
+bool storeCasePicture(const core::RegistrationCase& registrationCase, const QString& casePath);
+
+/// Null where there is none.
+QImage casePicture(const QString& casePath);
+
+/// Removes the pictures of all other cases.
+void keepCasePictures(const QStringList& casePaths);
+
+}   // namespace app
