@@ -2,6 +2,7 @@
 
 #include "core/imaging/patient_match.h"
 #include "ui/words/core_texts.h"
+#include "ui/words/number.h"
 
 #include <QCoreApplication>
 
@@ -122,8 +123,8 @@ StepState registration(const core::RegistrationCase& current, const StepFacts& f
         return {StepMark::Open, facts.poseEdited ? Words::tr("moved by hand") : QString(), {}};
     }
     const double ms = current.result->time.totalMs;
-    const QString time = ms < 1000.0 ? Words::tr("%1 ms").arg(ms, 0, 'f', ms < 10.0 ? 1 : 0)
-                                     : Words::tr("%1 s").arg(ms / 1000.0, 0, 'f', 1);
+    const QString time = ms < 1000.0 ? Words::tr("%1 ms").arg(ui::numberText(ms, ms < 10.0 ? 1 : 0))
+                                     : Words::tr("%1 s").arg(ui::numberText(ms / 1000.0, 1));
     return {StepMark::Done, time, {}};
 }
 
@@ -137,7 +138,7 @@ StepState review(const core::RegistrationCase& current)
         return {StepMark::Look, Words::tr("look closely"),
                 warnings.empty() ? QString() : ui::coreText(warnings.front())};
     }
-    return {StepMark::Done, Words::tr("%1 mm median").arg(current.result->metrics.medianMm, 0, 'f', 2), {}};
+    return {StepMark::Done, Words::tr("%1 mm median").arg(ui::numberText(current.result->metrics.medianMm, 2)), {}};
 }
 
 }   // namespace

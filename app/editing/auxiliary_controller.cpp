@@ -6,6 +6,7 @@
 #include "ui/panels/result_sentences.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/bind_tool.h"
+#include "ui/words/number.h"
 
 #include <QtConcurrentRun>
 
@@ -257,8 +258,8 @@ QString AuxiliaryController::previewWords() const
                                      .arg(core::findNodes(*current.tree).size())
                                : tr("Chosen: %1 (%2 mm, %3 % of the tree).")
                                      .arg(namesOf(current.auxiliaryBranchIds))
-                                     .arg(chosenMm, 0, 'f', 0)
-                                     .arg(100.0 * chosenMm / std::max(1e-9, lengthMm), 0, 'f', 0);
+                                     .arg(ui::numberText(chosenMm, 0))
+                                     .arg(ui::numberText(100.0 * chosenMm / std::max(1e-9, lengthMm), 0));
     if (!alternates(current.options.method)) {
         return tr("%1 The method chosen now does not alternate and takes all branches.").arg(chosen);
     }

@@ -7,6 +7,7 @@
 #include "ui/views/tools/bind_tool.h"
 #include "ui/views/tree_view.h"
 #include "ui/words/core_texts.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 #include <algorithm>
@@ -62,9 +63,9 @@ QString verdictOf(const core::LandmarkPose& pose)
         return LandmarkController::tr("Fewer than four pairs: what they leave open stays as it is.");
     }
     return LandmarkController::tr("The pairs leave %1 px; for clicks off by 2 px: rotation ±%2°, depth ±%3 mm.")
-        .arg(pose.rmsPx, 0, 'f', 1)
-        .arg(pose.rotationStdDeg, 0, 'f', 1)
-        .arg(pose.depthStdMm, 0, 'f', 0);
+        .arg(ui::numberText(pose.rmsPx, 1))
+        .arg(ui::numberText(pose.rotationStdDeg, 1))
+        .arg(ui::numberText(pose.depthStdMm, 0));
 }
 
 /// Numbered from 1; the pair that waits for its place in the image comes last.

@@ -4,6 +4,7 @@
 #include "core/tracing/volume/blood_level.h"
 #include "ui/main_window.h"
 #include "ui/slices/slices_page.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 #include <QtConcurrentRun>
@@ -70,8 +71,8 @@ TracingController::TracingController(CaseDocument& document, ui::MainWindow& win
         }
     });
     connect(&job_, &VesselTraceJob::advanced, this, [this](double fraction) {
-        window_.strip().showProgress(tr("Tracing the vessels of the scan … %1 %").arg(100.0 * fraction, 0, 'f', 0),
-                                     fraction);
+        window_.strip().showProgress(
+            tr("Tracing the vessels of the scan … %1 %").arg(ui::numberText(100.0 * fraction, 0)), fraction);
     });
     connect(&job_, &VesselTraceJob::finished, this, &TracingController::finish);
     connect(&job_, &VesselTraceJob::failed, this, [this](const QString& reason) {

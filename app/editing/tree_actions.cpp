@@ -7,6 +7,7 @@
 #include "ui/slices/corner_views.h"
 #include "ui/slices/slices_page.h"
 #include "ui/views/tree_view.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 #include <QCoreApplication>
@@ -169,7 +170,7 @@ void TreeActions::showAdvice()
         };
         text = tr("%1 pieces · gap %2 mm: %3 – %4")
                    .arg(advice_.pieceCount())
-                   .arg(gap.distanceMm, 0, 'f', 1)
+                   .arg(ui::numberText(gap.distanceMm, 1))
                    .arg(nameOf(gap.fromBranchId), nameOf(gap.toBranchId));
     } else if (isBroken) {
         text = tr("%1 pieces, too far apart to belong together").arg(advice_.pieceCount());

@@ -7,10 +7,10 @@
 #include "io/case_file.h"
 #include "ui/dialogs/recovery_dialog.h"
 #include "ui/words/core_texts.h"
+#include "ui/words/language.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLocale>
 #include <QWidget>
 
 #include <algorithm>
@@ -106,7 +106,7 @@ void SaveController::offerRecovery()
     for (const LeftBehind& copy : copies) {
         const QFileInfo original(copy.original);
         rows.push_back({copy.path, copy.original.isEmpty() ? tr("Untitled case") : original.fileName(),
-                        QLocale().toString(copy.when, QLocale::ShortFormat),
+                        ui::languageLocale().toString(copy.when, QLocale::ShortFormat),
                         copy.original.isEmpty() ? QString() : original.absolutePath()});
     }
     auto* dialog = new ui::RecoveryDialog(rows, &window_);

@@ -2,6 +2,7 @@
 
 #include "app/texts/number_text.h"
 #include "ui/words/core_texts.h"
+#include "ui/words/number.h"
 
 #include <QCoreApplication>
 
@@ -37,7 +38,7 @@ QString spacingText(const io::DicomSeries& series)
     }
     QStringList parts;
     for (const double spacing : series.stack.geometry.spacingMm) {
-        parts << QString::fromStdString(fixedText(spacing, 2));
+        parts << ui::numberText(spacing, 2);
     }
     return parts.join(QStringLiteral(" × "));
 }

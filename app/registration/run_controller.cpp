@@ -3,6 +3,7 @@
 #include "app/document/edit_case.h"
 #include "ui/main_window.h"
 #include "ui/words/core_texts.h"
+#include "ui/words/number.h"
 
 namespace app {
 
@@ -89,8 +90,8 @@ void RunController::showProgress(const core::IterationReport& report)
     on_.window.result().showProgress(report);
     on_.window.strip().showProgress(tr("Registering: %1 · %2 % · %3 px")
                                         .arg(ui::coreText(report.stage))
-                                        .arg(100.0 * report.progress, 0, 'f', 0)
-                                        .arg(report.medianDistancePx, 0, 'f', 1),
+                                        .arg(ui::numberText(100.0 * report.progress, 0))
+                                        .arg(ui::numberText(report.medianDistancePx, 1)),
                                     report.progress);
 }
 
@@ -99,7 +100,7 @@ void RunController::showFinished(const core::RegistrationResult& result)
     on_.window.steps().showCurrent(ui::Step::Review);
     on_.notices.showNote(result.stopReason == core::StopReason::StoppedByUser
                              ? tr("Stopped: the best pose so far is kept, undo takes it back")
-                             : tr("Registered: median %1 mm").arg(result.metrics.medianMm, 0, 'f', 2));
+                             : tr("Registered: median %1 mm").arg(ui::numberText(result.metrics.medianMm, 2)));
 }
 
 }   // namespace app

@@ -7,6 +7,7 @@
 #include "core/simulation/simulated_case.h"
 #include "core/support/random.h"
 #include "ui/main_window.h"
+#include "ui/words/number.h"
 
 #include <algorithm>
 #include <array>
@@ -189,7 +190,7 @@ void BlindTrialController::keep(const core::RegistrationResult& judged)
     snapshot.time = trial_.startedAt;
     snapshot.note = tr("Blind trial, seed %1, %2 s, %3 edits")
                         .arg(trial_.seed)
-                        .arg(trial_.durationS, 0, 'f', 0)
+                        .arg(ui::numberText(trial_.durationS, 0))
                         .arg(trial_.editCount)
                         .toStdString();
     snapshot.frame = trial_.frame;

@@ -4,6 +4,7 @@
 #include "io/pose_table.h"
 #include "ui/main_window.h"
 #include "ui/words/core_texts.h"
+#include "ui/words/number.h"
 
 #include <algorithm>
 
@@ -27,7 +28,7 @@ FollowController::FollowController(const Parts& parts, QObject* parent) : QObjec
     connect(&job_, &FollowJob::advanced, this, [this](double fraction) {
         if (job_.isRunning()) {
             on_.window.strip().showProgress(
-                tr("Following the vessels through the run: %1 %").arg(100.0 * fraction, 0, 'f', 0), fraction);
+                tr("Following the vessels through the run: %1 %").arg(ui::numberText(100.0 * fraction, 0)), fraction);
         }
     });
     connect(&job_, &FollowJob::finished, this, &FollowController::take);

@@ -3,6 +3,7 @@
 #include "app/settings.h"
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
+#include "ui/words/number.h"
 
 #include <algorithm>
 
@@ -135,7 +136,7 @@ void LookController::changeOpacity(double by)
     settings::overlayOpacity.write(opacity);
     window_.angiogramView().scene().setOpacity(opacity);
     window_.angiogramView().update();
-    window_.strip().showStatus(tr("Overlay opacity %1 %").arg(100.0 * opacity, 0, 'f', 0));
+    window_.strip().showStatus(tr("Overlay opacity %1 %").arg(ui::numberText(100.0 * opacity, 0)));
 }
 
 void LookController::scaleWindow(double factor)
@@ -184,7 +185,7 @@ void LookController::showNextWorst()
     window_.strip().showStatus(tr("Worst %1 of %2: %3 mm median · W next · 1 fits")
                                    .arg(rank + 1)
                                    .arg(worstFirst_.size())
-                                   .arg(branch.medianPx * millimetresPerPixel_, 0, 'f', 2));
+                                   .arg(ui::numberText(branch.medianPx * millimetresPerPixel_, 2)));
 }
 
 }   // namespace app

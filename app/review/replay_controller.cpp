@@ -6,6 +6,7 @@
 #include "app/settings.h"
 #include "core/registration/pose/centroid_pose.h"
 #include "ui/main_window.h"
+#include "ui/words/number.h"
 
 #include <array>
 #include <cmath>
@@ -106,7 +107,7 @@ void ReplayController::showStep()
     window_.strip().showStatus(tr("Replay: step %1 of %2, %3 px")
                                    .arg(step_)
                                    .arg(result->history.size())
-                                   .arg(report.medianDistancePx, 0, 'f', 2));
+                                   .arg(ui::numberText(report.medianDistancePx, 2)));
 }
 
 std::optional<ReplayController::Swing> ReplayController::swing() const
@@ -159,7 +160,7 @@ void ReplayController::showSwing()
     sync_.showPreview(core::cameraFromPatient(core::moved(pose, sigmas * weakest->perSigma), centroid),
                       ResidualColors::Hidden);
     window_.strip().showStatus(tr("The image hardly tells these apart: ±%1 mm, mostly %2")
-                                   .arg(swingSigmas * weakest->sigmaMm, 0, 'f', 1)
+                                   .arg(ui::numberText(swingSigmas * weakest->sigmaMm, 1))
                                    .arg(weakest->words));
 }
 
@@ -192,7 +193,7 @@ void ReplayController::showSolution(std::size_t index)
     window_.strip().showStatus(tr("Other solution %1 of %2, score %3 · %4 takes it")
                                    .arg(index)
                                    .arg(result->alternatives.size())
-                                   .arg(other.score, 0, 'f', 2)
+                                   .arg(ui::numberText(other.score, 2))
                                    .arg(ui::keyOf(ui::Command::TakeSolution)));
     emit solutionChanged(index);
 }

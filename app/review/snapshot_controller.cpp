@@ -3,6 +3,7 @@
 #include "app/document/edit_case.h"
 #include "app/review/snapshot_texts.h"
 #include "ui/main_window.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 #include <algorithm>
@@ -117,7 +118,7 @@ void SnapshotController::show(int snapshotId)
     const QString name = QString::fromStdString(snapshot->name);
     window_.strip().showStatus(
         snapshot->metrics
-            ? tr("“%1”: median %2 mm · Esc goes back").arg(name).arg(snapshot->metrics->medianMm, 0, 'f', 2)
+            ? tr("“%1”: median %2 mm · Esc goes back").arg(name).arg(ui::numberText(snapshot->metrics->medianMm, 2))
             : tr("“%1” · Esc goes back").arg(name));
 }
 

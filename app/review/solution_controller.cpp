@@ -3,6 +3,7 @@
 #include "app/texts/overlay_picture.h"
 #include "core/geometry/pose_difference.h"
 #include "ui/main_window.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 #include <QtConcurrentRun>
@@ -47,15 +48,15 @@ std::vector<ui::SolutionLine> linesOf(const core::RegistrationCase& current, std
         const core::PoseDifference difference =
             core::differenceBetween(current.result->cameraFromPatient, other.cameraFromPatient, pivot);
         lines.push_back({SolutionController::tr("%1 mm, %2°")
-                             .arg(difference.inPlaneMm, 0, 'f', 1)
-                             .arg(difference.rotationDeg, 0, 'f', 1),
+                             .arg(ui::numberText(difference.inPlaneMm, 1))
+                             .arg(ui::numberText(difference.rotationDeg, 1)),
                          SolutionController::tr("Other solution %1, score %2: %3 mm aside, %4 mm in depth and %5° "
                                                 "turned from the one found. Return takes it.")
                              .arg(i)
-                             .arg(other.score, 0, 'f', 2)
-                             .arg(difference.inPlaneMm, 0, 'f', 1)
-                             .arg(difference.depthMm, 0, 'f', 1)
-                             .arg(difference.rotationDeg, 0, 'f', 1)});
+                             .arg(ui::numberText(other.score, 2))
+                             .arg(ui::numberText(difference.inPlaneMm, 1))
+                             .arg(ui::numberText(difference.depthMm, 1))
+                             .arg(ui::numberText(difference.rotationDeg, 1))});
     }
     return lines;
 }

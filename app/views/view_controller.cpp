@@ -6,6 +6,7 @@
 #include "ui/main_window.h"
 #include "ui/panels/view_strip.h"
 #include "ui/words/core_texts.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 #include <QFileInfo>
@@ -141,8 +142,9 @@ void ViewController::showLines()
         shown = place == 0 ? static_cast<int>(lines.size()) : shown;
         QString agreement;
         if (look && look->metrics) {
-            agreement =
-                tr("%1 mm · %2 px").arg(look->metrics->medianMm, 0, 'f', 2).arg(look->metrics->medianPx, 0, 'f', 1);
+            agreement = tr("%1 mm · %2 px")
+                            .arg(ui::numberText(look->metrics->medianMm, 2))
+                            .arg(ui::numberText(look->metrics->medianPx, 1));
         } else {
             agreement = view && view->angiogram ? QStringLiteral("…") : tr("not found");
         }

@@ -3728,7 +3728,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>A detector pixel spacing of %1 mm lies outside 0.05 to 2 mm: check its unit.</source>
-        <translation>Eine Pixelgröße von %1 mm liegt außerhalb 0.05 bis 2 mm: die Einheit prüfen.</translation>
+        <translation>Eine Pixelgröße von %1 mm liegt außerhalb 0,05 bis 2 mm: die Einheit prüfen.</translation>
     </message>
     <message>
         <source>A joint registration cannot keep single degrees of freedom. Unlock them first.</source>
@@ -3896,7 +3896,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>SID is %1 times SOD; angiograms are magnified 1.0 to 2.5 times. Check both distances.</source>
-        <translation>SID ist das %1-fache von SOD; Angiogramme sind 1.0- bis 2.5-fach vergrößert. Beide Abstände prüfen.</translation>
+        <translation>SID ist das %1-fache von SOD; Angiogramme sind 1,0- bis 2,5-fach vergrößert. Beide Abstände prüfen.</translation>
     </message>
     <message>
         <source>SOD (%1 mm) is not smaller than SID (%2 mm): the patient would lie behind the detector. Correct one of them.</source>
@@ -5596,7 +5596,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
     <message>
         <source>SID 1000 mm, SOD 750 mm, pixel 0.3 mm, angles 0°: only for what is missing.</source>
-        <translation>SID 1000 mm, SOD 750 mm, Pixel 0.3 mm, Winkel 0°: nur für das, was fehlt.</translation>
+        <translation>SID 1000 mm, SOD 750 mm, Pixel 0,3 mm, Winkel 0°: nur für das, was fehlt.</translation>
     </message>
     <message>
         <source>Camera from the case file: f %1 px, centre %2, %3 px, %4.</source>
@@ -5839,7 +5839,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
     <message>
         <source>move by 1 mm (Shift 10 mm, Ctrl 0.1 mm)</source>
-        <translation>schieben um 1 mm (Umschalt 10 mm, Strg 0.1 mm)</translation>
+        <translation>schieben um 1 mm (Umschalt 10 mm, Strg 0,1 mm)</translation>
     </message>
     <message>
         <source>PgUp PgDn</source>
@@ -6340,7 +6340,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <name>ui::MaskShiftTool</name>
     <message>
         <source>Mask: arrows or drag move it, Shift 1 px, Ctrl 0.05 px, Esc ends · right %1, down %2 px</source>
-        <translation>Maske: Pfeile oder Ziehen, Umschalt 1 px, Strg 0.05 px, Esc beendet · rechts %1, unten %2 px</translation>
+        <translation>Maske: Pfeile oder Ziehen, Umschalt 1 px, Strg 0,05 px, Esc beendet · rechts %1, unten %2 px</translation>
     </message>
 </context>
 <context>

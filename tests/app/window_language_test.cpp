@@ -3,11 +3,17 @@
 #include "app/window_host.h"
 #include "tests/app/open_window.h"
 #include "tests/app/words_of_window.h"
+#include "ui/panels/number_field.h"
 #include "ui/words/language.h"
 #include "ui/words/spoken.h"
 
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QRegularExpression>
+
+#include <tuple>
 
 namespace app {
 namespace {
@@ -131,6 +137,50 @@ TEST_F(WindowLanguage, SaysEverythingInTheOtherWords)
             EXPECT_EQ(said[i].toStdString(), expected[i].toStdString()) << code;
         }
     }
+}
+
+/// In German no number has a point, wherever it stands; in English none has a comma.
+TEST_F(WindowLanguage, WritesNumbersAsTheLanguageDoes)
+{
+    controller().registration().start();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !controller().registration().isRunning(); }, test::patienceMs));
+    QTest::keyClick(&host->window().angiogramView(), Qt::Key_K);
+    waitForJudgement();
+    const auto numbersLike = [this](const char* pattern) {
+        // What stands in the header is shown as the file has it.
+        static const QRegularExpression tag(QStringLiteral("[0-9A-F]{4},[0-9A-F]{4}[^\n|]*"));
+        const QRegularExpression number{QString::fromLatin1(pattern)};
+        QStringList found;
+        for (QString words : test::wordsOf(host->window())) {
+            words.remove(tag);
+            if (words.contains(number)) {
+                found << words;
+            }
+        }
+        return found;
+    };
+    const auto* right = host->window().pose().findChildren<ui::NumberField*>().front();
+    for (const auto& [command, own, foreign] :
+         {std::tuple{ui::Command::LanguageGerman, "[0-9],[0-9]", "[0-9][.][0-9]"},
+          std::tuple{ui::Command::LanguageChinese, "[0-9][.][0-9]", "[0-9],[0-9]"}}) {
+        choose(command);
+        waitForJudgement();
+        QTest::qWait(200);
+        EXPECT_GT(numbersLike(own).size(), 15);
+        EXPECT_EQ(numbersLike(foreign).join(QLatin1Char('\n')).toStdString(), "");
+        EXPECT_TRUE(right->text().contains(QRegularExpression(QString::fromLatin1(own))))
+            << right->text().toStdString();
+    }
+}
+
+/// A pose copied as text or written to a file is for programs, which know the point alone.
+TEST_F(WindowLanguage, KeepsThePointInWhatProgramsRead)
+{
+    choose(ui::Command::LanguageGerman);
+    host->window().actions()[ui::Command::CopyPose]->trigger();
+    const QString matrix = QGuiApplication::clipboard()->text();
+    EXPECT_TRUE(matrix.contains(QLatin1Char('.')));
+    EXPECT_FALSE(matrix.contains(QLatin1Char(',')));
 }
 
 TEST_F(WindowLanguage, ButtonsNameTheKeyThatTheUserChose)

@@ -19,7 +19,8 @@ bool isOfTheSession(const QWidget& widget)
 {
     const QWidget* parent = widget.parentWidget();
     return (qobject_cast<const ui::BottomStrip*>(parent) && qobject_cast<const QLabel*>(&widget)) ||
-           (qobject_cast<const ui::WelcomePage*>(parent) && widget.property("role") == QLatin1String("link"));
+           (qobject_cast<const ui::WelcomePage*>(parent) &&
+            (widget.property("role") == QLatin1String("link") || widget.property("role") == QLatin1String("recent")));
 }
 
 QStringList textsOf(const QWidget& widget)

@@ -3,6 +3,7 @@
 #include "ui/actions/key_hint.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/section.h"
+#include "ui/words/number.h"
 
 #include <QGridLayout>
 #include <QPushButton>
@@ -124,7 +125,7 @@ void AuxiliaryDialog::showAdvice(const AuxiliaryAdvice& advice)
     for (std::size_t row = 0; row < cells_.size(); ++row) {
         const bool isKnown = row < advice.steps.size();
         const PinnedStep step = isKnown ? advice.steps[row] : PinnedStep{};
-        const auto plusMinus = [&step](double std) { return tr("±%1 %2").arg(std, 0, 'f', 2).arg(step.unit); };
+        const auto plusMinus = [&step](double std) { return tr("±%1 %2").arg(numberText(std, 2)).arg(step.unit); };
         cells_[row][0]->setText(step.name);
         cells_[row][1]->setText(isKnown ? plusMinus(step.stdOfAll) : QString());
         cells_[row][2]->setText(isKnown ? plusMinus(step.stdOfChosen) : QString());

@@ -2,6 +2,7 @@
 
 #include "ui/panels/snapshot_panel.h"
 #include "ui/theme/active_theme.h"
+#include "ui/words/number.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
@@ -48,7 +49,7 @@ public:
 
 void setNumber(QTreeWidgetItem& item, int column, std::optional<double> number, int decimals)
 {
-    item.setText(column, number ? QString::number(*number, 'f', decimals) : QStringLiteral("–"));
+    item.setText(column, number ? numberText(*number, decimals) : QStringLiteral("–"));
     item.setData(column, orderRole, number.value_or(1e300));
     item.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
 }

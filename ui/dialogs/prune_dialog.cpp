@@ -2,6 +2,7 @@
 
 #include "ui/panels/number_field.h"
 #include "ui/panels/section.h"
+#include "ui/words/number.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -13,9 +14,8 @@ namespace {
 /// What is typed so far, or the number before while it is none.
 double numberIn(const QLineEdit& field, double before)
 {
-    bool isNumber = false;
-    const double number = field.text().replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&isNumber);
-    return isNumber && number >= 0.0 ? number : before;
+    const auto typed = numberFrom(field.text());
+    return typed && *typed >= 0.0 ? *typed : before;
 }
 
 }   // namespace

@@ -2,6 +2,7 @@
 
 #include "ui/panels/branch_model.h"
 #include "ui/theme/active_theme.h"
+#include "ui/words/number.h"
 
 #include <QLineEdit>
 #include <QMouseEvent>
@@ -143,7 +144,7 @@ void BranchDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     paintChip(*painter, row, index);
 
     const QRect pill = auxiliaryRect(row);
-    const QString length = tr("%1 mm").arg(index.data(BranchModel::LengthRole).toDouble(), 0, 'f', 0);
+    const QString length = tr("%1 mm").arg(numberText(index.data(BranchModel::LengthRole).toDouble(), 0));
     const int lengthWidth = option.fontMetrics.horizontalAdvance(length);
     const QRect lengthRect(pill.left() - lengthWidth - 10, row.top(), lengthWidth, row.height());
     const bool hidden = index.data(BranchModel::HiddenRole).toBool();
@@ -163,7 +164,7 @@ void BranchDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     painter->drawText(row.adjusted(0, 0, -margin, 0), Qt::AlignRight | Qt::AlignVCenter,
                       excluded             ? tr("out")
                       : hidden             ? tr("hidden")
-                      : residual.isValid() ? QString::number(residual.toDouble(), 'f', 2)
+                      : residual.isValid() ? numberText(residual.toDouble(), 2)
                                            : QString());
     painter->restore();
 }

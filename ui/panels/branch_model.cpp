@@ -1,6 +1,7 @@
 #include "ui/panels/branch_model.h"
 
 #include "ui/panels/result_sentences.h"
+#include "ui/words/number.h"
 
 #include <algorithm>
 #include <numeric>
@@ -117,9 +118,9 @@ void BranchModel::refresh()
 
 QString BranchModel::description(const Row& row) const
 {
-    QStringList parts{tr("%1, %2 mm long").arg(row.name).arg(row.lengthMm, 0, 'f', 0)};
+    QStringList parts{tr("%1, %2 mm long").arg(row.name).arg(numberText(row.lengthMm, 0))};
     if (row.radiusMm >= 0.0) {
-        parts << tr("radius %1 mm").arg(row.radiusMm, 0, 'f', 1);
+        parts << tr("radius %1 mm").arg(numberText(row.radiusMm, 1));
     }
     if (row.generation >= 0) {
         parts << tr("generation %1").arg(row.generation);
@@ -134,7 +135,7 @@ QString BranchModel::description(const Row& row) const
         parts << tr("excluded");
     }
     if (const auto found = residualMm_.find(row.id); found != residualMm_.end()) {
-        parts << tr("median residual %1 mm").arg(found->second, 0, 'f', 2);
+        parts << tr("median residual %1 mm").arg(numberText(found->second, 2));
     }
     return parts.join(QStringLiteral(", "));
 }

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include "ui/words/core_texts.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 namespace ui {
@@ -158,9 +159,9 @@ void GeometryPanel::showGeometry(const GeometryState& state)
     if (camera) {
         const QString side = camera->fx < 0.0 ? tr("seen from the detector") : tr("mirrored");
         camera_->setText(tr("Camera from the case file: f %1 px, centre %2, %3 px, %4.")
-                             .arg(std::abs(camera->fx), 0, 'f', 1)
-                             .arg(camera->cx, 0, 'f', 1)
-                             .arg(camera->cy, 0, 'f', 1)
+                             .arg(numberText(std::abs(camera->fx), 1))
+                             .arg(numberText(camera->cx, 1))
+                             .arg(numberText(camera->cy, 1))
                              .arg(side));
     }
     showNotes();
@@ -224,8 +225,8 @@ void GeometryPanel::showNotes()
     }
     if (state_.turnedDeg.norm() > 0.0) {
         notes << tr("The gantry turns during this run: at this frame by %1° LAO/RAO and %2° CRA/CAU since the first.")
-                     .arg(state_.turnedDeg.x(), 0, 'f', 1)
-                     .arg(state_.turnedDeg.y(), 0, 'f', 1);
+                     .arg(numberText(state_.turnedDeg.x(), 1))
+                     .arg(numberText(state_.turnedDeg.y(), 1));
     }
     notes_->setText(notes.join(QLatin1Char('\n')));
     notes_->setVisible(!notes.isEmpty());
@@ -240,13 +241,14 @@ QString GeometryPanel::summary() const
     const core::CArm& cArm = state_.cArm;
     QStringList parts;
     if (cArm.sourceToDetectorMm.value) {
-        parts << tr("SID %1").arg(*cArm.sourceToDetectorMm.value, 0, 'f', 0);
+        parts << tr("SID %1").arg(numberText(*cArm.sourceToDetectorMm.value, 0));
     }
     if (cArm.sourceToDetectorMm.value && cArm.sourceToPatientMm.value) {
-        parts << QStringLiteral("× %1").arg(*cArm.sourceToDetectorMm.value / *cArm.sourceToPatientMm.value, 0, 'f', 2);
+        parts << QStringLiteral("× %1").arg(
+            numberText(*cArm.sourceToDetectorMm.value / *cArm.sourceToPatientMm.value, 2));
     }
     if (state_.vesselMmPerPx) {
-        parts << tr("%1 mm/px").arg(*state_.vesselMmPerPx, 0, 'f', 3);
+        parts << tr("%1 mm/px").arg(numberText(*state_.vesselMmPerPx, 3));
     }
     return parts.join(QStringLiteral(" · "));
 }

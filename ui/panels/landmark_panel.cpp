@@ -1,6 +1,7 @@
 #include "ui/panels/landmark_panel.h"
 
 #include "ui/actions/key_hint.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 #include <QAction>
@@ -76,7 +77,7 @@ void LandmarkPanel::showLandmarks(const LandmarkState& state)
     for (std::size_t i = 0; i < state.landmarks.size(); ++i) {
         const QString name = QString::fromStdString(state.landmarks[i].name);
         const bool isKnown = i < state.errorPx.size() && std::isfinite(state.errorPx[i]);
-        const QString error = isKnown ? tr("%1 px").arg(state.errorPx[i], 0, 'f', 1) : tr("not in view");
+        const QString error = isKnown ? tr("%1 px").arg(numberText(state.errorPx[i], 1)) : tr("not in view");
         list_->addItem(QStringLiteral("%1   %2   %3").arg(i + 1).arg(name, error));
     }
     const int rows = std::min(list_->count(), shownRows);

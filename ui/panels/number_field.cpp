@@ -1,6 +1,8 @@
 #include "ui/panels/number_field.h"
 
 #include "ui/theme/active_theme.h"
+#include "ui/words/number.h"
+#include "ui/words/spoken.h"
 
 #include <QFocusEvent>
 #include <QKeyEvent>
@@ -16,14 +18,6 @@ namespace {
 
 constexpr QChar minusSign{0x2212};
 
-std::optional<double> parsed(QString text)
-{
-    text.replace(minusSign, QLatin1Char('-')).replace(QLatin1Char(','), QLatin1Char('.'));
-    bool ok = false;
-    const double value = text.trimmed().toDouble(&ok);
-    return ok && std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
 }   // namespace
 
 NumberField::NumberField(NumberFormat format, QWidget* parent) : QLineEdit(parent), format_(std::move(format))
@@ -31,6 +25,7 @@ NumberField::NumberField(NumberFormat format, QWidget* parent) : QLineEdit(paren
     setProperty("role", "number");
     setUnit(format_.unit);
     connect(this, &QLineEdit::returnPressed, this, &NumberField::commit);
+    speak(this, [this] { showValue(value_); });   // with the decimal sign of the language
 }
 
 void NumberField::setUnit(const QString& unit)
@@ -119,7 +114,7 @@ void NumberField::commit()
     if (!isModified()) {
         return;
     }
-    const auto typed = parsed(text());
+    const auto typed = numberFrom(text());
     setModified(false);
     if (!typed) {
         revert();
@@ -168,8 +163,8 @@ QString NumberField::textOf(std::optional<double> value) const
     if (!value) {
         return {};
     }
-    QString digits = QString::number(std::abs(*value), 'f', format_.decimals);
-    const bool isZero = digits.count(QLatin1Char('0')) + digits.count(QLatin1Char('.')) == digits.size();
+    const QString digits = numberText(std::abs(*value), format_.decimals);
+    const bool isZero = std::ranges::none_of(digits, [](QChar c) { return c.isDigit() && c != QLatin1Char('0'); });
     if (*value < 0.0 && !isZero) {
         return minusSign + digits;
     }

@@ -4,6 +4,7 @@
 #include "ui/plots/convergence_plot.h"
 #include "ui/plots/histogram_plot.h"
 #include "ui/words/core_texts.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 #include <QHBoxLayout>
@@ -30,14 +31,14 @@ QString runSummary(const core::RegistrationResult& result)
 {
     const QString words = coreText(core::toText(result.stopReason));
     const double ms = result.time.totalMs;
-    const QString time = ms >= 1000.0 ? ResultPanel::tr("%1 s").arg(ms / 1000.0, 0, 'f', 1)
-                                      : ResultPanel::tr("%1 ms").arg(ms, 0, 'f', ms < 10.0 ? 1 : 0);
+    const QString time = ms >= 1000.0 ? ResultPanel::tr("%1 s").arg(numberText(ms / 1000.0, 1))
+                                      : ResultPanel::tr("%1 ms").arg(numberText(ms, ms < 10.0 ? 1 : 0));
     return ResultPanel::tr("%1 · %2").arg(words, time);
 }
 
 QString sourceWords(const JudgedPose& judged)
 {
-    const QString median = ResultPanel::tr("%1 px").arg(judged.result.metrics.medianPx, 0, 'f', 2);
+    const QString median = ResultPanel::tr("%1 px").arg(numberText(judged.result.metrics.medianPx, 2));
     switch (judged.source) {
         case PoseSource::Run:
             return ResultPanel::tr("%1 · %2").arg(median, runSummary(judged.result));
@@ -131,9 +132,9 @@ QWidget* ResultPanel::makeNumber(QLabel*& value, const Words& caption, const Wor
 void ResultPanel::showJudgement(const JudgedPose& judged, const core::VesselTree& tree)
 {
     const core::DistanceMetrics& metrics = judged.result.metrics;
-    median_->setText(QString::number(metrics.medianMm, 'f', 2));
-    p95_->setText(QString::number(metrics.p95Mm, 'f', 2));
-    coverage_->setText(tr("%1 %").arg(100.0 * metrics.coverage, 0, 'f', 0));
+    median_->setText(numberText(metrics.medianMm, 2));
+    p95_->setText(numberText(metrics.p95Mm, 2));
+    coverage_->setText(tr("%1 %").arg(numberText(100.0 * metrics.coverage, 0)));
     section_->setHint(sourceWords(judged));
     showSentences(judged, tree);
     histogram_->showValues(judged.residualsMm, judged.scaleMaximumMm);
@@ -181,8 +182,8 @@ void ResultPanel::showHistory(const std::vector<core::IterationReport>& history)
         return;
     }
     convergenceSection_->setHint(tr("%1 → %2 px · steps: %3")
-                                     .arg(history.front().medianDistancePx, 0, 'f', 1)
-                                     .arg(history.back().medianDistancePx, 0, 'f', 1)
+                                     .arg(numberText(history.front().medianDistancePx, 1))
+                                     .arg(numberText(history.back().medianDistancePx, 1))
                                      .arg(history.size()));
 }
 

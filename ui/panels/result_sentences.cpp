@@ -1,6 +1,7 @@
 #include "ui/panels/result_sentences.h"
 
 #include "ui/words/core_texts.h"
+#include "ui/words/number.h"
 
 #include <QCoreApplication>
 
@@ -20,7 +21,7 @@ struct Words {
 
 QString number(double value)
 {
-    return QString::number(value, 'f', value < 9.95 ? 1 : 0);
+    return numberText(value, value < 9.95 ? 1 : 0);
 }
 
 QString certainPose(const core::PoseUncertainty& uncertainty)
@@ -48,7 +49,7 @@ QString agreement(const std::vector<core::BranchResidual>& branches, double mmPe
     return Words::tr("%1 of %2 branches agree within %3 mm.")
         .arg(count)
         .arg(branches.size())
-        .arg(agreeingMm, 0, 'f', 1);
+        .arg(numberText(agreeingMm, 1));
 }
 
 /// Nothing when the solver's own warnings speak of depth already.

@@ -2,12 +2,13 @@
 
 #include "ui/actions/key_hint.h"
 #include "ui/theme/active_theme.h"
+#include "ui/words/language.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 #include <QDateTime>
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QLocale>
 #include <QMenu>
 #include <QPushButton>
 #include <QScopedValueRollback>
@@ -37,9 +38,9 @@ QString toolTipOf(const core::PoseSnapshot& snapshot)
     }
     if (snapshot.metrics) {
         lines << SnapshotPanel::tr("median %1 mm, 95 % %2 mm, covered %3 %")
-                     .arg(snapshot.metrics->medianMm, 0, 'f', 2)
-                     .arg(snapshot.metrics->p95Mm, 0, 'f', 2)
-                     .arg(100.0 * snapshot.metrics->coverage, 0, 'f', 0);
+                     .arg(numberText(snapshot.metrics->medianMm, 2))
+                     .arg(numberText(snapshot.metrics->p95Mm, 2))
+                     .arg(numberText(100.0 * snapshot.metrics->coverage, 0));
     }
     lines << SnapshotPanel::tr("frame %1").arg(snapshot.frame) << toQt(snapshot.note);
     lines.removeAll(QString());
@@ -130,7 +131,7 @@ void SnapshotPanel::fillItem(QTreeWidgetItem& item, const core::PoseSnapshot& sn
 {
     item.setData(Name, idRole, snapshot.id);
     item.setText(Name, toQt(snapshot.name));
-    item.setText(Median, snapshot.metrics ? QString::number(snapshot.metrics->medianMm, 'f', 2) : QStringLiteral("–"));
+    item.setText(Median, snapshot.metrics ? numberText(snapshot.metrics->medianMm, 2) : QStringLiteral("–"));
     item.setTextAlignment(Median, Qt::AlignRight | Qt::AlignVCenter);
     item.setFlags(item.flags() | Qt::ItemIsEditable);
     for (int column = 0; column < ColumnCount; ++column) {
@@ -290,7 +291,7 @@ QString shortTime(const std::string& isoTime)
     if (!time.isValid()) {
         return {};
     }
-    const QLocale locale;
+    const QLocale locale = languageLocale();
     const QString clock = locale.toString(time.time(), QStringLiteral("HH:mm"));
     return time.date() == QDate::currentDate()
                ? clock

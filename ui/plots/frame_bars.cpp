@@ -1,6 +1,7 @@
 #include "ui/plots/frame_bars.h"
 
 #include "ui/theme/active_theme.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 #include <QKeyEvent>
@@ -16,7 +17,7 @@ QString describeFrame(const FrameCurve& curve, const std::vector<int>& masks, in
 {
     QStringList parts{FrameBars::tr("Frame %1").arg(frame)};
     if (curve.frameTimeMs > 0.0) {
-        parts << FrameBars::tr("%1 s").arg(0.001 * curve.frameTimeMs * frame, 0, 'f', 2);
+        parts << FrameBars::tr("%1 s").arg(numberText(0.001 * curve.frameTimeMs * frame, 2));
     }
     if (frame >= 0 && frame < static_cast<int>(curve.opacification.size())) {
         parts << QStringLiteral("%1 %").arg(qRound(100.0 * curve.opacification[static_cast<std::size_t>(frame)]));

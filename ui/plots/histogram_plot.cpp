@@ -1,6 +1,7 @@
 #include "ui/plots/histogram_plot.h"
 
 #include "ui/theme/active_theme.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 #include <QPainter>
@@ -52,8 +53,8 @@ void HistogramPlot::paintEvent(QPaintEvent*)
     painter.setPen(toQColor(tones.hint));
     const QRectF labels(area.left(), area.bottom() + 2, area.width(), labelHeight - 2);
     painter.drawText(labels, Qt::AlignLeft | Qt::AlignTop, QStringLiteral("0"));
-    painter.drawText(labels, Qt::AlignHCenter | Qt::AlignTop, QString::number(scaleMaximumMm_ / 2.0, 'f', 1));
-    painter.drawText(labels, Qt::AlignRight | Qt::AlignTop, tr("above %1").arg(scaleMaximumMm_, 0, 'f', 1));
+    painter.drawText(labels, Qt::AlignHCenter | Qt::AlignTop, numberText(scaleMaximumMm_ / 2.0, 1));
+    painter.drawText(labels, Qt::AlignRight | Qt::AlignTop, tr("above %1").arg(numberText(scaleMaximumMm_, 1)));
 }
 
 std::vector<int> binned(const std::vector<double>& values, double maximum, int bins)

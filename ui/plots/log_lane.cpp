@@ -1,6 +1,7 @@
 #include "ui/plots/log_lane.h"
 
 #include "ui/theme/active_theme.h"
+#include "ui/words/number.h"
 
 #include <QPainter>
 #include <QPolygonF>
@@ -39,7 +40,7 @@ void paintDecades(QPainter& painter, const QRectF& area, const LogSpan& span, co
         if (y - 15.0 >= area.top() - captionHeight) {
             painter.setPen(toQColor(tones.hint));
             painter.drawText(QRectF(area.right() - 80.0, y - 15.0, 78.0, 14.0), Qt::AlignRight | Qt::AlignBottom,
-                             QStringLiteral("%1 %2").arg(std::pow(10.0, level), 0, 'g', 3).arg(unit));
+                             QStringLiteral("%1 %2").arg(briefNumber(std::pow(10.0, level), 3), unit));
         }
     }
 }

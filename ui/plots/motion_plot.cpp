@@ -1,6 +1,7 @@
 #include "ui/plots/motion_plot.h"
 
 #include "ui/theme/active_theme.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 #include <QKeyEvent>
@@ -104,7 +105,7 @@ void MotionPlot::paintEvent(QPaintEvent*)
     const QRectF labels(plot.left(), plot.bottom() + 2, plot.width(), labelHeight - 2);
     painter.drawText(labels, Qt::AlignLeft | Qt::AlignTop, tr("frame %1").arg(motion_.front().frame));
     painter.drawText(labels, Qt::AlignRight | Qt::AlignTop, QString::number(motion_.back().frame));
-    painter.drawText(plot, Qt::AlignLeft | Qt::AlignTop, tr("%1 mm").arg(highestMm_, 0, 'f', 1));
+    painter.drawText(plot, Qt::AlignLeft | Qt::AlignTop, tr("%1 mm").arg(numberText(highestMm_, 1)));
     if (hasFocus()) {
         painter.setPen(toQColor(tones.accent));
         painter.setBrush(Qt::NoBrush);
@@ -134,9 +135,9 @@ void MotionPlot::mouseMoveEvent(QMouseEvent* event)
     const FrameMotion& at = motion_[indexAt(event->position().x())];
     const QString words = tr("frame %1: %2 mm across, %3 mm in depth, %4°")
                               .arg(at.frame)
-                              .arg(at.inPlaneMm, 0, 'f', 2)
-                              .arg(at.depthMm, 0, 'f', 1)
-                              .arg(at.rotationDeg, 0, 'f', 1);
+                              .arg(numberText(at.inPlaneMm, 2))
+                              .arg(numberText(at.depthMm, 1))
+                              .arg(numberText(at.rotationDeg, 1));
     QToolTip::showText(event->globalPosition().toPoint(),
                        at.isTrustworthy ? words : tr("%1 (not explained by the vessels)").arg(words), this);
     if (event->buttons().testFlag(Qt::LeftButton)) {

@@ -1,6 +1,7 @@
 #include "ui/plots/opacification_plot.h"
 
 #include "ui/theme/active_theme.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 #include <QKeyEvent>
@@ -98,7 +99,7 @@ void OpacificationPlot::paintAxes(QPainter& painter) const
     for (int frame = 0; frame <= lastFrame(); frame += step) {
         const double x = pointOf(frame).x();
         const QString text = curve_.frameTimeMs > 0.0
-                                 ? tr("%1 · %2 s").arg(frame).arg(0.001 * curve_.frameTimeMs * frame, 0, 'f', 2)
+                                 ? tr("%1 · %2 s").arg(frame).arg(numberText(0.001 * curve_.frameTimeMs * frame, 2))
                                  : QString::number(frame);
         const double half = std::min(50.0, width() - 2.0 - x);   // the last one ends with the plot
         painter.drawText(QRectF(x + half - 100.0, part.bottom() + 6.0, 100.0, 18.0),

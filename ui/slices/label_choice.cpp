@@ -2,6 +2,7 @@
 
 #include "ui/panels/section.h"
 #include "ui/theme/active_theme.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 #include <QHBoxLayout>
@@ -42,7 +43,7 @@ QIcon swatch(const Color& color, double devicePxPerPx)
 
 QString volumeText(double volumeMl)
 {
-    return LabelChoice::tr("%1 ml").arg(volumeMl, 0, 'f', volumeMl < 10.0 ? 2 : volumeMl < 100.0 ? 1 : 0);
+    return LabelChoice::tr("%1 ml").arg(numberText(volumeMl, volumeMl < 10.0 ? 2 : volumeMl < 100.0 ? 1 : 0));
 }
 
 QPushButton* link(const Words& text, const Words& tip)

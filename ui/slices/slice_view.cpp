@@ -2,6 +2,7 @@
 
 #include "ui/slices/slice_annotations.h"
 #include "ui/theme/active_theme.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 #include <QPainter>
@@ -25,9 +26,9 @@ Eigen::Vector2d toVector(const QPointF& point)
 QString positionText(const Eigen::Vector3d& point)
 {
     return SliceView::tr("x %1  y %2  z %3 mm")
-        .arg(point.x(), 0, 'f', 1)
-        .arg(point.y(), 0, 'f', 1)
-        .arg(point.z(), 0, 'f', 1);
+        .arg(numberText(point.x(), 1))
+        .arg(numberText(point.y(), 1))
+        .arg(numberText(point.z(), 1));
 }
 
 }   // namespace
@@ -176,9 +177,10 @@ QStringList SliceView::placeTexts() const
     }
     const auto value = core::valueAt(*model_.volume(), at);
     const QString number = !value                  ? tr("outside")
-                           : model_.isHounsfield() ? tr("%1 HU").arg(*value, 0, 'f', 0)
-                                                   : QString::number(*value, 'f', 0);
-    const QString window = tr("W %1 L %2").arg(model_.window().width, 0, 'f', 0).arg(model_.window().level, 0, 'f', 0);
+                           : model_.isHounsfield() ? tr("%1 HU").arg(numberText(*value, 0))
+                                                   : numberText(*value, 0);
+    const QString window =
+        tr("W %1 L %2").arg(numberText(model_.window().width, 0)).arg(numberText(model_.window().level, 0));
     return labels + QStringList{number + QStringLiteral(" · ") + window, positionText(at)};
 }
 

@@ -2,6 +2,7 @@
 
 #include "ui/panels/number_field.h"
 #include "ui/slices/label_choice.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 #include <QCheckBox>
@@ -41,9 +42,9 @@ QString pointText(const QString& kind, const Eigen::Vector3d& point)
 {
     return TracingPanel::tr("%1  %2  %3  %4")
         .arg(kind)
-        .arg(point.x(), 0, 'f', 1)
-        .arg(point.y(), 0, 'f', 1)
-        .arg(point.z(), 0, 'f', 1);
+        .arg(numberText(point.x(), 1))
+        .arg(numberText(point.y(), 1))
+        .arg(numberText(point.z(), 1));
 }
 
 }   // namespace

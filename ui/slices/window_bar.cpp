@@ -1,6 +1,7 @@
 #include "ui/slices/window_bar.h"
 
 #include "ui/panels/section.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 #include <QCoreApplication>
@@ -67,7 +68,7 @@ void WindowBar::fillPresets()
     for (const WindowPreset& preset : windowPresets()) {
         add([name = preset.name] { return QCoreApplication::translate("ui::WindowPreset", name); },
             [window = preset.window] {
-                return tr("W %1 L %2 HU").arg(window.width, 0, 'f', 0).arg(window.level, 0, 'f', 0);
+                return tr("W %1 L %2 HU").arg(numberText(window.width, 0)).arg(numberText(window.level, 0));
             },
             [this, window = preset.window] { model_.setWindow(window); });
     }

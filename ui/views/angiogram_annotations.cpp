@@ -3,6 +3,7 @@
 #include "ui/views/corner_blocks.h"
 #include "ui/views/shadowed_text.h"
 #include "ui/words/core_texts.h"
+#include "ui/words/number.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -23,7 +24,7 @@ struct Words {
 
 QString number(double value)
 {
-    return QString::number(value, 'f', std::abs(value) < 10.0 ? 2 : 0);
+    return numberText(value, std::abs(value) < 10.0 ? 2 : 0);
 }
 
 QStringList toLines(const std::vector<std::string>& texts)
@@ -87,7 +88,7 @@ void paintRuler(QPainter& painter, const QSizeF& size, const QRectF& blockBelow,
     painter.setFont(sized(painter.font(), 11));
     drawShadowedText(painter, QRectF(bar.left(), bar.top() - 22.0, 220.0, 16.0),
                      Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
-                     Words::tr("%1 mm at vessel").arg(QString::number(lengthMm)), tone);
+                     Words::tr("%1 mm at vessel").arg(briefNumber(lengthMm, 6)), tone);
 }
 
 /// Where the residual scale goes: at the right edge, in the middle.
@@ -119,8 +120,8 @@ void paintScale(QPainter& painter, const QSizeF& size, const AngiogramAnnotation
     const bool isFine = std::fmod(5.0 * maximum, 1.0) > 1e-6;   // its half needs another digit
     const int decimals = maximum >= 10.0 ? 0 : isFine ? 2 : 1;
     label(bar.top() - 24.0, inMm ? QStringLiteral("mm") : QStringLiteral("px"), annotationTones().label);
-    label(bar.top() - 6.0, QStringLiteral("> %1").arg(maximum, 0, 'f', decimals), annotationTones().text);
-    label(bar.center().y(), QString::number(0.5 * maximum, 'f', decimals), annotationTones().text);
+    label(bar.top() - 6.0, QStringLiteral("> %1").arg(numberText(maximum, decimals)), annotationTones().text);
+    label(bar.center().y(), numberText(0.5 * maximum, decimals), annotationTones().text);
     label(bar.bottom() - 1.0, QStringLiteral("0"), annotationTones().text);
 }
 

@@ -1,5 +1,7 @@
 #include "ui/words/core_texts.h"
 
+#include "ui/words/number.h"
+
 #include <QCoreApplication>
 #include <QHash>
 #include <QRegularExpression>
@@ -161,7 +163,7 @@ QString coreText(const QString& text)
             return *parts;
         }
     }
-    return translatedBracket(text).value_or(text);
+    return translatedBracket(text).value_or(withDecimalSign(text));
 }
 
 }   // namespace ui

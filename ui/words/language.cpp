@@ -78,4 +78,9 @@ QString currentLanguage()
     return current();
 }
 
+QLocale languageLocale()
+{
+    return QLocale(current());
+}
+
 }   // namespace ui

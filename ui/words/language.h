@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QLocale>
 #include <QString>
 #include <QStringList>
 
@@ -11,11 +12,13 @@ QStringList languages();
 /// The first of the desktop's languages that the window speaks; English where it speaks none.
 QString desktopLanguage();
 
-/// The language of all words from now on, those of Qt's own dialogs too; see `speakAgain`. Numbers keep their point in
-/// all of them.
+/// The language of all words from now on, those of Qt's own dialogs too; see `speakAgain`.
 void applyLanguage(const QString& code);
 
 /// The code that was applied last.
 QString currentLanguage();
+
+/// How that language writes dates and numbers, wherever the desktop is; see number.h.
+QLocale languageLocale();
 
 }   // namespace ui

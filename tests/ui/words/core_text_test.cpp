@@ -61,7 +61,7 @@ TEST(CoreText, FindsTheTemplateASentenceWasMadeOf)
     const Speaking german("de");
 
     EXPECT_EQ(coreText("The vessels fit better 2.4 mm aside."sv),
-              QStringLiteral("Die Gefäße passen 2.4 mm daneben besser."));
+              QStringLiteral("Die Gefäße passen 2,4 mm daneben besser."));
 }
 
 TEST(CoreText, TranslatesWhatIsFilledInBehindFileNamesAndBetweenDots)

@@ -1,6 +1,7 @@
 #include "ui/views/tools/mask_shift_tool.h"
 
 #include "ui/views/angiogram_view.h"
+#include "ui/words/number.h"
 
 #include <QKeyEvent>
 
@@ -42,8 +43,8 @@ void MaskShiftTool::showShift(const Eigen::Vector2d& shiftPx)
 QString MaskShiftTool::caption() const
 {
     return tr("Mask: arrows or drag move it, Shift 1 px, Ctrl 0.05 px, Esc ends · right %1, down %2 px")
-        .arg(shift_.x(), 0, 'f', 2)
-        .arg(shift_.y(), 0, 'f', 2);
+        .arg(numberText(shift_.x(), 2))
+        .arg(numberText(shift_.y(), 2));
 }
 
 const Color& MaskShiftTool::tone() const

@@ -3,6 +3,7 @@
 #include "ui/scenes/fill_strokes.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/roll_cursor.h"
+#include "ui/words/number.h"
 
 #include <QKeyEvent>
 #include <QPainter>
@@ -180,7 +181,7 @@ QString NudgeTool::words() const
     const auto amount = [this](PoseAxis axis) {
         const double value = valueOf(dragged_, axis);
         const QString number = (value < 0.0 ? QStringLiteral("−") : QStringLiteral("+")) +
-                               QString::number(std::abs(value), 'f', isShift(axis) ? 2 : 1);
+                               numberText(std::abs(value), isShift(axis) ? 2 : 1);
         return number + (isShift(axis) ? QStringLiteral(" mm") : QStringLiteral("°"));
     };
     const PoseHandle handle = nudge_ ? nudge_->handle() : hotHandle_;

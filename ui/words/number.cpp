@@ -1,0 +1,49 @@
+#include "ui/words/number.h"
+
+#include "ui/words/language.h"
+
+#include <QLocale>
+#include <QRegularExpression>
+
+#include <cmath>
+
+namespace ui {
+namespace {
+
+constexpr QChar minusSign{0x2212};
+
+QString signedAs(QString digits)
+{
+    const QString sign = languageLocale().decimalPoint();
+    return sign == QLatin1String(".") ? digits : digits.replace(QLatin1Char('.'), sign);
+}
+
+}   // namespace
+
+QString numberText(double value, int decimals)
+{
+    return signedAs(QString::number(value, 'f', decimals));
+}
+
+QString briefNumber(double value, int digits)
+{
+    return signedAs(QString::number(value, 'g', digits));
+}
+
+std::optional<double> numberFrom(QString typed)
+{
+    typed.replace(minusSign, QLatin1Char('-')).replace(QLatin1Char(','), QLatin1Char('.'));
+    bool isNumber = false;
+    const double value = typed.trimmed().toDouble(&isNumber);
+    return isNumber && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+QString withDecimalSign(const QString& text)
+{
+    static const QRegularExpression numbersAlone(QRegularExpression::anchoredPattern(
+        QStringLiteral("(?:(?:[-+±−×]?[0-9]+(?:\\.[0-9]+)?[°%]?|mm|px|mm/px|%|ml|s|ms|HU|°|×|LAO|RAO|CRA|CAU|SID|SOD)"
+                       "(?: · | |,\\s|$))+")));
+    return numbersAlone.match(text).hasMatch() ? signedAs(text) : text;
+}
+
+}   // namespace ui
