@@ -26,12 +26,12 @@ core::RigidTransform poseWith(const RegistrationCase& current, const std::shared
 }   // namespace
 
 std::unique_ptr<QUndoCommand> changeGeometry(CaseDocument& document, const RegistrationCase& wanted,
-                                             const QString& text)
+                                             const ui::Words& name)
 {
-    return std::make_unique<ChangeGeometry>(document, ChangeGeometry::valuesOf(wanted), text);
+    return std::make_unique<ChangeGeometry>(document, ChangeGeometry::valuesOf(wanted), name);
 }
 
-std::unique_ptr<QUndoCommand> editTree(CaseDocument& document, core::VesselTree tree, const QString& text)
+std::unique_ptr<QUndoCommand> editTree(CaseDocument& document, core::VesselTree tree, const ui::Words& name)
 {
     const RegistrationCase& current = document.current();
     const auto edited = std::make_shared<const core::VesselTree>(std::move(tree));
@@ -40,10 +40,10 @@ std::unique_ptr<QUndoCommand> editTree(CaseDocument& document, core::VesselTree 
         EditTree::Values{edited, true, thoseIn(*edited, current.auxiliaryBranchIds),
                          thoseIn(*edited, current.excludedBranchIds), thoseIn(*edited, current.hiddenBranchIds),
                          poseWith(current, edited), std::nullopt},
-        text);
+        name);
 }
 
-std::unique_ptr<QUndoCommand> takeTrace(CaseDocument& document, const TracedTree& traced, const QString& text)
+std::unique_ptr<QUndoCommand> takeTrace(CaseDocument& document, const TracedTree& traced, const ui::Words& name)
 {
     const core::RegistrationCase& current = document.current();
     const bool isOfScan = traced.file.path == current.scanFile.path;   // which then lies beside no longer
@@ -60,17 +60,17 @@ std::unique_ptr<QUndoCommand> takeTrace(CaseDocument& document, const TracedTree
                                                          {},
                                                          poseWith(document.current(), traced.tree),
                                                          std::nullopt},
-                                       text);
+                                       name);
 }
 
-std::unique_ptr<QUndoCommand> showView(CaseDocument& document, const RegistrationCase& wanted, const QString& text)
+std::unique_ptr<QUndoCommand> showView(CaseDocument& document, const RegistrationCase& wanted, const ui::Words& name)
 {
-    return std::make_unique<ShowView>(document, ShowView::valuesOf(wanted), text);
+    return std::make_unique<ShowView>(document, ShowView::valuesOf(wanted), name);
 }
 
-std::unique_ptr<QUndoCommand> joinInputs(CaseDocument& document, const RegistrationCase& wanted, const QString& text)
+std::unique_ptr<QUndoCommand> joinInputs(CaseDocument& document, const RegistrationCase& wanted, const ui::Words& name)
 {
-    return std::make_unique<JoinInputs>(document, JoinInputs::valuesOf(wanted), text);
+    return std::make_unique<JoinInputs>(document, JoinInputs::valuesOf(wanted), name);
 }
 
 }   // namespace app

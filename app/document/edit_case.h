@@ -3,8 +3,6 @@
 #include "app/document/case_document.h"
 #include "app/document/set_fields.h"
 
-#include <QString>
-
 #include <memory>
 
 namespace app {
@@ -95,11 +93,11 @@ using JoinInputs =
 
 /// The edit that makes the document's case like `wanted`, geometry only.
 std::unique_ptr<QUndoCommand> changeGeometry(CaseDocument& document, const RegistrationCase& wanted,
-                                             const QString& text);
+                                             const ui::Words& name);
 
 /// The edit that puts an edited tree into the case. Marks of branches that are gone go too; a pose at the start stays
 /// there; what the last run said no longer holds.
-std::unique_ptr<QUndoCommand> editTree(CaseDocument& document, core::VesselTree tree, const QString& text);
+std::unique_ptr<QUndoCommand> editTree(CaseDocument& document, core::VesselTree tree, const ui::Words& name);
 
 /// The edit that puts a newly traced tree into the case, with how it was traced.
 struct TracedTree {
@@ -108,12 +106,12 @@ struct TracedTree {
     std::shared_ptr<const core::VoxelMask> lumen;
     std::shared_ptr<const core::VesselTree> tree;
 };
-std::unique_ptr<QUndoCommand> takeTrace(CaseDocument& document, const TracedTree& traced, const QString& text);
+std::unique_ptr<QUndoCommand> takeTrace(CaseDocument& document, const TracedTree& traced, const ui::Words& name);
 
 /// The edit that makes the document's case like `wanted`, as far as views go; see core::showingView.
-std::unique_ptr<QUndoCommand> showView(CaseDocument& document, const RegistrationCase& wanted, const QString& text);
+std::unique_ptr<QUndoCommand> showView(CaseDocument& document, const RegistrationCase& wanted, const ui::Words& name);
 
 /// The edit that takes over the inputs of `wanted` and all that hangs on them.
-std::unique_ptr<QUndoCommand> joinInputs(CaseDocument& document, const RegistrationCase& wanted, const QString& text);
+std::unique_ptr<QUndoCommand> joinInputs(CaseDocument& document, const RegistrationCase& wanted, const ui::Words& name);
 
 }   // namespace app

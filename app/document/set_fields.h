@@ -2,6 +2,8 @@
 
 #include "app/document/case_document.h"
 
+#include "ui/words/spoken.h"
+
 #include <QUndoCommand>
 
 #include <tuple>
@@ -13,15 +15,25 @@ namespace app {
 /// Unique numbers for edits that belong together; see SetFields.
 inline constexpr int separateEdit = -1;
 
+/// An edit that says its name in whatever language the window speaks when it is asked.
+class NamedEdit : public QUndoCommand {
+public:
+    explicit NamedEdit(ui::Words name) : QUndoCommand(name()), name_(std::move(name)) {}
+    QString name() const { return name_(); }
+
+private:
+    ui::Words name_;
+};
+
 /// Undoable change of some fields of the open case. Edits with the same burst number merge into one step.
-///   stack.push(new SetFields<&core::RegistrationCase::frame>(document, {4}, tr("Show frame 4")));
+///   stack.push(new SetFields<&core::RegistrationCase::frame>(document, {4}, [] { return tr("Show frame 4"); }));
 template <auto... Fields>
-class SetFields : public QUndoCommand {
+class SetFields : public NamedEdit {
 public:
     using Values = std::tuple<std::decay_t<decltype(std::declval<core::RegistrationCase>().*Fields)>...>;
 
-    SetFields(CaseDocument& document, Values values, const QString& text, int burst = separateEdit)
-        : QUndoCommand(text), document_(document), others_(std::move(values)), burst_(burst)
+    SetFields(CaseDocument& document, Values values, ui::Words name, int burst = separateEdit)
+        : NamedEdit(std::move(name)), document_(document), others_(std::move(values)), burst_(burst)
     {
     }
 

@@ -1,6 +1,7 @@
 #include "app/editing/branch_controller.h"
 
 #include "app/document/edit_case.h"
+#include "app/editing/branch_words.h"
 #include "ui/panels/result_sentences.h"
 
 #include <algorithm>
@@ -85,7 +86,8 @@ void BranchController::setAuxiliary(const std::set<int>& branchIds)
 {
     const std::vector<int> ids(branchIds.begin(), branchIds.end());
     if (ids != document_.current().auxiliaryBranchIds) {
-        document_.push(std::make_unique<ChooseAuxiliary>(document_, ids, tr("Choose auxiliary branches")));
+        document_.push(
+            std::make_unique<ChooseAuxiliary>(document_, ids, [] { return tr("Choose auxiliary branches"); }));
     }
 }
 
@@ -102,9 +104,11 @@ void BranchController::toggleExcluded(const std::set<int>& branchIds)
         return;
     }
     const bool leaves = excluded.size() > marks_.excluded.size();
-    const QString text = (leaves ? tr("Exclude %1") : tr("Include %1")).arg(namesOf(branchIds));
+    const auto name = [leaves, names = namesOf(branchIds)] {
+        return (leaves ? tr("Exclude %1") : tr("Include %1")).arg(names());
+    };
     document_.push(std::make_unique<ExcludeBranches>(
-        document_, ExcludeBranches::Values{{excluded.begin(), excluded.end()}, std::nullopt}, text));
+        document_, ExcludeBranches::Values{{excluded.begin(), excluded.end()}, std::nullopt}, name));
 }
 
 void BranchController::setAuxiliaryInside(const std::map<int, ui::ViewRect>& extents, const ui::ViewRect& part)
@@ -162,11 +166,10 @@ void BranchController::followDocument()
     }
 }
 
-QString BranchController::namesOf(const std::set<int>& branchIds) const
+ui::Words BranchController::namesOf(const std::set<int>& branchIds) const
 {
     const auto& tree = document_.current().tree;
-    const core::VesselBranch* only = branchIds.size() == 1 && tree ? tree->find(*branchIds.begin()) : nullptr;
-    return only ? ui::displayName(*only) : tr("%1 branches").arg(branchIds.size());
+    return branchWords(tree ? *tree : core::VesselTree{}, branchIds);
 }
 
 }   // namespace app

@@ -2,6 +2,7 @@
 
 #include "app/document/case_document.h"
 #include "ui/scenes/overlay_scene.h"
+#include "ui/words/spoken.h"
 
 #include <QObject>
 
@@ -36,7 +37,7 @@ signals:
     void refused(const QString& why);
 
 private:
-    QString namesOf(const std::set<int>& branchIds) const;
+    ui::Words namesOf(const std::set<int>& branchIds) const;
 
     CaseDocument& document_;
     ui::BranchMarks marks_;

@@ -164,7 +164,7 @@ std::vector<int> CurveController::acceptedHere() const
     return target_.trace() ? std::vector<int>() : document_.current().acceptedCurveIds;
 }
 
-void CurveController::take(const core::Centerline2d& curves, const QString& what)
+void CurveController::take(const core::Centerline2d& curves, const ui::Words& what)
 {
     if (curves.pointCount() == 0) {
         notices_.showNote(tr("At least one curve must stay: there would be nothing to register to."));
@@ -179,11 +179,11 @@ void CurveController::accept(int curveId)
 {
     std::vector<int> accepted = acceptedHere();
     accepted.push_back(curveId);
-    push(target_.current(), std::move(accepted), tr("Keep a suspect curve"));
+    push(target_.current(), std::move(accepted), [] { return tr("Keep a suspect curve"); });
 }
 
 void CurveController::push(std::shared_ptr<const core::Centerline2d> curves, std::vector<int> accepted,
-                           const QString& what)
+                           const ui::Words& what)
 {
     const core::RegistrationCase& current = document_.current();
     const auto formerFrame = current.editedFrame;
@@ -218,7 +218,7 @@ void CurveController::traceAgain()
 {
     document_.push(std::make_unique<ChangeTarget>(
         document_, ChangeTarget::Values{core::InputFile{}, nullptr, std::nullopt, std::vector<int>{}, std::nullopt},
-        tr("Trace again")));
+        [] { return tr("Trace again"); }));
 }
 
 }   // namespace app

@@ -33,9 +33,9 @@ private:
     void dropGround();   ///< it is large, and keeps the angiogram it is of
     std::vector<int> suspects() const;
     std::vector<int> acceptedHere() const;
-    void take(const core::Centerline2d& curves, const QString& what);
+    void take(const core::Centerline2d& curves, const ui::Words& what);
     void accept(int curveId);
-    void push(std::shared_ptr<const core::Centerline2d> curves, std::vector<int> accepted, const QString& what);
+    void push(std::shared_ptr<const core::Centerline2d> curves, std::vector<int> accepted, const ui::Words& what);
     void traceAgain();
 
     CaseDocument& document_;

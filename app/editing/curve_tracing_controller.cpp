@@ -17,7 +17,7 @@ CurveTracingController::CurveTracingController(const AngiogramParts& parts, QObj
     connect(window_.actions()[ui::Command::ShowTrace], &QAction::toggled, this, &CurveTracingController::showKeptOut);
 }
 
-void CurveTracingController::change(const core::TraceOptions& options, const QString& what)
+void CurveTracingController::change(const core::TraceOptions& options, const ui::Words& what)
 {
     document_.push(std::make_unique<ChangeTracing>(document_, ChangeTracing::Values{options, std::nullopt}, what));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/editing/angiogram_parts.h"
+#include "ui/words/spoken.h"
 
 #include <QObject>
 
@@ -13,7 +14,7 @@ public:
     explicit CurveTracingController(const AngiogramParts& parts, QObject* parent = nullptr);
 
 private:
-    void change(const core::TraceOptions& options, const QString& what);
+    void change(const core::TraceOptions& options, const ui::Words& what);
     void showKeptOut();
 
     CaseDocument& document_;

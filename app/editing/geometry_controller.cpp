@@ -20,9 +20,10 @@ void GeometryController::show()
     window_.geometryPanel().showGeometry(geometryState(document_.current()));
 }
 
-void GeometryController::change(const core::CArm& cArm, const QString& what)
+void GeometryController::change(const core::CArm& cArm, const ui::Words& what)
 {
-    document_.push(changeGeometry(document_, withGeometry(document_.current(), cArm), tr("Change %1").arg(what)));
+    document_.push(changeGeometry(document_, withGeometry(document_.current(), cArm),
+                                  [what] { return tr("Change %1").arg(what()); }));
 }
 
 void GeometryController::dropCameraOverride()
@@ -30,7 +31,7 @@ void GeometryController::dropCameraOverride()
     core::RegistrationCase wanted = document_.current();
     wanted.cameraOverride.reset();
     wanted.result.reset();
-    document_.push(changeGeometry(document_, wanted, tr("Use distances and spacing")));
+    document_.push(changeGeometry(document_, wanted, [] { return tr("Use distances and spacing"); }));
 }
 
 }   // namespace app

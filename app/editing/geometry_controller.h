@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/document/case_document.h"
+#include "ui/words/spoken.h"
 
 #include <QObject>
 
@@ -19,7 +20,7 @@ public:
     void show();
 
 private:
-    void change(const core::CArm& cArm, const QString& what);
+    void change(const core::CArm& cArm, const ui::Words& what);
     void dropCameraOverride();
 
     CaseDocument& document_;

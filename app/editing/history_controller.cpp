@@ -1,9 +1,19 @@
 #include "app/editing/history_controller.h"
 
+#include "app/document/set_fields.h"
 #include "ui/main_window.h"
 #include "ui/words/spoken.h"
 
 namespace app {
+namespace {
+
+QString nameOf(const QUndoCommand* edit)
+{
+    const auto* named = dynamic_cast<const NamedEdit*>(edit);
+    return named ? named->name() : edit ? edit->text() : QString();
+}
+
+}   // namespace
 
 HistoryController::HistoryController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
     : QObject(parent), document_(document), window_(window)
@@ -24,8 +34,8 @@ void HistoryController::show()
     const bool canUndo = document_.canUndo();
     undo->setEnabled(canUndo);
     redo->setEnabled(stack.canRedo());
-    undo->setText(canUndo ? tr("Undo: %1").arg(stack.undoText()) : tr("Undo"));
-    redo->setText(stack.canRedo() ? tr("Redo: %1").arg(stack.redoText()) : tr("Redo"));
+    undo->setText(canUndo ? tr("Undo: %1").arg(nameOf(stack.command(stack.index() - 1))) : tr("Undo"));
+    redo->setText(stack.canRedo() ? tr("Redo: %1").arg(nameOf(stack.command(stack.index()))) : tr("Redo"));
     window_.strip().showUndoState(canUndo ? undo->text() : QString());
 }
 

@@ -110,7 +110,7 @@ void LandmarkController::connectTool()
     connect(tool_, &ui::LandmarkTool::pairMoved, this, [this](int index, const Eigen::Vector2d& pixel) {
         std::vector<core::Landmark> moved = document_.current().landmarks;
         moved[static_cast<std::size_t>(index)].pixel = pixel;
-        change(std::move(moved), tr("Move landmark %1").arg(index + 1));
+        change(std::move(moved), [index] { return tr("Move landmark %1").arg(index + 1); });
     });
     connect(tool_, &ui::LandmarkTool::lastRemoved, this,
             [this] { removePairs({static_cast<int>(document_.current().landmarks.size()) - 1}); });
@@ -151,7 +151,7 @@ void LandmarkController::addPair(const Eigen::Vector3d& pointInPatient, const Ei
     }
     std::vector<core::Landmark> landmarks = current.landmarks;
     landmarks.push_back({pointInPatient, pixel, placeName(*current.tree, nodes_, pointInPatient).toStdString()});
-    change(std::move(landmarks), tr("Add landmark"));
+    change(std::move(landmarks), [] { return tr("Add landmark"); });
 }
 
 void LandmarkController::removePairs(const std::vector<int>& indices)
@@ -164,13 +164,13 @@ void LandmarkController::removePairs(const std::vector<int>& indices)
         }
     }
     if (kept.size() != all.size()) {
-        change(std::move(kept), tr("Remove landmark"));
+        change(std::move(kept), [] { return tr("Remove landmark"); });
     }
 }
 
-void LandmarkController::change(std::vector<core::Landmark> landmarks, const QString& text)
+void LandmarkController::change(std::vector<core::Landmark> landmarks, const ui::Words& name)
 {
-    document_.push(std::make_unique<ChangeLandmarks>(document_, ChangeLandmarks::Values{std::move(landmarks)}, text));
+    document_.push(std::make_unique<ChangeLandmarks>(document_, ChangeLandmarks::Values{std::move(landmarks)}, name));
 }
 
 void LandmarkController::dropPending()
@@ -201,8 +201,9 @@ void LandmarkController::placeVessels()
     }
     const core::RigidTransform& found = pose.value().cameraFromPatient;
     const QString verdict = verdictOf(pose.value());
-    const bool isDone = document_.push(std::make_unique<PlaceVessels>(
-        document_, PlaceVessels::Values{true, found, found, std::nullopt}, tr("Place vessels by landmarks")));
+    const bool isDone =
+        document_.push(std::make_unique<PlaceVessels>(document_, PlaceVessels::Values{true, found, found, std::nullopt},
+                                                      [] { return tr("Place vessels by landmarks"); }));
     if (isDone) {
         emit placed(verdict);
     }

@@ -2,6 +2,7 @@
 
 #include "app/document/case_document.h"
 #include "ui/views/tools/landmark_tool.h"
+#include "ui/words/spoken.h"
 
 #include <memory>
 
@@ -33,7 +34,7 @@ private:
     void completePair();
     void addPair(const Eigen::Vector3d& pointInPatient, const Eigen::Vector2d& pixel);
     void removePairs(const std::vector<int>& indices);
-    void change(std::vector<core::Landmark> landmarks, const QString& text);
+    void change(std::vector<core::Landmark> landmarks, const ui::Words& name);
     void dropPending();
     std::optional<core::RigidTransform> poseBefore() const;
 

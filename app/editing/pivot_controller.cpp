@@ -33,18 +33,21 @@ void PivotController::pick(const Eigen::Vector3d& pointInPatient)
         tree ? core::nearestOnTree(core::without(*tree, document_.current().hiddenBranchIds), pointInPatient)
              : std::nullopt;
     if (place) {
-        change(*place, tr("Pick the pivot"), tr("The vessels turn about the picked place now."));
+        change(
+            *place, [] { return tr("Pick the pivot"); }, tr("The vessels turn about the picked place now."));
     }
 }
 
 void PivotController::backToCentroid()
 {
     if (document_.current().pickedPivotInPatient) {
-        change(std::nullopt, tr("Pivot back to the centroid"), tr("The vessels turn about their centroid again."));
+        change(
+            std::nullopt, [] { return tr("Pivot back to the centroid"); },
+            tr("The vessels turn about their centroid again."));
     }
 }
 
-void PivotController::change(std::optional<Eigen::Vector3d> pivot, const QString& name, const QString& note)
+void PivotController::change(std::optional<Eigen::Vector3d> pivot, const ui::Words& name, const QString& note)
 {
     if (document_.push(std::make_unique<PickPivot>(document_, PickPivot::Values{pivot}, name))) {
         window_.actions()[ui::Command::PickPivot]->setChecked(false);

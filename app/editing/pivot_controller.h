@@ -2,6 +2,7 @@
 
 #include "app/document/case_document.h"
 #include "ui/views/tools/pivot_tool.h"
+#include "ui/words/spoken.h"
 
 #include <QObject>
 
@@ -25,7 +26,7 @@ signals:
     void told(const QString& what);
 
 private:
-    void change(std::optional<Eigen::Vector3d> pivot, const QString& name, const QString& note);
+    void change(std::optional<Eigen::Vector3d> pivot, const ui::Words& name, const QString& note);
     void followDocument();
 
     CaseDocument& document_;

@@ -53,15 +53,17 @@ void PoseController::setLocks(const ui::PoseLocks& locks)
     core::RegistrationOptions options = document_.current().options;
     if (options.locks != locks) {
         options.locks = locks;
-        document_.push(std::make_unique<ChangeOptions>(document_, ChangeOptions::Values{options}, tr("Change locks")));
+        document_.push(std::make_unique<ChangeOptions>(document_, ChangeOptions::Values{options},
+                                                       [] { return tr("Change locks"); }));
     }
 }
 
 void PoseController::setOffset(const core::PoseOffset& fromStart)
 {
     if (const auto context = frame()) {
-        move(core::applyOffset(context->startPose, fromStart, context->pivotInPatient, context->camera),
-             tr("Move vessels"), burstFor(fieldKind));
+        move(
+            core::applyOffset(context->startPose, fromStart, context->pivotInPatient, context->camera),
+            [] { return tr("Move vessels"); }, burstFor(fieldKind));
     }
 }
 
@@ -79,14 +81,17 @@ void PoseController::nudge(const ui::Nudge& nudge)
     // Relative to the pose as it is, so that a degree of freedom means the same however the vessels are turned.
     core::PoseOffset change;
     ui::valueOf(change, nudge.axis) = nudge.amount;
-    move(core::applyOffset(document_.current().cameraFromPatient, change, context->pivotInPatient, context->camera),
-         tr("Move vessels"), burstFor(static_cast<int>(nudge.axis)));
+    move(
+        core::applyOffset(document_.current().cameraFromPatient, change, context->pivotInPatient, context->camera),
+        [] { return tr("Move vessels"); }, burstFor(static_cast<int>(nudge.axis)));
 }
 
 void PoseController::reset()
 {
     if (const auto context = frame()) {
-        push(context->startPose, core::atStart(document_.current()), tr("Back to start pose"), separateEdit);
+        push(
+            context->startPose, core::atStart(document_.current()), [] { return tr("Back to start pose"); },
+            separateEdit);
     }
 }
 
@@ -118,7 +123,8 @@ void PoseController::finishDrag()
     dragStart_.reset();
     emit previewEnded();
     if (moved) {
-        move(*moved, tr("Move vessels"), separateEdit);
+        move(
+            *moved, [] { return tr("Move vessels"); }, separateEdit);
     }
 }
 
@@ -129,13 +135,13 @@ void PoseController::cancelDrag()
     emit previewEnded();
 }
 
-void PoseController::move(const core::RigidTransform& pose, const QString& text, int burst)
+void PoseController::move(const core::RigidTransform& pose, const ui::Words& name, int burst)
 {
-    push(pose, core::movedAlong(document_.current(), pose), text, burst);
+    push(pose, core::movedAlong(document_.current(), pose), name, burst);
 }
 
 /// The shown view's pose, and those of the others where all move together.
-void PoseController::push(const core::RigidTransform& pose, std::vector<core::OtherView> others, const QString& text,
+void PoseController::push(const core::RigidTransform& pose, std::vector<core::OtherView> others, const ui::Words& name,
                           int burst)
 {
     if ((pose.matrix() - document_.current().cameraFromPatient.matrix()).cwiseAbs().maxCoeff() == 0.0) {
@@ -143,9 +149,9 @@ void PoseController::push(const core::RigidTransform& pose, std::vector<core::Ot
     }
     if (movesOthers()) {
         document_.push(std::make_unique<MoveAllPoses>(
-            document_, MoveAllPoses::Values{pose, std::nullopt, std::move(others)}, text, burst));
+            document_, MoveAllPoses::Values{pose, std::nullopt, std::move(others)}, name, burst));
     } else {
-        document_.push(std::make_unique<MovePose>(document_, MovePose::Values{pose, std::nullopt}, text, burst));
+        document_.push(std::make_unique<MovePose>(document_, MovePose::Values{pose, std::nullopt}, name, burst));
     }
 }
 

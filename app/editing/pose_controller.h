@@ -2,6 +2,7 @@
 
 #include "app/document/case_document.h"
 #include "ui/pose_axis.h"
+#include "ui/words/spoken.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -44,8 +45,8 @@ private:
         Eigen::Vector3d pivotInPatient;
     };
     std::optional<Frame> frame() const;
-    void move(const core::RigidTransform& pose, const QString& text, int burst);
-    void push(const core::RigidTransform& pose, std::vector<core::OtherView> others, const QString& text, int burst);
+    void move(const core::RigidTransform& pose, const ui::Words& name, int burst);
+    void push(const core::RigidTransform& pose, std::vector<core::OtherView> others, const ui::Words& name, int burst);
     bool movesOthers() const { return movesAllViews_ && !document_.current().otherViews.empty(); }
     int burstFor(int kind);
 

@@ -65,12 +65,12 @@ void SubtractionController::connectCommands()
     connect(actions[ui::Command::Subtract], &QAction::triggered, this, [this](bool on) {
         core::RunTreatment wanted = document_.current().treatment;
         wanted.isSubtracted = on;
-        change(wanted, on ? tr("Subtract mask") : tr("Show native frames"));
+        change(wanted, [on] { return on ? tr("Subtract mask") : tr("Show native frames"); });
     });
     connect(actions[ui::Command::Composite], &QAction::triggered, this, [this](bool on) {
         core::RunTreatment wanted = document_.current().treatment;
         wanted.isComposite = on;
-        change(wanted, on ? tr("Whole run in one picture") : tr("One frame at a time"));
+        change(wanted, [on] { return on ? tr("Whole run in one picture") : tr("One frame at a time"); });
     });
 }
 
@@ -96,7 +96,7 @@ void SubtractionController::markMasks(const std::vector<int>& frames)
     wanted.plan.maskFrames = frames;
     wanted.plan.interval.reset();
     wanted.isSubtracted = true;
-    change(wanted, tr("Choose mask frames"));
+    change(wanted, [] { return tr("Choose mask frames"); });
 }
 
 void SubtractionController::connectShift()
@@ -120,7 +120,7 @@ void SubtractionController::connectShift()
     connect(&preview_, &QFutureWatcherBase::finished, this, &SubtractionController::showPreview);
 }
 
-void SubtractionController::change(const core::RunTreatment& wanted, const QString& what)
+void SubtractionController::change(const core::RunTreatment& wanted, const ui::Words& what)
 {
     const core::RegistrationCase& current = document_.current();
     if (!current.angiogram || document_.isLocked()) {
@@ -255,7 +255,7 @@ void SubtractionController::settleShift()
     core::RunTreatment wanted = document_.current().treatment;
     wanted.plan.maskShiftPx = shiftTool_->shiftPx();
     wanted.isSubtracted = true;
-    change(wanted, tr("Move the mask"));
+    change(wanted, [] { return tr("Move the mask"); });
 }
 
 void SubtractionController::follow()

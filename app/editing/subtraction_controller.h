@@ -3,6 +3,7 @@
 #include "app/editing/angiogram_parts.h"
 #include "app/editing/treated_runs.h"
 #include "ui/views/tools/mask_shift_tool.h"
+#include "ui/words/spoken.h"
 
 #include <QFutureWatcher>
 #include <QObject>
@@ -23,7 +24,7 @@ public:
     ~SubtractionController() override;   ///< what is being made stops at its next frame, and is dropped
 
     /// Asks for the run so treated; only the newest wish is answered.
-    void change(const core::RunTreatment& wanted, const QString& what);
+    void change(const core::RunTreatment& wanted, const ui::Words& what);
     bool isComputing() const { return wish_.has_value(); }
     bool isFindingShift() const { return !isShiftFound_; }   ///< that moving by hand begins with
 
@@ -34,7 +35,7 @@ private:
     struct Wish {
         SharedRun stored;
         core::RunTreatment treatment;
-        QString what;
+        ui::Words what;
     };
 
     void connectCommands();

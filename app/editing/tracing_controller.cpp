@@ -235,8 +235,8 @@ void TracingController::finish(const VesselTrace& result)
     if (!draft_.threshold) {
         window_.tracing().showFound(result.threshold);
     }
-    if (!document_.push(
-            takeTrace(document_, {source_, result.input, result.lumen, result.tree}, tr("Trace vessels")))) {
+    if (!document_.push(takeTrace(document_, {source_, result.input, result.lumen, result.tree},
+                                  [] { return tr("Trace vessels"); }))) {
         return;
     }
     const int count = static_cast<int>(result.tree->branches.size());

@@ -1,6 +1,7 @@
 #include "app/editing/tree_controller.h"
 
 #include "app/document/edit_case.h"
+#include "app/editing/branch_words.h"
 #include "core/vessel/edit_tree.h"
 #include "core/vessel/root_tree.h"
 #include "ui/panels/result_sentences.h"
@@ -43,29 +44,35 @@ std::optional<int> TreeController::onlySelected()
     return *selected.begin();
 }
 
-QString TreeController::namesOf(const std::set<int>& branchIds) const
+ui::Words TreeController::namesOf(const std::set<int>& branchIds) const
 {
-    const core::VesselBranch* only = branchIds.size() == 1 ? tree()->find(*branchIds.begin()) : nullptr;
-    return only ? ui::displayName(*only) : tr("%1 branches").arg(branchIds.size());
+    return branchWords(*tree(), branchIds);
 }
 
-bool TreeController::apply(const Edited& edited, const QString& text)
+ui::Words TreeController::joinName(int branchId, int otherId) const
+{
+    return [first = namesOf({branchId}), second = namesOf({otherId})] {
+        return tr("Join %1 and %2").arg(first(), second());
+    };
+}
+
+bool TreeController::apply(const Edited& edited, const ui::Words& name)
 {
     if (!edited) {
         emit refused(words(edited.error()));
         return false;
     }
-    return document_.push(editTree(document_, edited.value(), text));
+    return document_.push(editTree(document_, edited.value(), name));
 }
 
-void TreeController::relabel(const Edited& edited, const QString& text)
+void TreeController::relabel(const Edited& edited, const ui::Words& name)
 {
     if (!edited) {
         emit refused(words(edited.error()));
         return;
     }
     document_.push(std::make_unique<RelabelTree>(
-        document_, RelabelTree::Values{std::make_shared<const core::VesselTree>(edited.value()), true}, text));
+        document_, RelabelTree::Values{std::make_shared<const core::VesselTree>(edited.value()), true}, name));
 }
 
 void TreeController::deleteSelected()
@@ -79,7 +86,7 @@ void TreeController::deleteSelected()
         emit refused(tr("At least one branch has to stay."));
         return;
     }
-    apply(left, tr("Delete %1").arg(namesOf(gone)));
+    apply(left, [names = namesOf(gone)] { return tr("Delete %1").arg(names()); });
 }
 
 void TreeController::deleteSelectedSubtrees()
@@ -93,7 +100,8 @@ void TreeController::deleteSelectedSubtrees()
             left = core::withoutSubtree(left.value(), id);
         }
     }
-    apply(left, tr("Delete %1 and what leaves it").arg(namesOf(branches_.marks().selected)));
+    apply(left,
+          [names = namesOf(branches_.marks().selected)] { return tr("Delete %1 and what leaves it").arg(names()); });
 }
 
 void TreeController::cutSelected()
@@ -106,7 +114,8 @@ void TreeController::cutSelected()
         emit refused(tr("Click the place of the cut first, in a slice or on the branch in the 3-D view."));
         return;
     }
-    apply(core::cutAt(*tree(), *id, core::nearestPoint(*tree(), *id, *place_)), tr("Cut %1").arg(namesOf({*id})));
+    apply(core::cutAt(*tree(), *id, core::nearestPoint(*tree(), *id, *place_)),
+          [names = namesOf({*id})] { return tr("Cut %1").arg(names()); });
 }
 
 void TreeController::joinSelected()
@@ -116,8 +125,7 @@ void TreeController::joinSelected()
         emit refused(tr("Select the two branches to join: Ctrl adds the second one."));
         return;
     }
-    const QString text = tr("Join %1 and %2").arg(namesOf({*pair.begin()}), namesOf({*pair.rbegin()}));
-    apply(core::joined(*tree(), *pair.begin(), *pair.rbegin()), text);
+    apply(core::joined(*tree(), *pair.begin(), *pair.rbegin()), joinName(*pair.begin(), *pair.rbegin()));
 }
 
 void TreeController::smoothSelected()
@@ -129,7 +137,7 @@ void TreeController::smoothSelected()
     for (const int id : branches_.marks().selected) {
         smooth = smooth ? core::smoothedBranch(smooth.value(), id, smoothWidthMm) : smooth;
     }
-    apply(smooth, tr("Smooth %1").arg(namesOf(branches_.marks().selected)));
+    apply(smooth, [names = namesOf(branches_.marks().selected)] { return tr("Smooth %1").arg(names()); });
 }
 
 void TreeController::rootAtSelected()
@@ -141,7 +149,8 @@ void TreeController::rootAtSelected()
     const auto& points = tree()->find(*id)->pointsInPatient;
     const Eigen::Vector3d place = place_.value_or(points.front());
     const bool isFront = (points.front() - place).norm() <= (points.back() - place).norm();
-    apply(core::rootedAt(*tree(), isFront ? points.front() : points.back()), tr("Root at %1").arg(namesOf({*id})));
+    apply(core::rootedAt(*tree(), isFront ? points.front() : points.back()),
+          [names = namesOf({*id})] { return tr("Root at %1").arg(names()); });
 }
 
 void TreeController::toggleHiddenSelected()
@@ -155,16 +164,18 @@ void TreeController::toggleHiddenSelected()
     for (const int id : selected) {
         shows ? static_cast<void>(hidden.erase(id)) : static_cast<void>(hidden.insert(id));
     }
-    const QString text = shows ? tr("Show %1").arg(namesOf(selected)) : tr("Hide %1").arg(namesOf(selected));
+    const auto name = [shows, names = namesOf(selected)] {
+        return shows ? tr("Show %1").arg(names()) : tr("Hide %1").arg(names());
+    };
     document_.push(
-        std::make_unique<HideBranches>(document_, HideBranches::Values{{hidden.begin(), hidden.end()}}, text));
+        std::make_unique<HideBranches>(document_, HideBranches::Values{{hidden.begin(), hidden.end()}}, name));
 }
 
 void TreeController::showAll()
 {
     if (!document_.current().hiddenBranchIds.empty()) {
         document_.push(std::make_unique<HideBranches>(document_, HideBranches::Values{std::vector<int>()},
-                                                      tr("Show all branches")));
+                                                      [] { return tr("Show all branches"); }));
     }
 }
 
@@ -179,7 +190,7 @@ void TreeController::prune(double minLengthMm, double minRadiusMm)
         return;
     }
     const auto gone = left ? tree()->branches.size() - left.value().branches.size() : 0;
-    apply(left, gone == 1 ? tr("Prune 1 branch") : tr("Prune %1 branches").arg(gone));
+    apply(left, [gone] { return gone == 1 ? tr("Prune 1 branch") : tr("Prune %1 branches").arg(gone); });
 }
 
 void TreeController::rename(int branchId, const QString& name)
@@ -187,7 +198,8 @@ void TreeController::rename(int branchId, const QString& name)
     const core::VesselBranch* branch = tree() ? tree()->find(branchId) : nullptr;
     const std::string wanted = name.trimmed().toStdString();
     if (branch && branch->name != wanted) {
-        relabel(core::renamed(*tree(), branchId, wanted), tr("Rename %1").arg(ui::displayName(*branch)));
+        relabel(core::renamed(*tree(), branchId, wanted),
+                [names = namesOf({branchId})] { return tr("Rename %1").arg(names()); });
     }
 }
 
@@ -200,7 +212,7 @@ void TreeController::setGeneration(const std::set<int>& branchIds, int generatio
     for (const int id : branchIds) {
         counted = counted ? core::withGeneration(counted.value(), id, generation) : counted;
     }
-    relabel(counted, tr("Set generation of %1").arg(namesOf(branchIds)));
+    relabel(counted, [names = namesOf(branchIds)] { return tr("Set generation of %1").arg(names()); });
 }
 
 void TreeController::mend(const core::TreeGap& gap)
@@ -213,7 +225,7 @@ void TreeController::mend(const core::TreeGap& gap)
     if (whole && first.generation >= 0) {   // the branches beyond the gap now count from the root
         whole = core::rootedAt(whole.value(), first.pointsInPatient.front());
     }
-    apply(whole, tr("Join %1 and %2").arg(namesOf({gap.fromBranchId}), namesOf({gap.toBranchId})));
+    apply(whole, joinName(gap.fromBranchId, gap.toBranchId));
 }
 
 }   // namespace app

@@ -4,6 +4,7 @@
 #include "app/editing/branch_controller.h"
 #include "core/support/result.h"
 #include "core/vessel/tree_gaps.h"
+#include "ui/words/spoken.h"
 
 #include <QObject>
 
@@ -42,9 +43,10 @@ private:
     const core::VesselTree* tree() const { return document_.current().tree.get(); }
     std::optional<int> onlySelected();
     bool hasSelection();
-    QString namesOf(const std::set<int>& branchIds) const;
-    bool apply(const Edited& edited, const QString& text);
-    void relabel(const Edited& edited, const QString& text);   ///< names and counts: what was registered still holds
+    ui::Words namesOf(const std::set<int>& branchIds) const;
+    ui::Words joinName(int branchId, int otherId) const;
+    bool apply(const Edited& edited, const ui::Words& name);
+    void relabel(const Edited& edited, const ui::Words& name);   ///< names and counts: what was registered still holds
 
     CaseDocument& document_;
     BranchController& branches_;

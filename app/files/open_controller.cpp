@@ -265,7 +265,7 @@ void OpenController::addView(const LoadedInputs& inputs, const QStringList& path
     views.push_back(std::move(added).value());
     const QStringList notes = notesOf(inputs, core::withView(document_.current(), *views.back().view));
     document_.push(std::make_unique<ChangeViews>(document_, ChangeViews::Values{std::move(views)},
-                                                 tr("Add view %1").arg(namesOf(paths))));
+                                                 [names = namesOf(paths)] { return tr("Add view %1").arg(names); }));
     emit opened(notes + QStringList{tr("View added: a click in the strip above the image shows it.")});
 }
 
@@ -274,8 +274,8 @@ void OpenController::join(const LoadedInputs& inputs, const QStringList& paths)
     if (document_.isEmpty()) {
         document_.replace(withInputs(document_.current(), inputs), {});
     } else {
-        document_.push(
-            joinInputs(document_, withInputs(document_.current(), inputs), tr("Open %1").arg(namesOf(paths))));
+        document_.push(joinInputs(document_, withInputs(document_.current(), inputs),
+                                  [names = namesOf(paths)] { return tr("Open %1").arg(names); }));
     }
     emit opened(notesOf(inputs, document_.current()) + notesOnScan(inputs, document_.current()));
 }

@@ -108,7 +108,7 @@ void RegistrationController::apply(const core::RegistrationResult& result)
         document_,
         ApplyRun::Values{result.cameraFromPatient, result,
                          core::withSnapshot(current.snapshots, snapshotOfRun(result, current.frame))},
-        tr("Register (%1)").arg(ui::methodWords(current.options.method))));
+        [method = current.options.method] { return tr("Register (%1)").arg(ui::methodWords(method)); }));
     emit finished(result);
 }
 
@@ -119,7 +119,7 @@ void RegistrationController::applyJoint(const core::MultiViewResult& joint)
     document_.push(std::make_unique<ApplyJointRun>(
         document_,
         ApplyJointRun::Values{poses.own.cameraFromPatient, poses.own.result, poses.own.snapshots, poses.others},
-        tr("Register all views")));
+        [] { return tr("Register all views"); }));
     emit finished(*poses.own.result);
 }
 

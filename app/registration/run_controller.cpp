@@ -59,10 +59,10 @@ void RunController::stop()
     on_.session.abandonLoading();
 }
 
-void RunController::changeOptions(const core::RegistrationOptions& options, const QString& label)
+void RunController::changeOptions(const core::RegistrationOptions& options, const ui::Words& label)
 {
     on_.document.push(std::make_unique<ChangeOptions>(on_.document, ChangeOptions::Values{options},
-                                                      tr("Change option “%1”").arg(label)));
+                                                      [label] { return tr("Change option “%1”").arg(label()); }));
 }
 
 void RunController::showRunning(bool running)

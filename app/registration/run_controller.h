@@ -40,7 +40,7 @@ private:
     void connectRun();
     void start();
     void stop();
-    void changeOptions(const core::RegistrationOptions& options, const QString& label);
+    void changeOptions(const core::RegistrationOptions& options, const ui::Words& label);
     void showRunning(bool running);
     void showProgress(const core::IterationReport& report);
     void showFinished(const core::RegistrationResult& result);

@@ -93,7 +93,7 @@ void BlindTrialController::start(const ui::BlindTrialSetup& setup)
         core::uniformlyDisplaced(trial_.centrePose, trial_.pivotInPatient, setup.rangeDeg, setup.rangeMm, random);
     document_.beginTrial(std::make_unique<HideWhatIsKnown>(
         document_, HideWhatIsKnown::Values{trial_.startPose, true, trial_.startPose, std::nullopt, {}},
-        tr("Blind trial")));
+        [] { return tr("Blind trial"); }));
     showRunning(true);
     clock_.start();
     emit started();
@@ -200,7 +200,7 @@ void BlindTrialController::keep(const core::RegistrationResult& judged)
     }
     document_.push(std::make_unique<ChangeSnapshots>(
         document_, ChangeSnapshots::Values{core::withSnapshot(document_.current().snapshots, std::move(snapshot))},
-        tr("Keep a blind trial")));
+        [] { return tr("Keep a blind trial"); }));
 }
 
 }   // namespace app

@@ -175,8 +175,9 @@ void PoseTableController::flush()
         snapshots = core::withSnapshot(std::move(snapshots), std::move(solved));
     }
     if (stillFits) {
-        document_.push(std::make_unique<ChangeSnapshots>(document_, ChangeSnapshots::Values{std::move(snapshots)},
-                                                         tr("Run several methods"), seriesBursts + burst_));
+        document_.push(std::make_unique<ChangeSnapshots>(
+            document_, ChangeSnapshots::Values{std::move(snapshots)}, [] { return tr("Run several methods"); },
+            seriesBursts + burst_));
     }
 }
 

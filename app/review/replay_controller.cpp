@@ -207,7 +207,7 @@ void ReplayController::takeSolution()
     }
     const core::RigidTransform pose = result->alternatives[solution_ - 1].cameraFromPatient;
     document_.push(std::make_unique<MovePose>(document_, MovePose::Values{pose, std::nullopt},
-                                              tr("Take solution %1").arg(solution_ + 1)));
+                                              [number = solution_ + 1] { return tr("Take solution %1").arg(number); }));
 }
 
 }   // namespace app

@@ -111,7 +111,7 @@ void ReviewController::showFrame(int frame)
     }
     document_.push(std::make_unique<ShowFrame>(
         document_, ShowFrame::Values{frame, turned.initialCameraFromPatient, turned.cameraFromPatient, turned.result},
-        tr("Choose another frame"), frameBursts + frameBurst_));
+        [] { return tr("Choose another frame"); }, frameBursts + frameBurst_));
 }
 
 void ReviewController::setFlickering(bool on)

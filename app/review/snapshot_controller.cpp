@@ -95,13 +95,13 @@ void SnapshotController::keep()
     kept.metrics = metricsOfPose();
     kept.runMs = current.result ? current.result->time.totalMs : 0.0;
     const QString name = QString::fromStdString(kept.name);
-    push(core::withSnapshot(current.snapshots, kept), tr("Keep %1").arg(name));
+    push(core::withSnapshot(current.snapshots, kept), [name] { return tr("Keep %1").arg(name); });
     window_.strip().showStatus(tr("Kept as “%1” · Y compares").arg(name));
 }
 
-void SnapshotController::push(std::vector<core::PoseSnapshot> snapshots, const QString& text)
+void SnapshotController::push(std::vector<core::PoseSnapshot> snapshots, const ui::Words& name)
 {
-    document_.push(std::make_unique<ChangeSnapshots>(document_, ChangeSnapshots::Values{std::move(snapshots)}, text));
+    document_.push(std::make_unique<ChangeSnapshots>(document_, ChangeSnapshots::Values{std::move(snapshots)}, name));
 }
 
 void SnapshotController::show(int snapshotId)
@@ -164,8 +164,9 @@ void SnapshotController::restore(int snapshotId)
 {
     if (const core::PoseSnapshot* snapshot = find(snapshotId)) {
         const core::RigidTransform pose = snapshot->cameraFromPatient;
-        document_.push(std::make_unique<MovePose>(document_, MovePose::Values{pose, std::nullopt},
-                                                  tr("Restore %1").arg(QString::fromStdString(snapshot->name))));
+        document_.push(std::make_unique<MovePose>(
+            document_, MovePose::Values{pose, std::nullopt},
+            [name = QString::fromStdString(snapshot->name)] { return tr("Restore %1").arg(name); }));
     }
 }
 
@@ -190,7 +191,7 @@ void SnapshotController::change(const core::PoseSnapshot& edited)
     found->author = edited.author;
     found->note = edited.note;
     found->kind = core::SnapshotKind::Kept;   // what has a name of its own is not swept away with old runs
-    push(std::move(snapshots), tr("Describe a pose"));
+    push(std::move(snapshots), [] { return tr("Describe a pose"); });
 }
 
 void SnapshotController::remove(const std::set<int>& snapshotIds)
@@ -199,7 +200,8 @@ void SnapshotController::remove(const std::set<int>& snapshotIds)
     const auto count =
         std::erase_if(snapshots, [&](const core::PoseSnapshot& each) { return snapshotIds.contains(each.id); });
     if (count > 0) {
-        push(std::move(snapshots), count == 1 ? tr("Delete a pose") : tr("Delete %1 poses").arg(count));
+        push(std::move(snapshots),
+             [count] { return count == 1 ? tr("Delete a pose") : tr("Delete %1 poses").arg(count); });
     }
 }
 

@@ -4,6 +4,7 @@
 #include "app/jobs/judge_job.h"
 #include "app/review/view_sync.h"
 #include "ui/panels/snapshot_panel.h"
+#include "ui/words/spoken.h"
 
 #include <QObject>
 
@@ -45,7 +46,7 @@ private:
     void connectWindow();
     void followDocument();
     const core::PoseSnapshot* find(int snapshotId) const;
-    void push(std::vector<core::PoseSnapshot> snapshots, const QString& text);
+    void push(std::vector<core::PoseSnapshot> snapshots, const ui::Words& name);
     void showMarks();
 
     CaseDocument& document_;

@@ -149,7 +149,7 @@ void ViewController::showLines()
             agreement = view && view->angiogram ? QStringLiteral("…") : tr("not found");
         }
         const QString problem = look && !look->problem.empty() ? ui::coreText(look->problem) : QString();
-        lines.push_back({anglesOf(current, place) + QLatin1Char('\n') + agreement,
+        lines.push_back({ui::withDecimalSign(anglesOf(current, place)) + QLatin1Char('\n') + agreement,
                          problem.isEmpty()
                              ? tr("%1. A click shows it, Delete takes the shown view out.").arg(nameOf(current, place))
                              : nameOf(current, place) + QStringLiteral(": ") + problem});
@@ -197,8 +197,9 @@ void ViewController::show(int line)
     if (!view || !view->angiogram) {
         emit refused(tr("The image of this view could not be read."));
     } else {
-        document_.push(showView(document_, core::showingView(current, place - 1),
-                                tr("Show view %1").arg(anglesOf(current, place))));
+        document_.push(showView(document_, core::showingView(current, place - 1), [name = anglesOf(current, place)] {
+            return tr("Show view %1").arg(ui::withDecimalSign(name));
+        }));
     }
     showLines();   // the mark goes back where it was refused
 }
@@ -228,7 +229,7 @@ void ViewController::remove(int line)
         wanted = core::showingView(std::move(wanted), place - 1);
     }
     wanted.otherViews.erase(wanted.otherViews.begin() + static_cast<std::ptrdiff_t>(place - 1));
-    document_.push(showView(document_, wanted, tr("Take a view out")));
+    document_.push(showView(document_, wanted, [] { return tr("Take a view out"); }));
 }
 
 }   // namespace app

@@ -121,6 +121,9 @@
         <source>This tree knows no radii.</source>
         <translation>Dieser Gefäßbaum kennt keine Radien.</translation>
     </message>
+</context>
+<context>
+    <name>app::BranchWords</name>
     <message>
         <source>%1 branches</source>
         <translation>%1 Äste</translation>
@@ -1492,10 +1495,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Select one branch: click it in the list or in a view.</source>
         <translation>Einen Ast wählen: in der Liste oder einer Ansicht anklicken.</translation>
-    </message>
-    <message>
-        <source>%1 branches</source>
-        <translation>%1 Äste</translation>
     </message>
     <message>
         <source>At least one branch has to stay.</source>

@@ -121,6 +121,9 @@
         <source>This tree knows no radii.</source>
         <translation>此血管树没有半径信息。</translation>
     </message>
+</context>
+<context>
+    <name>app::BranchWords</name>
     <message>
         <source>%1 branches</source>
         <translation>%1 个分支</translation>
@@ -1492,10 +1495,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Select one branch: click it in the list or in a view.</source>
         <translation>请选择一个分支：在列表或视图中单击。</translation>
-    </message>
-    <message>
-        <source>%1 branches</source>
-        <translation>%1 个分支</translation>
     </message>
     <message>
         <source>At least one branch has to stay.</source>

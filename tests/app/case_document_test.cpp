@@ -13,7 +13,7 @@ std::unique_ptr<QUndoCommand> showFrame(CaseDocument& document, int frame, int b
     const core::RegistrationCase& current = document.current();
     return std::make_unique<ShowFrame>(
         document, ShowFrame::Values{frame, current.initialCameraFromPatient, current.cameraFromPatient, current.result},
-        QStringLiteral("Frame"), burst);
+        [] { return QStringLiteral("Frame"); }, burst);
 }
 
 TEST(CaseDocument, GoesBackAndForth)

@@ -4,6 +4,7 @@
 #include "tests/app/open_window.h"
 #include "tests/app/words_of_window.h"
 #include "ui/panels/number_field.h"
+#include "ui/panels/result_sentences.h"
 #include "ui/words/language.h"
 #include "ui/words/spoken.h"
 
@@ -171,6 +172,26 @@ TEST_F(WindowLanguage, WritesNumbersAsTheLanguageDoes)
         EXPECT_TRUE(right->text().contains(QRegularExpression(QString::fromLatin1(own))))
             << right->text().toStdString();
     }
+}
+
+/// The names of edits are said anew, their arguments too; those on both sides of the history.
+TEST_F(WindowLanguage, TranslatesWhatCanBeUndone)
+{
+    QAction* undo = host->window().actions()[ui::Command::Undo];
+    QAction* redo = host->window().actions()[ui::Command::Redo];
+    const auto only = [this] { return ui::displayName(controller().document().current().tree->branches.front()); };
+    controller().branches().toggleExcluded({controller().document().current().tree->branches.front().id});
+    EXPECT_EQ(undo->text().toStdString(), QStringLiteral("Undo: Exclude %1").arg(only()).toStdString());
+    core::RegistrationOptions options = controller().document().current().options;
+    emit host->window().registration().optionsEdited(options, [] { return ui::RegistrationPanel::tr("method"); });
+    undo->trigger();
+    EXPECT_EQ(redo->text().toStdString(), "Redo: Change option “method”");
+
+    choose(ui::Command::LanguageGerman);
+    EXPECT_EQ(undo->text().toStdString(), QStringLiteral("Rückgängig: %1 ausschließen").arg(only()).toStdString());
+    EXPECT_EQ(redo->text().toStdString(), "Wiederholen: Option „Methode“ ändern");
+    choose(ui::Command::LanguageEnglish);
+    EXPECT_EQ(undo->text().toStdString(), QStringLiteral("Undo: Exclude %1").arg(only()).toStdString());
 }
 
 /// A pose copied as text or written to a file is for programs, which know the point alone.

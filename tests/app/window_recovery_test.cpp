@@ -123,7 +123,7 @@ TEST(WindowRecovery, OpensACaseWhoseInputsHaveMoved)
     auto wanted = w.current();
     wanted.centerlineFile.path = tree.string();
     wanted.imageFile.path = image.string();
-    w.controller.document().push(joinInputs(w.controller.document(), wanted, QStringLiteral("move")));
+    w.controller.document().push(joinInputs(w.controller.document(), wanted, [] { return QStringLiteral("move"); }));
     bool isSaved = false;
     const QString path = QString::fromStdString((home / "moved.angiopose").string());
     w.controller.saving().saveTo(path, [&isSaved] { isSaved = true; });

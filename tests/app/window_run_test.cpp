@@ -13,8 +13,8 @@ void makeRunLong(OpenWindow& w)
     core::RegistrationOptions options = w.current().options;
     options.method = "iterative-pnp";
     options.maxIterations = 1000;
-    w.controller.document().push(
-        std::make_unique<ChangeOptions>(w.controller.document(), ChangeOptions::Values{options}, "Change"));
+    w.controller.document().push(std::make_unique<ChangeOptions>(
+        w.controller.document(), ChangeOptions::Values{options}, [] { return QStringLiteral("Change"); }));
 }
 
 TEST(WindowRun, RegistersByKeyAsOneStepOfUndo)

@@ -132,7 +132,7 @@ TEST_F(WindowSlices, ShowTheLandmarksWhileTheseAreClicked)
     const Eigen::Vector3d place = w.current().tree->branches.front().pointsInPatient.front();
     w.controller.document().push(std::make_unique<ChangeLandmarks>(
         w.controller.document(), ChangeLandmarks::Values{{core::Landmark{place, {10.0, 20.0}, ""}}},
-        QStringLiteral("Click a pair")));
+        [] { return QStringLiteral("Click a pair"); }));
     const auto shown = [this] {
         const auto& points = model().points();
         const auto found = points.find(ui::SliceMarkKind::Landmark);

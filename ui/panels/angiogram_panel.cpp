@@ -89,7 +89,7 @@ AngiogramPanel::AngiogramPanel(QWidget* parent)
 }
 
 template <class Change>
-void AngiogramPanel::edit(const Change& change, const QString& what)
+void AngiogramPanel::edit(const Change& change, const Words& what)
 {
     core::RunTreatment wanted = state_.treatment;
     change(wanted);
@@ -139,11 +139,11 @@ void AngiogramPanel::buildSubtraction()
     });
     connect(subtract_, &QCheckBox::clicked, this, [this](bool on) {
         edit([on](core::RunTreatment& wanted) { wanted.isSubtracted = on; },
-             on ? tr("Subtract mask") : tr("Show native frames"));
+             [on] { return on ? tr("Subtract mask") : tr("Show native frames"); });
     });
     connect(composite_, &QCheckBox::clicked, this, [this](bool on) {
         edit([on](core::RunTreatment& wanted) { wanted.isComposite = on; },
-             on ? tr("Whole run in one picture") : tr("One frame at a time"));
+             [on] { return on ? tr("Whole run in one picture") : tr("One frame at a time"); });
     });
     connect(automaticMasks_, &QPushButton::clicked, this, [this] {
         edit(
@@ -151,10 +151,11 @@ void AngiogramPanel::buildSubtraction()
                 wanted.plan.maskFrames.clear();
                 wanted.plan.interval.reset();
             },
-            tr("Choose mask frames automatically"));
+            [] { return tr("Choose mask frames automatically"); });
     });
     connect(automaticShift_, &QPushButton::clicked, this, [this] {
-        edit([](core::RunTreatment& wanted) { wanted.plan.maskShiftPx.reset(); }, tr("Find the mask's shift"));
+        edit([](core::RunTreatment& wanted) { wanted.plan.maskShiftPx.reset(); },
+             [] { return tr("Find the mask's shift"); });
     });
     connect(byHand_, &QPushButton::clicked, this, &AngiogramPanel::shiftByHandRequested);
     withName(right_, [] { return tr("Mask shift to the right"); });
@@ -191,7 +192,7 @@ void AngiogramPanel::buildSubtraction()
 void AngiogramPanel::editShift()
 {
     const Eigen::Vector2d shift(right_->value().value_or(0.0), down_->value().value_or(0.0));
-    edit([&shift](core::RunTreatment& wanted) { wanted.plan.maskShiftPx = shift; }, tr("Move the mask"));
+    edit([&shift](core::RunTreatment& wanted) { wanted.plan.maskShiftPx = shift; }, [] { return tr("Move the mask"); });
 }
 
 void AngiogramPanel::buildPixels()
@@ -204,11 +205,11 @@ void AngiogramPanel::buildPixels()
     withName(vessels_, [] { return tr("Vessels"); });
     connect(relation_, &QComboBox::activated, this, [this](int index) {
         edit([index](core::RunTreatment& wanted) { wanted.plan.relation = static_cast<core::PixelRelation>(index); },
-             tr("Change the meaning of pixel values"));
+             [] { return tr("Change the meaning of pixel values"); });
     });
     connect(vessels_, &QComboBox::activated, this, [this](int index) {
         edit([index](core::RunTreatment& wanted) { wanted.polarity = static_cast<core::Polarity>(index); },
-             index == 0 ? tr("Vessels are dark") : tr("Vessels are bright"));
+             [index] { return index == 0 ? tr("Vessels are dark") : tr("Vessels are bright"); });
     });
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(8);
@@ -232,7 +233,7 @@ NumberField* AngiogramPanel::tracingRow(QGridLayout& grid, int row, const Words&
     connect(field, &NumberField::edited, this, [this, value, label](double typed) {
         core::TraceOptions wanted = tracing_;
         wanted.*value = typed;
-        emit tracingEdited(wanted, tr("Change %1").arg(label()));
+        emit tracingEdited(wanted, [label] { return tr("Change %1").arg(label()); });
     });
     return field;
 }
@@ -249,7 +250,7 @@ NumberField* AngiogramPanel::lengthRow(QGridLayout& grid, int row)
         core::TraceOptions wanted = tracing_;
         wanted.minComponentLengthPx = static_cast<int>(std::lround(typed));
         wanted.minBranchLengthPx = static_cast<int>(std::lround(typed / 3.0));
-        emit tracingEdited(wanted, tr("Change %1").arg(tr("shortest vessel")));
+        emit tracingEdited(wanted, [] { return tr("Change %1").arg(tr("shortest vessel")); });
     });
     return field;
 }
@@ -269,7 +270,7 @@ void AngiogramPanel::buildTracing()
         *grid, 2, [] { return tr("widest radius"); }, [] { return tr("Radius of the widest vessel looked for"); },
         {1.5, 40.0, 1, QStringLiteral("px"), 0.5}, &core::TraceOptions::maxVesselRadiusPx);
     connect(defaults_, &QPushButton::clicked, this,
-            [this] { emit tracingEdited(core::TraceOptions{}, tr("Default tracing")); });
+            [this] { emit tracingEdited(core::TraceOptions{}, [] { return tr("Default tracing"); }); });
     QPushButton* byHand = quietButton(
         [] { return withKey(tr("Edit vessels"), Command::EditVessels); },
         [] { return tipWithKey(tr("Leave out, erase, draw and cut traced curves"), Command::EditVessels); });

@@ -4,6 +4,7 @@
 #include "core/tracing/trace_angiogram.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/section.h"
+#include "ui/words/spoken.h"
 
 class QCheckBox;
 class QComboBox;
@@ -34,10 +35,10 @@ public:
 
 signals:
     void windowLevelTyped(double window, double level);
-    void treatmentEdited(const core::RunTreatment& treatment, const QString& what);
+    void treatmentEdited(const core::RunTreatment& treatment, const ui::Words& what);
     void shiftByHandRequested();
     void editingRequested();   ///< of the traced curves by hand
-    void tracingEdited(const core::TraceOptions& options, const QString& what);
+    void tracingEdited(const core::TraceOptions& options, const ui::Words& what);
 
 private:
     void buildBrightness();
@@ -46,7 +47,7 @@ private:
     void buildTracing();
     void editShift();
     template <class Change>
-    void edit(const Change& change, const QString& what);
+    void edit(const Change& change, const ui::Words& what);
     NumberField* tracingRow(QGridLayout& grid, int row, const Words& label, const Words& help,
                             const NumberFormat& format, double core::TraceOptions::*value);
     NumberField* lengthRow(QGridLayout& grid, int row);

@@ -137,7 +137,7 @@ void GeometryPanel::addShownFrom(QGridLayout* grid)
     connect(shownFrom_, &QComboBox::activated, this, [this](int index) {
         core::CArm cArm = state_.cArm;
         cArm.mirrored = {index == 1, core::Origin::User, "chosen in the window"};
-        emit edited(cArm, tr("side of the image"));
+        emit edited(cArm, [] { return tr("side of the image"); });
     });
     const int line = grid->rowCount();
     grid->addWidget(withText(roleLabel("label"), [] { return tr("image"); }), line, 0);
@@ -267,7 +267,8 @@ void GeometryPanel::focusFirstMissing()
 
 void GeometryPanel::editValue(GeometryValue value, double number)
 {
-    emit edited(withValue(state_, value, number, core::Origin::User, "typed in the window"), tr(kindOf(value).label));
+    emit edited(withValue(state_, value, number, core::Origin::User, "typed in the window"),
+                [value] { return tr(kindOf(value).label); });
 }
 
 void GeometryPanel::confirmValue(GeometryValue value)
@@ -275,7 +276,7 @@ void GeometryPanel::confirmValue(GeometryValue value)
     const core::Sourced<double> sourced = shownValue(state_, value);
     if (sourced.value && needsLook(value, sourced.origin)) {
         emit edited(withValue(state_, value, *sourced.value, core::Origin::User, "confirmed: " + sourced.basis),
-                    tr(kindOf(value).label));
+                    [value] { return tr(kindOf(value).label); });
     }
 }
 
@@ -287,7 +288,7 @@ void GeometryPanel::assumeMissing()
             assumed.cArm = withValue(assumed, value, kindOf(value).usual, core::Origin::Assumed, "usual for a C-arm");
         }
     }
-    emit edited(assumed.cArm, tr("missing values"));
+    emit edited(assumed.cArm, [] { return tr("missing values"); });
 }
 
 }   // namespace ui

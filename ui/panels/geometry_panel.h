@@ -2,6 +2,7 @@
 
 #include "ui/panels/geometry_values.h"
 #include "ui/panels/section.h"
+#include "ui/words/spoken.h"
 
 #include <QPushButton>
 
@@ -23,7 +24,7 @@ public:
     void focusFirstMissing();
 
 signals:
-    void edited(const core::CArm& cArm, const QString& what);
+    void edited(const core::CArm& cArm, const ui::Words& what);
     void cameraOverrideDropped();
 
 private:

@@ -118,7 +118,7 @@ QWidget* OptionForm::makeEditor(const core::OptionField& field)
 void OptionForm::write(const core::OptionField& field, double value)
 {
     field.write(options_, value);
-    emit edited(options_, coreText(field.label));
+    emit edited(options_, [&field] { return coreText(field.label); });   // the table of options stays
 }
 
 }   // namespace ui

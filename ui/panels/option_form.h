@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/registration/registration_options.h"
+#include "ui/words/spoken.h"
 
 #include <QWidget>
 
@@ -20,7 +21,7 @@ public:
     void showOptions(const core::RegistrationOptions& options);   ///< silent; rebuilds when the method changed
 
 signals:
-    void edited(const core::RegistrationOptions& options, const QString& fieldLabel);
+    void edited(const core::RegistrationOptions& options, const ui::Words& fieldLabel);
 
 private:
     void rebuild();

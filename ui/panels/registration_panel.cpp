@@ -158,7 +158,7 @@ void RegistrationPanel::chooseMethod(int index)
 {
     options_.method = method_->itemData(index).toByteArray().toStdString();
     showOptions(options_);
-    emit optionsEdited(options_, tr("method"));
+    emit optionsEdited(options_, [] { return tr("method"); });
 }
 
 void RegistrationPanel::updateButtons()

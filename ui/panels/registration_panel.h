@@ -2,6 +2,7 @@
 
 #include "core/registration/registration_options.h"
 #include "ui/panels/section.h"
+#include "ui/words/spoken.h"
 
 class QCheckBox;
 class QComboBox;
@@ -26,7 +27,7 @@ public:
     QPushButton* registerButton() const { return register_; }
 
 signals:
-    void optionsEdited(const core::RegistrationOptions& options, const QString& fieldLabel);
+    void optionsEdited(const core::RegistrationOptions& options, const ui::Words& fieldLabel);
     void registerRequested();
     void stopRequested();
     void allViewsToggled(bool together);

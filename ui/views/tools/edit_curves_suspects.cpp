@@ -66,7 +66,7 @@ void EditCurvesTool::decide(int curveId, bool isVessel)
     if (isVessel) {
         emit suspectAccepted(curveId);
     } else {
-        report(core::withoutCurve(curves_, curveId), tr("Mark as not a vessel"));
+        report(core::withoutCurve(curves_, curveId), [] { return tr("Mark as not a vessel"); });
     }
 }
 

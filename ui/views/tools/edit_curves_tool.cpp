@@ -113,7 +113,7 @@ double EditCurvesTool::reachPx() const
     return reachOnScreenPx / view().zoom();
 }
 
-void EditCurvesTool::report(const core::Centerline2d& curves, const QString& what)
+void EditCurvesTool::report(const core::Centerline2d& curves, const Words& what)
 {
     if (!isSame(curves, curves_)) {
         emit edited(curves, what);
@@ -168,11 +168,11 @@ void EditCurvesTool::finishDrag(const ToolPoint&)
     const std::vector<Eigen::Vector2d> polygon = outline();
     region_.clear();
     if (edit_ == CurveEdit::Erase) {
-        report(core::Centerline2d(shown_), tr("Erase curves"));
+        report(core::Centerline2d(shown_), [] { return tr("Erase curves"); });
     } else if (isKeeping_) {
-        report(core::restrictedTo(curves_, polygon), tr("Restrict to a region"));
+        report(core::restrictedTo(curves_, polygon), [] { return tr("Restrict to a region"); });
     } else {
-        report(core::withoutRegion(curves_, polygon), tr("Leave out a region"));
+        report(core::withoutRegion(curves_, polygon), [] { return tr("Leave out a region"); });
     }
 }
 
@@ -191,17 +191,17 @@ bool EditCurvesTool::click(const ToolPoint& point)
     switch (edit_) {
         case CurveEdit::Erase:
             eraseAlong(point.imagePx, point.imagePx);
-            report(core::Centerline2d(shown_), tr("Erase curves"));
+            report(core::Centerline2d(shown_), [] { return tr("Erase curves"); });
             break;
         case CurveEdit::Draw:
             setAnchor(point);
             break;
         case CurveEdit::Cut:
-            report(core::cutAt(curves_, point.imagePx, reachPx()), tr("Cut a curve"));
+            report(core::cutAt(curves_, point.imagePx, reachPx()), [] { return tr("Cut a curve"); });
             break;
         case CurveEdit::Remove:
             report(core::withoutCurve(curves_, core::curveAt(curves_, point.imagePx, reachPx())),
-                   tr("Mark as not a vessel"));
+                   [] { return tr("Mark as not a vessel"); });
             break;
         case CurveEdit::Box:
         case CurveEdit::Lasso:
@@ -230,7 +230,7 @@ void EditCurvesTool::finishPath()
     path_.clear();
     report(ground_ ? core::withDrawn(curves_, path, ground_->opacity, ground_->maxRadiusPx)
                    : core::withDrawn(curves_, path),
-           tr("Draw a curve"));
+           [] { return tr("Draw a curve"); });
 }
 
 void EditCurvesTool::hover(const ToolPoint& point)

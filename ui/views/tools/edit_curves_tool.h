@@ -5,6 +5,7 @@
 #include "ui/scenes/stroke_mesh.h"
 #include "ui/views/tools/image_tool.h"
 #include "ui/views/tools/wire_path.h"
+#include "ui/words/spoken.h"
 
 #include <memory>
 #include <vector>
@@ -61,7 +62,7 @@ public:
 signals:
     void begun();   ///< the mode is on: a ground is wanted
     void editChanged(ui::CurveEdit edit);
-    void edited(const core::Centerline2d& curves, const QString& what);
+    void edited(const core::Centerline2d& curves, const ui::Words& what);
     void suspectAccepted(int curveId);
 
 private:
@@ -69,7 +70,7 @@ private:
 
     double reachPx() const;   ///< image px
     void eraseAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
-    void report(const core::Centerline2d& curves, const QString& what);
+    void report(const core::Centerline2d& curves, const Words& what);
     void setAnchor(const ToolPoint& point);
     void finishPath();
     std::vector<Eigen::Vector2d> outline() const;   ///< of the region under way, image px

@@ -1,0 +1,33 @@
+#include "app/editing/branch_words.h"
+
+#include "ui/panels/result_sentences.h"
+
+#include <QCoreApplication>
+
+namespace app {
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(app::BranchWords)
+};
+
+QString countWords(std::size_t count)
+{
+    return Words::tr("%1 branches").arg(count);
+}
+
+}   // namespace
+
+ui::Words branchWords(const core::VesselTree& tree, const std::set<int>& branchIds)
+{
+    const core::VesselBranch* only = branchIds.size() == 1 ? tree.find(*branchIds.begin()) : nullptr;
+    if (!only) {
+        return [count = branchIds.size()] { return countWords(count); };
+    }
+    core::VesselBranch named;   // without its points
+    named.id = only->id;
+    named.name = only->name;
+    return [named] { return ui::displayName(named); };
+}
+
+}   // namespace app

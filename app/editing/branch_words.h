@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/vessel/vessel_tree.h"
+#include "ui/words/spoken.h"
+
+#include <set>
+
+namespace app {
+
+/// The name of the only branch, or how many they are, in the language spoken when asked.
+ui::Words branchWords(const core::VesselTree& tree, const std::set<int>& branchIds);
+
+}   // namespace app
