@@ -75,6 +75,9 @@ void addProject(CLI::App& app, int& exitCode)
     command->add_option("--width", arguments->widthPx, "Width of the picture in pixels (default: twice the image)")
         ->check(CLI::Range(64, 8192));
     command->add_option("--frame", arguments->frame, "Frame of the angiogram, from 0");
+    command->add_flag("--depth-cue", arguments->depthCue, "Near vessels bright, far ones dim");
+    command->add_option("--swipe", arguments->swipePx, "Column of the angiogram: right of it without vessels");
+    command->add_flag("--before-after", arguments->startBeside, "The vessels at the start pose beside it, on the left");
     command->footer("Example: angiopose-cli project case.angiopose --pose result/result.json --output overlay.png");
     command->callback([arguments, &exitCode] { exitCode = runProject(*arguments); });
 }

@@ -39,6 +39,9 @@ struct ProjectArguments {
     std::string outputPath;
     int widthPx = 0;   ///< 0: twice the image
     std::optional<int> frame;
+    bool depthCue = false;   ///< near vessels bright, far ones dim
+    std::optional<double> swipePx;   ///< right of this column the angiogram alone
+    bool startBeside = false;   ///< before and after
 };
 int runProject(const ProjectArguments& arguments);
 

@@ -26,6 +26,11 @@ int runProject(const ProjectArguments& arguments)
     OverlayPictureOptions options;
     options.widthPx = arguments.widthPx;
     options.coloring = OverlayColoring::Branches;
+    options.depthCue = arguments.depthCue ? ui::DepthCue::NearBright : ui::DepthCue::None;
+    if (arguments.swipePx) {
+        options.cutout = {ui::Cutout::Shape::RightOf, {*arguments.swipePx, 0.0}, 0.0};
+    }
+    options.isStartBeside = arguments.startBeside;
     const auto picture = drawOverlay(registrationCase, {}, options);
     if (!picture) {
         return failInput(arguments.casePath + ": " + picture.error().message);

@@ -69,6 +69,7 @@ void ExportController::askOverlay()
     const auto viewWidth = static_cast<int>(std::lround(view.zoom() * run.width() * view.devicePixelRatioF()));
     auto* dialog =
         new ui::ExportDialog(std::max(64, viewWidth), static_cast<double>(run.height()) / run.width(), &window_);
+    dialog->offerCutout(view.cutout() != ui::Cutout::Shape::None);
     const auto chosen = [](const Setting<bool>& setting) { return setting.read() ? ui::Choice::On : ui::Choice::Off; };
     dialog->showChoice({settings::exportWidthPx.read(), chosen(settings::exportResiduals), ui::Choice::Off,
                         chosen(settings::exportEnglish)});
@@ -92,6 +93,9 @@ ExportController::Write ExportController::overlayWriter(const ui::ExportChoice& 
         choice.english == ui::Choice::On ? PictureLanguage::English : PictureLanguage::Window};
     options.vessels = view.scene().mode();   // as they are seen
     options.range = view.shownRange();
+    options.depthCue = view.scene().depthCue();
+    options.cutout = choice.cutout == ui::Choice::On ? view.scene().cutout() : ui::Cutout{};
+    options.isStartBeside = choice.startBeside == ui::Choice::On;
     if (!view.radiograph().isNull()) {
         options.paintVessels = [radiograph = view.radiograph()](core::ColorImage& picture) {
             QImage canvas(picture.rgb.data(), picture.width, picture.height, qsizetype{3} * picture.width,

@@ -6,7 +6,9 @@
 #include "ui/scenes/burn_text.h"
 #include "ui/scenes/overlay_scene.h"
 #include "ui/words/core_texts.h"
+#include "ui/words/language.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace app {
@@ -34,10 +36,15 @@ void translate(ui::CornerTexts& texts)
     }
 }
 
-ui::CornerTexts exportTexts(const core::RegistrationCase& registrationCase, const OverlayPictureOptions& options)
+/// `heading` tells two pictures beside each other apart; empty: there is one.
+ui::CornerTexts exportTexts(const core::RegistrationCase& registrationCase, const OverlayPictureOptions& options,
+                            const std::string& heading)
 {
     ui::CornerTexts texts = cornerTexts(registrationCase, options.identity);
     texts.topRight.insert(texts.topRight.begin(), notForClinicalUse);
+    if (!heading.empty()) {
+        texts.bottomLeft.push_back(heading);
+    }
     if (const int count = registrationCase.angiogram->frameCount(); count > 1) {
         texts.bottomLeft.push_back("frame " + std::to_string(registrationCase.frame) + " of 0–" +
                                    std::to_string(count - 1));
@@ -49,6 +56,7 @@ ui::CornerTexts exportTexts(const core::RegistrationCase& registrationCase, cons
     }
     if (options.language == PictureLanguage::Window) {
         translate(texts);
+        texts.decimalSign = ui::languageLocale().decimalPoint() == QLatin1String(",") ? ',' : '.';
     }
     texts.topLeft.insert(texts.topLeft.begin(), registrationCase.title);   // the user's words
     return texts;
@@ -87,40 +95,46 @@ double residualScaleMaximumPx(const core::ProjectionCamera& camera, double depth
     return residualScaleMaximumMm / core::millimetresPerPixel(camera, depthMm);
 }
 
-core::Result<core::ColorImage> drawOverlay(const core::RegistrationCase& registrationCase,
-                                           const core::Centerline2d& target, const OverlayPictureOptions& options)
+namespace {
+
+/// The scene as the options want it; the residual, in px, at which its colours end, 0 without colours.
+double styleScene(ui::OverlayScene& scene, const core::RegistrationCase& registrationCase,
+                  const core::Centerline2d& target, const OverlayPictureOptions& options)
 {
-    if (!registrationCase.tree || !registrationCase.angiogram || registrationCase.angiogram->frames.empty()) {
-        return core::Error{"An overlay needs a vessel tree and an angiogram. Open both first."};
+    scene.setMode(options.vessels);
+    scene.setDepthCue(options.depthCue);
+    scene.setCutout(options.cutout);
+    if (options.range) {
+        scene.setWindowLevel(options.range->window(), options.range->level());
     }
+    const bool isColored = options.coloring == OverlayColoring::Residuals && target.pointCount() > 0;
+    if (!isColored || options.vessels == ui::OverlayMode::Hidden) {
+        return 0.0;
+    }
+    const core::ProjectionCamera camera = core::cameraOf(registrationCase).value();
+    const double depthMm = (registrationCase.cameraFromPatient * core::centroidInPatient(*registrationCase.tree)).z();
+    const double maximumPx = residualScaleMaximumPx(camera, std::max(depthMm, core::minProjectableDepthMm));
+    scene.setResiduals(
+        core::branchDistances(*registrationCase.tree, target, camera, registrationCase.cameraFromPatient), maximumPx);
+    return maximumPx;
+}
+
+core::Result<core::ColorImage> drawOne(const core::RegistrationCase& registrationCase, const core::Centerline2d& target,
+                                       const OverlayPictureOptions& options, const std::string& heading)
+{
     const auto camera = core::cameraOf(registrationCase);
     if (!camera) {
         return camera.error();
     }
     ui::OverlayScene scene;
     dressScene(scene, registrationCase, camera.value());
-
-    scene.setMode(options.vessels);
-    if (options.range) {
-        scene.setWindowLevel(options.range->window(), options.range->level());
-    }
-
-    double scaleMaximumPx = 0.0;
-    const bool isColored = options.coloring == OverlayColoring::Residuals && target.pointCount() > 0;
-    if (isColored && options.vessels != ui::OverlayMode::Hidden) {
-        const double depthMm =
-            (registrationCase.cameraFromPatient * core::centroidInPatient(*registrationCase.tree)).z();
-        scaleMaximumPx = residualScaleMaximumPx(camera.value(), std::max(depthMm, core::minProjectableDepthMm));
-        scene.setResiduals(
-            core::branchDistances(*registrationCase.tree, target, camera.value(), registrationCase.cameraFromPatient),
-            scaleMaximumPx);
-    }
+    const double scaleMaximumPx = styleScene(scene, registrationCase, target, options);
     const core::ImageF& frame = registrationCase.angiogram->frames.front();
     const int width = options.widthPx > 0 ? options.widthPx : 2 * frame.width;
     const int height =
         std::max(1, static_cast<int>(std::lround(static_cast<double>(width) * frame.height / frame.width)));
     scene.setLineWidthPx(std::max(1.5, width / 512.0 * 1.5));
-    const ui::CornerTexts texts = exportTexts(registrationCase, options);
+    const ui::CornerTexts texts = exportTexts(registrationCase, options, heading);
     if (!options.paintVessels) {
         return ui::renderOffscreen(scene, width, height, wholeImage(frame), texts, scaleMaximumPx,
                                    residualScaleMaximumMm);
@@ -133,6 +147,53 @@ core::Result<core::ColorImage> drawOverlay(const core::RegistrationCase& registr
     options.paintVessels(painted);
     ui::burnTexts(painted, texts, ui::burnSizes(width, height));
     return painted;
+}
+
+/// Two pictures of one size with a dark line between them.
+core::ColorImage besideEachOther(const core::ColorImage& left, const core::ColorImage& right)
+{
+    const int gap = std::max(2, left.width / 256);
+    core::ColorImage both{2 * left.width + gap, left.height, {}};
+    const auto row = [](const core::ColorImage& picture) { return 3 * static_cast<std::size_t>(picture.width); };
+    both.rgb.resize(row(both) * static_cast<std::size_t>(both.height));
+    for (std::size_t y = 0; y < static_cast<std::size_t>(both.height); ++y) {
+        std::uint8_t* to = both.rgb.data() + y * row(both);
+        std::copy_n(left.rgb.data() + y * row(left), row(left), to);
+        std::copy_n(right.rgb.data() + y * row(right), row(right), to + row(both) - row(right));
+    }
+    return both;
+}
+
+}   // namespace
+
+core::Result<core::ColorImage> drawOverlay(const core::RegistrationCase& registrationCase,
+                                           const core::Centerline2d& target, const OverlayPictureOptions& options)
+{
+    if (!registrationCase.tree || !registrationCase.angiogram || registrationCase.angiogram->frames.empty()) {
+        return core::Error{"An overlay needs a vessel tree and an angiogram. Open both first."};
+    }
+    if (!options.isStartBeside) {
+        return drawOne(registrationCase, target, options, {});
+    }
+    const auto start = core::startPoseOf(registrationCase);
+    if (!start) {
+        return start.error();
+    }
+    core::RegistrationCase before = registrationCase;
+    before.cameraFromPatient = start.value();
+    before.result.reset();
+    OverlayPictureOptions sameLook = options;
+    sameLook.paintVessels = nullptr;   // what is painted shows the vessels at their pose alone
+    sameLook.vessels = options.paintVessels ? ui::OverlayMode::Centerline : options.vessels;
+    const auto left = drawOne(before, target, sameLook, "before: at the start pose");
+    const auto right = drawOne(registrationCase, target, sameLook, "after: at this pose");
+    if (!left) {
+        return left.error();
+    }
+    if (!right) {
+        return right.error();
+    }
+    return besideEachOther(left.value(), right.value());
 }
 
 core::Result<core::ColorImage> drawThumbnail(const core::RegistrationCase& registrationCase, int widthPx)

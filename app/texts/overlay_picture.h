@@ -25,6 +25,10 @@ struct OverlayPictureOptions {
     PictureLanguage language = PictureLanguage::English;
     ui::OverlayMode vessels = ui::OverlayMode::Centerline;
     std::optional<core::DisplayRange> range = std::nullopt;   ///< not set: found from the frame
+    ui::DepthCue depthCue = ui::DepthCue::None;
+    ui::Cutout cutout = {};   ///< swipe or lens where the vessels step aside, image px
+    /// Before and after: a second picture on the left with the vessels at the start pose.
+    bool isStartBeside = false;
     /// Draws the vessels where they are hidden, over the whole picture and below its texts; not set: nobody does.
     std::function<void(core::ColorImage& picture)> paintVessels = nullptr;
 };

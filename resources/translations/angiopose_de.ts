@@ -4137,6 +4137,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>The seed %1 mm (LPS) lies in nothing filled: the vessel %2 mm away was taken.</source>
         <translation>Der Startpunkt %1 mm (LPS) liegt in nichts Gefülltem: Das Gefäß im Abstand von %2 mm wurde genommen.</translation>
     </message>
+    <message>
+        <source>after: at this pose</source>
+        <translation>nachher: in dieser Lage</translation>
+    </message>
+    <message>
+        <source>before: at the start pose</source>
+        <translation>vorher: in der Startlage</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -5494,6 +5502,18 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Texts in English</source>
         <translation>Texte auf Englisch</translation>
+    </message>
+    <message>
+        <source>Swipe or lens as in the window</source>
+        <translation>Wischen oder Lupe wie im Fenster</translation>
+    </message>
+    <message>
+        <source>Start pose beside it: before and after</source>
+        <translation>Startlage daneben: vorher und nachher</translation>
+    </message>
+    <message>
+        <source>twice %1</source>
+        <translation>zweimal %1</translation>
     </message>
 </context>
 <context>

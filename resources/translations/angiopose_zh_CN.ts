@@ -4137,6 +4137,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>The seed %1 mm (LPS) lies in nothing filled: the vessel %2 mm away was taken.</source>
         <translation>种子点 %1 mm（LPS）处没有造影剂：已采用距其 %2 mm 的血管。</translation>
     </message>
+    <message>
+        <source>after: at this pose</source>
+        <translation>之后：此位姿</translation>
+    </message>
+    <message>
+        <source>before: at the start pose</source>
+        <translation>之前：初始位姿</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -5494,6 +5502,18 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Texts in English</source>
         <translation>文字用英文</translation>
+    </message>
+    <message>
+        <source>Swipe or lens as in the window</source>
+        <translation>与窗口中相同的卷帘或透镜</translation>
+    </message>
+    <message>
+        <source>Start pose beside it: before and after</source>
+        <translation>并排显示初始位姿：前后对比</translation>
+    </message>
+    <message>
+        <source>twice %1</source>
+        <translation>两幅 %1</translation>
     </message>
 </context>
 <context>

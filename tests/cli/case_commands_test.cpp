@@ -5,7 +5,9 @@
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
+#include <array>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace {
@@ -61,6 +63,31 @@ TEST_F(CliOnSimulatedCase, ProjectsAGivenPose)
         runCli({"project", casePath_, "--pose", folder_.file("demo/true-pose.json"), "--output", picture});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.messages;
     EXPECT_GT(fs::file_size(picture), 10000u);
+}
+
+TEST_F(CliOnSimulatedCase, ProjectsBeforeAndAfterWithDepthCueAndSwipe)
+{
+    const auto sizeOf = [this](const std::vector<std::string>& look) {
+        const std::string picture = folder_.file("look.png");
+        std::vector<std::string> arguments{"project", casePath_, "--output", picture, "--width", "400"};
+        arguments.insert(arguments.end(), look.begin(), look.end());
+        const auto outcome = runCli(arguments);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.messages;
+        return fs::file_size(picture);
+    };
+    const auto widthPx = [this] {   // of the picture written last, as its header says
+        std::ifstream file(folder_.file("look.png"), std::ios::binary);
+        std::array<char, 24> head{};
+        file.read(head.data(), head.size());
+        return (static_cast<unsigned char>(head[18]) << 8) + static_cast<unsigned char>(head[19]);
+    };
+    const auto plain = sizeOf({});
+    EXPECT_EQ(widthPx(), 400);
+    EXPECT_GT(sizeOf({"--before-after"}), plain);
+    EXPECT_GT(widthPx(), 800);
+    EXPECT_NE(sizeOf({"--depth-cue"}), plain);
+    EXPECT_LT(sizeOf({"--swipe", "0"}), plain) << "no vessels at all";
+    EXPECT_EQ(runCli({"project", casePath_, "--output", folder_.file("x.png"), "--swipe", "left"}).exitCode, 2);
 }
 
 TEST_F(CliOnSimulatedCase, TracesItsAngiogram)

@@ -30,7 +30,9 @@ ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
       resulting_(roleLabel("hint")),
       residuals_(new QCheckBox(tr("Residual colours with their scale"))),
       identity_(new QCheckBox(tr("Patient identity in the picture"))),
-      english_(new QCheckBox(tr("Texts in English")))
+      english_(new QCheckBox(tr("Texts in English"))),
+      cutout_(new QCheckBox(tr("Swipe or lens as in the window"))),
+      startBeside_(new QCheckBox(tr("Start pose beside it: before and after")))
 {
     setObjectName(QStringLiteral("exportDialog"));
     setWindowTitle(tr("Export overlay"));
@@ -46,6 +48,8 @@ ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
     form->addRow(widthLabel_, width_);
     form->addRow(QString(), resulting_);
     form->addRow(QString(), residuals_);
+    form->addRow(QString(), startBeside_);
+    form->addRow(QString(), cutout_);
     form->addRow(QString(), identity_);
     form->addRow(QString(), english_);
     english_->setVisible(currentLanguage() != languages().front());
@@ -74,7 +78,15 @@ ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
     connect(exportButton, &QPushButton::clicked, this, &QDialog::accept);
     connect(this, &QDialog::accepted, this, [this] { emit chosen(choice()); });
+    connect(startBeside_, &QCheckBox::toggled, this, &ExportDialog::showSize);
+    offerCutout(false);
     showChoice({});
+}
+
+void ExportDialog::offerCutout(bool hasCutout)
+{
+    cutout_->setChecked(hasCutout);
+    cutout_->setVisible(hasCutout);
 }
 
 void ExportDialog::showChoice(const ExportChoice& choice)
@@ -109,6 +121,8 @@ ExportChoice ExportDialog::choice() const
     result.residualColors = residuals_->isChecked() ? Choice::On : Choice::Off;
     result.identity = identity_->isChecked() ? Choice::On : Choice::Off;
     result.english = english_->isChecked() ? Choice::On : Choice::Off;
+    result.cutout = cutout_->isChecked() ? Choice::On : Choice::Off;
+    result.startBeside = startBeside_->isChecked() ? Choice::On : Choice::Off;
     return result;
 }
 
@@ -118,7 +132,8 @@ void ExportDialog::showSize()
     width_->setVisible(isCustom);
     widthLabel_->setVisible(isCustom);
     const int width = choice().widthPx;
-    resulting_->setText(tr("%1 × %2 px").arg(width).arg(std::lround(width * aspect_)));
+    const QString size = tr("%1 × %2 px").arg(width).arg(std::lround(width * aspect_));
+    resulting_->setText(startBeside_->isChecked() ? tr("twice %1").arg(size) : size);
 }
 
 }   // namespace ui

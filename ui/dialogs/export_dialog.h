@@ -19,6 +19,8 @@ struct ExportChoice {
     Choice residualColors = Choice::On;
     Choice identity = Choice::Off;
     Choice english = Choice::Off;   ///< texts in the picture, where the window speaks another language
+    Choice cutout = Choice::Off;   ///< swipe or lens, where the window has one
+    Choice startBeside = Choice::Off;   ///< a second picture with the vessels at the start pose
 };
 
 /// Asks size, residual colours and identity before an overlay is written. `chosen` follows on Export.
@@ -29,6 +31,7 @@ public:
     ExportDialog(int viewWidthPx, double aspect, QWidget* parent);
 
     void showChoice(const ExportChoice& choice);
+    void offerCutout(bool hasCutout);   ///< on, where the window shows one
     ExportChoice choice() const;
 
 signals:
@@ -46,6 +49,8 @@ private:
     QCheckBox* residuals_;
     QCheckBox* identity_;
     QCheckBox* english_;
+    QCheckBox* cutout_;
+    QCheckBox* startBeside_;
 };
 
 }   // namespace ui

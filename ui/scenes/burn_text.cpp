@@ -51,10 +51,11 @@ void drawMask(core::ColorImage& picture, const core::Mask2d& mask, int left, int
     }
 }
 
-std::string formatted(double value, int decimals)
+std::string formatted(double value, int decimals, char decimalSign)
 {
     char text[32];
     std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    std::replace(std::begin(text), std::end(text), '.', decimalSign);
     return text;
 }
 
@@ -89,7 +90,7 @@ void burnTexts(core::ColorImage& picture, const CornerTexts& texts, const BurnSi
     draw(texts.bottomRight, TextAlign::Right, Edge::Bottom);
 }
 
-void burnScale(core::ColorImage& picture, double maximumPx, double maximumMm, const BurnSizes& sizes)
+void burnScale(core::ColorImage& picture, const BurnScale& scale, const BurnSizes& sizes)
 {
     const int barWidth = sizes.textPx;
     const int barHeight = std::max(8 * sizes.textPx, picture.height / 6);
@@ -101,13 +102,13 @@ void burnScale(core::ColorImage& picture, double maximumPx, double maximumMm, co
     }
     fill(picture, {bar.left, bar.top - capHeight - 2, bar.width, capHeight}, residualColorAboveScale(), 1.0);
 
-    const bool inMm = maximumMm > 0.0;
-    const double maximum = inMm ? maximumMm : maximumPx;
+    const bool inMm = scale.maximumMm > 0.0;
+    const double maximum = inMm ? scale.maximumMm : scale.maximumPx;
     const int decimals = maximum < 10.0 ? 1 : 0;
     const int right = bar.left - sizes.textPx / 2;
     drawLabel(picture, inMm ? "mm" : "px", right, bar.top - 5 * sizes.textPx / 2);
-    drawLabel(picture, "> " + formatted(maximum, decimals), right, bar.top - capHeight / 2 - 2);
-    drawLabel(picture, formatted(0.5 * maximum, decimals + 1), right, bar.top + bar.height / 2);
+    drawLabel(picture, "> " + formatted(maximum, decimals, scale.decimalSign), right, bar.top - capHeight / 2 - 2);
+    drawLabel(picture, formatted(0.5 * maximum, decimals + 1, scale.decimalSign), right, bar.top + bar.height / 2);
     drawLabel(picture, "0", right, bar.top + bar.height - sizes.textPx / 2);
 }
 

@@ -16,7 +16,14 @@ BurnSizes burnSizes(int width, int height);
 
 void burnTexts(core::ColorImage& picture, const CornerTexts& texts, const BurnSizes& sizes);
 
-/// Residual ramp with its end values at the right edge; `maximumMm` 0 labels it in px.
-void burnScale(core::ColorImage& picture, double maximumPx, double maximumMm, const BurnSizes& sizes);
+/// Where the residual ramp ends.
+struct BurnScale {
+    double maximumPx = 0.0;
+    double maximumMm = 0.0;   ///< 0: labelled in px
+    char decimalSign = '.';
+};
+
+/// Residual ramp with its end values at the right edge.
+void burnScale(core::ColorImage& picture, const BurnScale& scale, const BurnSizes& sizes);
 
 }   // namespace ui

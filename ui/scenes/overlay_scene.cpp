@@ -157,6 +157,16 @@ void OverlayScene::setVeiled(bool veiled)
     ++parts_->revision;
 }
 
+DepthCue OverlayScene::depthCue() const
+{
+    return parts_->content.depthCue;
+}
+
+const Cutout& OverlayScene::cutout() const
+{
+    return parts_->cutout;
+}
+
 void OverlayScene::setDepthCue(DepthCue cue)
 {
     parts_->content.depthCue = cue;

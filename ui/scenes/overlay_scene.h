@@ -69,6 +69,8 @@ public:
     void setViewRect(const ViewRect& rect);
     const core::ImageF& frame() const;
     OverlayMode mode() const;
+    DepthCue depthCue() const;
+    const Cutout& cutout() const;
     ViewRect viewRect() const;
     double lineWidthPx() const;
 

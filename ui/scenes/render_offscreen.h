@@ -12,6 +12,7 @@ namespace ui {
 /// Text burned into an exported overlay, one list per corner.
 struct CornerTexts {
     std::vector<std::string> topLeft, topRight, bottomLeft, bottomRight;
+    char decimalSign = '.';   ///< of the numbers at the residual scale
 };
 
 /// Renders the scene into a picture, without display or OpenGL; safe on any thread that owns the scene. `viewRect`

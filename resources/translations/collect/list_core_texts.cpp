@@ -46,7 +46,8 @@ void addTables(Texts& texts)
 void addWords(Texts& texts)
 {
     texts.insert({"search", "refine", "settle", "rotation", "auxiliary", "full", "affine", "header", "derived", "user",
-                  "assumed", "missing", "identity hidden", "number", "name", "birth date"});
+                  "assumed", "missing", "identity hidden", "number", "name", "birth date", "before: at the start pose",
+                  "after: at this pose"});
 }
 
 /// A placeholder must be told from the rest by at least a few letters.

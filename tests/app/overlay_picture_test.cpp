@@ -1,0 +1,106 @@
+#include "app/texts/overlay_picture.h"
+
+#include "app/files/sample_case.h"
+#include "io/case_file.h"
+
+#include <gtest/gtest.h>
+#include <cstdlib>
+
+namespace app {
+namespace {
+
+class OverlayPicture : public ::testing::Test {
+protected:
+    void SetUp() override
+    {
+        const auto path = writeSampleCase();
+        ASSERT_TRUE(path) << path.error().message;
+        std::vector<std::string> warnings;
+        auto loaded = io::loadCase(path.value().toStdString(), warnings);
+        ASSERT_TRUE(loaded) << loaded.error().message;
+        sample = std::move(loaded).value();
+        options.widthPx = 512;
+        options.coloring = OverlayColoring::Branches;
+    }
+    core::ColorImage drawn(const OverlayPictureOptions& wanted) const
+    {
+        auto picture = drawOverlay(sample, {}, wanted);
+        EXPECT_TRUE(picture) << picture.error().message;
+        return picture ? std::move(picture).value() : core::ColorImage{};
+    }
+
+    core::RegistrationCase sample;
+    OverlayPictureOptions options;
+};
+
+/// Pixels that differ in the columns `from` … `to`, below the texts on top and above those at the bottom.
+int differing(const core::ColorImage& a, const core::ColorImage& b, int from, int to)
+{
+    int count = 0;
+    for (int y = a.height / 8; y < a.height * 7 / 8; ++y) {
+        for (int x = from; x < to; ++x) {
+            const auto at =
+                3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) + static_cast<std::size_t>(x));
+            count += a.rgb[at] != b.rgb[at] || a.rgb[at + 1] != b.rgb[at + 1] || a.rgb[at + 2] != b.rgb[at + 2] ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+TEST_F(OverlayPicture, ShowsNearAndFarWhereTheWindowDoes)
+{
+    const core::ColorImage plain = drawn(options);
+    options.depthCue = ui::DepthCue::NearBright;
+    EXPECT_GT(differing(plain, drawn(options), 0, plain.width), 200);
+}
+
+TEST_F(OverlayPicture, LeavesTheVesselsOutBesideTheSwipe)
+{
+    const core::ColorImage plain = drawn(options);
+    OverlayPictureOptions hidden = options;
+    hidden.vessels = ui::OverlayMode::Hidden;
+    const core::ColorImage bare = drawn(hidden);
+    ASSERT_GT(differing(plain, bare, plain.width / 2, plain.width), 100) << "vessels on both sides";
+    const double middle = sample.angiogram->width() / 2.0 - 0.5;
+    options.cutout = {ui::Cutout::Shape::RightOf, {middle, 0.0}, 0.0};
+    const core::ColorImage swiped = drawn(options);
+    EXPECT_EQ(differing(swiped, plain, 0, plain.width / 2 - 2), 0);
+    EXPECT_EQ(differing(swiped, bare, plain.width / 2 + 2, plain.width), 0);
+}
+
+TEST_F(OverlayPicture, PutsTheStartPoseBesideThePose)
+{
+    const core::RigidTransform start = core::startPoseOf(sample).value();
+    sample.cameraFromPatient = start;
+    sample.cameraFromPatient.translation.x() += 8.0;
+    const core::ColorImage after = drawn(options);
+    options.isStartBeside = true;
+    const core::ColorImage both = drawn(options);
+    ASSERT_GT(both.width, 2 * after.width);
+    ASSERT_EQ(both.height, after.height);
+    sample.cameraFromPatient = start;
+    options.isStartBeside = false;
+    const core::ColorImage before = drawn(options);
+    const auto half = [&both](int from, int width) {
+        core::ColorImage part{width, both.height, {}};
+        for (int y = 0; y < both.height; ++y) {
+            const std::uint8_t* row = both.rgb.data() + 3 * (static_cast<std::ptrdiff_t>(y) * both.width + from);
+            part.rgb.insert(part.rgb.end(), row, row + std::ptrdiff_t{3} * width);
+        }
+        return part;
+    };
+    EXPECT_EQ(differing(half(0, after.width), before, 0, after.width), 0);
+    EXPECT_EQ(differing(half(both.width - after.width, after.width), after, 0, after.width), 0);
+    EXPECT_GT(differing(before, after, 0, after.width), 100);
+}
+
+TEST_F(OverlayPicture, NeedsAStartPoseForBeforeAndAfter)
+{
+    sample.hasInitialPose = false;
+    sample.cArm.primaryAngleDeg = {};
+    options.isStartBeside = true;
+    EXPECT_FALSE(drawOverlay(sample, {}, options));
+}
+
+}   // namespace
+}   // namespace app
