@@ -123,19 +123,6 @@ std::string inputAt(const RegistrationCase& registrationCase, const std::string&
     return {};
 }
 
-/// What cannot be written as a case that loads again; empty when all can.
-std::string findUnsavable(const RegistrationCase& values)
-{
-    if (values.centerlineFile.path.empty() || values.imageFile.path.empty()) {
-        return "a case needs a vessel tree and an angiogram. Open both before saving.";
-    }
-    if (!core::isRigid(values.cameraFromPatient) ||
-        (values.hasInitialPose && !core::isRigid(values.initialCameraFromPatient))) {
-        return "the pose is not a rigid motion of finite numbers. Reset the pose before saving.";
-    }
-    return {};
-}
-
 }   // namespace
 
 core::Result<RegistrationCase> loadCase(const std::string& path, std::vector<std::string>& warnings,
@@ -239,6 +226,23 @@ core::Result<std::vector<std::string>> doubtsOfCase(const std::string& path)
     } catch (const std::exception&) {
         return fileError(path, "a value in it has the wrong kind. Compare it with the published schema.");
     }
+}
+
+std::string findUnsavable(const RegistrationCase& registrationCase)
+{
+    if (!registrationCase.tree && registrationCase.volume) {
+        return "a scan alone is no case yet: the case file needs traced vessels and an angiogram. Trace the vessels "
+               "and "
+               "open an angiogram before saving; the scan itself stays as it is.";
+    }
+    if (registrationCase.centerlineFile.path.empty() || registrationCase.imageFile.path.empty()) {
+        return "a case needs a vessel tree and an angiogram. Open both before saving.";
+    }
+    if (!core::isRigid(registrationCase.cameraFromPatient) ||
+        (registrationCase.hasInitialPose && !core::isRigid(registrationCase.initialCameraFromPatient))) {
+        return "the pose is not a rigid motion of finite numbers. Reset the pose before saving.";
+    }
+    return {};
 }
 
 core::Status saveCase(const RegistrationCase& registrationCase, const std::string& path)

@@ -27,6 +27,9 @@ core::Result<std::vector<std::string>> validateCase(const std::string& path);
 /// Nothing of it keeps the case from loading. Fails where the case or the image cannot be read.
 core::Result<std::vector<std::string>> doubtsOfCase(const std::string& path);
 
+/// What the case lacks to be written as a file that opens again, in a sentence for the user; empty when nothing.
+std::string findUnsavable(const core::RegistrationCase& registrationCase);
+
 /// Writes atomically (temporary file, flush, rename); paths relative to the case file, hashes of the inputs,
 /// keys unknown to this version kept.
 core::Status saveCase(const core::RegistrationCase& registrationCase, const std::string& path);

@@ -46,8 +46,22 @@ void SaveController::save(const std::function<void()>& whenSaved)
     }
 }
 
+/// Nobody chooses a name for what cannot be saved.
+bool SaveController::refusesToSave()
+{
+    QString why = ui::coreText(io::findUnsavable(document_.current()));
+    if (!why.isEmpty()) {
+        why[0] = why[0].toUpper();
+        emit failed(why);
+    }
+    return !why.isEmpty();
+}
+
 void SaveController::saveAs(const std::function<void()>& whenSaved)
 {
+    if (refusesToSave()) {
+        return;
+    }
     auto* dialog = new QFileDialog(&window_, tr("Save case"), suggestedCasePath(document_), tr("Cases (*.angiopose)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);

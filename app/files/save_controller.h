@@ -35,6 +35,7 @@ signals:
     void recoveryWanted(const app::LeftBehind& copy);
 
 private:
+    bool refusesToSave();   ///< and says why
     void recover(const LeftBehind& copy);
     void forgetRecovered();
     void take(const QString& path, const CaseState& written);

@@ -4138,6 +4138,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Startpunkt %1 mm (LPS) liegt in nichts Gefülltem: Das Gefäß im Abstand von %2 mm wurde genommen.</translation>
     </message>
     <message>
+        <source>a scan alone is no case yet: the case file needs traced vessels and an angiogram. Trace the vessels and open an angiogram before saving; the scan itself stays as it is.</source>
+        <translation>ein CT allein ist noch kein Fall: die Falldatei braucht erfasste Gefäße und ein Angiogramm. Vor dem Speichern die Gefäße erfassen und ein Angiogramm öffnen; das CT selbst bleibt, wie es ist.</translation>
+    </message>
+    <message>
         <source>after: at this pose</source>
         <translation>nachher: in dieser Lage</translation>
     </message>

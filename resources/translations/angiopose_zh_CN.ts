@@ -4138,6 +4138,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>种子点 %1 mm（LPS）处没有造影剂：已采用距其 %2 mm 的血管。</translation>
     </message>
     <message>
+        <source>a scan alone is no case yet: the case file needs traced vessels and an angiogram. Trace the vessels and open an angiogram before saving; the scan itself stays as it is.</source>
+        <translation>仅有扫描还不能成为病例：病例文件需要已追踪的血管和造影图像。保存前请先追踪血管并打开造影图像；扫描本身保持不变。</translation>
+    </message>
+    <message>
         <source>after: at this pose</source>
         <translation>之后：此位姿</translation>
     </message>

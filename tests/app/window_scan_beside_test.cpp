@@ -1,9 +1,12 @@
+#include "io/case_file.h"
 #include "io/vessel_tree_file.h"
 #include "io/volume_file.h"
 #include "tests/app/open_window.h"
 #include "tests/support/forked_vessel.h"
 
 #include <QCheckBox>
+#include <QFileDialog>
+#include <QLabel>
 #include <QSlider>
 #include <QTemporaryDir>
 
@@ -109,6 +112,27 @@ TEST(WindowScanWithoutVessels, IsShownAndTracedByHand)
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_FALSE(w.current().tree);
     EXPECT_TRUE(w.current().scanFile.path.ends_with("faint.nrrd"));
+}
+
+/// The case file has no place for a scan without vessels: that is said before a name is asked for.
+TEST(WindowScanWithoutVessels, CannotBeSavedAndSaysWhy)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("faint.nrrd"));
+    ASSERT_TRUE(io::writeVolume(faintScan(), path.toStdString()));
+    OpenWindow w;
+    w.drop({path});
+    ASSERT_TRUE(w.current().volume);
+    w.window.actions()[ui::Command::Save]->trigger();
+    EXPECT_TRUE(w.window.findChildren<QFileDialog*>().isEmpty());
+    const QList<QDialog*> messages = w.dialogs("messageDialog");
+    ASSERT_EQ(messages.size(), 1);
+    QString said;
+    for (const QLabel* label : messages.front()->findChildren<QLabel*>()) {
+        said += label->text();
+    }
+    EXPECT_TRUE(said.contains(QStringLiteral("scan alone"))) << said.toStdString();
+    EXPECT_FALSE(io::saveCase(w.current(), folder.filePath(QStringLiteral("x.angiopose")).toStdString()));
 }
 
 TEST(WindowScanWithoutVessels, LeavesOtherVesselsAlone)
