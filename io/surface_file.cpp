@@ -91,7 +91,17 @@ core::Result<core::SurfaceMesh> meshOf(const PolygonSet& set, double unitMm, con
     return core::welded(mesh);
 }
 
-std::vector<std::string> doubtsAbout(const core::SurfaceMesh& mesh)
+double acrossMmOf(const core::SurfaceMesh& mesh)
+{
+    Eigen::Vector3d low = mesh.pointsInPatient.front(), high = low;
+    for (const Eigen::Vector3d& point : mesh.pointsInPatient) {
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+    }
+    return (high - low).norm();
+}
+
+std::vector<std::string> doubtsAbout(const core::SurfaceMesh& mesh, double acrossMm)
 {
     std::vector<std::string> warnings;
     const core::MeshCheck check = core::checkMesh(mesh);
@@ -102,20 +112,19 @@ std::vector<std::string> doubtsAbout(const core::SurfaceMesh& mesh)
     } else if (!check.isOriented) {
         warnings.emplace_back("The triangles do not agree on inside and outside; overlapping parts may cancel out.");
     }
-    Eigen::Vector3d low = mesh.pointsInPatient.front(), high = low;
-    for (const Eigen::Vector3d& point : mesh.pointsInPatient) {
-        low = low.cwiseMin(point);
-        high = high.cwiseMax(point);
-    }
-    const double across = (high - low).norm();
-    if (across < smallestUsualMm || across > largestUsualMm) {
-        warnings.push_back("The surface is " + toText(std::round(10.0 * across) / 10.0) +
+    if (!isUsualSize(acrossMm)) {
+        warnings.push_back("The surface is " + toText(std::round(10.0 * acrossMm) / 10.0) +
                            " mm across, which is unusual: if its unit is not the millimetre, give the unit.");
     }
     return warnings;
 }
 
 }   // namespace
+
+bool isUsualSize(double acrossMm)
+{
+    return acrossMm >= smallestUsualMm && acrossMm <= largestUsualMm;
+}
 
 core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm)
 {
@@ -142,7 +151,8 @@ core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm)
     if (loaded.mesh.triangles.empty()) {
         return fileError(path, "none of its triangles has an area. Choose the surface of a vessel.");
     }
-    loaded.warnings = doubtsAbout(loaded.mesh);
+    loaded.acrossMm = acrossMmOf(loaded.mesh);
+    loaded.warnings = doubtsAbout(loaded.mesh, loaded.acrossMm);
     return loaded;
 }
 

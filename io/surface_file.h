@@ -11,7 +11,11 @@ namespace io {
 struct LoadedSurface {
     core::SurfaceMesh mesh;   ///< welded, patient LPS
     std::vector<std::string> warnings;   ///< holes, a suspicious size
+    double acrossMm = 0.0;   ///< diagonal of the box around it
 };
+
+/// False where vessels are hardly of that size: the unit of the file may be another.
+bool isUsualSize(double acrossMm);
 
 /// A triangle surface from VTP, legacy VTK (poly-data, unstructured grid), STL, PLY or OBJ; lengths times `unitMm`.
 /// RAS files that say so are turned. Fails with file, problem and remedy, also when there is no triangle.

@@ -80,6 +80,14 @@ void OpenController::openCopy(const QString& copy, const QString& original)
     load({copy}, hints);
 }
 
+void OpenController::openInUnit(double unitMm)
+{
+    OpenHints hints{{}, {}, foldersInUse()};
+    hints.scanUse = scanUse();
+    hints.unitMm = unitMm;
+    load(askedPaths_, hints);
+}
+
 void OpenController::openSeries(const QString& seriesId)
 {
     OpenHints hints{seriesId, {}, {}};
@@ -170,6 +178,11 @@ bool OpenController::asksFirst(const LoadedInputs& inputs, const QStringList& pa
     if (!inputs.offered.empty()) {
         askedPaths_ = paths;
         emit seriesChoiceNeeded(paths.join(QStringLiteral(", ")), inputs.offered);
+        return true;
+    }
+    if (inputs.askedUnitsAcross) {
+        askedPaths_ = paths;
+        emit unitNeeded(namesOf(paths), *inputs.askedUnitsAcross);
         return true;
     }
     if (inputs.isScanAsked) {

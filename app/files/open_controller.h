@@ -21,6 +21,8 @@ public:
     void openSeries(const QString& seriesId);
     /// Opens an angiogram, or the image of a case, as another view of the open case's vessels.
     void openView(const QStringList& paths);
+    /// Answers `unitNeeded`.
+    void openInUnit(double unitMm);
     /// Answers `scanChoiceNeeded`.
     void openScan(ScanUse use);
     /// Answers `viewChoiceNeeded`.
@@ -46,6 +48,8 @@ signals:
     /// A scan was opened while the case has vessels of a file: to be seen beside them, or to trace vessels from?
     /// Answer with `openScan` or nothing.
     void scanChoiceNeeded(const QString& name);
+    /// A surface that says no unit is too small or large for mm; answer with `openInUnit` or nothing.
+    void unitNeeded(const QString& name, double unitsAcross);
     /// An angiogram was opened while the case has one: another view, or instead of it? Answer with `addWaitingView`,
     /// `replaceImage` or nothing.
     void viewChoiceNeeded(const QString& name);

@@ -8,8 +8,11 @@
 #include "ui/dialogs/missing_inputs.h"
 #include "ui/main_window.h"
 #include "ui/words/core_texts.h"
+#include "ui/words/number.h"
 
 #include <QFileDialog>
+
+#include <array>
 
 namespace app {
 
@@ -20,6 +23,7 @@ OpenDialogs::OpenDialogs(ui::MainWindow& window, CaseDocument& document, OpenCon
     connect(&open_, &OpenController::seriesChoiceNeeded, this, &OpenDialogs::chooseSeries);
     connect(&open_, &OpenController::inputsMissing, this, &OpenDialogs::askForInputs);
     connect(&open_, &OpenController::scanChoiceNeeded, this, &OpenDialogs::askWhatScan);
+    connect(&open_, &OpenController::unitNeeded, this, &OpenDialogs::askUnit);
     connect(&open_, &OpenController::viewChoiceNeeded, this, &OpenDialogs::askWhichView);
     connect(&open_, &OpenController::replacementNeedsConsent, this, &OpenDialogs::askToReplace);
     connect(&window_.welcome(), &ui::WelcomePage::openRequested, this, &OpenDialogs::askFiles);
@@ -112,6 +116,33 @@ void OpenDialogs::askWhatScan(const QString& name)
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
         if (index < 2) {
             open_.openScan(index == 0 ? ScanUse::Beside : ScanUse::Trace);
+        }
+    });
+    question->open();
+}
+
+/// What each unit would make of it stands on its button.
+void OpenDialogs::askUnit(const QString& name, double unitsAcross)
+{
+    static constexpr std::array unitsMm{1.0, 10.0, 1000.0};
+    const auto size = [unitsAcross](double unitMm) {
+        const double mm = unitsAcross * unitMm;
+        return mm < 10000.0 ? tr("%1 mm across").arg(ui::numberText(mm, mm < 10.0 ? 2 : 0))
+                            : tr("%1 m across").arg(ui::numberText(mm / 1000.0, 0));
+    };
+    auto* question = new ui::QuestionDialog(
+        {tr("What is the unit of the surface?"),
+         tr("“%1” does not say in what unit its points are, and in millimetres it is unusually small or large for "
+            "vessels. The case remembers what you choose.")
+             .arg(name),
+         {}},
+        {tr("mm: %1").arg(size(unitsMm[0])), tr("cm: %1").arg(size(unitsMm[1])), tr("m: %1").arg(size(unitsMm[2])),
+         tr("Cancel")},
+        &window_);
+    question->setObjectName(QStringLiteral("unitQuestion"));
+    connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
+        if (index >= 0 && index < static_cast<int>(unitsMm.size())) {
+            open_.openInUnit(unitsMm[static_cast<std::size_t>(index)]);
         }
     });
     question->open();

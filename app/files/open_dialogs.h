@@ -16,7 +16,7 @@ class MainWindow;
 namespace app {
 
 /// Asks what opening has to know: which files, which series, where moved inputs are, what a further scan or angiogram
-/// is for, whether the open case may go.
+/// is for, the unit of a surface, whether the open case may go.
 class OpenDialogs : public QObject {
     Q_OBJECT
 public:
@@ -32,6 +32,7 @@ private:
     void askForInputs(const QString& casePath, const QStringList& missing, bool areOptional);
     void askWhichView(const QString& name);
     void askWhatScan(const QString& name);
+    void askUnit(const QString& name, double unitsAcross);
     void askToReplace();
 
     ui::MainWindow& window_;

@@ -4,6 +4,7 @@
 #include "core/imaging/patient_match.h"
 #include "ui/actions/key_hint.h"
 #include "ui/words/core_texts.h"
+#include "ui/words/number.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -32,6 +33,10 @@ QStringList notesOf(const LoadedInputs& inputs, const core::RegistrationCase& op
     QStringList notes;
     for (const std::string& warning : inputs.warnings) {
         notes << ui::coreText(warning);
+    }
+    if (!inputs.wholeCase && inputs.vesselInput.unitMm != 1.0) {
+        notes << Words::tr("One unit of the surface is %1 mm, as you chose.")
+                     .arg(ui::briefNumber(inputs.vesselInput.unitMm, 6));
     }
     if (!inputs.wholeCase && opened.angiogram) {   // a case file has compared them itself
         const std::string mismatch = core::findMismatch(opened.scanIdentity, opened.angiogram->identity);

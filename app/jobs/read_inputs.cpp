@@ -6,6 +6,7 @@
 #include "io/centerline2d_file.h"
 #include "io/file_hash.h"
 #include "io/subtraction_file.h"
+#include "io/surface_file.h"
 #include "io/vessel_input_file.h"
 #include "io/volume_file.h"
 
@@ -110,6 +111,14 @@ core::Status addUntraced(LoadedInputs& inputs, const QString& path, const QStrin
     return core::Done{};
 }
 
+/// Surfaces carry no unit. How many it is across where mm make no vessels of it; nothing where they do.
+std::optional<double> doubtfulUnitsAcross(const QString& path)
+{
+    const auto surface = io::readSurface(path.toStdString());
+    const bool isDoubtful = surface && !io::isUsualSize(surface.value().acrossMm);
+    return isDoubtful ? std::optional(surface.value().acrossMm) : std::nullopt;
+}
+
 core::Status addVessels(LoadedInputs& inputs, const QString& path, const OpenHints& hints, const QString& seriesId,
                         const io::ReadObserver& observe)
 {
@@ -128,9 +137,16 @@ core::Status addVessels(LoadedInputs& inputs, const QString& path, const OpenHin
     if (isScan && hints.scanUse == ScanUse::Beside) {
         return addScan(inputs, path, seriesId, observe);
     }
+    if (kind.value() == core::VesselInputKind::Surface && !hints.unitMm) {
+        inputs.askedUnitsAcross = doubtfulUnitsAcross(path);
+        if (inputs.askedUnitsAcross) {
+            return core::Done{};
+        }
+    }
     core::VesselInput input;
     input.kind = kind.value();
     input.seriesId = seriesId.toStdString();
+    input.unitMm = hints.unitMm.value_or(1.0);
     auto read = io::readVessels(path.toStdString(), input, observe);
     if (!read) {
         return isScan && hints.scanUse == ScanUse::TraceOrShow
@@ -181,6 +197,30 @@ core::Status addTarget(LoadedInputs& inputs, const QString& path)
     return core::Done{};
 }
 
+/// Why none of the series can be opened: every reason once, with the series it holds for.
+std::string reasonsOf(const std::vector<io::DicomSeries>& all)
+{
+    if (all.size() == 1) {
+        return all.front().problem;
+    }
+    std::vector<std::pair<std::string, std::string>> namesByReason;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::string name = all[i].description.empty() ? std::to_string(i + 1) : all[i].description;
+        const auto known =
+            std::ranges::find(namesByReason, all[i].problem, [](const auto& each) { return each.first; });
+        if (known == namesByReason.end()) {
+            namesByReason.emplace_back(all[i].problem, name);
+        } else {
+            known->second += ", " + name;
+        }
+    }
+    std::string text = "none of its " + std::to_string(all.size()) + " series can be opened.";
+    for (const auto& [reason, names] : namesByReason) {
+        text += "\n" + names + ": " + reason;
+    }
+    return text;
+}
+
 /// Opens the chosen series of a folder, or the only one; several are offered.
 core::Status addFolder(LoadedInputs& inputs, const QString& path, const OpenHints& hints,
                        const io::ReadObserver& observe)
@@ -201,7 +241,7 @@ core::Status addFolder(LoadedInputs& inputs, const QString& path, const OpenHint
     }
     const auto found = std::find_if(all.begin(), all.end(), opens);
     if (found == all.end()) {
-        return core::Error{path.toStdString() + ": " + all.front().problem};
+        return core::Error{path.toStdString() + ": " + reasonsOf(all)};
     }
     return found->isAngiogram
                ? addImage(inputs, QString::fromStdString(found->slices.front().path))
@@ -265,7 +305,7 @@ core::Result<LoadedInputs> readInputs(const QStringList& paths, const OpenHints&
         if (const auto added = addFile(inputs, paths[i], hints, part); !added) {
             return added.error();
         }
-        if (!inputs.offered.empty()) {
+        if (!inputs.offered.empty() || inputs.askedUnitsAcross) {
             return inputs;
         }
     }

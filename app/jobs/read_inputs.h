@@ -25,6 +25,8 @@ struct LoadedInputs {
     core::InputFile scanFile;   ///< of a scan that is to be seen only: `volume` without a tree
     std::string scanSeriesId;   ///< of `scanFile`, where that is a DICOM folder
     bool isScanAsked = false;   ///< it is a scan: nothing was read, see ScanUse::Ask
+    /// How many units a surface is across that says no unit and is too small or large for mm: nothing else was read.
+    std::optional<double> askedUnitsAcross;
     std::shared_ptr<const core::VesselTree> tree;
     core::InputFile imageFile;
     std::shared_ptr<const core::Angiogram> angiogram;
@@ -47,6 +49,8 @@ struct OpenHints {
     io::MovedInputs moved;   ///< where inputs of a case lie now
     QStringList searchFolders;   ///< where inputs of a case are looked for that are not in their place
     ScanUse scanUse = ScanUse::Trace;   ///< Ask: a scan is not read but told
+    std::optional<double> unitMm =
+        std::nullopt;   ///< of a surface among them; not set: mm where that is plausible, else it is told
     bool withoutOptional = false;   ///< a case opens without what it can do without and is found nowhere
 };
 

@@ -696,6 +696,34 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Keep the open case</source>
         <translation>Beim offenen Fall bleiben</translation>
     </message>
+    <message>
+        <source>%1 mm across</source>
+        <translation>%1 mm groß</translation>
+    </message>
+    <message>
+        <source>%1 m across</source>
+        <translation>%1 m groß</translation>
+    </message>
+    <message>
+        <source>What is the unit of the surface?</source>
+        <translation>In welcher Einheit ist die Oberfläche?</translation>
+    </message>
+    <message>
+        <source>“%1” does not say in what unit its points are, and in millimetres it is unusually small or large for vessels. The case remembers what you choose.</source>
+        <translation>„%1“ sagt nicht, in welcher Einheit die Punkte sind, und in Millimetern wäre sie für Gefäße ungewöhnlich klein oder groß. Der Fall merkt sich die Wahl.</translation>
+    </message>
+    <message>
+        <source>mm: %1</source>
+        <translation>mm: %1</translation>
+    </message>
+    <message>
+        <source>cm: %1</source>
+        <translation>cm: %1</translation>
+    </message>
+    <message>
+        <source>m: %1</source>
+        <translation>m: %1</translation>
+    </message>
 </context>
 <context>
     <name>app::OpenNotes</name>
@@ -706,6 +734,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>The scan is shown without vessels: place a seed or set the threshold in the slices (%1), then trace.</source>
         <translation>Der Scan wird ohne Gefäße gezeigt: Startpunkt setzen oder Schwelle in den Schichten (%1) wählen, dann erfassen.</translation>
+    </message>
+    <message>
+        <source>One unit of the surface is %1 mm, as you chose.</source>
+        <translation>Eine Einheit der Oberfläche ist %1 mm, wie gewählt.</translation>
     </message>
 </context>
 <context>
@@ -4140,6 +4172,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>a scan alone is no case yet: the case file needs traced vessels and an angiogram. Trace the vessels and open an angiogram before saving; the scan itself stays as it is.</source>
         <translation>ein CT allein ist noch kein Fall: die Falldatei braucht erfasste Gefäße und ein Angiogramm. Vor dem Speichern die Gefäße erfassen und ein Angiogramm öffnen; das CT selbst bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>none of its %1 series can be opened.</source>
+        <translation>keine der %1 Serien darin lässt sich öffnen.</translation>
     </message>
     <message>
         <source>after: at this pose</source>

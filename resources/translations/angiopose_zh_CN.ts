@@ -696,6 +696,34 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Keep the open case</source>
         <translation>保留当前病例</translation>
     </message>
+    <message>
+        <source>%1 mm across</source>
+        <translation>宽 %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 m across</source>
+        <translation>宽 %1 m</translation>
+    </message>
+    <message>
+        <source>What is the unit of the surface?</source>
+        <translation>该表面的单位是什么？</translation>
+    </message>
+    <message>
+        <source>“%1” does not say in what unit its points are, and in millimetres it is unusually small or large for vessels. The case remembers what you choose.</source>
+        <translation>“%1”未说明点坐标的单位；若为毫米，则对血管而言异常小或大。病例会记住您的选择。</translation>
+    </message>
+    <message>
+        <source>mm: %1</source>
+        <translation>mm：%1</translation>
+    </message>
+    <message>
+        <source>cm: %1</source>
+        <translation>cm：%1</translation>
+    </message>
+    <message>
+        <source>m: %1</source>
+        <translation>m：%1</translation>
+    </message>
 </context>
 <context>
     <name>app::OpenNotes</name>
@@ -706,6 +734,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>The scan is shown without vessels: place a seed or set the threshold in the slices (%1), then trace.</source>
         <translation>显示的扫描没有血管：请在切片（%1）中放置种子点或设置阈值，然后提取。</translation>
+    </message>
+    <message>
+        <source>One unit of the surface is %1 mm, as you chose.</source>
+        <translation>按您的选择，该表面的一个单位为 %1 mm。</translation>
     </message>
 </context>
 <context>
@@ -4140,6 +4172,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>a scan alone is no case yet: the case file needs traced vessels and an angiogram. Trace the vessels and open an angiogram before saving; the scan itself stays as it is.</source>
         <translation>仅有扫描还不能成为病例：病例文件需要已追踪的血管和造影图像。保存前请先追踪血管并打开造影图像；扫描本身保持不变。</translation>
+    </message>
+    <message>
+        <source>none of its %1 series can be opened.</source>
+        <translation>其中 %1 个序列均无法打开。</translation>
     </message>
     <message>
         <source>after: at this pose</source>

@@ -136,6 +136,10 @@ TEST(WindowFiles, WriteAnOverlayWithItsProvenance)
 /// The sample has vessels and an angiogram: another one could stand beside them.
 void takeInsteadOfWhatIsOpen(OpenWindow& w)
 {
+    for (QDialog* asked : w.dialogs("unitQuestion")) {
+        QTest::mouseClick(asked->findChildren<QPushButton*>().front(), Qt::LeftButton);
+        EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.controller.isLoading(); }, test::patienceMs));
+    }
     for (const auto& [question, verb] : {std::pair{"scanQuestion", QStringLiteral("Trace its vessels")},
                                          std::pair{"viewQuestion", QStringLiteral("Replace the angiogram")}}) {
         for (QDialog* asked : w.dialogs(question)) {

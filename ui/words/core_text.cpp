@@ -158,6 +158,11 @@ QString coreText(const QString& text)
             return *sentence;
         }
     }
+    if (text.contains(QLatin1Char('\n'))) {
+        QStringList lines = text.split(QLatin1Char('\n'));
+        std::ranges::transform(lines, lines.begin(), [](const QString& line) { return coreText(line); });
+        return lines.join(QLatin1Char('\n'));
+    }
     for (const char* separator : {". ", ": ", " · "}) {
         if (auto parts = translatedParts(text, QString::fromUtf8(separator))) {
             return *parts;

@@ -143,6 +143,32 @@ TEST(LoadJob, OffersTheSeriesOfAFolderAndOpensTheChosenOne)
     EXPECT_NE(chosen.error().message.find(folder.path().toStdString()), std::string::npos);
 }
 
+TEST(LoadJob, SaysWhyOfEverySeriesWhereNoneCanBeOpened)
+{
+    const QTemporaryDir folder;
+    const auto add = [&folder](const char* uid, const char* description, const std::vector<double>& position) {
+        static int count = 0;
+        test::CtSlice slice;
+        slice.seriesUid = uid;
+        slice.sopInstanceUid = std::string(uid) + "." + std::to_string(++count);
+        slice.description = description;
+        slice.position = position;
+        slice.pixels.assign(72, 0);
+        written(folder, slice.sopInstanceUid.c_str(), QByteArray::fromStdString(test::ctSlice(slice)));
+    };
+    add("1.2.3", "Scout", {0, 0, 0});
+    add("1.2.5", "Topogram", {0, 0, 7});
+    add("1.2.4", "Montage", {});
+    const auto inputs = readInputs({folder.path()});
+    ASSERT_FALSE(inputs);
+    const std::string& why = inputs.error().message;
+    EXPECT_NE(why.find("none of its 3 series"), std::string::npos) << why;
+    EXPECT_NE(why.find("Montage: its images do not say where"), std::string::npos) << why;
+    EXPECT_TRUE(why.find("Scout, Topogram: it is a single slice") != std::string::npos ||
+                why.find("Topogram, Scout: it is a single slice") != std::string::npos)
+        << why;
+}
+
 TEST(LoadJob, StopsReadingWhenTheObserverSaysSo)
 {
     const QTemporaryDir folder;

@@ -1,0 +1,87 @@
+#include "tests/app/open_window.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <cmath>
+#include <numbers>
+
+namespace app {
+namespace {
+
+using test::OpenWindow;
+
+/// A closed tube along x as an OBJ file, which says no unit.
+QString writeTube(const QTemporaryDir& folder, double length, double radius)
+{
+    constexpr int around = 24, along = 60;
+    QByteArray text;
+    for (int i = 0; i <= along; ++i) {
+        for (int k = 0; k < around; ++k) {
+            const double angle = 2.0 * std::numbers::pi * k / around;
+            text += "v " + QByteArray::number(length * i / along) + ' ' + QByteArray::number(radius * std::cos(angle)) +
+                    ' ' + QByteArray::number(radius * std::sin(angle)) + '\n';
+        }
+    }
+    const auto corner = [](int i, int k) { return QByteArray::number(1 + i * around + k % around) + ' '; };
+    for (int i = 0; i < along; ++i) {
+        for (int k = 0; k < around; ++k) {
+            text += "f " + corner(i, k) + corner(i, k + 1) + corner(i + 1, k + 1) + corner(i + 1, k) + '\n';
+        }
+    }
+    for (const int end : {0, along}) {
+        text += "f ";
+        for (int k = 0; k < around; ++k) {
+            text += corner(end, end == 0 ? around - k : k);
+        }
+        text += '\n';
+    }
+    const QString path = folder.filePath(QStringLiteral("tube.obj"));
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+    return path;
+}
+
+TEST(WindowUnit, IsAskedWhereASurfaceIsTooSmallForMillimetres)
+{
+    const QTemporaryDir folder;
+    OpenWindow w;
+    w.drop({writeTube(folder, 0.24, 0.004)});
+    EXPECT_FALSE(w.current().tree);
+    const QList<QDialog*> asked = w.dialogs("unitQuestion");
+    ASSERT_EQ(asked.size(), 1);
+    OpenWindow::clickButton(asked.front(), QStringLiteral("m: 240 mm across"));
+    ASSERT_TRUE(QTest::qWaitFor([&w] { return w.current().tree != nullptr; }, test::patienceMs));
+    double lengthMm = 0.0;
+    for (const core::VesselBranch& branch : w.current().tree->branches) {
+        lengthMm += branch.lengthMm();
+    }
+    EXPECT_NEAR(lengthMm, 240.0, 24.0);
+    EXPECT_EQ(w.current().vesselInput.unitMm, 1000.0) << "the case remembers";
+}
+
+TEST(WindowUnit, IsMillimetresWhereThatIsUsual)
+{
+    const QTemporaryDir folder;
+    OpenWindow w;
+    w.drop({writeTube(folder, 240.0, 4.0)});
+    EXPECT_TRUE(w.dialogs("unitQuestion").isEmpty());
+    ASSERT_TRUE(w.current().tree);
+    EXPECT_EQ(w.current().vesselInput.unitMm, 1.0);
+}
+
+TEST(WindowUnit, NothingOpensWhereNobodyKnowsIt)
+{
+    const QTemporaryDir folder;
+    OpenWindow w;
+    w.drop({writeTube(folder, 0.24, 0.004)});
+    ASSERT_EQ(w.dialogs("unitQuestion").size(), 1);
+    OpenWindow::clickButton(w.dialogs("unitQuestion").front(), QStringLiteral("Cancel"));
+    QTest::qWait(100);
+    EXPECT_FALSE(w.current().tree);
+    EXPECT_FALSE(w.controller.isLoading());
+}
+
+}   // namespace
+}   // namespace app
