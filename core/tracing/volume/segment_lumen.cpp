@@ -2,6 +2,7 @@
 
 #include "core/imaging/interpolate_grid.h"
 #include "core/support/parallel_for.h"
+#include "core/tracing/volume/bright_pieces.h"
 #include "core/tracing/volume/mark_tubes.h"
 #include "core/tracing/volume/voxel_pieces.h"
 
@@ -22,8 +23,9 @@ constexpr double leastCoreFill = 0.55;
 constexpr double mostFill = 1.6;   ///< brighter: bone, metal, contrast before it has mixed
 constexpr double mostUneven = 0.18;   ///< standard deviation within a core
 constexpr double mostBrightMl = 0.1;   ///< of pieces brighter than blood: calcifications are smaller
-constexpr int coreReach = 2;   ///< voxels from a core to its wall
-constexpr int cortexReach = 2;   ///< voxels from marrow to the shell of its bone
+constexpr double coreReachMm = 1.4;   ///< from a core to its wall; at least two voxels
+constexpr double rimMm = 1.5;   ///< around bone and metal, what blurring makes as bright as blood; at least a voxel
+constexpr double cortexReachMm = 1.4;   ///< from marrow to the shell of its bone; at least two voxels
 constexpr double mostBoneWall = 0.3;   ///< of a vessel's wall
 constexpr double leastCoreShare = 0.2;   ///< of a piece that may lie in bright walls all the same: a stented vessel
 
@@ -35,6 +37,9 @@ public:
           level_(level),
           size_(order.geometry.size),
           threads_(threads),
+          coreReach_(voxelsIn(coreReachMm, 2)),
+          rim_(voxelsIn(rimMm, 1)),
+          cortexReach_(voxelsIn(cortexReachMm, 2)),
           flags_(order.geometry)
     {
     }
@@ -53,6 +58,12 @@ public:
     }
 
 private:
+    /// Along each axis.
+    Eigen::Vector3i voxelsIn(double mm, int least) const
+    {
+        return (mm / order_.geometry.spacingMm.array()).round().cast<int>().max(least);
+    }
+
     template <class Work>
     void eachSlice(TracingProgress& progress, const Work& work)
     {
@@ -85,16 +96,7 @@ private:
         if (progress.isStopped()) {
             return;
         }
-        const double voxelMl = order_.geometry.spacingMm.prod() / 1000.0;
-        const auto pieces = piecesOf(flags_, static_cast<std::size_t>(std::ceil(mostBrightMl / voxelMl)));
-        for (std::uint8_t& flag : flags_.voxels) {
-            flag = flag != 0 ? chalk : std::uint8_t{0};
-        }
-        for (const VoxelPiece& piece : pieces) {
-            for (const std::uint32_t voxel : piece) {
-                flags_.voxels[voxel] = tooBright;
-            }
-        }
+        markBrightPieces(flags_, mostBrightMl, {tooBright, chalk});
     }
 
     void markCores(int k)
@@ -106,11 +108,14 @@ private:
         });
     }
 
-    /// As bright as blood here and two voxels away to all six sides; beyond the rim the scan goes on as it ends.
+    /// As bright as blood here and some way off to all six sides; beyond the rim the scan goes on as it ends.
     bool isEven(int i, int j, int k) const
     {
-        constexpr std::array<std::array<int, 3>, 7> steps{
-            {{0, 0, 0}, {2, 0, 0}, {-2, 0, 0}, {0, 2, 0}, {0, -2, 0}, {0, 0, 2}, {0, 0, -2}}};
+        const int x = coreReach_.x();
+        const int y = coreReach_.y();
+        const int z = coreReach_.z();
+        const std::array<std::array<int, 3>, 7> steps{
+            {{0, 0, 0}, {x, 0, 0}, {-x, 0, 0}, {0, y, 0}, {0, -y, 0}, {0, 0, z}, {0, 0, -z}}};
         double sum = 0.0;
         double squares = 0.0;
         for (const auto& step : steps) {
@@ -127,11 +132,11 @@ private:
         return squares / steps.size() - mean * mean < mostUneven * mostUneven;
     }
 
-    bool isNear(int i, int j, int k, int reach, std::uint8_t what) const
+    bool isNear(int i, int j, int k, const Eigen::Vector3i& reach, std::uint8_t what) const
     {
-        for (int z = std::max(0, k - reach); z <= std::min(size_.z() - 1, k + reach); ++z) {
-            for (int y = std::max(0, j - reach); y <= std::min(size_.y() - 1, j + reach); ++y) {
-                for (int x = std::max(0, i - reach); x <= std::min(size_.x() - 1, i + reach); ++x) {
+        for (int z = std::max(0, k - reach.z()); z <= std::min(size_.z() - 1, k + reach.z()); ++z) {
+            for (int y = std::max(0, j - reach.y()); y <= std::min(size_.y() - 1, j + reach.y()); ++y) {
+                for (int x = std::max(0, i - reach.x()); x <= std::min(size_.x() - 1, i + reach.x()); ++x) {
                     if ((flags_.at(x, y, z) & what) != 0) {
                         return true;
                     }
@@ -148,11 +153,14 @@ private:
         for (int j = 0; j < size_.y(); ++j) {
             for (int i = 0; i < size_.x(); ++i) {
                 const std::uint8_t flag = flags_.at(i, j, k);
+                if (flag == 0 || isNear(i, j, k, rim_, tooBright)) {
+                    continue;
+                }
                 if ((flag & core) != 0) {
                     lumen.at(i, j, k) = 2;
-                } else if (flag != 0 && !isNear(i, j, k, 1, tooBright)) {
-                    const bool isIn =
-                        (flag & bits.tube) != 0 || isNear(i, j, k, 1, bits.tube) || isNear(i, j, k, coreReach, core);
+                } else {
+                    const bool isIn = (flag & bits.tube) != 0 || isNear(i, j, k, Eigen::Vector3i::Ones(), bits.tube) ||
+                                      isNear(i, j, k, coreReach_, core);
                     lumen.at(i, j, k) = isIn ? 1 : 0;
                 }
             }
@@ -187,7 +195,7 @@ private:
             cores += lumen.voxels[voxel] > 1 ? 1 : 0;
             if (isWall(lumen, {i, j, k})) {
                 ++wall;
-                boneWall += isNear(i, j, k, cortexReach, tooBright) ? 1 : 0;
+                boneWall += isNear(i, j, k, cortexReach_, tooBright) ? 1 : 0;
             }
         }
         return static_cast<double>(boneWall) > mostBoneWall * static_cast<double>(wall) &&
@@ -213,6 +221,9 @@ private:
     const BloodLevel& level_;
     Eigen::Vector3i size_;
     int threads_;
+    Eigen::Vector3i coreReach_;   ///< voxels along each axis, as are those below
+    Eigen::Vector3i rim_;
+    Eigen::Vector3i cortexReach_;
     VoxelMask flags_;
 };
 

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/imaging/volume.h"
+
+#include <cstdint>
+
+namespace core {
+
+/// What bright voxels are, by the size of the piece that they belong to.
+struct BrightMarks {
+    std::uint8_t large = 8;   ///< bone, metal
+    std::uint8_t small = 16;   ///< chalk in the wall of a vessel
+};
+
+/// Turns what is set into `marks`. What lies within some millimetres belongs to one piece: where
+/// voxels are fine, the wires of a stent and the beams of bone fall apart. Large pieces have `leastLargeMl` or more.
+void markBrightPieces(VoxelMask& mask, double leastLargeMl, const BrightMarks& marks);
+
+}   // namespace core
