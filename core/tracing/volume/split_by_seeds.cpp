@@ -17,7 +17,7 @@ constexpr std::uint8_t unreached = 1;
 constexpr std::uint8_t vessel = 2;
 constexpr std::uint8_t other = 3;
 constexpr double mostBeyondSection = 1.3;   ///< largest ball over section
-constexpr std::size_t mostTries = 4;   ///< great vessels that a seed is looked for in
+constexpr double leastNeck = 0.45;   ///< of the thinner one's radius, from a seed to a vessel that continues its own
 
 /// A voxel that is next to flooded ones: the widest comes first, of equal ones the earliest.
 struct Shore {
@@ -118,16 +118,16 @@ public:
         for (std::uint8_t& voxel : mask_.voxels) {
             voxel = voxel != 0 ? unreached : 0;
         }
-        const Necks necks = necksOf(mask_, distances_, startsInPatient, progress_);
+        necks_ = necksOf(mask_, distances_, startsInPatient, progress_);
         if (progress_.isStopped()) {
             return;
         }
         Flood flood(mask_, distances_);
         flood.start(startsInPatient, vessel);
         flood.start(options_.avoidInPatient, other);
-        flood.start(voxelsBeyondNecks(distances_, necks), other);
+        flood.start(voxelsBeyondNecks(distances_, necks_), other);
         if (fill_) {
-            flood.start(voxelsOfOtherBlood(distances_, necks.units, fill_), other);
+            flood.start(voxelsOfOtherBlood(distances_, necks_.units, fill_), other);
         }
         flood.run(progress_);
     }
@@ -153,17 +153,16 @@ public:
             }
         }
         split({seed});
-        std::vector<std::vector<Eigen::Vector3d>> candidates = reached(greatVessels);
-        for (std::vector<Eigen::Vector3d>& points : candidates) {
+        std::vector<Eigen::Vector3d> points = continuedIn(greatVessels);
+        if (points.empty()) {
+            return {seed};
+        }
+        split(points);
+        if (!holds(seed)) {   // wider than the stretch that was found
+            points.push_back(seed);
             split(points);
-            if (holds(seed) || progress_.isStopped()) {
-                return points;
-            }
         }
-        if (!candidates.empty()) {
-            split({seed});
-        }
-        return {seed};
+        return points;
     }
 
     /// Points of its axes in this mask, without those from which the way up the distances leads out of it, into
@@ -184,19 +183,27 @@ public:
     }
 
 private:
-    /// After `split`: points of the great vessels that it came to.
-    std::vector<std::vector<Eigen::Vector3d>> reached(const std::vector<GreatVessel>& greatVessels) const
+    /// After `split` for a seed: points of the first great vessel that it leads to on a way about as wide as this and
+    /// the vessel of the seed are; none when there is no such.
+    std::vector<Eigen::Vector3d> continuedIn(const std::vector<GreatVessel>& greatVessels) const
     {
-        std::vector<std::vector<Eigen::Vector3d>> reached;
         for (const GreatVessel& great : greatVessels) {
             std::vector<Eigen::Vector3d> points = middlesOf(great);
             const auto held = std::count_if(points.begin(), points.end(), [this](const auto& p) { return holds(p); });
-            if (reached.size() < mostTries && !points.empty() &&
-                2 * held >= static_cast<std::ptrdiff_t>(points.size())) {
-                reached.push_back(std::move(points));
+            if (2 * held >= static_cast<std::ptrdiff_t>(points.size()) && isContinuedIn(points)) {
+                return points;
             }
         }
-        return reached;
+        return {};
+    }
+
+    bool isContinuedIn(const std::vector<Eigen::Vector3d>& points) const
+    {
+        return std::any_of(points.begin(), points.end(), [this](const Eigen::Vector3d& point) {
+            const std::uint32_t middle = wayToMiddle(*voxelNear(mask_, point), distances_).back();
+            return distances_.unitMm * necks_.units[middle] >=
+                   leastNeck * std::min(necks_.seedRadiusMm, distances_.mm(middle));
+        });
     }
 
     VoxelMask& mask_;
@@ -204,6 +211,7 @@ private:
     const VoxelFill& fill_;
     TracingProgress& progress_;
     DistanceMap distances_;
+    Necks necks_;   ///< of the last split
 };
 
 }   // namespace
