@@ -1,5 +1,6 @@
 #include "core/simulation/simulate_cta.h"
 
+#include "core/simulation/stent_wires.h"
 #include "core/vessel/polyline.h"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ constexpr double trabeculaeHu = 90.0;   ///< standard deviation within the marro
 constexpr double cortexHu = 900.0;
 constexpr double tableHu = 150.0;
 constexpr double calcificationHu = 950.0;
+constexpr double metalHu = 8000.0;   ///< of a stent's wires, before they are blurred
 constexpr double treeShare = 0.72;   ///< of the shortest side of the scan
 
 using FloatGrid = VoxelGrid<float>;
@@ -179,6 +181,14 @@ FloatGrid lumenShares(const VesselTree& tree, const VolumeGeometry& geometry)
     return shares;
 }
 
+void paintTree(Painter& painter, const VesselTree& tree, const VolumeGeometry& geometry, double hu)
+{
+    const FloatGrid shares = lumenShares(tree, geometry);
+    for (std::size_t voxel = 0; voxel < shares.voxels.size(); ++voxel) {
+        painter.blend(voxel, shares.voxels[voxel], hu);
+    }
+}
+
 /// Chalk in the wall, hardly reaching into the lumen.
 void paintCalcifications(Painter& painter, const VesselTree& tree, int count, CounterRandom& random)
 {
@@ -270,9 +280,9 @@ SimulatedCta simulateCta(std::uint64_t seed, const TreeOptions& tree, const CtaO
     paintOrgans(painter, field, random);
     paintSkeleton(painter, field, random);
     paintTable(painter, field);
-    const FloatGrid shares = lumenShares(result.tree, geometry);
-    for (std::size_t voxel = 0; voxel < shares.voxels.size(); ++voxel) {
-        painter.blend(voxel, shares.voxels[voxel], cta.bloodHu);
+    paintTree(painter, result.tree, geometry, cta.bloodHu);
+    if (cta.hasStent) {
+        paintTree(painter, stentWires(result.tree.branches.front()), geometry, metalHu);
     }
     paintCalcifications(painter, result.tree, cta.calcificationCount, random);
     blur(grid, cta.blurVoxels);

@@ -15,6 +15,7 @@ struct CtaOptions {
     double noiseHu = 25.0;   ///< standard deviation, after reconstruction
     double blurVoxels = 0.6;   ///< standard deviation of the point spread
     int calcificationCount = 12;   ///< in the walls
+    bool hasStent = false;   ///< in the first branch
 };
 
 struct SimulatedCta {

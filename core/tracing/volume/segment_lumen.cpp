@@ -4,11 +4,14 @@
 #include "core/support/parallel_for.h"
 #include "core/tracing/volume/bright_pieces.h"
 #include "core/tracing/volume/mark_tubes.h"
+#include "core/tracing/volume/metal_in_blood.h"
+#include "core/tracing/volume/stent_width.h"
 #include "core/tracing/volume/voxel_pieces.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace core {
 namespace {
@@ -17,6 +20,8 @@ constexpr TubeBits bits;
 constexpr std::uint8_t core = 4;   ///< evenly as bright as blood
 constexpr std::uint8_t tooBright = 8;
 constexpr std::uint8_t chalk = 16;   ///< too bright, but in a small piece
+constexpr std::uint8_t metal = 32;   ///< too bright, of a stent with blood within
+constexpr std::uint8_t wallBits = tooBright | metal;
 
 constexpr double leastTubeFill = 0.25;   ///< share of blood in a voxel of a thin vessel
 constexpr double leastCoreFill = 0.55;
@@ -48,6 +53,7 @@ public:
     {
         markTooBright(progress);
         eachSlice(progress, [&](int k) { markCores(k); });
+        openThinStents(progress);
         markTubes(volume_, order_, level_, leastTubeFill, flags_, bits, threads_, progress);
         VoxelMask lumen(order_.geometry);
         eachSlice(progress, [&](int k) { choose(lumen, k); });
@@ -96,7 +102,35 @@ private:
         if (progress.isStopped()) {
             return;
         }
-        markBrightPieces(flags_, mostBrightMl, {tooBright, chalk});
+        const VoxelFill fill = [this](int i, int j, int k) { return fillAt(i, j, k); };
+        markBrightPieces(flags_, mostBrightMl, {tooBright, chalk, metal}, [&](const VoxelPiece& piece) {
+            if (!isMetalInBlood(piece, order_.geometry, level_, fill)) {
+                return false;
+            }
+            stents_.push_back(piece);
+            return true;
+        });
+    }
+
+    /// Wires of a wide vessel are its wall. Those of a thin one blur into each other, so that they are all that is seen
+    /// of it.
+    void openThinStents(TracingProgress& progress)
+    {
+        for (const VoxelPiece& stent : stents_) {
+            if (!isWideStent(stent, flags_, core, threads_, progress)) {
+                for (const std::uint32_t voxel : stent) {
+                    flags_.voxels[voxel] = core;
+                }
+            }
+        }
+        stents_.clear();
+    }
+
+    Eigen::Vector3i placeOf(std::uint32_t voxel) const
+    {
+        const auto at = static_cast<std::ptrdiff_t>(voxel);
+        return {static_cast<int>(at % size_.x()), static_cast<int>(at / size_.x() % size_.y()),
+                static_cast<int>(at / size_.x() / size_.y())};
     }
 
     void markCores(int k)
@@ -153,15 +187,13 @@ private:
         for (int j = 0; j < size_.y(); ++j) {
             for (int i = 0; i < size_.x(); ++i) {
                 const std::uint8_t flag = flags_.at(i, j, k);
-                if (flag == 0 || isNear(i, j, k, rim_, tooBright)) {
+                if (flag == 0 || isNear(i, j, k, rim_, wallBits)) {
                     continue;
                 }
-                if ((flag & core) != 0) {
-                    lumen.at(i, j, k) = 2;
-                } else {
-                    const bool isIn = (flag & bits.tube) != 0 || isNear(i, j, k, Eigen::Vector3i::Ones(), bits.tube) ||
-                                      isNear(i, j, k, coreReach_, core);
-                    lumen.at(i, j, k) = isIn ? 1 : 0;
+                const bool isCore = (flag & core) != 0;
+                if (isCore || (flag & bits.tube) != 0 || isNear(i, j, k, Eigen::Vector3i::Ones(), bits.tube) ||
+                    isNear(i, j, k, coreReach_, core)) {
+                    lumen.at(i, j, k) = isCore ? 2 : 1;
                 }
             }
         }
@@ -188,14 +220,11 @@ private:
         std::size_t wall = 0;
         std::size_t boneWall = 0;
         for (const std::uint32_t voxel : piece) {
-            const auto at = static_cast<std::ptrdiff_t>(voxel);
-            const int i = static_cast<int>(at % size_.x());
-            const int j = static_cast<int>(at / size_.x() % size_.y());
-            const int k = static_cast<int>(at / size_.x() / size_.y());
+            const Eigen::Vector3i at = placeOf(voxel);
             cores += lumen.voxels[voxel] > 1 ? 1 : 0;
-            if (isWall(lumen, {i, j, k})) {
+            if (isWall(lumen, at)) {
                 ++wall;
-                boneWall += isNear(i, j, k, cortexReach_, tooBright) ? 1 : 0;
+                boneWall += isNear(at.x(), at.y(), at.z(), cortexReach_, tooBright) ? 1 : 0;
             }
         }
         return static_cast<double>(boneWall) > mostBoneWall * static_cast<double>(wall) &&
@@ -224,6 +253,7 @@ private:
     Eigen::Vector3i coreReach_;   ///< voxels along each axis, as are those below
     Eigen::Vector3i rim_;
     Eigen::Vector3i cortexReach_;
+    std::vector<VoxelPiece> stents_;
     VoxelMask flags_;
 };
 

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/tracing/volume/axis_order.h"
+#include "core/tracing/volume/blood_level.h"
+#include "core/tracing/volume/touching_vessels.h"
+#include "core/tracing/volume/voxel_pieces.h"
+
+namespace core {
+
+/// Whether a piece that is brighter than blood is a stent: somewhere brighter than any bone, of thin wires, and with
+/// blood beside much of it. Wires in bone, electrodes on the skin, devices and dense contrast medium lack one of these.
+bool isMetalInBlood(const VoxelPiece& piece, const VolumeGeometry& grid, const BloodLevel& level,
+                    const VoxelFill& fill);
+
+}   // namespace core
