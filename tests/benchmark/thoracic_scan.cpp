@@ -51,8 +51,10 @@ double medianOf(std::vector<double> values)
 OutsideRun runOf(const core::VesselBranch& branch, std::size_t first, std::size_t last, const ThoracicScan& thorax)
 {
     std::vector<double> values;
+    double farthestMm = 0.0;
     for (std::size_t i = first; i < last; ++i) {
         values.push_back(thorax.value(branch.pointsInPatient[i]));
+        farthestMm = std::max(farthestMm, thorax.mmToArteries(branch.pointsInPatient[i]));
     }
     const auto radii = branch.radiusMm.begin();
     return {branch.id,
@@ -61,6 +63,7 @@ OutsideRun runOf(const core::VesselBranch& branch, std::size_t first, std::size_
             medianOf(values),
             branch.pointsInPatient[first],
             branch.pointsInPatient[last - 1],
+            farthestMm,
             false};
 }
 
@@ -129,9 +132,21 @@ double ThoracicScan::value(const Eigen::Vector3d& inPatient) const
     return scan.value(scan.geometry.index(at.x(), at.y(), at.z()));
 }
 
+double ThoracicScan::mmToArteries(const Eigen::Vector3d& inPatient) const
+{
+    const core::VolumeGeometry& grid = toArteries.geometry;
+    const Eigen::Vector3i at = nearestVoxel(grid, inPatient).cwiseMax(0).cwiseMin((grid.size.array() - 1).matrix());
+    return toArteries.mm(grid.index(at.x(), at.y(), at.z()));
+}
+
 std::optional<ThoracicScan> readThoracicScan()
 {
-    ThoracicScan thorax{readScan("thoracic-aorta-cta/ct_cropped.nii.gz"), givenArteries(), {}};
+    ThoracicScan thorax{readScan("thoracic-aorta-cta/ct_cropped.nii.gz"), givenArteries(), {}, {}};
+    core::VoxelMask others(thorax.arteries.geometry);
+    std::transform(thorax.arteries.voxels.begin(), thorax.arteries.voxels.end(), others.voxels.begin(),
+                   [](std::uint16_t label) { return static_cast<std::uint8_t>(label == 0 ? 1 : 0); });
+    core::TracingProgress unheard({});
+    thorax.toArteries = core::distanceMap(others, 1, unheard);
     // The masks are a network's, with stubs on their walls that are no vessels.
     auto axes = core::traceLabels(thorax.arteries, {}, {.minBranchLengthMm = 12.0});
     if (thorax.scan.voxels.empty() || !axes) {

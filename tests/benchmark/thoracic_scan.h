@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/imaging/volume.h"
+#include "core/tracing/volume/distance_map.h"
 #include "core/vessel/vessel_tree.h"
 
 #include <Eigen/Core>
@@ -18,10 +19,12 @@ struct ThoracicScan {
     core::Volume scan;
     core::LabelVolume arteries;   ///< 0 elsewhere
     core::VesselTree axes;   ///< of the arteries
+    core::DistanceMap toArteries;   ///< 0 in them
 
     Eigen::Vector3d at(int i, int j, int k) const;   ///< LPS mm of a voxel
     bool isArtery(const Eigen::Vector3d& inPatient) const;
     double value(const Eigen::Vector3d& inPatient) const;   ///< of the scan, HU
+    double mmToArteries(const Eigen::Vector3d& inPatient) const;
 };
 
 std::optional<ThoracicScan> readThoracicScan();
@@ -41,6 +44,7 @@ struct OutsideRun {
     double value = 0.0;
     Eigen::Vector3d from = Eigen::Vector3d::Zero();
     Eigen::Vector3d to = Eigen::Vector3d::Zero();
+    double farthestMm = 0.0;   ///< from the masks
     bool isArterial = false;   ///< as bright as the masked arteries are: a vessel that the masks leave out
 };
 

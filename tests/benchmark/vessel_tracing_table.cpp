@@ -142,13 +142,39 @@ std::string placeOf(const Eigen::Vector3d& point, const core::Volume& scan)
 
 void printOutside(const Course& course, const core::Volume& scan)
 {
-    Table table({"one seed, outside the masks: branch", "length [mm]", "radius [mm]", "HU", "as arteries", "from voxel",
-                 "to voxel"});
+    Table table({"one seed, outside the masks: branch", "length [mm]", "radius [mm]", "HU", "as arteries",
+                 "farthest [mm]", "from voxel", "to voxel"});
     for (const benchmarks::OutsideRun& run : course.outside) {
         if (run.lengthMm >= 2.0) {
             table.add({std::to_string(run.branch), fixed(run.lengthMm, 1), fixed(run.radiusMm, 1), fixed(run.value, 0),
-                       run.isArterial ? "yes" : "no", placeOf(run.from, scan), placeOf(run.to, scan)});
+                       run.isArterial ? "yes" : "no", fixed(run.farthestMm, 1), placeOf(run.from, scan),
+                       placeOf(run.to, scan)});
         }
+    }
+    table.print();
+}
+
+/// Shares of the curve outside the masks, by how far away their runs lead and how bright they are.
+void printReasons(const Course& course)
+{
+    struct Reason {
+        const char* name;
+        double mostMm;
+        double arterialMm = 0.0;
+        double otherMm = 0.0;
+    };
+    std::vector<Reason> reasons{{"within a voxel of the masks", 2.2},
+                                {"within 5 mm: beside the masks, stumps", 5.0},
+                                {"farther: vessels of their own", 1e9}};
+    for (const benchmarks::OutsideRun& run : course.outside) {
+        const auto its = std::find_if(reasons.begin(), reasons.end(),
+                                      [&](const Reason& reason) { return run.farthestMm <= reason.mostMm; });
+        (run.isArterial ? its->arterialMm : its->otherMm) += run.lengthMm;
+    }
+    Table table({"one seed, outside the masks", "as bright as arteries", "other"});
+    for (const Reason& reason : reasons) {
+        table.add(
+            {reason.name, fixed(reason.arterialMm / course.lengthMm, 3), fixed(reason.otherMm / course.lengthMm, 3)});
     }
     table.print();
 }
@@ -178,7 +204,9 @@ void printThoracic()
     addThoracic(table, "seed, heart and veins avoided", core::traceVessels(thorax.scan, options), thorax);
     table.print();
     if (fromSeed) {
-        printOutside(benchmarks::courseOf(fromSeed.value().tree, thorax), thorax.scan);
+        const Course course = benchmarks::courseOf(fromSeed.value().tree, thorax);
+        printReasons(course);
+        printOutside(course, thorax.scan);
     }
 }
 
