@@ -1,5 +1,6 @@
 #include "io/angiogram_file.h"
 
+#include "core/tracing/drawn_mask.h"
 #include "core/tracing/suggest_frame.h"
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/open_dicom.h"
@@ -76,6 +77,9 @@ core::Result<core::Angiogram> readAngiogram(const std::string& path)
         return angiogram;
     }
     core::Angiogram result = std::move(angiogram).value();
+    if (result.frames.size() == 1 && core::drawnMask(result.frames.front())) {
+        result.warnings.emplace_back("The picture is a mask of two levels: its vessels are taken as they are drawn.");
+    }
     result.suggestedFrame = result.frames.size() > 1 ? core::suggestFrame(result.frames, result.polarity) : 0;
     return result;
 }

@@ -1,5 +1,4 @@
 #include "app/cli/commands.h"
-#include "core/tracing/drawn_mask.h"
 #include "core/tracing/steady_frame.h"
 #include "core/tracing/subtract_run.h"
 #include "core/tracing/trace_angiogram.h"
@@ -69,26 +68,6 @@ core::Result<Picture> chosenPicture(const TraceAngiogramArguments& arguments, co
     return Picture{core::steadyFrame(angiogram.frames, frame), "frame " + std::to_string(frame)};
 }
 
-/// What is drawn already is taken as it is drawn, as trace-vessel does with label images.
-core::Result<core::AngiogramTrace> tracedPicture(const core::ImageF& frame, core::Polarity polarity, double sensitivity)
-{
-    core::TraceOptions options;
-    options.sensitivity = sensitivity;
-    auto mask = core::drawnMask(frame);
-    if (!mask) {
-        return core::traceAngiogram(frame, polarity, options);
-    }
-    printMessage("warning: The picture is a mask of two levels: its vessels are taken as they are drawn.");
-    auto curves = core::traceMask(*mask, options);
-    if (!curves) {
-        return curves.error();
-    }
-    core::AngiogramTrace trace;
-    trace.centerline = std::move(curves).value();
-    trace.vesselMask = std::move(*mask);
-    return trace;
-}
-
 core::Status writeTrace(const core::AngiogramTrace& trace, const TraceAngiogramArguments& arguments)
 {
     if (const auto status = io::writeCenterline2d(trace.centerline, arguments.outputPath); !status) {
@@ -114,7 +93,9 @@ int runTraceAngiogram(const TraceAngiogramArguments& arguments)
     if (!picture) {
         return failInput(picture.error().message);
     }
-    const auto trace = tracedPicture(picture.value().frame, angiogram.polarity, arguments.sensitivity);
+    core::TraceOptions options;
+    options.sensitivity = arguments.sensitivity;
+    const auto trace = core::traceAngiogram(picture.value().frame, angiogram.polarity, options);
     if (!trace) {
         return failInput(arguments.imagePath + ": " + trace.error().message);
     }

@@ -20,16 +20,18 @@ std::optional<Mask2d> drawnMask(const ImageF& picture)
     const float margin = edgeShare * (*high - *low);
     const float middle = 0.5F * (*low + *high);
     std::size_t black = 0, white = 0;
-    Mask2d mask(picture.width, picture.height);
-    for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
-        const float value = picture.pixels[i];
+    for (const float value : picture.pixels) {
         black += value <= *low + margin ? 1 : 0;
         white += value >= *high - margin ? 1 : 0;
-        mask.pixels[i] = value > middle ? 255 : 0;
     }
-    const bool isDrawn =
-        static_cast<double>(black + white) >= leastOfLevels * static_cast<double>(mask.pixels.size()) && white < black;
-    return isDrawn ? std::optional(std::move(mask)) : std::nullopt;
+    const auto count = static_cast<double>(picture.pixels.size());
+    if (white >= black || static_cast<double>(black + white) < leastOfLevels * count) {
+        return std::nullopt;
+    }
+    Mask2d mask(picture.width, picture.height);
+    std::ranges::transform(picture.pixels, mask.pixels.begin(),
+                           [middle](float value) { return static_cast<std::uint8_t>(value > middle ? 255 : 0); });
+    return mask;
 }
 
 }   // namespace core

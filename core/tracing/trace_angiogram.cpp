@@ -8,6 +8,7 @@
 #include "core/tracing/burned_in_text.h"
 #include "core/tracing/clutter_level.h"
 #include "core/tracing/curve_refinement.h"
+#include "core/tracing/drawn_mask.h"
 #include "core/tracing/field_mask.h"
 #include "core/tracing/flatten_background.h"
 #include "core/tracing/lines_across.h"
@@ -52,8 +53,7 @@ std::string problemWith(const ImageF& frame)
     }
     if (!isFinite(frame)) {
         return "The angiogram frame has pixels that are not a number (NaN or infinite). Choose another frame, or "
-               "export "
-               "the image again.";
+               "export the image again.";
     }
     const float first = frame.pixels.front();
     if (std::all_of(frame.pixels.begin(), frame.pixels.end(), [first](float value) { return value == first; })) {
@@ -150,12 +150,32 @@ SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options)
     return seen;
 }
 
+/// What was drawn is taken as it is drawn, as label images are.
+Result<AngiogramTrace> traceDrawn(Mask2d drawn, const TraceOptions& options)
+{
+    auto curves = traceMask(drawn, options);
+    if (!curves) {
+        return curves.error();
+    }
+    AngiogramTrace trace;
+    trace.centerline = std::move(curves).value();
+    trace.fieldMask = Mask2d(drawn.width, drawn.height, 255);
+    trace.vesselness = ImageF(drawn.width, drawn.height);
+    std::ranges::transform(drawn.pixels, trace.vesselness.pixels.begin(),
+                           [](std::uint8_t value) { return value != 0 ? 1.0F : 0.0F; });
+    trace.vesselMask = std::move(drawn);
+    return trace;
+}
+
 }   // namespace
 
 Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& options)
 {
     if (const std::string problem = problemWith(frame); !problem.empty()) {
         return Error{problem};
+    }
+    if (auto drawn = drawnMask(frame)) {
+        return traceDrawn(std::move(*drawn), options);
     }
     const ImageF vesselsDark = withVesselsDark(frame, polarity);
     const WorkingSize size = workingSizeOf(frame);

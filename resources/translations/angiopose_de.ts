@@ -4185,6 +4185,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>before: at the start pose</source>
         <translation>vorher: in der Startlage</translation>
     </message>
+    <message>
+        <source>The picture is a mask of two levels: its vessels are taken as they are drawn.</source>
+        <translation>Das Bild ist eine Maske aus zwei Stufen: Die Gefäße werden übernommen, wie sie gezeichnet sind.</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

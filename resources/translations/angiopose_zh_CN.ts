@@ -4185,6 +4185,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>before: at the start pose</source>
         <translation>之前：初始位姿</translation>
     </message>
+    <message>
+        <source>The picture is a mask of two levels: its vessels are taken as they are drawn.</source>
+        <translation>该图像是只有两级灰度的掩膜：血管按所画的样子采用。</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

@@ -211,4 +211,25 @@ TEST(TraceMask, EmptyMaskIsAnError)
     EXPECT_FALSE(core::traceMask(core::Mask2d()));
 }
 
+TEST(TraceAngiogram, TakesADrawnMaskAsItIsDrawn)
+{
+    ImageF drawn(120, 100, 0.0F);
+    for (int y = 10; y < 90; ++y) {
+        for (int x = 57; x <= 63; ++x) {
+            drawn.at(x, y) = 255.0F;
+        }
+    }
+    for (const Polarity polarity : {Polarity::VesselsDark, Polarity::VesselsBright}) {
+        const auto trace = core::traceAngiogram(drawn, polarity);
+        ASSERT_TRUE(trace) << trace.error().message;
+        ASSERT_EQ(trace.value().centerline.curves.size(), 1U) << "one bar, not its two edges";
+        for (const Eigen::Vector2d& point : trace.value().centerline.curves.front().pointsPx) {
+            EXPECT_NEAR(point.x(), 60.0, 1.0);
+        }
+        EXPECT_EQ(trace.value().vesselMask.at(60, 50), 255);
+        EXPECT_EQ(trace.value().vesselMask.at(70, 50), 0);
+        EXPECT_EQ(trace.value().fieldMask.at(0, 0), 255) << "nothing is kept out";
+    }
+}
+
 }   // namespace
