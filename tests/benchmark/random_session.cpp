@@ -4,13 +4,11 @@
 #include "app/files/sample_case.h"
 #include "tests/app/session/random_user.h"
 #include "tests/app/session/session_check.h"
-#include "tests/benchmark/stack_watch.h"
+#include "tests/benchmark/timed_application.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_view.h"
 
 #include <malloc.h>
-#include <QAbstractButton>
-#include <QApplication>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QSaveFile>
@@ -21,138 +19,18 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
-#include <functional>
-#include <map>
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace {
 
-constexpr double handlerLimitMs = 16.0;
-constexpr double lookAtStackMs = 10.0;
 constexpr double leakLimitMiB = 20.0;
-
-double threadMs()
-{
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
 
 /// Of all threads, since the program began.
 double processMs()
 {
     return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-/// What a button says, to be found by; it may be gone after its event.
-QString wordsOn(const QObject& receiver)
-{
-    const auto* button = qobject_cast<const QAbstractButton*>(&receiver);
-    return button ? QStringLiteral(" “%1”").arg(button->text()) : QString();
-}
-
-/// Measures the processor time of every event the loop delivers; events sent from within one count as part of it, and
-/// are told apart in what a slow one consisted of.
-class TimedApplication : public QApplication {
-public:
-    using QApplication::QApplication;
-
-    struct Slow {
-        int count = 0;
-        double worstMs = 0.0;
-        std::map<QString, double> innerMs;   ///< of all `count` together
-        std::vector<std::string> stack;   ///< of the worst, after `lookAtStackMs`
-    };
-
-    bool notify(QObject* receiver, QEvent* event) override
-    {
-        if (depth_ > 1 || !isWatching) {
-            return QApplication::notify(receiver, event);
-        }
-        const QString name = QStringLiteral("%1 · event %2%3")
-                                 .arg(QLatin1String(receiver->metaObject()->className()))
-                                 .arg(event->type())
-                                 .arg(wordsOn(*receiver));
-        const double before = threadMs();
-        if (depth_ == 0) {
-            stackWatch_.begin();
-        }
-        ++depth_;
-        const bool accepted = QApplication::notify(receiver, event);
-        --depth_;
-        const double tookMs = threadMs() - before;
-        if (depth_ > 0) {
-            inner_[name] += tookMs;
-            return accepted;
-        }
-        ++handled;
-        if (tookMs > handlerLimitMs) {
-            note(name, tookMs);
-        }
-        inner_.clear();
-        return accepted;
-    }
-
-    bool isWatching = false;
-    int handled = 0;
-    std::map<QString, Slow> slowest;
-
-private:
-    void note(const QString& name, double tookMs)
-    {
-        Slow& slow = slowest[name];
-        ++slow.count;
-        if (tookMs > slow.worstMs) {
-            slow.worstMs = tookMs;
-            slow.stack = stackWatch_.end();
-        }
-        for (const auto& [inner, ms] : inner_) {
-            slow.innerMs[inner] += ms;
-        }
-    }
-
-    int depth_ = 0;
-    std::map<QString, double> inner_;
-    benchmarks::StackWatch stackWatch_{lookAtStackMs};
-};
-
-/// What slow handlers spent their time with, largest first.
-void printInner(const TimedApplication::Slow& slow)
-{
-    std::vector<std::pair<double, QString>> parts;
-    for (const auto& [name, ms] : slow.innerMs) {
-        parts.emplace_back(ms / slow.count, name);
-    }
-    std::ranges::sort(parts, std::greater());
-    parts.resize(std::min<std::size_t>(parts.size(), 6));
-    for (const auto& [ms, name] : parts) {
-        std::printf("          %5.1f ms on average in %s\n", ms, qPrintable(name));
-    }
-}
-
-/// Where a slow handler was, from the inside out: our own functions, and what the innermost was calling.
-void printStack(const std::vector<std::string>& stack)
-{
-    constexpr std::size_t mostCalled = 3;
-    constexpr std::size_t mostOwn = 5;
-    const auto isOwn = [](const std::string& name) {
-        return name.starts_with("ui::") || name.starts_with("app::") || name.starts_with("core::") ||
-               name.starts_with("io::");
-    };
-    std::vector<std::string> told(stack.begin(), std::ranges::find_if(stack, isOwn));
-    told.resize(std::min(told.size(), mostCalled));
-    std::size_t own = 0;
-    for (const std::string& name : stack) {
-        if (isOwn(name) && own++ < mostOwn) {
-            told.push_back(name);
-        }
-    }
-    for (const std::string& name : told) {
-        std::printf("          in %s\n", name.c_str());
-    }
 }
 
 double heapMiB()
@@ -244,7 +122,7 @@ bool openFirst(app::WindowHost& host, const QElapsedTimer& sinceStart, QStringLi
     return isShown && isOpen;
 }
 
-int run(TimedApplication& application, const QElapsedTimer& sinceStart, int actions, std::uint64_t seed,
+int run(benchmarks::TimedApplication& application, const QElapsedTimer& sinceStart, int actions, std::uint64_t seed,
         QStringList paths)
 {
     app::WindowHost host;
@@ -289,13 +167,7 @@ int run(TimedApplication& application, const QElapsedTimer& sinceStart, int acti
     std::printf("memory: %+.1f MiB (limit %.0f), of the closed case %s\n", grownMiB, leakLimitMiB,
                 closed.areNone() ? "nothing is kept" : "something is KEPT");
     std::printf("after saving and reopening: %s\n", difference.isEmpty() ? "the same" : qPrintable(difference));
-    std::printf("event handlers above %.0f ms of processor time: %s\n", handlerLimitMs,
-                application.slowest.empty() ? "none" : "");
-    for (const auto& [name, slow] : application.slowest) {
-        std::printf("  %4d x, worst %6.1f ms  %s\n", slow.count, slow.worstMs, qPrintable(name));
-        printInner(slow);
-        printStack(slow.stack);
-    }
+    application.printSlow();
     return difference.isEmpty() && grownMiB < leakLimitMiB && closed.areNone() ? 0 : 1;
 }
 
@@ -308,7 +180,7 @@ int main(int argc, char** argv)
     qputenv("XDG_CONFIG_HOME", home.path().toUtf8());
     QElapsedTimer sinceStart;
     sinceStart.start();
-    TimedApplication application(argc, argv);
+    benchmarks::TimedApplication application(argc, argv);
     QApplication::setOrganizationName(QStringLiteral("AngioPose"));
     QApplication::setApplicationName(QStringLiteral("AngioPoseSession"));
     QApplication::setQuitOnLastWindowClosed(false);

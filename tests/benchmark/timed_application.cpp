@@ -1,0 +1,118 @@
+#include "tests/benchmark/timed_application.h"
+
+#include <QAbstractButton>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <functional>
+#include <utility>
+
+namespace benchmarks {
+namespace {
+
+double threadMs()
+{
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+/// What a button says, to be found by; it may be gone after its event.
+QString wordsOn(const QObject& receiver)
+{
+    const auto* button = qobject_cast<const QAbstractButton*>(&receiver);
+    return button ? QStringLiteral(" “%1”").arg(button->text()) : QString();
+}
+
+/// Where a slow handler was, from the inside out: our own functions, and what the innermost was calling.
+void printStack(const std::vector<std::string>& stack)
+{
+    constexpr std::size_t mostCalled = 3;
+    constexpr std::size_t mostOwn = 5;
+    const auto isOwn = [](const std::string& name) {
+        return name.starts_with("ui::") || name.starts_with("app::") || name.starts_with("core::") ||
+               name.starts_with("io::");
+    };
+    std::vector<std::string> told(stack.begin(), std::ranges::find_if(stack, isOwn));
+    told.resize(std::min(told.size(), mostCalled));
+    std::size_t own = 0;
+    for (const std::string& name : stack) {
+        if (isOwn(name) && own++ < mostOwn) {
+            told.push_back(name);
+        }
+    }
+    for (const std::string& name : told) {
+        std::printf("          in %s\n", name.c_str());
+    }
+}
+
+}   // namespace
+
+bool TimedApplication::notify(QObject* receiver, QEvent* event)
+{
+    if (depth_ > 1 || !isWatching) {
+        return QApplication::notify(receiver, event);
+    }
+    const QString name = QStringLiteral("%1 · event %2%3")
+                             .arg(QLatin1String(receiver->metaObject()->className()))
+                             .arg(event->type())
+                             .arg(wordsOn(*receiver));
+    const double before = threadMs();
+    if (depth_ == 0) {
+        stackWatch_.begin();
+    }
+    ++depth_;
+    const bool accepted = QApplication::notify(receiver, event);
+    --depth_;
+    const double tookMs = threadMs() - before;
+    if (depth_ > 0) {
+        inner_[name] += tookMs;
+        return accepted;
+    }
+    ++handled;
+    if (tookMs > handlerLimitMs) {
+        note(name, tookMs);
+    }
+    inner_.clear();
+    return accepted;
+}
+
+void TimedApplication::note(const QString& name, double tookMs)
+{
+    Slow& slow = slowest_[name];
+    ++slow.count;
+    if (tookMs > slow.worstMs) {
+        slow.worstMs = tookMs;
+        slow.stack = stackWatch_.end();
+    }
+    for (const auto& [inner, ms] : inner_) {
+        slow.innerMs[inner] += ms;
+    }
+}
+
+/// What slow handlers spent their time with, largest first.
+void TimedApplication::printInner(const Slow& slow)
+{
+    std::vector<std::pair<double, QString>> parts;
+    for (const auto& [name, ms] : slow.innerMs) {
+        parts.emplace_back(ms / slow.count, name);
+    }
+    std::ranges::sort(parts, std::greater());
+    parts.resize(std::min<std::size_t>(parts.size(), 6));
+    for (const auto& [ms, name] : parts) {
+        std::printf("          %5.1f ms on average in %s\n", ms, qPrintable(name));
+    }
+}
+
+void TimedApplication::printSlow() const
+{
+    std::printf("event handlers above %.0f ms of processor time: %s\n", handlerLimitMs, slowest_.empty() ? "none" : "");
+    for (const auto& [name, slow] : slowest_) {
+        std::printf("  %4d x, worst %6.1f ms  %s\n", slow.count, slow.worstMs, qPrintable(name));
+        printInner(slow);
+        printStack(slow.stack);
+    }
+}
+
+}   // namespace benchmarks
