@@ -10,6 +10,8 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
+#include <algorithm>
+
 namespace app {
 namespace {
 
@@ -137,7 +139,11 @@ TEST(WindowFiles, WriteAnOverlayWithItsProvenance)
 void takeInsteadOfWhatIsOpen(OpenWindow& w)
 {
     for (QDialog* asked : w.dialogs("unitQuestion")) {
-        QTest::mouseClick(asked->findChildren<QPushButton*>().front(), Qt::LeftButton);
+        const QList<QPushButton*> buttons = asked->findChildren<QPushButton*>();
+        const auto millimetres = std::ranges::find_if(
+            buttons, [](const QPushButton* button) { return button->text().startsWith(QLatin1String("mm: ")); });
+        ASSERT_NE(millimetres, buttons.end());
+        QTest::mouseClick(*millimetres, Qt::LeftButton);
         EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.controller.isLoading(); }, test::patienceMs));
     }
     for (const auto& [question, verb] : {std::pair{"scanQuestion", QStringLiteral("Trace its vessels")},
