@@ -5871,6 +5871,10 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <source>AngioPose is a research program, not a medical device.</source>
         <translation>AngioPose ist ein Forschungsprogramm, kein Medizinprodukt.</translation>
     </message>
+    <message>
+        <source>More menus</source>
+        <translation>Weitere Menüs</translation>
+    </message>
 </context>
 <context>
     <name>ui::HelpPage</name>

@@ -5871,6 +5871,10 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <source>AngioPose is a research program, not a medical device.</source>
         <translation>AngioPose 是研究软件，不是医疗器械。</translation>
     </message>
+    <message>
+        <source>More menus</source>
+        <translation>更多菜单</translation>
+    </message>
 </context>
 <context>
     <name>ui::HelpPage</name>

@@ -4,8 +4,23 @@
 #include "ui/words/spoken.h"
 
 #include <QHBoxLayout>
+#include <QToolButton>
 
 namespace ui {
+namespace {
+
+/// The button that stands for menus without room: Qt's own sign for it is drawn for light windows only.
+void showRestOf(QMenuBar& menuBar)
+{
+    if (auto* rest = menuBar.findChild<QToolButton*>(QStringLiteral("qt_menubar_ext_button"))) {
+        rest->setIcon({});
+        rest->setToolButtonStyle(Qt::ToolButtonTextOnly);
+        rest->setText(QStringLiteral("»"));
+        withTip(rest, [] { return HeaderBar::tr("More menus"); });
+    }
+}
+
+}   // namespace
 
 HeaderBar::HeaderBar(QWidget* parent)
     : QWidget(parent), title_(new ElidedLabel("title")), study_(new ElidedLabel("label")), menuBar_(new QMenuBar)
@@ -14,6 +29,7 @@ HeaderBar::HeaderBar(QWidget* parent)
     setAttribute(Qt::WA_StyledBackground);
     menuBar_->setNativeMenuBar(false);
     menuBar_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+    showRestOf(*menuBar_);
     auto* notice = withText(roleLabel("attention"), [] { return tr("Not for clinical use"); });
     notice->setObjectName(QStringLiteral("clinicalNotice"));
     withTip(notice, [] { return tr("AngioPose is a research program, not a medical device."); });

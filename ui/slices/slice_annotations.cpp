@@ -116,12 +116,20 @@ void paintMark(QPainter& painter, const QPointF& at, SliceMarkKind kind, const Q
     }
 }
 
-/// In the middle of an edge; where a corner text reaches so far, to the right of it.
+/// In the middle of an edge; where a corner text reaches so far, to the right of it, or further in where that text
+/// takes the whole edge.
 QRectF letterBox(const QRectF& area, double top, const QRectF& taken)
 {
     QRectF box(area.center().x() - 0.5 * letterWidthPx, top, letterWidthPx, letterHeightPx);
-    if (box.intersects(taken)) {
-        box.moveLeft(std::min(taken.right() + letterGapPx, area.right() - letterWidthPx));
+    if (!box.intersects(taken)) {
+        return box;
+    }
+    if (taken.right() + letterGapPx + letterWidthPx <= area.right()) {
+        box.moveLeft(taken.right() + letterGapPx);
+    } else if (top > area.center().y()) {
+        box.moveBottom(taken.top() - letterGapPx);
+    } else {
+        box.moveTop(taken.bottom() + letterGapPx);
     }
     return box;
 }
