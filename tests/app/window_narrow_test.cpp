@@ -1,4 +1,5 @@
 #include "tests/app/scan_window.h"
+#include "ui/panels/header_bar.h"
 #include "ui/slices/window_bar.h"
 #include "ui/words/language.h"
 #include "ui/words/spoken.h"
@@ -38,19 +39,37 @@ TEST_F(WindowNarrow, NothingOfTheSlicesPageIsCutOffInAnyLanguage)
         for (const QString& language : ui::languages()) {
             ui::applyLanguage(language);
             ui::speakAgain();
-            QTest::qWait(50);
-            EXPECT_EQ(cutOff(page), QStringList()) << size.width() << ' ' << language.toStdString();
+            const bool fits = QTest::qWaitFor([&page] { return cutOff(page).isEmpty(); });   // laid out in turns
+            EXPECT_TRUE(fits) << size.width() << ' ' << language.toStdString() << ": "
+                              << cutOff(page).join(QStringLiteral(", ")).toStdString();
         }
     }
     ui::applyLanguage(ui::languages().front());
     ui::speakAgain();
 }
 
+TEST(HeaderBar, MenusWithoutRoomHaveAVisibleButton)
+{
+    ui::HeaderBar header;
+    for (int i = 0; i < 12; ++i) {
+        header.menuBar()->addMenu(QStringLiteral("A menu of some width"));
+    }
+    header.resize(600, header.sizeHint().height());
+    header.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&header));
+    const auto* rest = header.findChild<QAbstractButton*>(QStringLiteral("qt_menubar_ext_button"));
+    ASSERT_TRUE(rest);
+    EXPECT_TRUE(rest->isVisible());
+    EXPECT_EQ(rest->text(), QStringLiteral("»"));
+    EXPECT_LE(rest->fontMetrics().horizontalAdvance(rest->text()), rest->width());
+    EXPECT_FALSE(rest->toolTip().isEmpty());
+}
+
 TEST_F(WindowNarrow, PresetsWithoutRoomWaitInAMenu)
 {
     w.window.resize(960, 600);
-    QTest::qWait(50);
-    ASSERT_TRUE(w.window.slicesPage().bar().isFolded());
+    const ui::WindowBar& bar = w.window.slicesPage().bar();
+    ASSERT_TRUE(QTest::qWaitFor([&bar] { return bar.isFolded(); }));
     const auto* menu = w.window.slicesPage().bar().findChild<QMenu*>();
     ASSERT_TRUE(menu);
     model().setWindow({600.0, 200.0});
@@ -58,8 +77,7 @@ TEST_F(WindowNarrow, PresetsWithoutRoomWaitInAMenu)
     EXPECT_EQ(model().window().width, 2000.0) << menu->actions()[1]->text().toStdString();
 
     w.window.resize(1700, 1000);
-    QTest::qWait(50);
-    EXPECT_FALSE(w.window.slicesPage().bar().isFolded());
+    EXPECT_TRUE(QTest::qWaitFor([&bar] { return !bar.isFolded(); }));
 }
 
 TEST_F(WindowNarrow, ThePanelLiesBelowTheSlicesWhereItHasNoRoomBesideThem)
@@ -69,11 +87,9 @@ TEST_F(WindowNarrow, ThePanelLiesBelowTheSlicesWhereItHasNoRoomBesideThem)
         return panel - view(BodyPlane::Axial).mapTo(&w.window.slicesPage(), QPoint(0, 0));
     };
     w.window.resize(1700, 1000);
-    QTest::qWait(50);
-    EXPECT_GT(panelFromSlices().x(), 200);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return panelFromSlices().x() > 200; }));
     w.window.resize(960, 600);
-    QTest::qWait(50);
-    EXPECT_LT(panelFromSlices().x(), 20);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return panelFromSlices().x() < 20; }));
     EXPECT_GT(panelFromSlices().y(), 100);
     EXPECT_GT(view(BodyPlane::Axial).width(), 120);
 }
