@@ -2,7 +2,7 @@
 #include "app/files/recent_cases.h"
 #include "tests/app/open_window.h"
 
-#include <QDirIterator>
+#include <QDir>
 #include <QMenu>
 #include <QPainter>
 #include <QStandardPaths>
@@ -13,15 +13,10 @@ namespace {
 
 using test::OpenWindow;
 
-int picturesStored()
+qsizetype picturesStored()
 {
-    QDirIterator files(QStandardPaths::writableLocation(QStandardPaths::CacheLocation), {QStringLiteral("*.png")},
-                       QDir::Files, QDirIterator::Subdirectories);
-    int count = 0;
-    for (; files.hasNext(); files.next()) {
-        ++count;
-    }
-    return count;
+    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/cases"));
+    return folder.entryList({QStringLiteral("*.png")}, QDir::Files).size();
 }
 
 QList<QPushButton*> recentButtons(const OpenWindow& w)

@@ -185,6 +185,7 @@ int main(int argc, char** argv)
     const QTemporaryDir home;
     qputenv("XDG_DATA_HOME", home.path().toUtf8());
     qputenv("XDG_CONFIG_HOME", home.path().toUtf8());
+    qputenv("XDG_CACHE_HOME", home.path().toUtf8());
     QElapsedTimer sinceStart;
     sinceStart.start();
     benchmarks::TimedApplication application(argc, argv);
