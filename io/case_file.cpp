@@ -254,7 +254,7 @@ core::Status saveCase(const RegistrationCase& registrationCase, const std::strin
         return fileError(path, unsavable);
     }
     RegistrationCase hashed = registrationCase;
-    if (const auto completed = completeFiles(hashed, path); !completed) {
+    if (auto completed = completeFiles(hashed, path); !completed) {
         return completed;
     }
     try {

@@ -10,6 +10,7 @@
 #include <QKeyEvent>
 #include <QMimeData>
 #include <QPlainTextEdit>
+#include <QScrollArea>
 
 // What reaches the window from outside: closing, dropped files, and the keys that are held or repeat.
 

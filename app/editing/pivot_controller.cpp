@@ -47,7 +47,7 @@ void PivotController::backToCentroid()
     }
 }
 
-void PivotController::change(std::optional<Eigen::Vector3d> pivot, const ui::Words& name, const QString& note)
+void PivotController::change(const std::optional<Eigen::Vector3d>& pivot, const ui::Words& name, const QString& note)
 {
     if (document_.push(std::make_unique<PickPivot>(document_, PickPivot::Values{pivot}, name))) {
         window_.actions()[ui::Command::PickPivot]->setChecked(false);

@@ -26,7 +26,7 @@ signals:
     void told(const QString& what);
 
 private:
-    void change(std::optional<Eigen::Vector3d> pivot, const ui::Words& name, const QString& note);
+    void change(const std::optional<Eigen::Vector3d>& pivot, const ui::Words& name, const QString& note);
     void followDocument();
 
     CaseDocument& document_;

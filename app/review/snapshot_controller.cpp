@@ -21,7 +21,7 @@ bool isSame(const core::RigidTransform& a, const core::RigidTransform& b)
 QString freeName(const std::vector<core::PoseSnapshot>& snapshots)
 {
     for (int number = 1;; ++number) {
-        const QString name = SnapshotController::tr("Pose %1").arg(number);
+        QString name = SnapshotController::tr("Pose %1").arg(number);
         if (std::ranges::find(snapshots, name.toStdString(), &core::PoseSnapshot::name) == snapshots.end()) {
             return name;
         }
@@ -216,6 +216,7 @@ void SnapshotController::followDocument()
         }
     }
     std::vector<std::string> listed;
+    listed.reserve(snapshots.size());
     for (const core::PoseSnapshot& each : snapshots) {
         listed.push_back(std::to_string(each.id) + "\n" + each.name + "\n" + each.author + "\n" + each.note);
     }

@@ -27,7 +27,9 @@ std::vector<float> sampleOf(const ImageF& frame)
 /// Drops a large border of one extreme value.
 void keepExposedField(std::vector<float>& sample)
 {
-    const auto [lowest, highest] = std::ranges::minmax(sample);
+    const auto range = std::ranges::minmax(sample);
+    const float lowest = range.min;
+    const float highest = range.max;
     const auto count = static_cast<double>(sample.size());
     const auto atLowest = static_cast<double>(std::ranges::count(sample, lowest));
     const auto atHighest = lowest < highest ? static_cast<double>(std::ranges::count(sample, highest)) : 0.0;

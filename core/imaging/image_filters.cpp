@@ -15,12 +15,14 @@ std::vector<float> gaussianHalfKernel(double sigmaPx)
 {
     const int reach = static_cast<int>(std::ceil(3.0 * sigmaPx));
     std::vector<double> weights;
+    weights.reserve(static_cast<std::size_t>(reach) + 1);
     double sum = 0.0;
     for (int i = 0; i <= reach; ++i) {
         weights.push_back(std::exp(-0.5 * i * i / (sigmaPx * sigmaPx)));
         sum += i == 0 ? weights.back() : 2.0 * weights.back();
     }
     std::vector<float> kernel;
+    kernel.reserve(weights.size());
     for (const double weight : weights) {
         kernel.push_back(static_cast<float>(weight / sum));
     }
@@ -160,6 +162,7 @@ ImageF enlarged(const ImageF& image, int factor, int width, int height)
         return Tap{first, std::min(first + 1, size - 1), inside - static_cast<float>(first)};
     };
     std::vector<Tap> columns;
+    columns.reserve(static_cast<std::size_t>(width));
     for (int x = 0; x < width; ++x) {
         columns.push_back(tap(x, image.width));
     }

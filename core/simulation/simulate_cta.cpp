@@ -208,6 +208,7 @@ void blur(FloatGrid& grid, double sigmaVoxels)
 {
     const int reach = static_cast<int>(std::ceil(3.0 * sigmaVoxels));
     std::vector<float> kernel;
+    kernel.reserve(2 * static_cast<std::size_t>(reach) + 1);
     float sum = 0.0F;
     for (int n = -reach; n <= reach; ++n) {
         kernel.push_back(static_cast<float>(std::exp(-0.5 * n * n / (sigmaVoxels * sigmaVoxels))));
@@ -230,9 +231,9 @@ void blur(FloatGrid& grid, double sigmaVoxels)
                     }
                     for (int n = 0; n < count; ++n) {
                         float value = 0.0F;
-                        for (int step = -reach; step <= reach; ++step) {
-                            value += kernel[static_cast<std::size_t>(step + reach)] *
-                                     line[static_cast<std::size_t>(std::clamp(n + step, 0, count - 1))];
+                        for (std::size_t tap = 0; tap < kernel.size(); ++tap) {
+                            const int at = std::clamp(n + static_cast<int>(tap) - reach, 0, count - 1);
+                            value += kernel[tap] * line[static_cast<std::size_t>(at)];
                         }
                         first[n * strides[axis]] = value / sum;
                     }

@@ -32,7 +32,8 @@ VesselTree stentWires(const VesselBranch& branch, const StentOptions& options)
         const Eigen::Vector3d across = tangents[n].cross(aside);
         turn += n > first ? slope * (axis[n] - axis[n - 1]).norm() / radii[n] : 0.0;
         for (std::size_t w = 0; w < wires.branches.size(); ++w) {
-            const double start = 2.0 * std::numbers::pi * static_cast<double>(w / 2) / options.helices;
+            const std::size_t helix = w / 2;
+            const double start = 2.0 * std::numbers::pi * static_cast<double>(helix) / options.helices;
             const double angle = start + (w % 2 == 0 ? turn : -turn);
             wires.branches[w].pointsInPatient.emplace_back(
                 axis[n] + radii[n] * (std::cos(angle) * aside + std::sin(angle) * across));

@@ -34,6 +34,7 @@ std::vector<Band> bandsOf(int width, int height)
         return {{0, height}};
     }
     std::vector<Band> bands;
+    bands.reserve(static_cast<std::size_t>(bandCount));
     for (int k = 0; k < bandCount; ++k) {
         bands.push_back({(2 * k + 1) * height / (2 * bandCount) - bandRows / 2, bandRows});
     }

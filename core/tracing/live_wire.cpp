@@ -111,7 +111,8 @@ LiveWire::Pixel LiveWire::snapped(const Eigen::Vector2d& pointPx) const
 Eigen::Vector2d LiveWire::pointOf(Pixel pixel) const
 {
     const auto width = static_cast<Pixel>(vesselness_.width);
-    return {static_cast<double>(pixel % width), static_cast<double>(pixel / width)};
+    const Pixel row = pixel / width;
+    return {static_cast<double>(pixel % width), static_cast<double>(row)};
 }
 
 bool LiveWire::searchUntil(Pixel target)

@@ -105,7 +105,7 @@ SkeletonGraph withCrossingsMerged(SkeletonGraph graph, double crossingPx)
             continue;
         }
         const int centre = static_cast<int>(graph.nodesPx.size());
-        graph.nodesPx.push_back(0.5 * (edge.pointsPx.front() + edge.pointsPx.back()));
+        graph.nodesPx.emplace_back(0.5 * (edge.pointsPx.front() + edge.pointsPx.back()));
         for (const auto* group : {&ofStart, &ofEnd}) {
             for (const Arm arm : *group) {
                 if (arm / 2 != i) {

@@ -49,8 +49,9 @@ private:
 
     Eigen::Vector2d pointOf(std::size_t p) const
     {
-        return {static_cast<double>(p % static_cast<std::size_t>(skeleton_.width)),
-                static_cast<double>(p / static_cast<std::size_t>(skeleton_.width))};
+        const auto width = static_cast<std::size_t>(skeleton_.width);
+        const std::size_t row = p / width;
+        return {static_cast<double>(p % width), static_cast<double>(row)};
     }
 
     int addNode(const std::vector<std::size_t>& pixels)
@@ -62,7 +63,7 @@ private:
             nodeAt_.pixels[p] = node;
             seen_.pixels[p] = 255;
         }
-        graph_.nodesPx.push_back(sum / static_cast<double>(pixels.size()));
+        graph_.nodesPx.emplace_back(sum / static_cast<double>(pixels.size()));
         return node;
     }
 

@@ -1,5 +1,7 @@
 #include "core/tracing/thin_mask.h"
 
+#include "core/support/cell_index.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -56,7 +58,7 @@ public:
     }
 
 private:
-    std::size_t rimmed(int x, int y) const { return static_cast<std::size_t>((y + 1) * stride_ + x + 1); }
+    std::size_t rimmed(int x, int y) const { return cellIndex(y + 1, stride_, x + 1); }
     std::size_t neighbour(std::size_t p, std::size_t k) const { return p + static_cast<std::size_t>(neighbours_[k]); }
 
     bool isDeletable(std::size_t p) const

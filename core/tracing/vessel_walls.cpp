@@ -49,9 +49,10 @@ Profile meanProfile(const std::vector<Profile>& profiles, std::size_t centre)
 /// Steps from `peak` in direction ±1 to where the profile falls to `level`, with fraction; nothing if it does not.
 std::optional<double> fallBelow(const Profile& profile, int peak, int direction, double level)
 {
+    const auto valueAt = [&profile](int k) { return profile[static_cast<std::size_t>(k)]; };
     for (int k = peak; k + direction >= 0 && k + direction < static_cast<int>(profile.size()); k += direction) {
-        const double here = profile[static_cast<std::size_t>(k)];
-        const double next = profile[static_cast<std::size_t>(k + direction)];
+        const double here = valueAt(k);
+        const double next = valueAt(k + direction);
         if (here >= level && next < level) {
             return std::abs(k - peak) + (here - level) / (here - next);
         }

@@ -96,7 +96,7 @@ LineTaps lineTaps(double angle, double reachPx)
     LineTaps taps;
     float sum = 0.0F;
     for (std::size_t i = 0; i < tapCount; ++i) {
-        const double place = static_cast<double>(i) / (tapCount / 2) - 1.0;   // -1 … 1
+        const double place = 2.0 * static_cast<double>(i) / (tapCount - 1) - 1.0;   // -1 … 1
         const double along = place * reachPx;
         taps.dx[i] = static_cast<int>(std::lround(along * std::cos(angle)));
         taps.dy[i] = static_cast<int>(std::lround(along * std::sin(angle)));

@@ -45,7 +45,7 @@ core::Status completeView(RegistrationCase& hashed, const std::string& path, std
 
 core::Status completeFiles(RegistrationCase& hashed, const std::string& path)
 {
-    if (const auto completed = completeView(hashed, path, std::nullopt); !completed) {
+    if (auto completed = completeView(hashed, path, std::nullopt); !completed) {
         return completed;
     }
     std::erase_if(hashed.otherViews,
@@ -57,7 +57,7 @@ core::Status completeFiles(RegistrationCase& hashed, const std::string& path)
             continue;
         }
         RegistrationCase view = *other.view;
-        if (const auto completed = completeView(view, path, k); !completed) {
+        if (auto completed = completeView(view, path, k); !completed) {
             return completed;
         }
         other.view = std::make_shared<const RegistrationCase>(std::move(view));

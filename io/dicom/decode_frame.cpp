@@ -57,7 +57,7 @@ bool isWhole(std::string_view compressed)
 
 gdcm::DataElement pixelElement(std::string_view compressed)
 {
-    const gdcm::SmartPointer<gdcm::SequenceOfFragments> fragments = new gdcm::SequenceOfFragments;
+    const gdcm::SmartPointer<gdcm::SequenceOfFragments> fragments = gdcm::SequenceOfFragments::New();
     gdcm::Fragment fragment;
     fragment.SetByteValue(compressed.data(), static_cast<std::uint32_t>(compressed.size()));
     fragments->AddFragment(fragment);

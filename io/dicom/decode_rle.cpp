@@ -13,7 +13,8 @@ bool unpack(std::string_view segment, char* out, std::size_t count, std::size_t 
 {
     std::size_t done = 0;
     for (std::size_t at = 0; at < segment.size() && done < count;) {
-        const int control = static_cast<signed char>(segment[at++]);
+        const int byte = static_cast<unsigned char>(segment[at++]);
+        const int control = byte < 128 ? byte : byte - 256;
         if (control == -128) {
             continue;
         }

@@ -3,6 +3,8 @@
 #include <iconv.h>
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstdint>
 
 namespace io {
 namespace {
@@ -43,12 +45,13 @@ bool isAscii(std::string_view text)
 
 std::string converted(std::string_view text, const char* from)
 {
+    const auto none = std::bit_cast<iconv_t>(std::intptr_t{-1});
     const iconv_t converter = iconv_open("UTF-8", from);
     std::string result;
     std::array<char, 256> block;
     char* in = const_cast<char*>(text.data());
     std::size_t left = text.size();
-    while (left > 0 && converter != reinterpret_cast<iconv_t>(-1)) {
+    while (left > 0 && converter != none) {
         char* out = block.data();
         std::size_t room = block.size();
         const bool failed = iconv(converter, &in, &left, &out, &room) == static_cast<std::size_t>(-1);
@@ -59,7 +62,7 @@ std::string converted(std::string_view text, const char* from)
             --left;
         }
     }
-    if (converter != reinterpret_cast<iconv_t>(-1)) {
+    if (converter != none) {
         iconv_close(converter);
     }
     return result;

@@ -26,7 +26,7 @@ struct PixelLayout {
 
 /// Larger runs do not fit: a frame is kept as float.
 inline constexpr std::size_t maxRunPixels = 220'000'000;
-inline constexpr std::size_t maxFramePixels = 8192 * 8192;
+inline constexpr std::size_t maxFramePixels = std::size_t{8192} * 8192;
 
 /// Fails when the file holds no image, or one this program cannot show, or more than `maxPixels` in all its frames.
 core::Result<PixelLayout> pixelLayoutOf(const DicomFile& file, const std::string& path,

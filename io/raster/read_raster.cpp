@@ -32,7 +32,8 @@ std::optional<RasterShape> shapeOf(const itk::ImageIOBase& reader)
         reader.GetNumberOfComponents() > 4) {
         return std::nullopt;
     }
-    const std::size_t bytesPerPixel = sizeof(float) + reader.GetComponentSize() * reader.GetNumberOfComponents();
+    const std::size_t bytesPerPixel =
+        sizeof(float) + std::size_t{reader.GetComponentSize()} * reader.GetNumberOfComponents();
     if (width * height > maxBytes / bytesPerPixel / frames) {
         return std::nullopt;
     }

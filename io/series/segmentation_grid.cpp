@@ -65,6 +65,7 @@ core::Result<SegmentationGrid> segmentationGrid(const std::vector<SliceRecord>& 
     }
     const Eigen::Vector3d normal = normalOf(first);
     std::vector<double> depths;
+    depths.reserve(frames.size());
     for (const SliceRecord& frame : frames) {
         depths.push_back(normal.dot(*frame.position));
     }

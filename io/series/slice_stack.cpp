@@ -126,6 +126,7 @@ void placeLayers(const std::vector<double>& places, SliceStack& stack, double& s
 std::vector<Eigen::Vector2d> slantOf(const std::vector<SliceRecord>& slices)
 {
     std::vector<Eigen::Vector2d> offsets;
+    offsets.reserve(slices.size());
     for (const SliceRecord& slice : slices) {
         offsets.emplace_back(slices.front().axes->transpose() * (*slice.position - *slices.front().position));
     }
@@ -172,6 +173,7 @@ SliceStack stackOf(const std::vector<SliceRecord>& slices)
         return stack;
     }
     std::vector<double> places;
+    places.reserve(slices.size());
     const Eigen::Vector3d normal = normalOf(slices.front());
     for (const SliceRecord& slice : slices) {
         places.push_back(normal.dot(*slice.position));

@@ -197,6 +197,7 @@ bool readEntry(PlyBody& body, const Element& element, PolygonSet& set)
         }
         if (element.name == "face" && isList && property.name.starts_with("vertex_ind")) {
             std::vector<std::size_t> polygon;
+            polygon.reserve(values.size());
             for (const double value : values) {
                 polygon.push_back(value >= 0.0 && value < 4e9 ? static_cast<std::size_t>(value) : std::size_t(-1));
             }

@@ -25,7 +25,7 @@ PolygonSet parseBinary(std::string_view content)
     const std::size_t count = declaredTriangles(content);
     for (std::size_t i = 0; i < count; ++i) {
         const char* corners = content.data() + headSize + i * triangleSize + 12;   // after the normal
-        for (int k = 0; k < 3; ++k) {
+        for (std::size_t k = 0; k < 3; ++k) {
             float point[3];
             std::memcpy(point, corners + 12 * k, sizeof point);
             set.points.emplace_back(point[0], point[1], point[2]);

@@ -121,7 +121,7 @@ double largestDifference(const NiftiMap& a, const NiftiMap& b, const NiftiHeader
 /// Which of the two maps places the voxels in the patient. Codes above 2 mean an atlas.
 NiftiMap mapOf(const NiftiHeader& header, std::vector<std::string>& warnings)
 {
-    const NiftiMap qform = qformOf(header);
+    NiftiMap qform = qformOf(header);
     const bool hasQform = header.qformCode > 0 && isInvertible(qform);
     const bool hasSform = header.sformCode > 0 && isInvertible(header.sform);
     if (hasQform && hasSform) {

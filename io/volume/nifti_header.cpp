@@ -64,11 +64,12 @@ NiftiHeader headerOne(std::string_view head, bool isSwapped)
     header.units = in.at<std::uint8_t>(123);
     header.qformCode = in.at<std::int16_t>(252);
     header.sformCode = in.at<std::int16_t>(254);
-    for (int i = 0; i < 3; ++i) {
-        header.quaternion[i] = in.at<float>(static_cast<std::size_t>(256 + 4 * i));
-        header.quaternionOffset[i] = in.at<float>(static_cast<std::size_t>(268 + 4 * i));
-        for (int k = 0; k < 4; ++k) {
-            header.sform(i, k) = in.at<float>(static_cast<std::size_t>(280 + 16 * i + 4 * k));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        header.quaternion[row] = in.at<float>(256 + 4 * i);
+        header.quaternionOffset[row] = in.at<float>(268 + 4 * i);
+        for (std::size_t k = 0; k < 4; ++k) {
+            header.sform(row, static_cast<Eigen::Index>(k)) = in.at<float>(280 + 16 * i + 4 * k);
         }
     }
     return header;
@@ -90,11 +91,12 @@ NiftiHeader headerTwo(std::string_view head, bool isSwapped)
     header.intercept = in.at<double>(184);
     header.qformCode = in.at<std::int32_t>(344);
     header.sformCode = in.at<std::int32_t>(348);
-    for (int i = 0; i < 3; ++i) {
-        header.quaternion[i] = in.at<double>(static_cast<std::size_t>(352 + 8 * i));
-        header.quaternionOffset[i] = in.at<double>(static_cast<std::size_t>(376 + 8 * i));
-        for (int k = 0; k < 4; ++k) {
-            header.sform(i, k) = in.at<double>(static_cast<std::size_t>(400 + 32 * i + 8 * k));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        header.quaternion[row] = in.at<double>(352 + 8 * i);
+        header.quaternionOffset[row] = in.at<double>(376 + 8 * i);
+        for (std::size_t k = 0; k < 4; ++k) {
+            header.sform(row, static_cast<Eigen::Index>(k)) = in.at<double>(400 + 32 * i + 8 * k);
         }
     }
     header.units = in.at<std::int32_t>(500);

@@ -90,7 +90,7 @@ core::Status forEachChunk(const StoredVolume& stored, const ReadObserver& observ
             return cutShort(stored);
         }
         toHostOrder(chunk, count, stored.isBigEndian);
-        if (const core::Status used = use(chunk, count, first); !used) {
+        if (core::Status used = use(chunk, count, first); !used) {
             return used;
         }
     }

@@ -66,12 +66,14 @@ std::string niftiHeader(const core::VolumeGeometry& geometry, double slope, doub
         quaternion.coeffs() *= -1.0;
     }
     const Eigen::Vector3d origin = lpsFromRas(Eigen::Vector3d(geometry.originInPatient));
-    for (int i = 0; i < 3; ++i) {
-        put(header, static_cast<std::size_t>(256 + 4 * i), static_cast<float>(quaternion.vec()[i]));
-        put(header, static_cast<std::size_t>(268 + 4 * i), static_cast<float>(origin[i]));
-        for (int k = 0; k < 4; ++k) {
-            const double value = k < 3 ? axes(i, k) * geometry.spacingMm[k] : origin[i];
-            put(header, static_cast<std::size_t>(280 + 16 * i + 4 * k), static_cast<float>(value));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        put(header, 256 + 4 * i, static_cast<float>(quaternion.vec()[row]));
+        put(header, 268 + 4 * i, static_cast<float>(origin[row]));
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto axis = static_cast<Eigen::Index>(k);
+            const double value = k < 3 ? axes(row, axis) * geometry.spacingMm[axis] : origin[row];
+            put(header, 280 + 16 * i + 4 * k, static_cast<float>(value));
         }
     }
     putText(header, 344, std::string_view("n+1\0", 4));

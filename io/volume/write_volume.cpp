@@ -135,7 +135,7 @@ core::Status writeNrrd(const core::VolumeGeometry& geometry, const Encoding& enc
 core::Status writeMetaImage(const core::VolumeGeometry& geometry, const Encoding& encoding, AtomicFile& file)
 {
     std::size_t packedBytes = 0;
-    const auto counted = packInto(encoding.bytes, 15, [&](Bytes bytes) {
+    auto counted = packInto(encoding.bytes, 15, [&](Bytes bytes) {
         packedBytes += bytes.size();
         return core::Status(core::Done{});
     });

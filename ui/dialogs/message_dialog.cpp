@@ -36,7 +36,7 @@ QVBoxLayout* makeBody(QDialog* dialog, const Message& message)
 
 }   // namespace
 
-MessageDialog::MessageDialog(Message message, QWidget* parent) : QDialog(parent)
+MessageDialog::MessageDialog(const Message& message, QWidget* parent) : QDialog(parent)
 {
     setObjectName(QStringLiteral("messageDialog"));
     auto* layout = makeBody(this, message);

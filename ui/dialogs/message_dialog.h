@@ -15,7 +15,7 @@ struct Message {
 class MessageDialog : public QDialog {
     Q_OBJECT
 public:
-    MessageDialog(Message message, QWidget* parent);
+    MessageDialog(const Message& message, QWidget* parent);
 
     static void show(const Message& message, QWidget* parent);
 };

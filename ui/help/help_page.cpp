@@ -94,7 +94,7 @@ QString HelpPage::pageAbout(const QWidget* widget)
 {
     loadPages();
     for (; widget && !widget->isWindow(); widget = widget->parentWidget()) {
-        const QString page = pageOfClass(*widget);
+        QString page = pageOfClass(*widget);
         if (QFile::exists(QStringLiteral(":/help/%1.md").arg(page))) {
             return page;
         }

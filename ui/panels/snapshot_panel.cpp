@@ -150,11 +150,11 @@ void SnapshotPanel::addRuns(const std::vector<core::PoseSnapshot>& snapshots)
     auto* group = new QTreeWidgetItem(list_, {QString(), tr("Runs (%1)").arg(count), QString()});
     group->setFlags(Qt::ItemIsEnabled);
     group->setForeground(Name, toQColor(activePalette().label));
-    for (auto run = snapshots.rbegin(); run != snapshots.rend(); ++run) {   // newest first
-        if (run->kind == core::SnapshotKind::Run) {
-            fillItem(*new QTreeWidgetItem(group), *run);
+    std::for_each(snapshots.rbegin(), snapshots.rend(), [&](const core::PoseSnapshot& run) {   // newest first
+        if (run.kind == core::SnapshotKind::Run) {
+            fillItem(*new QTreeWidgetItem(group), run);
         }
-    }
+    });
     group->setExpanded(areRunsUnfolded_);
 }
 

@@ -14,7 +14,7 @@ constexpr int pictureSize = 84;
 QPixmap pixmapOf(const core::ColorImage& picture, double ratio)
 {
     const uchar* bytes = picture.rgb.data();
-    const QImage image(bytes, picture.width, picture.height, 3 * picture.width, QImage::Format_RGB888);
+    const QImage image(bytes, picture.width, picture.height, qsizetype{3} * picture.width, QImage::Format_RGB888);
     QPixmap pixmap = QPixmap::fromImage(image.copy());   // the picture goes away
     pixmap.setDevicePixelRatio(ratio);
     return pixmap;

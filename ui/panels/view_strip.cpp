@@ -111,7 +111,7 @@ void ViewStrip::showPicture(int index, const core::ColorImage& picture)
         return;
     }
     const uchar* bytes = picture.rgb.data();
-    const QImage image(bytes, picture.width, picture.height, 3 * picture.width, QImage::Format_RGB888);
+    const QImage image(bytes, picture.width, picture.height, qsizetype{3} * picture.width, QImage::Format_RGB888);
     QPixmap pixmap = QPixmap::fromImage(image.copy());   // the picture goes away
     pixmap.setDevicePixelRatio(devicePixelRatioF());
     QIcon icon(pixmap);

@@ -57,12 +57,12 @@ void HistogramPlot::paintEvent(QPaintEvent*)
     painter.drawText(labels, Qt::AlignRight | Qt::AlignTop, tr("above %1").arg(numberText(scaleMaximumMm_, 1)));
 }
 
-std::vector<int> binned(const std::vector<double>& values, double maximum, int bins)
+std::vector<int> binned(const std::vector<double>& values, double maximum, int binCount)
 {
-    std::vector<int> counts(static_cast<std::size_t>(bins) + 1, 0);
+    std::vector<int> counts(static_cast<std::size_t>(binCount) + 1, 0);
     for (const double value : values) {
-        const double position = maximum > 0.0 ? value / maximum * bins : bins;
-        const auto bin = static_cast<std::size_t>(std::clamp(position, 0.0, static_cast<double>(bins)));
+        const double position = maximum > 0.0 ? value / maximum * binCount : binCount;
+        const auto bin = static_cast<std::size_t>(std::clamp(position, 0.0, static_cast<double>(binCount)));
         ++counts[bin];
     }
     return counts;

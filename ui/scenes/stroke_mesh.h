@@ -36,7 +36,7 @@ struct DashPattern {
 };
 
 /// Adds a line with round joints and ends; a line without extent becomes a dot.
-void addLine(StrokeMesh& mesh, const StrokeLine& line, const Pen& pen);
+void addLine(StrokeMesh& mesh, const StrokeLine& raw, const Pen& pen);
 
 /// Adds a filled dot.
 void addDot(StrokeMesh& mesh, const StrokePoint& centre, double radiusPx, double opacity);

@@ -59,7 +59,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event)
         hover(event->position());
         return;
     }
-    isDragging_ = isDragging_ || way.manhattanLength() >= QApplication::startDragDistance() / 2;
+    isDragging_ = isDragging_ || 2.0 * way.manhattanLength() >= QApplication::startDragDistance();
     if (!isDragging_) {
         return;
     }

@@ -7,6 +7,6 @@
 namespace ui {
 
 /// Style sheet of the panels: tones by the `role` property of labels, buttons and fields.
-std::string panelStyleSheet(const Palette& palette);
+std::string panelStyleSheet(const Palette& tones);
 
 }   // namespace ui

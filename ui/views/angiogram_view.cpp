@@ -39,7 +39,7 @@ void AngiogramView::setPivot(const Eigen::Vector3d& pivotInPatient)
     update();
 }
 
-void AngiogramView::setPickedPivot(std::optional<Eigen::Vector3d> pickedInPatient)
+void AngiogramView::setPickedPivot(const std::optional<Eigen::Vector3d>& pickedInPatient)
 {
     if (pickedInPatient != interaction_->pickedPivot) {
         interaction_->pickedPivot = pickedInPatient;

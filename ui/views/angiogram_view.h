@@ -29,7 +29,7 @@ public:
 
     OverlayScene& scene() { return scene_; }   ///< call update() after changing it
     void setPivot(const Eigen::Vector3d& pivotInPatient);   ///< centroid of the tree: where ring and cross sit, …
-    void setPickedPivot(std::optional<Eigen::Vector3d> pickedInPatient);   ///< … unless picked; marked then
+    void setPickedPivot(const std::optional<Eigen::Vector3d>& pickedInPatient);   ///< … unless picked; marked then
     void setPose(const core::RigidTransform& cameraFromPatient);
     void setCamera(const core::ProjectionCamera& camera);
     void setFrame(const core::ImageF& frame);   ///< keeps zoom and window/level when the size stays

@@ -57,7 +57,7 @@ void TreeView::resetView()
     requestRender();
 }
 
-void TreeView::setCrosshair(std::optional<Eigen::Vector3d> pointInPatient)
+void TreeView::setCrosshair(const std::optional<Eigen::Vector3d>& pointInPatient)
 {
     if (pointInPatient != crosshair_) {
         crosshair_ = pointInPatient;
@@ -76,7 +76,7 @@ void TreeView::showLandmarks(const std::vector<Eigen::Vector3d>& pointsInPatient
     update();
 }
 
-void TreeView::setPickedPivot(std::optional<Eigen::Vector3d> pointInPatient)
+void TreeView::setPickedPivot(const std::optional<Eigen::Vector3d>& pointInPatient)
 {
     if (pointInPatient != pickedPivot_) {
         pickedPivot_ = pointInPatient;
@@ -138,7 +138,7 @@ void TreeView::mouseMoveEvent(QMouseEvent* event)
         return;
     }
     const QPointF way = event->position() - pressedAt_;
-    isDragging_ = isDragging_ || way.manhattanLength() >= QApplication::startDragDistance() / 2;
+    isDragging_ = isDragging_ || 2.0 * way.manhattanLength() >= QApplication::startDragDistance();
     if (!isDragging_) {
         return;
     }

@@ -19,10 +19,10 @@ public:
     TreeScene& scene() { return scene_; }   ///< call requestRender() after changing it
     void setTheme(ThemeMode mode);
     void resetView();
-    void setCrosshair(std::optional<Eigen::Vector3d> pointInPatient);   ///< the place that the slices show
+    void setCrosshair(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< the place that the slices show
     void showLandmarks(const std::vector<Eigen::Vector3d>& pointsInPatient,
                        const std::optional<Eigen::Vector3d>& pendingInPatient);   ///< numbered from 1
-    void setPickedPivot(std::optional<Eigen::Vector3d> pointInPatient);   ///< what the vessels turn about
+    void setPickedPivot(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< what the vessels turn about
 
 signals:
     void roomRequested();   ///< large, or back

@@ -126,7 +126,8 @@ void VtkView::render(Quality quality)
     vtkNew<vtkUnsignedCharArray> pixels;
     glue_->window->GetPixelData(0, 0, device.width() - 1, device.height() - 1, 1, pixels, 0);
     glue_->context.doneCurrent();
-    picture_ = QImage(pixels->GetPointer(0), device.width(), device.height(), 3 * device.width(), QImage::Format_RGB888)
+    picture_ = QImage(pixels->GetPointer(0), device.width(), device.height(), qsizetype{3} * device.width(),
+                      QImage::Format_RGB888)
                    .mirrored()   // OpenGL counts rows from the bottom
                    .convertToFormat(QImage::Format_RGB32);
     ++renderCount_;

@@ -51,6 +51,7 @@ std::vector<Template> makeTemplates()
                          [](const char* text) { return QString::fromUtf8(text).contains(hole()); });
     std::ranges::stable_sort(sources, [](const char* a, const char* b) { return qstrlen(a) > qstrlen(b); });
     std::vector<Template> templates;
+    templates.reserve(sources.size());
     for (const char* source : sources) {
         templates.push_back(templateOf(source));
     }

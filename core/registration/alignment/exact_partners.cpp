@@ -40,7 +40,7 @@ ExactPartners::ExactPartners(const RegistrationProblem& problem)
     const std::size_t stride = std::max<std::size_t>(1, problem.givenTreePoints.size() / usedPoints);
     fromCentroid_.reserve(problem.givenTreePoints.size() / stride + 1);
     for (std::size_t i = 0; i < problem.givenTreePoints.size(); i += stride) {
-        fromCentroid_.push_back(problem.givenTreePoints[i] - problem.tree.centroid);
+        fromCentroid_.emplace_back(problem.givenTreePoints[i] - problem.tree.centroid);
     }
     pairs_.reserve(fromCentroid_.size());
     distances_.reserve(fromCentroid_.size());

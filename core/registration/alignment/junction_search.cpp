@@ -57,7 +57,7 @@ std::vector<Eigen::Vector3d> tiltsWithin(const SearchReach& reach)
         for (int y = -halfY; y <= halfY; ++y) {
             const Eigen::Vector3d tiltDeg(x * tiltStepDeg, y * tiltStepDeg, 0.0);
             if (tiltDeg.norm() <= reach.tiltDeg) {
-                tilts.push_back(tiltDeg * radiansPerDegree);
+                tilts.emplace_back(tiltDeg * radiansPerDegree);
             }
         }
     }

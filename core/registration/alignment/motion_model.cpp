@@ -58,7 +58,7 @@ void MotionModel::advance(const std::optional<CentroidPose>& pose)
         return;
     }
     if (framesMissed_ == 0) {
-        steps_.push_back(stepBetween(pose_, *pose).cwiseProduct(inMm_));
+        steps_.emplace_back(stepBetween(pose_, *pose).cwiseProduct(inMm_));
         isMoving_ = true;
     }
     if (steps_.size() > remembered) {

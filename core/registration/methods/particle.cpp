@@ -143,13 +143,14 @@ CentroidPose ParticleSearch::solvedInPlane(CentroidPose pose)
 std::vector<Scored> ParticleSearch::walkOutOfPlane()
 {
     constexpr int across = 2 * cellsToEachSide + 1;
+    constexpr auto cellCount = static_cast<std::size_t>(across) * across;
     constexpr double perDeg = std::numbers::pi / 180.0;
     struct Cell {
         int x;
         int y;
         CentroidPose from;
     };
-    std::array<bool, across * across> isSeen{};
+    std::array<bool, cellCount> isSeen{};
     std::deque<Cell> waiting{{cellsToEachSide, cellsToEachSide, search_.start()}};
     isSeen[cellIndex(cellsToEachSide, across, cellsToEachSide)] = true;
     std::vector<Scored> solved;

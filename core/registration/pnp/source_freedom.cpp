@@ -32,7 +32,7 @@ Vector6d SourceFreedom::descent(const Vector6d& gradient, const Vector6d& weight
 
 RigidTransform SourceFreedom::moved(const RigidTransform& pose, const Vector6d& twist) const
 {
-    const RigidTransform next = expSe3(twist) * pose;
+    RigidTransform next = expSe3(twist) * pose;
     if (isFull()) {
         return next;
     }

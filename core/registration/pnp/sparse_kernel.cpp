@@ -26,7 +26,7 @@ SparseKernel::SparseKernel(const RegistrationProblem& problem, std::size_t most)
 {
     const std::size_t stride = std::max<std::size_t>(1, (problem.tree.size() + most - 1) / most);
     for (std::size_t i = 0; i < problem.tree.size(); i += stride) {
-        points_.push_back(problem.tree.points[i] - problem.tree.centroid);
+        points_.emplace_back(problem.tree.points[i] - problem.tree.centroid);
     }
 }
 

@@ -117,6 +117,7 @@ private:
         std::stable_sort(order.begin(), order.end(),
                          [&](std::size_t a, std::size_t b) { return lengths[a] > lengths[b]; });
         std::vector<std::vector<int>> sorted;
+        sorted.reserve(order.size());
         for (const std::size_t p : order) {
             sorted.push_back(std::move(found[p]));
         }

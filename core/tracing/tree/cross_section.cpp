@@ -62,6 +62,7 @@ double medianOf(std::vector<double> values)
 double limitToMedian(std::array<Ray, rayCount>& rays)
 {
     std::vector<double> walls;
+    walls.reserve(rays.size());
     for (const Ray& ray : rays) {
         walls.push_back(ray.wallMm);
     }
@@ -80,6 +81,7 @@ double weighedRadius(const std::array<Ray, rayCount>& rays, const Eigen::Vector3
     const double step = stepInVoxels * plane.voxelMm;
     const double rimMm = radius + 1.5 * plane.voxelMm;
     std::vector<double> around;
+    around.reserve(rays.size());
     for (const Ray& ray : rays) {
         around.push_back(fill(centre + (rimMm + 0.5 * plane.voxelMm) * ray.direction));
     }

@@ -76,6 +76,7 @@ int openLoops(VesselGraph& graph)
     std::vector<VesselEdge> edges = std::move(graph.edges);
     graph.edges.clear();
     std::vector<double> widths;
+    widths.reserve(edges.size());
     for (const VesselEdge& edge : edges) {
         widths.push_back(relativeWidth(graph, edge));
     }

@@ -88,7 +88,7 @@ private:
             nodeAt_[v] = node;
             seen_[v] = true;
         }
-        graph_.nodesMm.push_back(sum / static_cast<double>(voxels.size()));
+        graph_.nodesMm.emplace_back(sum / static_cast<double>(voxels.size()));
         graph_.nodeRadiusMm.push_back(radius);
         return node;
     }

@@ -19,9 +19,10 @@ Eigen::Vector3d placeOf(const VolumeGeometry& grid, std::uint32_t voxel)
 {
     const auto at = static_cast<std::int64_t>(voxel);
     const std::int64_t row = at / grid.size.x();
+    const std::int64_t slice = row / grid.size.y();
     return grid.patientFromVoxel() * Eigen::Vector3d(static_cast<double>(at % grid.size.x()),
                                                      static_cast<double>(row % grid.size.y()),
-                                                     static_cast<double>(row / grid.size.y()));
+                                                     static_cast<double>(slice));
 }
 
 /// Of those of at least `leastValue`.

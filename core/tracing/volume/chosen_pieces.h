@@ -12,7 +12,7 @@
 namespace core {
 
 /// "(x, y, z)" in mm.
-std::string placeText(const Eigen::Vector3d& place);
+std::string placeText(const Eigen::Vector3d& point);
 
 /// The set voxel that is nearest to a place in the patient (LPS mm), if there is one within 3 mm.
 std::optional<std::uint32_t> voxelNear(const VoxelMask& mask, const Eigen::Vector3d& seedInPatient);

@@ -52,9 +52,9 @@ Eigen::Vector3d placeMm(const VolumeGeometry& grid, std::uint32_t voxel)
 {
     const auto at = static_cast<std::int64_t>(voxel);
     const std::int64_t row = at / grid.size.x();
-    return grid.spacingMm.cwiseProduct(Eigen::Vector3d(static_cast<double>(at % grid.size.x()),
-                                                       static_cast<double>(row % grid.size.y()),
-                                                       static_cast<double>(row / grid.size.y())));
+    const std::int64_t slice = row / grid.size.y();
+    return grid.spacingMm.cwiseProduct(Eigen::Vector3d(
+        static_cast<double>(at % grid.size.x()), static_cast<double>(row % grid.size.y()), static_cast<double>(slice)));
 }
 
 /// Marks what lies within the tube: walks from there would only repeat it.

@@ -79,9 +79,9 @@ void smoothAlong(Block& block, std::vector<float>& scratch, int axis, double sig
     } else {
         for (std::ptrdiff_t base = 0; base < total; base += run * count) {
             for (int n = 0; n < count; ++n) {
-                for (int step = -reach; step <= reach; ++step) {
-                    const std::ptrdiff_t from = base + run * std::clamp(n + step, 0, count - 1);
-                    addRow(&block.fill[static_cast<std::size_t>(from)], kernel[static_cast<std::size_t>(step + reach)],
+                for (std::size_t tap = 0; tap < kernel.size(); ++tap) {
+                    const int neighbour = std::clamp(n + static_cast<int>(tap) - reach, 0, count - 1);
+                    addRow(&block.fill[static_cast<std::size_t>(base + run * neighbour)], kernel[tap],
                            &scratch[static_cast<std::size_t>(base + run * n)], run);
                 }
             }

@@ -45,13 +45,10 @@ private:
 
     static std::array<Eigen::Vector3i, 6> sides(const Eigen::Vector3i& voxel, const Eigen::Vector3i& reach)
     {
-        std::array<Eigen::Vector3i, 6> sides;
-        for (int axis = 0; axis < 3; ++axis) {
-            const Eigen::Vector3i step = reach[axis] * Eigen::Vector3i::Unit(axis);
-            sides[static_cast<std::size_t>(2 * axis)] = voxel - step;
-            sides[static_cast<std::size_t>(2 * axis + 1)] = voxel + step;
-        }
-        return sides;
+        const Eigen::Vector3i x(reach.x(), 0, 0);
+        const Eigen::Vector3i y(0, reach.y(), 0);
+        const Eigen::Vector3i z(0, 0, reach.z());
+        return {voxel - x, voxel + x, voxel - y, voxel + y, voxel - z, voxel + z};
     }
 
     const VolumeGeometry& grid_;

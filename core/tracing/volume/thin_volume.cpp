@@ -140,8 +140,8 @@ private:
 
     void findBorder()
     {
-        for (std::size_t p = 0; p < state_.size(); ++p) {
-            state_[p] = state_[p] != clear ? inside : clear;
+        for (std::uint8_t& state : state_) {
+            state = state != clear ? inside : clear;
         }
         for (std::size_t p = 0; p < state_.size(); ++p) {
             if (state_[p] != clear && std::any_of(sides_.begin(), sides_.end(),

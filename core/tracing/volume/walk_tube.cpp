@@ -32,7 +32,8 @@ std::optional<Walker> startAt(const Eigen::Vector3d& startMm, double radiusMm, c
 {
     std::optional<Walker> best;
     for (int n = 14; n < 27; ++n) {   // one of each two opposite neighbours
-        const Eigen::Vector3d direction = Eigen::Vector3d(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1).normalized();
+        const Eigen::Vector3i neighbour(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+        const Eigen::Vector3d direction = neighbour.cast<double>().normalized();
         const CrossSection section = crossSection({startMm, direction, radiusMm, ground.voxelMm}, ground.fill);
         if (section.trust >= leastTrust && (!best || section.radiusMm < best->radiusMm)) {
             best = Walker{section.centreMm, direction, section.radiusMm};
