@@ -2,15 +2,18 @@
 
 #include "core/imaging/grey_statistics.h"
 #include "core/imaging/mask_morphology.h"
-#include "core/support/at_once.h"
-#include "core/tracing/vesselness.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace core {
 namespace {
 
 constexpr double rank = 0.9;   // above most noise, below what the flanks of vessels add to the far tail
+constexpr double tailRank = 0.98;
+constexpr double tailRatio =
+    1.75;   // of the values at these ranks where structures are about; in mere noise it is less
+constexpr double leastWeight = 0.5;   // fine vessels shall be found in some noise too
 constexpr int rimPx = 6;   // where filters see the edge of the field
 constexpr double clearMultiple = 4.0;
 constexpr int flankPx = 10;
@@ -53,12 +56,12 @@ ImageF invertedBand(const ImageF& opacity, const Band& band, int firstRow)
 }
 
 /// Ridges of the other sign in all bands; -1 elsewhere.
-ImageF invertedRidges(const ImageF& opacity, double minRadiusPx, double maxRadiusPx)
+ImageF invertedRidges(const ImageF& opacity, const RidgeScale& scale)
 {
     ImageF inverted(opacity.width, opacity.height, -1.0F);
     for (const Band& band : bandsOf(opacity.width, opacity.height)) {
         const int firstRow = std::max(0, band.firstRow - marginRows);
-        const ImageF ridges = ridgeStrength(invertedBand(opacity, band, firstRow), minRadiusPx, maxRadiusPx);
+        const ImageF ridges = ridgeStrength(invertedBand(opacity, band, firstRow), {scale});
         const auto begin =
             ridges.pixels.begin() + static_cast<std::ptrdiff_t>(ridges.index(0, band.firstRow - firstRow));
         std::copy_n(begin, ridges.index(0, band.rowCount),
@@ -93,21 +96,36 @@ Mask2d awayFromVessels(Mask2d inside, const ImageF& ridges, double clearRidge)
 
 }   // namespace
 
-double clutterLevel(const ImageF& opacity, const ImageF& ridges, const Mask2d& field, double minRadiusPx,
-                    double maxRadiusPx)
+Clutter::Clutter(const ImageF& opacity, const Mask2d& field, std::vector<RidgeScale> scales)
+    : inside_(eroded(field, rimPx)), scales_(std::move(scales)), inverted_(opacity.width, opacity.height, -1.0F)
 {
-    ImageF inverted;
-    Mask2d inside;
-    atOnce([&] { inverted = invertedRidges(opacity, minRadiusPx, maxRadiusPx); },
-           [&] { inside = eroded(field, rimPx); });
-    std::vector<float> everywhere = measuredWhere(inside, inverted);
+    double coarsest = 0.0;
+    for (auto scale = scales_.rbegin(); scale != scales_.rend(); ++scale) {
+        const ImageF inverted = invertedRidges(opacity, *scale);
+        std::vector<float> measured = measuredWhere(inside_, inverted);
+        const double level = measured.empty() ? 0.0 : ranked(std::move(measured), rank);
+        coarsest = scale == scales_.rbegin() ? level : coarsest;
+        scale->weight = level > coarsest ? std::max(leastWeight, coarsest / level) : 1.0;
+        const auto weight = static_cast<float>(scale->weight);
+        std::transform(inverted_.pixels.begin(), inverted_.pixels.end(), inverted.pixels.begin(),
+                       inverted_.pixels.begin(), [weight](float a, float b) { return std::max(a, weight * b); });
+    }
+}
+
+double Clutter::level(const ImageF& ridges) const
+{
+    std::vector<float> everywhere = measuredWhere(inside_, inverted_);
     if (everywhere.empty()) {
         return 0.0;
     }
     const std::size_t enough = everywhere.size() / leastShareLeft;
     const double first = ranked(std::move(everywhere), rank);
-    std::vector<float> away = measuredWhere(awayFromVessels(inside, ridges, clearMultiple * first), inverted);
-    return away.size() > enough ? ranked(std::move(away), rank) : first;
+    std::vector<float> away = measuredWhere(awayFromVessels(inside_, ridges, clearMultiple * first), inverted_);
+    if (away.size() <= enough) {
+        return first;
+    }
+    const std::vector<float> levels = rankedAt(std::move(away), {rank, tailRank});
+    return std::min<double>(levels[0], levels[1] / tailRatio);
 }
 
 }   // namespace core

@@ -134,15 +134,13 @@ SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options)
     SeenVessels seen;
     seen.fieldMask = tracedField(vesselsDark, options);
     seen.opacity = flattenBackground(vesselsDark, seen.fieldMask, surroundingsInRadii * options.maxVesselRadiusPx);
-    const ImageF ridges = ridgeStrength(seen.opacity, options.minVesselRadiusPx, options.maxVesselRadiusPx);
-    double clutter = 0.0;
+    const Clutter clutter(seen.opacity, seen.fieldMask,
+                          ridgeScales(options.minVesselRadiusPx, options.maxVesselRadiusPx));
+    const ImageF ridges = ridgeStrength(seen.opacity, clutter.scales());
+    double clutterLevel = 0.0;
     ImageF clear;
-    atOnce([&] { clear = withoutStars(ridges, seen.opacity); },
-           [&] {
-               clutter = clutterLevel(seen.opacity, ridges, seen.fieldMask, options.minVesselRadiusPx,
-                                      options.maxVesselRadiusPx);
-           });
-    const ImageF evidence = vesselEvidence(clear, seen.fieldMask, clutter, options.sensitivity);
+    atOnce([&] { clear = withoutStars(ridges, seen.opacity); }, [&] { clutterLevel = clutter.level(ridges); });
+    const ImageF evidence = vesselEvidence(clear, seen.fieldMask, clutterLevel, options.sensitivity);
     atOnce([&] { seen.vesselMask = wholeVessels(vesselPixels(evidence), evidence, options); },
            [&] { seen.vesselness = normalised(std::move(clear)); });
     seen.paths = orderedCurves(vesselBranches(seen.vesselMask, evidence, seen.fieldMask, options),

@@ -13,7 +13,10 @@ constexpr float lowEvidence = 0.9F;
 constexpr float highEvidence = 1.9F;
 constexpr int flankReachPx = 3;
 constexpr float flankShare = 0.35F;
-constexpr double opacitySigmaPx = 1.2;
+// Around the ends of strong vessels filters still see a little of them.
+constexpr int haloReachPx = 12;
+constexpr float haloShare = 0.15F;
+constexpr double opacitySigmaPx = 2.0;
 constexpr float leastOpacityPerRidge = 0.3F;   // a round vessel's opacity is a few times its ridge
 constexpr std::size_t sampleSize = 200000;
 constexpr double noiseMultiple = 4.0;
@@ -55,9 +58,11 @@ ImageF withoutStars(ImageF ridges, const ImageF& opacity)
 Mask2d vesselPixels(const ImageF& evidence)
 {
     const ImageF strongest = largestAround(evidence, flankReachPx);
+    const ImageF strongAround = largestAround(evidence, haloReachPx);
     Mask2d vessels(evidence.width, evidence.height);
     for (std::size_t i = 0; i < evidence.pixels.size(); ++i) {
-        const float least = std::max(lowEvidence, flankShare * strongest.pixels[i]);
+        const float least =
+            std::max({lowEvidence, flankShare * strongest.pixels[i], haloShare * strongAround.pixels[i]});
         vessels.pixels[i] = evidence.pixels[i] > least ? 255 : 0;
     }
     for (const std::vector<std::size_t>& component : componentsOf(vessels)) {

@@ -10,7 +10,7 @@ namespace core {
 /// shows no vessel, so the middle ridge strength is that of noise.
 double ridgeNoiseLimit(const std::vector<float>& ridges);
 
-/// Ridge strength in units of what makes a vessel: 1 is well above `clutter` (see `clutterLevel`) and above a small
+/// Ridge strength in units of what makes a vessel: 1 is well above `clutter` (see `Clutter`) and above a small
 /// share of the strongest ridges, divided by `sensitivity`. 0 outside the field, and everywhere if there is no ridge.
 ImageF vesselEvidence(const ImageF& ridges, const Mask2d& field, double clutter, double sensitivity);
 

@@ -79,7 +79,7 @@ void differentiate(const ImageF& smooth, int firstRow, double sigmaPx, Derivativ
     }
 }
 
-/// Whole-pixel steps along one direction, from back to front, with Gaussian weights that sum to one.
+/// Whole-pixel steps along one direction, from back to front, with Gaussian weights that sum to that of the scale.
 struct LineTaps {
     std::array<int, tapCount> dx{};
     std::array<int, tapCount> dy{};
@@ -91,8 +91,9 @@ double lineReachPx(double sigmaPx)
     return std::max(shortestLineReachPx, lineReachInSigmas * sigmaPx);
 }
 
-LineTaps lineTaps(double angle, double reachPx)
+LineTaps lineTaps(double angle, const RidgeScale& scale)
 {
+    const double reachPx = lineReachPx(scale.sigmaPx);
     LineTaps taps;
     float sum = 0.0F;
     for (std::size_t i = 0; i < tapCount; ++i) {
@@ -104,7 +105,7 @@ LineTaps lineTaps(double angle, double reachPx)
         sum += taps.weights[i];
     }
     for (float& weight : taps.weights) {
-        weight /= sum;
+        weight *= static_cast<float>(scale.weight) / sum;
     }
     return taps;
 }
@@ -159,10 +160,10 @@ void raiseToLineMean(float* strongest, int width, const std::array<const float*,
 /// What one thread needs to work on strips of rows; a strip fits the cache.
 class StripWorker {
 public:
-    StripWorker(const ImageF& smooth, double sigmaPx)
+    StripWorker(const ImageF& smooth, const RidgeScale& scale)
         : smooth_(smooth),
-          sigmaPx_(sigmaPx),
-          margin_(static_cast<int>(std::ceil(lineReachPx(sigmaPx))) + 1),
+          scale_(scale),
+          margin_(static_cast<int>(std::ceil(lineReachPx(scale.sigmaPx))) + 1),
           ridges_(smooth.width + 2 * margin_, rowsPerStrip + 2 * margin_)
     {
         const ImageF strip(smooth.width, ridges_.height);
@@ -173,11 +174,11 @@ public:
     void raise(int top, ImageF& best)
     {
         const int rowCount = std::min(rowsPerStrip, smooth_.height - top);
-        differentiate(smooth_, top - margin_, sigmaPx_, d_);
+        differentiate(smooth_, top - margin_, scale_.sigmaPx, d_);
         for (int k = 0; k < directionCount; ++k) {
             const double angle = std::numbers::pi * k / directionCount;
             fillRidges(d_, angle, margin_, ridges_);
-            const LineTaps taps = lineTaps(angle, lineReachPx(sigmaPx_));
+            const LineTaps taps = lineTaps(angle, scale_);
             for (int row = 0; row < rowCount; ++row) {
                 std::array<const float*, tapCount> rows{};
                 for (std::size_t i = 0; i < tapCount; ++i) {
@@ -190,7 +191,7 @@ public:
 
 private:
     const ImageF& smooth_;
-    double sigmaPx_;
+    RidgeScale scale_;
     int margin_;
     ImageF ridges_;
     Derivatives d_;
@@ -198,14 +199,14 @@ private:
 
 /// Raises `best` to the largest line mean over all directions at one scale; every row comes out the same whoever works
 /// on it.
-void raiseToRidges(const ImageF& image, double sigmaPx, ImageF& best)
+void raiseToRidges(const ImageF& image, const RidgeScale& scale, ImageF& best)
 {
     const int workers = std::min(mostThreads, threadCount(0));
-    const ImageF smooth = blurred(image, sigmaPx, workers);
+    const ImageF smooth = blurred(image, scale.sigmaPx, workers);
     parallelFor(
         static_cast<std::size_t>(workers), workers,
         [&](std::size_t number) {
-            StripWorker worker(smooth, sigmaPx);
+            StripWorker worker(smooth, scale);
             for (int top = static_cast<int>(number) * rowsPerStrip; top < image.height; top += workers * rowsPerStrip) {
                 worker.raise(top, best);
             }
@@ -213,21 +214,26 @@ void raiseToRidges(const ImageF& image, double sigmaPx, ImageF& best)
         [](double) { return true; });
 }
 
-std::vector<double> scalesFor(double minRadiusPx, double maxRadiusPx)
+}   // namespace
+
+std::vector<RidgeScale> ridgeScales(double minRadiusPx, double maxRadiusPx)
 {
     const double finest = std::max(finestSigmaPx, sigmaPerRadius * minRadiusPx);
     const double coarsest = std::max(finest, sigmaPerRadius * maxRadiusPx);
     const int steps = static_cast<int>(std::ceil(std::log(coarsest / finest) / std::log(scaleRatio) - 1e-9));
-    std::vector<double> sigmas;
+    std::vector<RidgeScale> scales;
     for (int k = 0; k <= steps; ++k) {
-        sigmas.push_back(finest * std::pow(coarsest / finest, steps > 0 ? static_cast<double>(k) / steps : 0.0));
+        scales.push_back({finest * std::pow(coarsest / finest, steps > 0 ? static_cast<double>(k) / steps : 0.0), 1.0});
     }
-    return sigmas;
+    return scales;
 }
 
-}   // namespace
-
 ImageF ridgeStrength(const ImageF& opacity, double minRadiusPx, double maxRadiusPx)
+{
+    return ridgeStrength(opacity, ridgeScales(minRadiusPx, maxRadiusPx));
+}
+
+ImageF ridgeStrength(const ImageF& opacity, const std::vector<RidgeScale>& scales)
 {
     constexpr int smallestSide = 8;
     if (std::min(opacity.width, opacity.height) < smallestSide) {
@@ -236,13 +242,14 @@ ImageF ridgeStrength(const ImageF& opacity, double minRadiusPx, double maxRadius
     ImageF grid = opacity;
     double gridSpacingPx = 1.0;
     std::vector<ImageF> levels{ImageF(grid.width, grid.height)};   // strongest ridges per grid, each half the last
-    for (const double sigma : scalesFor(minRadiusPx, maxRadiusPx)) {
-        while (sigma / gridSpacingPx > coarsestSigmaOnGrid && std::min(grid.width, grid.height) >= 2 * smallestSide) {
+    for (const RidgeScale& scale : scales) {
+        while (scale.sigmaPx / gridSpacingPx > coarsestSigmaOnGrid &&
+               std::min(grid.width, grid.height) >= 2 * smallestSide) {
             grid = halved(grid);
             gridSpacingPx *= 2.0;
             levels.emplace_back(grid.width, grid.height);
         }
-        raiseToRidges(grid, sigma / gridSpacingPx, levels.back());
+        raiseToRidges(grid, {scale.sigmaPx / gridSpacingPx, scale.weight}, levels.back());
     }
     while (levels.size() > 1) {
         ImageF& finer = levels[levels.size() - 2];

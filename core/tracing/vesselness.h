@@ -2,12 +2,26 @@
 
 #include "core/imaging/image2d.h"
 
+#include <vector>
+
 namespace core {
 
-/// Strength of the best bright ridge through each pixel over scales and directions, ≥ 0, in grey values of `opacity`.
+/// One size of filter.
+struct RidgeScale {
+    double sigmaPx = 1.0;
+    double weight = 1.0;   ///< of its ridges
+};
+
+/// The scales that together see vessels of these radii, finest first, all of weight 1.
+std::vector<RidgeScale> ridgeScales(double minRadiusPx, double maxRadiusPx);
+
+/// Strength of the best bright ridge through each pixel over `scales` and directions, ≥ 0, in grey values of `opacity`.
 /// Along each direction: second derivative minus slope across it (Gaussian derivatives at scale σ, made steerable:
 /// Freeman & Adelson 1991; edges have both and cancel), averaged along it over ±2.5 σ, at least ±4 px, against noise,
 /// less where only one half of that line has a ridge.
+ImageF ridgeStrength(const ImageF& opacity, const std::vector<RidgeScale>& scales);
+
+/// The same at all scales of these radii.
 ImageF ridgeStrength(const ImageF& opacity, double minRadiusPx, double maxRadiusPx);
 
 }   // namespace core

@@ -1,6 +1,6 @@
 #include "core/tracing/clutter_level.h"
 
-#include "core/tracing/vesselness.h"
+#include "core/imaging/image_filters.h"
 #include "tests/support/drawn_vessels.h"
 
 #include <gtest/gtest.h>
@@ -17,10 +17,15 @@ ImageF noise(int width, int height, double sigma)
     return image;
 }
 
+core::Clutter measured(const ImageF& opacity)
+{
+    return {opacity, Mask2d(opacity.width, opacity.height, 255), core::ridgeScales(1.5, 8.0)};
+}
+
 double clutterOf(const ImageF& opacity)
 {
-    const ImageF ridges = core::ridgeStrength(opacity, 1.5, 8.0);
-    return core::clutterLevel(opacity, ridges, Mask2d(opacity.width, opacity.height, 255), 1.5, 8.0);
+    const core::Clutter clutter = measured(opacity);
+    return clutter.level(core::ridgeStrength(opacity, clutter.scales()));
 }
 
 TEST(ClutterLevel, GrowsWithTheNoise)
@@ -39,7 +44,7 @@ TEST(ClutterLevel, DoesNotSeeTheVesselsThemselves)
     for (std::size_t i = 0; i < opacity.pixels.size(); ++i) {
         opacity.pixels[i] += 120.0F - drawn.pixels[i];   // 30 times the noise
     }
-    EXPECT_LT(clutterOf(opacity), 1.5 * without);
+    EXPECT_LT(clutterOf(opacity), 2.5 * without);   // their flanks may leave the finest scales more weight
 }
 
 TEST(ClutterLevel, BandsOfALargeImageStandForTheWhole)
@@ -50,7 +55,30 @@ TEST(ClutterLevel, BandsOfALargeImageStandForTheWhole)
 
 TEST(ClutterLevel, IsNothingWithoutAField)
 {
-    EXPECT_EQ(core::clutterLevel(noise(60, 60, 2.0), noise(60, 60, 2.0), Mask2d(60, 60), 1.5, 8.0), 0.0);
+    const core::Clutter clutter(noise(60, 60, 2.0), Mask2d(60, 60), core::ridgeScales(1.5, 8.0));
+    EXPECT_EQ(clutter.level(noise(60, 60, 2.0)), 0.0);
+}
+
+TEST(ClutterLevel, NoiseOfSinglePixelsTakesWeightFromTheFinestScales)
+{
+    const auto scales = measured(noise(300, 300, 4.0)).scales();
+    EXPECT_LT(scales.front().weight, 0.7);
+    EXPECT_EQ(scales.back().weight, 1.0);
+}
+
+TEST(ClutterLevel, StructuresOfAllSizesLeaveTheWeightsAlone)
+{
+    ImageF opacity = noise(300, 300, 1.0);
+    for (const double sigmaPx : {1.5, 3.0, 6.0, 12.0}) {   // with as much contrast at each size
+        const ImageF coarser = core::blurred(noise(300, 300, 40.0 * sigmaPx), sigmaPx);
+        for (std::size_t i = 0; i < opacity.pixels.size(); ++i) {
+            opacity.pixels[i] += coarser.pixels[i];
+        }
+    }
+    const std::vector<core::RidgeScale> scales = measured(opacity).scales();
+    for (const core::RidgeScale& scale : scales) {
+        EXPECT_GT(scale.weight, 0.75) << scale.sigmaPx;
+    }
 }
 
 }   // namespace
