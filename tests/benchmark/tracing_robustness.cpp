@@ -142,13 +142,15 @@ void printScan(int seeds, const std::string& only)
     core::VesselTracingOptions options;
     options.seedsInPatient = {benchmarks::seedOf(*thorax)};
     core::ResultTable table = scanTable();
+    core::ResultTable unseeded = scanTable();
     for (const test::ScanChange& change : test::scanChanges()) {
         if (change.name.find(only) != std::string::npos) {
-            addRow(table, change.name, *thorax, change.apply(thorax->scan), options);
+            const core::Volume changed = change.apply(thorax->scan);
+            addRow(table, change.name, *thorax, changed, options);
+            addRow(unseeded, change.name + ", no seed", *thorax, changed, {});
         }
     }
     if (only.empty()) {
-        addRow(table, "no seed", *thorax, thorax->scan, {});
         for (const Eigen::Vector3d& place : benchmarks::placesInAorta(*thorax, seeds)) {
             options.seedsInPatient = {place};
             const Eigen::Vector3d voxel = thorax->scan.geometry.patientFromVoxel().inverse() * place;
@@ -157,7 +159,7 @@ void printScan(int seeds, const std::string& only)
                    *thorax, thorax->scan, options);
         }
     }
-    std::printf("%s\n", io::toPlainText(table).c_str());
+    std::printf("%s\n%s\n", io::toPlainText(table).c_str(), io::toPlainText(unseeded).c_str());
 }
 
 }   // namespace

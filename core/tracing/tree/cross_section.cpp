@@ -101,7 +101,7 @@ double weighedRadius(const std::array<Ray, rayCount>& rays, const Eigen::Vector3
 
 CrossSection crossSection(const SectionPlane& plane, const BloodFill& fill)
 {
-    CrossSection section{plane.pointMm, plane.expectedRadiusMm, 0.0};
+    CrossSection section{plane.pointMm, plane.expectedRadiusMm};
     const double centreFill = fill(plane.pointMm);
     if (centreFill < leastFill) {
         return section;
@@ -111,6 +111,7 @@ CrossSection crossSection(const SectionPlane& plane, const BloodFill& fill)
     for (Ray& ray : rays) {
         findWall(ray, plane, fill, 0.5 * std::min(1.0, centreFill), reachMm);
     }
+    section.closed = 1.0 - static_cast<double>(std::ranges::count_if(rays, &Ray::isOpen)) / rayCount;
     const double median = limitToMedian(rays);
     double squares = 0.0;
     double spread = 0.0;

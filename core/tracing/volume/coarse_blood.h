@@ -7,11 +7,12 @@
 
 namespace core {
 
-/// How far the places of a scan are filled with blood, as means over blocks of some 1.5 mm: enough for wide vessels,
-/// free of most noise, and a small part of the scan's memory.
+/// How far the places of a scan are filled with blood, as means over blocks of 1.5 mm whatever its voxels: enough for
+/// wide vessels, free of most noise, a small part of the scan's memory, and the same for the same patient.
 struct CoarseBlood {
-    VoxelGrid<std::uint8_t> shares;   ///< 200 = filled; in the patient, axes as those of the scan
+    VoxelGrid<std::uint8_t> shares;   ///< 200 = filled; axes as those of the scan
     VoxelMask lumen;   ///< blocks that are at least half full
+    double finestMm = 0.0;   ///< what the blocks can tell apart: as long as they are, or the shortest side of a voxel
 
     /// By linear interpolation, at points in mm along the axes from the middle of the first block.
     BloodFill fill() const;

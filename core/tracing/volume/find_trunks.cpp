@@ -9,7 +9,7 @@
 namespace core {
 namespace {
 
-constexpr double leastRadiusInBlocks = 1.3;   ///< thinner vessels are not seen in blocks
+constexpr double leastRadiusInBlocks = 1.3;   ///< or in voxels, if these are longer; thinner vessels are not seen
 constexpr double leastSlenderness = 3.0;   ///< a single chamber of the heart has 2
 constexpr double usualRadiusMm = 15.0;   ///< of the widest arteries; more counts no more, chambers have it
 constexpr double mostSlenderness = 20.0;   ///< that counts: else thin vessels would win
@@ -18,10 +18,9 @@ constexpr std::uint8_t inTube = 1;
 constexpr std::uint8_t inTrunk = 2;
 
 /// Middles of the lumen, the widest first.
-std::vector<std::uint32_t> middlesOf(const DistanceMap& distances)
+std::vector<std::uint32_t> middlesOf(const DistanceMap& distances, double leastMm)
 {
     const VolumeGeometry& grid = distances.geometry;
-    const double leastMm = leastRadiusInBlocks * grid.spacingMm.minCoeff();
     std::vector<std::uint32_t> middles;
     for (int k = 1; k + 1 < grid.size.z(); ++k) {
         for (int j = 1; j + 1 < grid.size.y(); ++j) {
@@ -129,11 +128,14 @@ double Trunk::worth() const
 std::vector<Trunk> findTrunks(const CoarseBlood& blood, const DistanceMap& distances, TracingProgress& progress)
 {
     const VolumeGeometry& grid = distances.geometry;
-    const TubeGround ground{blood.fill(), grid.spacingMm.minCoeff(),
+    const TubeGround ground{blood.fill(), blood.finestMm,
                             grid.spacingMm.cwiseProduct((grid.size.array() - 1).cast<double>().matrix())};
     VoxelMask seen(grid);
     std::vector<Trunk> trunks;
-    for (const std::uint32_t middle : progress.isStopped() ? std::vector<std::uint32_t>() : middlesOf(distances)) {
+    const std::vector<std::uint32_t> middles = progress.isStopped()
+                                                   ? std::vector<std::uint32_t>()
+                                                   : middlesOf(distances, leastRadiusInBlocks * blood.finestMm);
+    for (const std::uint32_t middle : middles) {
         if (seen.voxels[middle] != 0) {
             continue;
         }

@@ -14,7 +14,9 @@ constexpr double leastSlenderness = 5.0;   ///< of one of the trunks; two chambe
 constexpr double leastLengthMm = 40.0;   ///< of that trunk: marrow, ureters and dense gut are seen in shorter stretches
 constexpr double leastNeck = 0.45;   ///< of the thinner one's radius, on the way between; those that touch have 0.3
 constexpr double mostBeyondSection = 1.3;   ///< largest ball over section: else it lies in something that touches
+constexpr double mostFillStep = 0.2;   ///< between blood of the same artery; of veins and of organs it is other
 constexpr double leastOfOther = 0.5;   ///< thinner over wider radius: else one leaves the other
+constexpr double leastOfFirst = 0.01;   ///< of the first trunk's worth: stumps of branches lead from one to the next
 
 /// Decides whether trunks continue one another.
 class Joiner {
@@ -26,7 +28,8 @@ public:
 
     bool isContinued(const Trunk& trunk, const Trunk& other) const
     {
-        return isJoinedAt(trunk, 0, other) || isJoinedAt(trunk, trunk.radiusMm.size() - 1, other);
+        return std::abs(trunk.fill - other.fill) <= mostFillStep &&
+               (isJoinedAt(trunk, 0, other) || isJoinedAt(trunk, trunk.radiusMm.size() - 1, other));
     }
 
 private:
@@ -101,9 +104,11 @@ std::vector<GreatVessel> greatVessels(const CoarseBlood& blood, int threads, Tra
         GreatVessel vessel{{left.front()}};
         left.erase(left.begin());
         for (std::size_t t = 0; t < left.size() && progress.advance(0.0);) {
-            const bool isJoined = std::any_of(vessel.trunks.begin(), vessel.trunks.end(), [&](const Trunk& trunk) {
-                return joiner.isContinued(left[t], trunk) || joiner.isContinued(trunk, left[t]);
-            });
+            const bool isWorthIt = left[t].worth() >= leastOfFirst * vessel.trunks.front().worth();
+            const bool isJoined =
+                isWorthIt && std::any_of(vessel.trunks.begin(), vessel.trunks.end(), [&](const Trunk& trunk) {
+                    return joiner.isContinued(left[t], trunk) || joiner.isContinued(trunk, left[t]);
+                });
             if (isJoined) {
                 vessel.trunks.push_back(left[t]);
                 left.erase(left.begin() + static_cast<std::ptrdiff_t>(t));

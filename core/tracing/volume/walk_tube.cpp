@@ -8,6 +8,8 @@ namespace core {
 namespace {
 
 constexpr double leastTrust = 0.5;   ///< a sixth of the rays may miss the wall: branches leave there
+constexpr double leastFlatTrust = 0.1;   ///< of a section that is closed: the true lumen of a torn aorta
+constexpr double leastClosed = 0.95;
 constexpr double mostWidening = 1.3;   ///< from one section to the next
 constexpr double mostAside = 0.5;   ///< of the radius, from the way expected to the section's centre
 constexpr double stepInRadii = 0.5;
@@ -21,9 +23,15 @@ struct Walker {
     double radiusMm;
 };
 
+/// Round, or flattened but with walls on all sides.
+bool isTube(const CrossSection& section)
+{
+    return section.trust >= leastTrust || (section.trust >= leastFlatTrust && section.closed >= leastClosed);
+}
+
 bool isLike(const CrossSection& section, const Eigen::Vector3d& expected, double radiusMm)
 {
-    return section.trust >= leastTrust && section.radiusMm <= mostWidening * radiusMm &&
+    return isTube(section) && section.radiusMm <= mostWidening * radiusMm &&
            radiusMm <= mostWidening * section.radiusMm && (section.centreMm - expected).norm() <= mostAside * radiusMm;
 }
 

@@ -16,7 +16,7 @@ struct Tube {
 /// What is walked in.
 struct TubeGround {
     BloodFill fill;
-    double voxelMm = 1.0;   ///< smallest spacing
+    double voxelMm = 1.0;   ///< the finest that the fill tells apart
     Eigen::Vector3d highMm = Eigen::Vector3d::Zero();   ///< middle of the last voxel; nothing is known beyond the rim
 };
 

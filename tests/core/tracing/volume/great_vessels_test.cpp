@@ -12,14 +12,14 @@ namespace {
 
 using test::Tube;
 
-/// Tubes filled to `fill` in a body of 120 x 120 x 180 mm.
-core::CoarseBlood drawn(const std::vector<Tube>& tubes, double fill = 1.0)
+/// Filled tubes in a body of 120 x 120 x 180 mm.
+core::CoarseBlood drawn(const std::vector<Tube>& tubes, const Eigen::Vector3d& voxelMm = {1.5, 1.5, 1.5})
 {
-    const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {80, 80, 120}, {1.5, 1.5, 1.5});
-    const core::VoxelMask lumen = test::drawnMask(grid, tubes);
+    const Eigen::Vector3i size = Eigen::Vector3d(120, 120, 180).cwiseQuotient(voxelMm).array().round().cast<int>();
+    const core::VoxelMask lumen = test::drawnMask(test::gridAround({0, 0, 0}, size, voxelMm), tubes);
     core::TracingProgress progress({});
     return core::coarseBlood(
-        lumen, [&](int i, int j, int k) { return lumen.at(i, j, k) != 0 ? fill : 0.0; }, 1, progress);
+        lumen, [&](int i, int j, int k) { return lumen.at(i, j, k) != 0 ? 1.0 : 0.0; }, 1, progress);
 }
 
 std::vector<core::GreatVessel> foundIn(const core::CoarseBlood& blood)
@@ -76,6 +76,58 @@ TEST(GreatVessels, VesselsThatTouchAreTwo)
     const auto found = foundIn(drawn({aorta, {{-9, 20, -60}, {-9, 20, 60}, 9.0}, {{-30, 20, 0}, {-9, 20, 0}, 2.0}}));
     ASSERT_EQ(found.size(), 2U);
     EXPECT_FALSE(passes(found[0], {-9, 20, 40}, 6.0));
+}
+
+TEST(GreatVessels, AreTheSameInVoxelsOfAnySize)
+{
+    const auto usual = foundIn(drawn({pulmonaryArtery, leftVentricle, aorta}));
+    ASSERT_EQ(usual.size(), 2U);
+    for (const Eigen::Vector3d& voxelMm : {Eigen::Vector3d(0.6, 0.6, 0.6), Eigen::Vector3d(1.0, 1.0, 1.0),
+                                           Eigen::Vector3d(1.2, 1.2, 1.2), Eigen::Vector3d(0.75, 0.75, 5.0)}) {
+        const core::CoarseBlood blood = drawn({pulmonaryArtery, leftVentricle, aorta}, voxelMm);
+        EXPECT_TRUE((blood.lumen.geometry.spacingMm.array() == 1.5).all());
+        const auto found = foundIn(blood);
+        ASSERT_EQ(found.size(), 2U) << voxelMm.transpose();
+        EXPECT_NEAR(found[0].worth() / usual[0].worth(), 1.0, 0.1) << voxelMm.transpose();
+        for (std::size_t n = 0; n < 2; ++n) {
+            EXPECT_LT((found[n].middleInPatient() - usual[n].middleInPatient()).norm(), 6.0) << voxelMm.transpose();
+        }
+    }
+}
+
+TEST(GreatVessels, AreWalkedWhereTheyAreFlattened)
+{
+    std::vector<Tube> tubes{{{-30, 20, 30}, {-30, 20, 85}, 9.0}, {{-30, 20, -85}, {-30, 20, -30}, 7.0}};
+    for (double x = -39.0; x <= -21.0; x += 3.0) {   // the true lumen of a torn aorta: 27 mm wide, 9 mm thick
+        tubes.push_back({{x, 20, -30}, {x, 20, 30}, 4.5});
+    }
+    const auto found = foundIn(drawn(tubes));
+    ASSERT_FALSE(found.empty());
+    const core::Trunk& first = found.front().trunks.front();
+    EXPECT_LT(first.pointsInPatient.front().z() * first.pointsInPatient.back().z(), 0.0);
+    EXPECT_GT(std::abs(first.pointsInPatient.front().z() - first.pointsInPatient.back().z()), 140.0);
+}
+
+TEST(GreatVessels, DoNotHoldVesselsOfOtherBlood)
+{
+    const auto along = [](double fill) {
+        const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {40, 40, 120}, {1.5, 1.5, 1.5});
+        const core::VoxelMask lumen = test::drawnMask(grid, {{{0, 0, -85}, {0, 0, 85}, 8.0}});
+        const core::VoxelMask neck = test::drawnMask(grid, {{{0, 0, -3}, {0, 0, 3}, 8.0}});
+        const core::VoxelMask open = test::drawnMask(grid, {{{0, 0, -30}, {0, 0, 30}, 5.0}});
+        core::TracingProgress progress({});
+        const auto blood = [&](int i, int j, int k) {
+            const bool isWall = neck.at(i, j, k) != 0 && open.at(i, j, k) == 0;
+            return lumen.at(i, j, k) == 0 || isWall ? 0.0 : 2 * k < grid.size.z() ? fill : 1.0;
+        };
+        return foundIn(core::coarseBlood(lumen, blood, 1, progress));
+    };
+    const auto same = along(0.95);
+    const auto other = along(0.65);
+    ASSERT_FALSE(same.empty() || other.empty());
+    EXPECT_TRUE(passes(same[0], {0, 0, -50}, 5.0));
+    EXPECT_TRUE(passes(other[0], {0, 0, 50}, 5.0));
+    EXPECT_FALSE(passes(other[0], {0, 0, -50}, 5.0));
 }
 
 TEST(GreatVessels, AreNamedByAPlaceInThem)
