@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,12 @@ constexpr std::size_t binCount = 300;
 constexpr int coarseStep = 3;   ///< voxels between two looked at, along each axis
 constexpr double airHu = -500.0;   ///< values below this: a CT in HU
 constexpr double leastContrastHu = 150.0;   ///< of blood to tissue in CT; less is an organ or the marrow of bone
+constexpr double leastContrastShare = 0.15;   ///< without HU: of the way from tissue to dense bone, some 1000 HU
 constexpr double leastBloodMl = 0.03;
 constexpr double shareOfGreatest = 0.01;   ///< of the mass of the heaviest peak, to be a peak at all
+constexpr double airShare = 0.05;   ///< of the range of values, from the lowest: air
+constexpr double leastBodyShare = 0.05;   ///< of the air's volume; vessels alone fill less
+constexpr double leastMuscleShare = 0.2;   ///< of the largest peak of the body, which may be fat
 constexpr double unchanged = 0.04;   ///< of the range of values: around a voxel "nothing changes"
 
 /// Smoothed histogram of the voxels around which nothing changes.
@@ -144,17 +149,46 @@ std::vector<Peak> peaksOf(const Histogram& histogram, double above)
     return peaks;
 }
 
-/// In CT the highest peak of muscle and organs; in other values the highest of all.
-double tissueValue(const Histogram& histogram, bool isHu)
+std::size_t highestBin(const Histogram& histogram, double above, double below)
 {
     std::size_t best = 0;
     for (std::size_t b = 0; b < binCount; ++b) {
-        const bool isCandidate = !isHu || (histogram.valueOf(b) > 0.0 && histogram.valueOf(b) < 130.0);
+        const bool isCandidate = histogram.valueOf(b) > above && histogram.valueOf(b) < below;
         if (isCandidate && (histogram.ml[b] > histogram.ml[best] || best == 0)) {
             best = b;
         }
     }
-    return histogram.valueOf(best);
+    return best;
+}
+
+/// Without Hounsfield units the highest peak of all. Where that is the air around the patient, the brightest of those
+/// that are large enough for muscle and organs: fat is darker, blood and bone are less.
+double tissueWithoutHu(const Histogram& histogram, const Range& range)
+{
+    const std::size_t highest = highestBin(histogram, range.low - 1.0, std::numeric_limits<double>::max());
+    const double mostAir = range.low + airShare * (range.high - range.low);
+    if (histogram.valueOf(highest) > mostAir) {
+        return histogram.valueOf(highest);
+    }
+    double airMl = 0.0;
+    for (std::size_t b = 0; b < binCount && histogram.valueOf(b) <= mostAir; ++b) {
+        airMl += histogram.ml[b];
+    }
+    const std::vector<Peak> peaks = peaksOf(histogram, mostAir);
+    double leastMl = leastBodyShare * airMl;
+    for (const Peak& peak : peaks) {
+        leastMl = std::max(leastMl, leastMuscleShare * peak.ml);
+    }
+    const auto muscle =
+        std::find_if(peaks.rbegin(), peaks.rend(), [&](const Peak& peak) { return peak.ml >= leastMl; });
+    const bool isBelowBlood = muscle != peaks.rend() && muscle != peaks.rbegin();
+    return histogram.valueOf(isBelowBlood ? muscle->bin : highest);
+}
+
+/// In CT the highest peak of muscle and organs.
+double tissueValue(const Histogram& histogram, const Range& range, bool isHu)
+{
+    return isHu ? histogram.valueOf(highestBin(histogram, 0.0, 130.0)) : tissueWithoutHu(histogram, range);
 }
 
 /// Median of what lies above the threshold.
@@ -199,9 +233,10 @@ Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, 
     const bool isHu = range.low < airHu;
     BloodLevel level;
     level.isHu = isHu;
-    level.tissue = tissueValue(histogramOf(reader, range, range.low - 1.0, coarseStep), isHu);
+    level.tissue = tissueValue(histogramOf(reader, range, range.low - 1.0, coarseStep), range, isHu);
     const double leastBlood =
-        threshold ? *threshold : level.tissue + (isHu ? leastContrastHu : 0.1 * (range.high - level.tissue));
+        threshold ? *threshold
+                  : level.tissue + (isHu ? leastContrastHu : leastContrastShare * (range.high - level.tissue));
     // Blood may be rare, so that every voxel counts.
     const Histogram histogram = histogramOf(reader, range, leastBlood, 1);
     const std::vector<Peak> peaks = peaksOf(histogram, leastBlood);

@@ -108,6 +108,38 @@ TEST(TraceVolume, IsTheSameForAnyNumberOfThreadsAndAxisOrder)
     }
 }
 
+/// As a picture of 8 bits would hold it, in a frame of air: 0 at -200 HU and below, 255 at 1300 HU.
+Volume asPicture(const Volume& scan, int frame)
+{
+    core::VolumeGeometry grid = scan.geometry;
+    grid.size.array() += 2 * frame;
+    grid.originInPatient = scan.geometry.patientFromVoxel() * Eigen::Vector3d::Constant(-frame);
+    Volume picture(grid, 0);
+    for (int k = 0; k < scan.geometry.size.z(); ++k) {
+        for (int j = 0; j < scan.geometry.size.y(); ++j) {
+            for (int i = 0; i < scan.geometry.size.x(); ++i) {
+                const double share = (scan.value(scan.geometry.index(i, j, k)) + 200.0) / 1500.0;
+                picture.at(i + frame, j + frame, k + frame) =
+                    static_cast<std::int16_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
+            }
+        }
+    }
+    return picture;
+}
+
+TEST(TraceVolume, AirAroundAPatientInGreyValuesIsNoTissue)
+{
+    const core::SimulatedCta cta = core::simulateCta(3, {.branchCount = 6, .rootRadiusMm = 7.0},
+                                                     {.size = {112, 112, 96}, .spacingMm = {1.0, 1.0, 1.0}});
+    const auto usual = core::traceVessels(cta.volume);
+    const auto traced = core::traceVessels(asPicture(cta.volume, 30));
+    ASSERT_TRUE(usual && traced) << traced.error().message;
+    const double usualThreshold = 255.0 * (usual.value().threshold + 200.0) / 1500.0;
+    EXPECT_NEAR(traced.value().threshold, usualThreshold, 4.0);
+    EXPECT_GT(shareNear(cta.tree, traced.value().tree, 2.0), 0.9);
+    EXPECT_GT(shareNear(traced.value().tree, cta.tree, 2.0), 0.95);
+}
+
 TEST(TraceVolume, TakesAGivenThresholdAndSeeds)
 {
     const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {48, 40, 60}, {1.0, 1.0, 1.0});
