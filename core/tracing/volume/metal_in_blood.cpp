@@ -1,5 +1,7 @@
 #include "core/tracing/volume/metal_in_blood.h"
 
+#include "core/tracing/volume/thin_stent.h"
+
 #include <algorithm>
 #include <array>
 
@@ -14,6 +16,23 @@ constexpr double brightFill = 1.6;
 constexpr double leastBesideFill = 0.7;
 constexpr double leastBesideShare = 0.38;   ///< of what is not bright itself; wires in a sternum have 0.3
 
+Eigen::Vector3i placeOf(std::uint32_t voxel, const VolumeGeometry& grid)
+{
+    const auto at = static_cast<std::ptrdiff_t>(voxel);
+    const std::ptrdiff_t row = at / grid.size.x();
+    return {static_cast<int>(at % grid.size.x()), static_cast<int>(row % grid.size.y()),
+            static_cast<int>(row / grid.size.y())};
+}
+
+/// The places so many voxels away along each axis.
+std::array<Eigen::Vector3i, 6> sidesOf(const Eigen::Vector3i& voxel, const Eigen::Vector3i& reach)
+{
+    const Eigen::Vector3i x(reach.x(), 0, 0);
+    const Eigen::Vector3i y(0, reach.y(), 0);
+    const Eigen::Vector3i z(0, 0, reach.z());
+    return {voxel - x, voxel + x, voxel - y, voxel + y, voxel - z, voxel + z};
+}
+
 /// Looks along the axes from the voxels of one piece.
 class Surroundings {
 public:
@@ -24,14 +43,14 @@ public:
 
     bool isSolidAt(const Eigen::Vector3i& voxel) const
     {
-        return std::ranges::all_of(sides(voxel, solidReach_), [this](const Eigen::Vector3i& at) {
+        return std::ranges::all_of(sidesOf(voxel, solidReach_), [this](const Eigen::Vector3i& at) {
             return grid_.contains(at) && fill_(at.x(), at.y(), at.z()) > brightFill;
         });
     }
 
     void countBeside(const Eigen::Vector3i& voxel)
     {
-        for (const Eigen::Vector3i& at : sides(voxel, beside_)) {
+        for (const Eigen::Vector3i& at : sidesOf(voxel, beside_)) {
             const double fill = grid_.contains(at) ? fill_(at.x(), at.y(), at.z()) : 2.0 * brightFill;
             seen_ += fill <= brightFill ? 1 : 0;
             blood_ += fill >= leastBesideFill && fill <= brightFill ? 1 : 0;
@@ -42,14 +61,6 @@ public:
 
 private:
     Eigen::Vector3i voxelsIn(double mm) const { return (mm / grid_.spacingMm.array()).round().cast<int>().max(2); }
-
-    static std::array<Eigen::Vector3i, 6> sides(const Eigen::Vector3i& voxel, const Eigen::Vector3i& reach)
-    {
-        const Eigen::Vector3i x(reach.x(), 0, 0);
-        const Eigen::Vector3i y(0, reach.y(), 0);
-        const Eigen::Vector3i z(0, 0, reach.z());
-        return {voxel - x, voxel + x, voxel - y, voxel + y, voxel - z, voxel + z};
-    }
 
     const VolumeGeometry& grid_;
     const VoxelFill& fill_;
@@ -68,15 +79,9 @@ double mostBone(const BloodLevel& level)
 
 bool isMetalInBlood(const VoxelPiece& piece, const VolumeGeometry& grid, const BloodLevel& level, const VoxelFill& fill)
 {
-    const auto placeOf = [&grid](std::uint32_t voxel) {
-        const auto at = static_cast<std::ptrdiff_t>(voxel);
-        const std::ptrdiff_t row = at / grid.size.x();
-        return Eigen::Vector3i(static_cast<int>(at % grid.size.x()), static_cast<int>(row % grid.size.y()),
-                               static_cast<int>(row / grid.size.y()));
-    };
     const double leastMetal = mostBone(level);
     const bool isMetal = std::ranges::any_of(piece, [&](std::uint32_t voxel) {
-        const Eigen::Vector3i at = placeOf(voxel);
+        const Eigen::Vector3i at = placeOf(voxel, grid);
         return fill(at.x(), at.y(), at.z()) > leastMetal;
     });
     if (!isMetal) {
@@ -84,12 +89,12 @@ bool isMetalInBlood(const VoxelPiece& piece, const VolumeGeometry& grid, const B
     }
     Surroundings around(grid, fill);
     for (const std::uint32_t voxel : piece) {
-        if (around.isSolidAt(placeOf(voxel))) {
+        if (around.isSolidAt(placeOf(voxel, grid))) {
             return false;
         }
-        around.countBeside(placeOf(voxel));
+        around.countBeside(placeOf(voxel, grid));
     }
-    return around.isBlood();
+    return around.isBlood() || isThinStent(piece, grid, fill);
 }
 
 }   // namespace core

@@ -313,6 +313,19 @@ TEST(TraceVolume, GoesOnThroughAStentInAThinVessel)
     }
 }
 
+TEST(TraceVolume, GoesOnThroughAStentWithoutVisibleBlood)
+{
+    for (const double rootRadiusMm : {4.0, 5.0}) {   // 2.2 and 2.7 mm where the stent is
+        const core::SimulatedCta cta =
+            core::simulateCta(2, {.branchCount = 6, .rootRadiusMm = rootRadiusMm},
+                              {.size = {120, 120, 120}, .spacingMm = {1.0, 1.0, 1.0}, .hasStent = true});
+        const auto traced = core::traceVessels(cta.volume);
+        ASSERT_TRUE(traced) << traced.error().message;
+        EXPECT_GT(shareNear(cta.tree, traced.value().tree, 2.0), 0.93) << rootRadiusMm;
+        EXPECT_GT(shareNear(traced.value().tree, cta.tree, 2.0), 0.95) << rootRadiusMm;
+    }
+}
+
 /// Wires that are as bright as metal in this scan, some two voxels thick.
 void addStent(Volume& volume, const core::VesselBranch& branch)
 {
