@@ -24,8 +24,8 @@ using benchmarks::Course;
 using benchmarks::ThoracicScan;
 
 const std::string usage =
-    "Usage: vessel_tracing_table [--simulated ] [--real ] [--large ] [--seeds <n>]\n"
-    "  Without a choice all three parts are printed; --seeds: simulated scans (8).\n";
+    "Usage: vessel_tracing_table [--simulated ] [--stents ] [--real ] [--large ] [--seeds <n>]\n"
+    "  Without a choice all four parts are printed; --seeds: simulated scans (8).\n";
 
 std::string fixed(double value, int decimals)
 {
@@ -118,6 +118,40 @@ void printSimulated(int seeds)
                    std::to_string(cta.tree.branches.size()), fixed(time.wall, 1)});
     }
     std::printf("Simulated CT angiograms, 256 x 256 x 220, defaults\n");
+    table.print();
+}
+
+/// Simulated scans whose first branch carries a stent.
+void printStented()
+{
+    Table table({"voxel [mm]", "stent radius [mm]", "found", "right", "error in stent [mm]", "branches", "true"});
+    for (const double voxelMm : {1.0, 0.75, 0.6}) {
+        for (const double rootRadiusMm : {3.0, 4.0, 5.0, 6.5, 8.0}) {
+            for (const std::uint64_t seed : {1U, 2U}) {
+                const int across = static_cast<int>(120.0 / voxelMm);
+                const core::SimulatedCta cta = core::simulateCta(seed, {.branchCount = 6, .rootRadiusMm = rootRadiusMm},
+                                                                 {.size = {across, across, across},
+                                                                  .spacingMm = Eigen::Vector3d::Constant(voxelMm),
+                                                                  .calcificationCount = 4,
+                                                                  .hasStent = true});
+                const auto traced = core::traceVessels(cta.volume);
+                const core::VesselBranch& stented = cta.tree.branches.front();
+                const std::string radius = fixed(stented.radiusMm[stented.radiusMm.size() / 2], 1);
+                if (!traced) {
+                    table.add(
+                        {fixed(voxelMm, 2), radius, "-", "-", "-", "0", std::to_string(cta.tree.branches.size())});
+                    continue;
+                }
+                const core::VesselTree& tree = traced.value().tree;
+                const test::TreeAgreement agreement = test::agreementOf(tree, cta.tree, voxelMm);
+                const auto error = test::radiusErrorInStentMm(tree, stented);
+                table.add({fixed(voxelMm, 2), radius, fixed(agreement.found, 3), fixed(agreement.right, 3),
+                           error ? fixed(*error, 2) : "not found", std::to_string(tree.branches.size()),
+                           std::to_string(cta.tree.branches.size())});
+            }
+        }
+    }
+    std::printf("Simulated CT angiograms with a stent\n");
     table.print();
 }
 
@@ -302,9 +336,13 @@ void printStops(const core::Volume& scan, const core::VesselTracingOptions& opti
 int main(int count, char** values)
 {
     const benchmarks::Arguments arguments(count, values, usage);
-    const bool isAll = !arguments.isSet("simulated") && !arguments.isSet("real") && !arguments.isSet("large");
+    const bool isAll = !arguments.isSet("simulated") && !arguments.isSet("stents") && !arguments.isSet("real") &&
+                       !arguments.isSet("large");
     if (isAll || arguments.isSet("simulated")) {
         printSimulated(static_cast<int>(arguments.number("seeds", 8)));
+    }
+    if (isAll || arguments.isSet("stents")) {
+        printStented();
     }
     if (isAll || arguments.isSet("real")) {
         printThoracic();

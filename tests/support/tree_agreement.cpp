@@ -1,11 +1,16 @@
 #include "tests/support/tree_agreement.h"
 
+#include "core/simulation/stent_wires.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace test {
 namespace {
+
+constexpr double stentTipShare = 0.02;   ///< of the branch, at both ends of its stent
+constexpr double stentReachMm = 2.0;
 
 constexpr double spacingMm = 0.5;
 
@@ -64,6 +69,37 @@ TreeAgreement agreementOf(const core::VesselTree& traced, const core::VesselTree
     result.meanDistanceMm /= std::max(1.0, rightPoints);
     result.radiusError /= std::max(1.0, rightPoints);
     return result;
+}
+
+std::optional<double> radiusErrorInStentMm(const core::VesselTree& traced, const core::VesselBranch& stented)
+{
+    const core::StentOptions stent;
+    const auto count = static_cast<double>(stented.pointsInPatient.size());
+    const auto first = static_cast<std::size_t>(std::ceil((stent.startShare + stentTipShare) * count));
+    const auto last = static_cast<std::size_t>(std::floor((stent.endShare - stentTipShare) * count));
+    std::vector<double> errors;
+    for (std::size_t n = first; n < last; ++n) {
+        double nearestMm = stentReachMm;
+        std::optional<double> error;
+        for (const core::VesselBranch& branch : traced.branches) {
+            for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
+                const double awayMm = (branch.pointsInPatient[i] - stented.pointsInPatient[n]).norm();
+                if (awayMm < nearestMm) {
+                    nearestMm = awayMm;
+                    error = branch.radiusMm[i] - stented.radiusMm[n];
+                }
+            }
+        }
+        if (error) {
+            errors.push_back(*error);
+        }
+    }
+    if (2 * errors.size() < last - first || errors.empty()) {
+        return std::nullopt;
+    }
+    const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+    std::nth_element(errors.begin(), middle, errors.end());
+    return *middle;
 }
 
 }   // namespace test

@@ -2,6 +2,8 @@
 
 #include "core/vessel/vessel_tree.h"
 
+#include <optional>
+
 namespace test {
 
 /// How a traced tree agrees with the true one.
@@ -15,5 +17,9 @@ struct TreeAgreement {
 
 /// `leastReachMm` is the least distance that counts as within a vessel (a voxel).
 TreeAgreement agreementOf(const core::VesselTree& traced, const core::VesselTree& truth, double leastReachMm);
+
+/// Traced less true radius, median over the stretch of a simulated branch that carries its stent; none where less than
+/// half of it is traced.
+std::optional<double> radiusErrorInStentMm(const core::VesselTree& traced, const core::VesselBranch& stented);
 
 }   // namespace test

@@ -13,6 +13,9 @@ namespace {
 constexpr std::size_t rayCount = 24;
 constexpr double stepInVoxels = 0.25;
 constexpr double thinInVoxels = 2.2;   ///< below this radius a section is weighed rather than measured
+constexpr double brighterThanBlood = 1.6;
+constexpr double mostBlood = 1.3;   ///< that counts when a section is weighed
+constexpr double blurInVoxels = 0.8;   ///< from the middle of something thin to half its brightness
 constexpr double leastFill = 0.15;   ///< of the centre, to be a vessel at all
 
 struct Ray {
@@ -35,14 +38,24 @@ std::array<Ray, rayCount> raysAcross(const Eigen::Vector3d& tangent)
     return rays;
 }
 
+/// The wall is where the fill falls below the level. Wires and chalk on it blur far beyond it: there it is where they
+/// are brightest, or as far within their edge as blurring spreads it.
 void findWall(Ray& ray, const SectionPlane& plane, const BloodFill& fill, double level, double reachMm)
 {
     const double step = stepInVoxels * plane.voxelMm;
     double before = fill(plane.pointMm);
+    double peak = before;
+    double peakMm = 0.0;
     for (double away = step; away <= reachMm; away += step) {
         const double here = fill(plane.pointMm + away * ray.direction);
-        if (here < level) {
-            ray.wallMm = away - step * std::clamp((level - here) / std::max(before - here, 1e-9), 0.0, 1.0);
+        if (here > peak) {
+            peak = here;
+            peakMm = away;
+        }
+        const double least = peak > brighterThanBlood ? 0.5 * peak : level;
+        if (here < least) {
+            const double edgeMm = away - step * std::clamp((least - here) / std::max(before - here, 1e-9), 0.0, 1.0);
+            ray.wallMm = peak > brighterThanBlood ? std::max(peakMm, edgeMm - blurInVoxels * plane.voxelMm) : edgeMm;
             return;
         }
         before = here;
@@ -90,7 +103,7 @@ double weighedRadius(const std::array<Ray, rayCount>& rays, const Eigen::Vector3
     for (double away = 0.5 * step; away < rimMm; away += step) {
         double ring = 0.0;
         for (const Ray& ray : rays) {
-            ring += fill(centre + away * ray.direction) - background;
+            ring += std::min(fill(centre + away * ray.direction), mostBlood) - background;
         }
         blood += ring / rayCount * 2.0 * away * step;   // over π
     }

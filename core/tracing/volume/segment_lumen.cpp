@@ -26,6 +26,7 @@ constexpr std::uint8_t wallBits = tooBright | metal;
 constexpr double leastTubeFill = 0.25;   ///< share of blood in a voxel of a thin vessel
 constexpr double leastCoreFill = 0.55;
 constexpr double mostFill = 1.6;   ///< brighter: bone, metal, contrast before it has mixed
+constexpr double mostMetal = 6.0;   ///< in sections: how bright beyond that says nothing more
 constexpr double mostUneven = 0.18;   ///< standard deviation within a core
 constexpr double mostBrightMl = 0.1;   ///< of pieces brighter than blood: calcifications are smaller
 constexpr double coreReachMm = 1.4;   ///< from a core to its wall; at least two voxels
@@ -271,7 +272,7 @@ BloodFill fillOf(const Volume& volume, const AxisOrder& order, const BloodLevel&
         return interpolated(order.geometry, pointMm, [&](const Eigen::Vector3i& at) {
             const double fill = (volume.value(order.stored(at.x(), at.y(), at.z())) - level.tissue) / level.contrast();
             const std::uint8_t kind = lumen.at(at.x(), at.y(), at.z());
-            return kind == 2 ? 1.0 : fill >= 0.5 && kind == 0 ? 0.0 : std::clamp(fill, -1.0, 1.3);
+            return kind == 2 ? 1.0 : fill >= 0.5 && kind == 0 ? 0.0 : std::clamp(fill, -1.0, mostMetal);
         });
     };
 }

@@ -3,11 +3,13 @@
 #include "core/tracing/volume/trace_vessels.h"
 #include "core/vessel/polyline.h"
 #include "tests/support/drawn_tubes.h"
+#include "tests/support/tree_agreement.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 namespace {
@@ -323,6 +325,22 @@ TEST(TraceVolume, GoesOnThroughAStentWithoutVisibleBlood)
         ASSERT_TRUE(traced) << traced.error().message;
         EXPECT_GT(shareNear(cta.tree, traced.value().tree, 2.0), 0.93) << rootRadiusMm;
         EXPECT_GT(shareNear(traced.value().tree, cta.tree, 2.0), 0.95) << rootRadiusMm;
+    }
+}
+
+TEST(TraceVolume, MeasuresAStentedVesselAtItsWires)
+{
+    for (const double voxelMm : {1.0, 0.75}) {
+        for (const double rootRadiusMm : {3.6, 6.5}) {
+            const core::SimulatedCta cta = stentedCta(rootRadiusMm, voxelMm);
+            const auto traced = core::traceVessels(cta.volume);
+            ASSERT_TRUE(traced) << traced.error().message;
+            const core::VesselBranch& stented = cta.tree.branches.front();
+            const auto error = test::radiusErrorInStentMm(traced.value().tree, stented);
+            ASSERT_TRUE(error);
+            EXPECT_LT(std::abs(*error), 0.1 * stented.radiusMm[stented.radiusMm.size() / 2])
+                << rootRadiusMm << " in " << voxelMm;
+        }
     }
 }
 
