@@ -19,6 +19,8 @@ namespace core {
 namespace {
 
 constexpr int holeRounds = 4;
+constexpr double leastFilledRadius = 1.5;   ///< voxels; the axis of a thinner vessel is dark by blurring
+constexpr double leastAxisFill = 0.65;   ///< of the blood, half way along all axes
 constexpr double leastHoleFill = 0.4;   ///< share of blood around a voxel that is dark by noise
 
 /// The set voxels in patient axis order.
@@ -129,6 +131,28 @@ Error noLongBranch()
         "branch length."};
 }
 
+/// Whether the axes of what is wide enough to tell are filled: those of shells, of marrow and between organs are not.
+bool isFilled(const VesselTree& tree, const AxisOrder& order, const VoxelFill& fill)
+{
+    const Eigen::Affine3d voxelFromPatient = order.geometry.patientFromVoxel().inverse();
+    const double leastRadiusMm = leastFilledRadius * order.geometry.spacingMm.maxCoeff();
+    std::vector<double> fills;
+    for (const VesselBranch& branch : tree.branches) {
+        for (std::size_t n = 0; n < branch.pointsInPatient.size(); ++n) {
+            const Eigen::Vector3i at = (voxelFromPatient * branch.pointsInPatient[n]).array().round().cast<int>();
+            if (branch.radiusMm[n] >= leastRadiusMm && order.geometry.contains(at)) {
+                fills.push_back(fill(at.x(), at.y(), at.z()));
+            }
+        }
+    }
+    if (fills.empty()) {
+        return true;
+    }
+    const auto middle = fills.begin() + static_cast<std::ptrdiff_t>(fills.size() / 2);
+    std::nth_element(fills.begin(), middle, fills.end());
+    return *middle >= leastAxisFill;
+}
+
 /// A mask in patient axis order, taken as it is.
 Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, const VesselTracingOptions& options,
                                  TracingProgress& progress)
@@ -222,6 +246,9 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
     TracedVessels vessels = std::move(traced).value();
     vessels.threshold = level.value().threshold;
     if (options.seedsInPatient.empty()) {
+        if (great.empty() && !options.threshold && !isFilled(vessels.tree, order, fill)) {
+            return noVesselsFound(level.value());
+        }
         if (!lumen.startsInPatient.empty()) {
             vessels.foundStart = great.front().middleInPatient();
         }

@@ -291,6 +291,26 @@ TEST(TraceVolume, NeverTracesBone)
     }
 }
 
+TEST(TraceVolume, RefusesShellsWithoutBloodOnTheirAxes)
+{
+    const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {56, 48, 60}, {1.0, 1.0, 1.0});
+    const std::vector<Tube> shell{{{0, 0, -10}, {0, 0, 10}, 12.0}};
+    Volume volume = tubesInTissue(grid, shell);
+    EXPECT_TRUE(core::traceVessels(volume));
+    for (int k = 0; k < grid.size.z(); ++k) {
+        for (int j = 0; j < grid.size.y(); ++j) {
+            for (int i = 0; i < grid.size.x(); ++i) {
+                if (test::distanceToWall(shell, grid.patientFromVoxel() * Eigen::Vector3d(i, j, k)) < -6.0) {
+                    volume.at(i, j, k) = 120;
+                }
+            }
+        }
+    }
+    const auto traced = core::traceVessels(volume);
+    ASSERT_FALSE(traced);
+    EXPECT_NE(traced.error().message.find("not like a vessel"), std::string::npos) << traced.error().message;
+}
+
 /// The first branch of a simulated tree carries a stent.
 core::SimulatedCta stentedCta(double rootRadiusMm, double voxelMm)
 {
