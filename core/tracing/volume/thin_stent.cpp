@@ -20,9 +20,9 @@ Eigen::Vector3d placeMm(std::uint32_t voxel, const VolumeGeometry& grid)
 {
     const auto at = static_cast<std::ptrdiff_t>(voxel);
     const std::ptrdiff_t row = at / grid.size.x();
-    return grid.spacingMm.cwiseProduct(Eigen::Vector3d(static_cast<double>(at % grid.size.x()),
-                                                       static_cast<double>(row % grid.size.y()),
-                                                       static_cast<double>(row / grid.size.y())));
+    const std::ptrdiff_t slice = row / grid.size.y();
+    return grid.spacingMm.cwiseProduct(Eigen::Vector3d(
+        static_cast<double>(at % grid.size.x()), static_cast<double>(row % grid.size.y()), static_cast<double>(slice)));
 }
 
 /// Where a long thin piece ends, and where it leads to from there.
