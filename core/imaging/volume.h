@@ -30,6 +30,14 @@ struct VolumeGeometry {
                    static_cast<std::size_t>(size.x()) +
                static_cast<std::size_t>(i);
     }
+    /// The voxel of that index.
+    Eigen::Vector3i voxelAt(std::size_t index) const
+    {
+        const auto columns = static_cast<std::size_t>(size.x());
+        const auto rows = static_cast<std::size_t>(size.y());
+        const std::size_t row = index / columns;
+        return {static_cast<int>(index % columns), static_cast<int>(row % rows), static_cast<int>(row / rows)};
+    }
     Eigen::Affine3d patientFromVoxel() const
     {
         Eigen::Affine3d map = Eigen::Affine3d::Identity();

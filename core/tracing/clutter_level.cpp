@@ -11,8 +11,8 @@ namespace {
 
 constexpr double rank = 0.9;   // above most noise, below what the flanks of vessels add to the far tail
 constexpr double tailRank = 0.98;
-constexpr double tailRatio =
-    1.75;   // of the values at these ranks where structures are about; in mere noise it is less
+// Of the values at these ranks, where structures are about; in mere noise it is less.
+constexpr double tailRatio = 1.75;
 constexpr double leastWeight = 0.5;   // fine vessels shall be found in some noise too
 constexpr int rimPx = 6;   // where filters see the edge of the field
 constexpr double clearMultiple = 4.0;

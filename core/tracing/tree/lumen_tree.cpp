@@ -40,14 +40,10 @@ std::vector<BranchPath> pathsIn(const VesselGraph& graph, const VesselTracingOpt
 std::vector<std::size_t> skeletonOf(const VoxelMask& lumen, TracingProgress& progress)
 {
     WiderMask wider = continuedBeyondRim(lumen);
-    const Eigen::Vector3i size = wider.mask.geometry.size;
+    const VolumeGeometry grid = wider.mask.geometry;
     std::vector<std::size_t> within;
     for (const std::size_t voxel : thinnedInPlace(std::move(wider.mask), progress)) {
-        const auto at = static_cast<std::ptrdiff_t>(voxel);
-        const std::ptrdiff_t row = at / size.x();
-        const Eigen::Vector3i place = Eigen::Vector3i(static_cast<int>(at % size.x()), static_cast<int>(row % size.y()),
-                                                      static_cast<int>(row / size.y())) -
-                                      wider.offset;
+        const Eigen::Vector3i place = grid.voxelAt(voxel) - wider.offset;
         if (lumen.geometry.contains(place)) {
             within.push_back(lumen.geometry.index(place.x(), place.y(), place.z()));
         }

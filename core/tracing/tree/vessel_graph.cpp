@@ -35,13 +35,7 @@ public:
     }
 
 private:
-    Eigen::Vector3i voxelOf(std::size_t v) const
-    {
-        const Eigen::Vector3i& size = distances_.geometry.size;
-        const auto index = static_cast<std::ptrdiff_t>(skeleton_[v]);
-        return {static_cast<int>(index % size.x()), static_cast<int>(index / size.x() % size.y()),
-                static_cast<int>(index / (static_cast<std::ptrdiff_t>(size.x()) * size.y()))};
-    }
+    Eigen::Vector3i voxelOf(std::size_t v) const { return distances_.geometry.voxelAt(skeleton_[v]); }
 
     Eigen::Vector3d pointOf(std::size_t v) const
     {

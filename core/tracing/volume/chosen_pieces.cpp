@@ -15,16 +15,6 @@ constexpr double seedReachMm = 3.0;
 constexpr double farSeedReachMm = 10.0;   ///< to the core of a wide vessel, which begins two voxels inside its wall
 constexpr double worthMentioning = 0.05;   ///< of the voxels that are kept
 
-Eigen::Vector3d placeOf(const VolumeGeometry& grid, std::uint32_t voxel)
-{
-    const auto at = static_cast<std::int64_t>(voxel);
-    const std::int64_t row = at / grid.size.x();
-    const std::int64_t slice = row / grid.size.y();
-    return grid.patientFromVoxel() * Eigen::Vector3d(static_cast<double>(at % grid.size.x()),
-                                                     static_cast<double>(row % grid.size.y()),
-                                                     static_cast<double>(slice));
-}
-
 /// Of those of at least `leastValue`.
 std::optional<std::uint32_t> nearestVoxel(const VoxelMask& mask, const Eigen::Vector3d& placeInPatient, double reachMm,
                                           std::uint8_t leastValue)
@@ -129,7 +119,7 @@ Result<SeedsInLumen> seedsInLumen(const VoxelMask& mask, const std::vector<Eigen
         if (!voxel) {
             return noVesselAt(seed);
         }
-        seeds.inPatient.push_back(placeOf(mask.geometry, *voxel));
+        seeds.inPatient.emplace_back(mask.geometry.patientFromVoxel() * mask.geometry.voxelAt(*voxel).cast<double>());
         char away[32];
         std::snprintf(away, sizeof away, "%.1f", (seeds.inPatient.back() - seed).norm());
         seeds.warnings.push_back("The seed " + placeText(seed) + " mm (LPS) lies in nothing filled: the vessel " +

@@ -47,15 +47,6 @@ std::vector<std::uint32_t> middlesOf(const DistanceMap& distances, double leastM
     return middles;
 }
 
-Eigen::Vector3d placeMm(const VolumeGeometry& grid, std::uint32_t voxel)
-{
-    const auto at = static_cast<std::int64_t>(voxel);
-    const std::int64_t row = at / grid.size.x();
-    const std::int64_t slice = row / grid.size.y();
-    return grid.spacingMm.cwiseProduct(Eigen::Vector3d(
-        static_cast<double>(at % grid.size.x()), static_cast<double>(row % grid.size.y()), static_cast<double>(slice)));
-}
-
 /// Marks what lies within the tube: walks from there would only repeat it.
 void mark(VoxelMask& seen, const Tube& tube, std::uint8_t value)
 {
@@ -142,7 +133,8 @@ std::vector<Trunk> findTrunks(const CoarseBlood& blood, const DistanceMap& dista
         if (!progress.advance(0.0)) {
             break;
         }
-        const Tube tube = walkTube(placeMm(grid, middle), distances.mm(middle), ground);
+        const Tube tube =
+            walkTube(grid.spacingMm.cwiseProduct(grid.voxelAt(middle).cast<double>()), distances.mm(middle), ground);
         Trunk trunk{{}, tube.radiusMm, 0.0};
         for (const Eigen::Vector3d& point : tube.pointsMm) {
             trunk.fill += ground.fill(point) / static_cast<double>(tube.pointsMm.size());

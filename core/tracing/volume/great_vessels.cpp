@@ -52,13 +52,12 @@ private:
     /// Of the vessel around: the last section of a walk need not lie in its middle.
     Eigen::Vector3i middleAt(const Eigen::Vector3d& inPatient, double radiusMm) const
     {
-        const Eigen::Vector3i& size = distances_.geometry.size;
+        const VolumeGeometry& grid = distances_.geometry;
         const Eigen::Vector3i at =
-            (gridFromPatient_ * inPatient).array().round().cast<int>().max(0).min(size.array() - 1);
-        const auto voxel = static_cast<std::uint32_t>(distances_.geometry.index(at.x(), at.y(), at.z()));
+            (gridFromPatient_ * inPatient).array().round().cast<int>().max(0).min(grid.size.array() - 1);
+        const auto voxel = static_cast<std::uint32_t>(grid.index(at.x(), at.y(), at.z()));
         const std::uint32_t middle = wayToMiddle(voxel, distances_).back();
-        const auto found = static_cast<int>(distances_.mm(middle) <= mostBeyondSection * radiusMm ? middle : voxel);
-        return {found % size.x(), found / size.x() % size.y(), found / (size.x() * size.y())};
+        return grid.voxelAt(distances_.mm(middle) <= mostBeyondSection * radiusMm ? middle : voxel);
     }
 
     const DistanceMap& distances_;

@@ -16,14 +16,6 @@ constexpr double brightFill = 1.6;
 constexpr double leastBesideFill = 0.7;
 constexpr double leastBesideShare = 0.38;   ///< of what is not bright itself; wires in a sternum have 0.3
 
-Eigen::Vector3i placeOf(std::uint32_t voxel, const VolumeGeometry& grid)
-{
-    const auto at = static_cast<std::ptrdiff_t>(voxel);
-    const std::ptrdiff_t row = at / grid.size.x();
-    return {static_cast<int>(at % grid.size.x()), static_cast<int>(row % grid.size.y()),
-            static_cast<int>(row / grid.size.y())};
-}
-
 /// The places so many voxels away along each axis.
 std::array<Eigen::Vector3i, 6> sidesOf(const Eigen::Vector3i& voxel, const Eigen::Vector3i& reach)
 {
@@ -81,7 +73,7 @@ bool isMetalInBlood(const VoxelPiece& piece, const VolumeGeometry& grid, const B
 {
     const double leastMetal = mostBone(level);
     const bool isMetal = std::ranges::any_of(piece, [&](std::uint32_t voxel) {
-        const Eigen::Vector3i at = placeOf(voxel, grid);
+        const Eigen::Vector3i at = grid.voxelAt(voxel);
         return fill(at.x(), at.y(), at.z()) > leastMetal;
     });
     if (!isMetal) {
@@ -89,10 +81,10 @@ bool isMetalInBlood(const VoxelPiece& piece, const VolumeGeometry& grid, const B
     }
     Surroundings around(grid, fill);
     for (const std::uint32_t voxel : piece) {
-        if (around.isSolidAt(placeOf(voxel, grid))) {
+        if (around.isSolidAt(grid.voxelAt(voxel))) {
             return false;
         }
-        around.countBeside(placeOf(voxel, grid));
+        around.countBeside(grid.voxelAt(voxel));
     }
     return around.isBlood() || isThinStent(piece, grid, fill);
 }

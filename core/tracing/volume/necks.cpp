@@ -11,10 +11,7 @@ namespace {
 template <class Visit>
 void eachNeighbour(const VolumeGeometry& grid, std::uint32_t voxel, const Visit& visit)
 {
-    const Eigen::Vector3i& size = grid.size;
-    const auto at = static_cast<std::int64_t>(voxel);
-    const Eigen::Vector3i place(static_cast<int>(at % size.x()), static_cast<int>(at / size.x() % size.y()),
-                                static_cast<int>(at / (static_cast<std::int64_t>(size.x()) * size.y())));
+    const Eigen::Vector3i place = grid.voxelAt(voxel);
     for (int z = -1; z <= 1; ++z) {
         for (int y = -1; y <= 1; ++y) {
             for (int x = -1; x <= 1; ++x) {

@@ -127,13 +127,6 @@ private:
         stents_.clear();
     }
 
-    Eigen::Vector3i placeOf(std::uint32_t voxel) const
-    {
-        const auto at = static_cast<std::ptrdiff_t>(voxel);
-        return {static_cast<int>(at % size_.x()), static_cast<int>(at / size_.x() % size_.y()),
-                static_cast<int>(at / size_.x() / size_.y())};
-    }
-
     void markCores(int k)
     {
         eachVoxel(flags_, k, [&](int i, int j, std::uint8_t& flag) {
@@ -221,7 +214,7 @@ private:
         std::size_t wall = 0;
         std::size_t boneWall = 0;
         for (const std::uint32_t voxel : piece) {
-            const Eigen::Vector3i at = placeOf(voxel);
+            const Eigen::Vector3i at = flags_.geometry.voxelAt(voxel);
             cores += lumen.voxels[voxel] > 1 ? 1 : 0;
             if (isWall(lumen, at)) {
                 ++wall;

@@ -78,10 +78,7 @@ private:
 
     void pushNeighbours(std::uint32_t from, std::uint8_t label)
     {
-        const Eigen::Vector3i& size = mask_.geometry.size;
-        const auto at = static_cast<std::int64_t>(from);
-        const Eigen::Vector3i voxel(static_cast<int>(at % size.x()), static_cast<int>(at / size.x() % size.y()),
-                                    static_cast<int>(at / (static_cast<std::int64_t>(size.x()) * size.y())));
+        const Eigen::Vector3i voxel = mask_.geometry.voxelAt(from);
         for (int z = -1; z <= 1; ++z) {
             for (int y = -1; y <= 1; ++y) {
                 for (int x = -1; x <= 1; ++x) {

@@ -10,21 +10,14 @@ namespace {
 
 constexpr double clearMm = 5.0;
 constexpr double farMm = 7.0;
-constexpr double leastShare =
-    0.35;   ///< of blood at that distance, over wires, by volume; beyond the ends of a thin stent 0.2
-
-Eigen::Vector3i placeOf(std::uint32_t voxel, const Eigen::Vector3i& size)
-{
-    const auto at = static_cast<std::ptrdiff_t>(voxel);
-    const std::ptrdiff_t row = at / size.x();
-    return {static_cast<int>(at % size.x()), static_cast<int>(row % size.y()), static_cast<int>(row / size.y())};
-}
+/// Of blood at that distance, over wires, by volume; beyond the ends of a thin stent 0.2.
+constexpr double leastShare = 0.35;
 
 VoxelBox boxAround(const VoxelPiece& piece, const VolumeGeometry& grid)
 {
     VoxelBox box{grid.size, Eigen::Vector3i::Zero()};
     for (const std::uint32_t voxel : piece) {
-        const Eigen::Vector3i at = placeOf(voxel, grid.size);
+        const Eigen::Vector3i at = grid.voxelAt(voxel);
         box.low = box.low.cwiseMin(at);
         box.high = box.high.cwiseMax((at.array() + 1).matrix());
     }
@@ -40,7 +33,7 @@ bool isWideStent(const VoxelPiece& wires, const VoxelMask& flags, std::uint8_t c
     const VoxelBox box = boxAround(wires, flags.geometry);
     VoxelMask others(cropped(flags.geometry, box), 1);
     for (const std::uint32_t voxel : wires) {
-        const Eigen::Vector3i at = placeOf(voxel, flags.geometry.size) - box.low;
+        const Eigen::Vector3i at = flags.geometry.voxelAt(voxel) - box.low;
         others.at(at.x(), at.y(), at.z()) = 0;
     }
     const DistanceMap toWires = distanceMap(others, threads, progress);

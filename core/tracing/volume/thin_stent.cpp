@@ -16,15 +16,6 @@ constexpr double endShare = 0.25;   ///< of half the length
 constexpr double beyondMm = 2.0;   ///< from a tip to the middle of where blood is looked for
 constexpr double aroundMm = 3.0;
 
-Eigen::Vector3d placeMm(std::uint32_t voxel, const VolumeGeometry& grid)
-{
-    const auto at = static_cast<std::ptrdiff_t>(voxel);
-    const std::ptrdiff_t row = at / grid.size.x();
-    const std::ptrdiff_t slice = row / grid.size.y();
-    return grid.spacingMm.cwiseProduct(Eigen::Vector3d(
-        static_cast<double>(at % grid.size.x()), static_cast<double>(row % grid.size.y()), static_cast<double>(slice)));
-}
-
 /// Where a long thin piece ends, and where it leads to from there.
 struct PieceEnd {
     Eigen::Vector3d tipMm;
@@ -65,7 +56,7 @@ public:
     ThinTube(const VoxelPiece& piece, const VolumeGeometry& grid, const VoxelFill& fill) : grid_(grid), fill_(fill)
     {
         for (const std::uint32_t voxel : piece) {
-            pointsMm_.push_back(placeMm(voxel, grid));
+            pointsMm_.emplace_back(grid.spacingMm.cwiseProduct(grid.voxelAt(voxel).cast<double>()));
             middleMm_ += pointsMm_.back() / static_cast<double>(piece.size());
         }
         Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();

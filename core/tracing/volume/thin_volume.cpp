@@ -266,11 +266,8 @@ std::vector<std::size_t> thinned(const VoxelMask& mask, TracingProgress& progres
     }
     std::vector<std::size_t> skeleton = thinnedInPlace(std::move(rimmed), progress);
     for (std::size_t& voxel : skeleton) {
-        const auto at = static_cast<std::ptrdiff_t>(voxel);
-        const std::ptrdiff_t row = at / rimmedGrid.size.x();
-        voxel = mask.geometry.index(static_cast<int>(at % rimmedGrid.size.x()) - 1,
-                                    static_cast<int>(row % rimmedGrid.size.y()) - 1,
-                                    static_cast<int>(row / rimmedGrid.size.y()) - 1);
+        const Eigen::Vector3i at = rimmedGrid.voxelAt(voxel);
+        voxel = mask.geometry.index(at.x() - 1, at.y() - 1, at.z() - 1);
     }
     return skeleton;
 }

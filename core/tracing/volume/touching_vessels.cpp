@@ -15,10 +15,8 @@ constexpr double leastDifference = 0.15;   ///< of the contrast; along one aorta
 
 double fillOf(std::uint32_t voxel, const VolumeGeometry& grid, const VoxelFill& fill)
 {
-    const auto at = static_cast<std::int64_t>(voxel);
-    const std::int64_t row = at / grid.size.x();
-    return fill(static_cast<int>(at % grid.size.x()), static_cast<int>(row % grid.size.y()),
-                static_cast<int>(row / grid.size.y()));
+    const Eigen::Vector3i at = grid.voxelAt(voxel);
+    return fill(at.x(), at.y(), at.z());
 }
 
 double medianFill(const std::vector<std::uint32_t>& voxels, const VolumeGeometry& grid, const VoxelFill& fill)

@@ -12,13 +12,12 @@ VoxelPiece takePiece(VoxelMask& left, std::size_t seed)
     VoxelPiece piece{static_cast<std::uint32_t>(seed)};
     left.voxels[seed] = 0;
     for (std::size_t n = 0; n < piece.size(); ++n) {
-        const auto at = static_cast<int64_t>(piece[n]);
-        const auto i = static_cast<int>(at % grid.size.x());
-        const auto j = static_cast<int>(at / grid.size.x() % grid.size.y());
-        const auto k = static_cast<int>(at / (static_cast<int64_t>(grid.size.x()) * grid.size.y()));
-        for (int z = std::max(0, k - 1); z <= std::min(grid.size.z() - 1, k + 1); ++z) {
-            for (int y = std::max(0, j - 1); y <= std::min(grid.size.y() - 1, j + 1); ++y) {
-                for (int x = std::max(0, i - 1); x <= std::min(grid.size.x() - 1, i + 1); ++x) {
+        const Eigen::Vector3i at = grid.voxelAt(piece[n]);
+        const Eigen::Array3i low = (at.array() - 1).max(0);
+        const Eigen::Array3i high = (at.array() + 1).min(grid.size.array() - 1);
+        for (int z = low.z(); z <= high.z(); ++z) {
+            for (int y = low.y(); y <= high.y(); ++y) {
+                for (int x = low.x(); x <= high.x(); ++x) {
                     const std::size_t next = grid.index(x, y, z);
                     if (left.voxels[next] != 0) {
                         left.voxels[next] = 0;
