@@ -1,6 +1,7 @@
 #include "app/views/view_controller.h"
 
 #include "app/document/edit_case.h"
+#include "app/jobs/future_result.h"
 #include "app/texts/number_text.h"
 #include "core/case_views.h"
 #include "ui/main_window.h"
@@ -79,7 +80,7 @@ ViewController::ViewController(CaseDocument& document, const TargetProvider& tar
 
 ViewController::~ViewController()
 {
-    looking_.waitForFinished();
+    waitFor(looking_);
 }
 
 void ViewController::connectWindow()
@@ -119,6 +120,8 @@ void ViewController::followDocument()
         seen_ = seen;
         if (areSeveral) {
             pause_.start();
+        } else {
+            looks_.clear();   // they hold the views of the case that was
         }
     }
 }
@@ -176,7 +179,11 @@ void ViewController::showPictures()
     if (looking_.future().resultCount() == 0) {
         return;
     }
-    looks_ = looking_.result();
+    std::vector<ViewLook> looks = takeResult(looking_);
+    if (seen_.others.empty()) {
+        return;   // of a case that was closed meanwhile
+    }
+    looks_ = std::move(looks);
     showLines();
     for (std::size_t line = 0; line < order_.size(); ++line) {
         const ViewLook* look = lookOf(order_[line]);

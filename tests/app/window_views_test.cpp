@@ -69,6 +69,23 @@ TEST(WindowViews, ASecondAngiogramStandsBesideTheFirst)
     EXPECT_FALSE(w.window.views().isVisible());
 }
 
+TEST(WindowViews, NothingOfAClosedCaseIsKept)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    OpenWindow w;
+    openBothViews(w);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return wordsOf(w, 0).contains("mm ·") && wordsOf(w, 1).contains("mm ·"); },
+                                test::patienceMs));
+    const std::weak_ptr<const core::VesselTree> tree = w.current().tree;
+    const std::weak_ptr<const core::Angiogram> own = w.current().angiogram;
+    const std::weak_ptr<const core::Angiogram> other = w.current().otherViews.front().view->angiogram;
+    ASSERT_FALSE(tree.expired() || own.expired() || other.expired());
+    const core::RegistrationCase nothing;
+    w.controller.document().replace(nothing, {});
+    EXPECT_TRUE(QTest::qWaitFor([&] { return tree.expired() && own.expired() && other.expired(); }, test::patienceMs))
+        << tree.use_count() << " " << own.use_count() << " " << other.use_count();
+}
+
 TEST(WindowViews, ASecondAngiogramCanTakeThePlaceOfTheFirst)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
