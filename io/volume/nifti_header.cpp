@@ -46,61 +46,60 @@ NiftiVersion versionOf(std::string_view head, bool& isSwapped)
     return NiftiVersion::None;
 }
 
-NiftiHeader headerOne(std::string_view head, bool isSwapped)
-{
-    const HeaderReader in(head, isSwapped);
-    NiftiHeader header;
-    header.isSwapped = isSwapped;
-    header.isPair = head.substr(344, 3) == "ni1";
-    for (std::size_t i = 0; i < 8; ++i) {
-        header.dim[i] = in.at<std::int16_t>(40 + 2 * i);
-        header.pixdim[i] = in.at<float>(76 + 4 * i);
-    }
-    header.intent = in.at<std::int16_t>(68);
-    header.datatype = in.at<std::int16_t>(70);
-    header.dataOffset = in.at<float>(108);
-    header.slope = in.at<float>(112);
-    header.intercept = in.at<float>(116);
-    header.units = in.at<std::uint8_t>(123);
-    header.qformCode = in.at<std::int16_t>(252);
-    header.sformCode = in.at<std::int16_t>(254);
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto row = static_cast<Eigen::Index>(i);
-        header.quaternion[row] = in.at<float>(256 + 4 * i);
-        header.quaternionOffset[row] = in.at<float>(268 + 4 * i);
-        for (std::size_t k = 0; k < 4; ++k) {
-            header.sform(row, static_cast<Eigen::Index>(k)) = in.at<float>(280 + 16 * i + 4 * k);
-        }
-    }
-    return header;
-}
+/// Where each version keeps its numbers, and of which types they are.
+struct LayoutOne {
+    using Dim = std::int16_t;
+    using Code = std::int16_t;
+    using Units = std::uint8_t;
+    using Offset = float;
+    using Real = float;
+    static constexpr std::string_view pairMagic = "ni1";
+    static constexpr std::size_t magic = 344, dim = 40, pixdim = 76, intent = 68, datatype = 70, dataOffset = 108,
+                                 slope = 112, intercept = 116, units = 123, qformCode = 252, sformCode = 254,
+                                 quaternion = 256, quaternionOffset = 268, sform = 280;
+};
 
-NiftiHeader headerTwo(std::string_view head, bool isSwapped)
+struct LayoutTwo {
+    using Dim = std::int64_t;
+    using Code = std::int32_t;
+    using Units = std::int32_t;
+    using Offset = std::int64_t;
+    using Real = double;
+    static constexpr std::string_view pairMagic = "ni";
+    static constexpr std::size_t magic = 4, dim = 16, pixdim = 104, intent = 504, datatype = 12, dataOffset = 168,
+                                 slope = 176, intercept = 184, units = 500, qformCode = 344, sformCode = 348,
+                                 quaternion = 352, quaternionOffset = 376, sform = 400;
+};
+
+template <class Layout>
+NiftiHeader headerIn(std::string_view head, bool isSwapped)
 {
+    using Real = typename Layout::Real;
+    constexpr std::size_t realBytes = sizeof(Real);
     const HeaderReader in(head, isSwapped);
     NiftiHeader header;
     header.isSwapped = isSwapped;
-    header.isPair = head.substr(4, 2) == "ni";
+    header.isPair = head.substr(Layout::magic, Layout::pairMagic.size()) == Layout::pairMagic;
     for (std::size_t i = 0; i < 8; ++i) {
-        header.dim[i] = in.at<std::int64_t>(16 + 8 * i);
-        header.pixdim[i] = in.at<double>(104 + 8 * i);
+        header.dim[i] = in.at<typename Layout::Dim>(Layout::dim + sizeof(typename Layout::Dim) * i);
+        header.pixdim[i] = in.at<Real>(Layout::pixdim + realBytes * i);
     }
-    header.datatype = in.at<std::int16_t>(12);
-    header.dataOffset = static_cast<double>(in.at<std::int64_t>(168));
-    header.slope = in.at<double>(176);
-    header.intercept = in.at<double>(184);
-    header.qformCode = in.at<std::int32_t>(344);
-    header.sformCode = in.at<std::int32_t>(348);
+    header.intent = in.at<typename Layout::Code>(Layout::intent);
+    header.datatype = in.at<std::int16_t>(Layout::datatype);
+    header.dataOffset = static_cast<double>(in.at<typename Layout::Offset>(Layout::dataOffset));
+    header.slope = in.at<Real>(Layout::slope);
+    header.intercept = in.at<Real>(Layout::intercept);
+    header.units = in.at<typename Layout::Units>(Layout::units);
+    header.qformCode = in.at<typename Layout::Code>(Layout::qformCode);
+    header.sformCode = in.at<typename Layout::Code>(Layout::sformCode);
     for (std::size_t i = 0; i < 3; ++i) {
         const auto row = static_cast<Eigen::Index>(i);
-        header.quaternion[row] = in.at<double>(352 + 8 * i);
-        header.quaternionOffset[row] = in.at<double>(376 + 8 * i);
+        header.quaternion[row] = in.at<Real>(Layout::quaternion + realBytes * i);
+        header.quaternionOffset[row] = in.at<Real>(Layout::quaternionOffset + realBytes * i);
         for (std::size_t k = 0; k < 4; ++k) {
-            header.sform(row, static_cast<Eigen::Index>(k)) = in.at<double>(400 + 32 * i + 8 * k);
+            header.sform(row, static_cast<Eigen::Index>(k)) = in.at<Real>(Layout::sform + realBytes * (4 * i + k));
         }
     }
-    header.units = in.at<std::int32_t>(500);
-    header.intent = in.at<std::int32_t>(504);
     return header;
 }
 
@@ -119,7 +118,8 @@ std::optional<NiftiHeader> niftiHeaderOf(std::string_view head)
     if (version != NiftiVersion::One && version != NiftiVersion::Two) {
         return std::nullopt;
     }
-    NiftiHeader header = version == NiftiVersion::One ? headerOne(head, isSwapped) : headerTwo(head, isSwapped);
+    NiftiHeader header =
+        version == NiftiVersion::One ? headerIn<LayoutOne>(head, isSwapped) : headerIn<LayoutTwo>(head, isSwapped);
     header.version = version;
     return header;
 }
