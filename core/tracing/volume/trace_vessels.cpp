@@ -118,6 +118,26 @@ HoleFilter noiseHoles(const VoxelFill& fill)
     };
 }
 
+/// How much of each voxel is blood, by its value between soft tissue and blood.
+VoxelFill bloodShare(const Volume& volume, const AxisOrder& order, const BloodLevel& level)
+{
+    return [&volume, &order, &level](int i, int j, int k) {
+        return (volume.value(order.stored(i, j, k)) - level.tissue) / level.contrast();
+    };
+}
+
+/// Closes what noise and chalk darken in `lumen`, unless it is stopped.
+void closeHoles(VoxelMask& lumen, const VoxelFill& fill, TracingProgress& progress)
+{
+    const HoleFilter isHole = noiseHoles(fill);
+    for (int round = 0; round < holeRounds && progress.advance(chosenShare); ++round) {
+        fillHoles(lumen, isHole);
+    }
+    if (progress.advance(chosenShare)) {
+        fillCavities(lumen);
+    }
+}
+
 /// `reason` where nothing was traced.
 Result<TracedVessels> unlessEmpty(Result<TracedVessels> traced, const Error& reason)
 {
@@ -214,9 +234,7 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
                      [](std::uint8_t voxel) { return voxel != 0; })) {
         return noVesselsFound(level.value());
     }
-    const VoxelFill fill = [&volume, &order, &level](int i, int j, int k) {
-        return (volume.value(order.stored(i, j, k)) - level.value().tissue) / level.value().contrast();
-    };
+    const VoxelFill fill = bloodShare(volume, order, level.value());
     const std::vector<GreatVessel> great = greatVessels(
         coarseBlood(candidates, fill, threadCount(options.threads), progress), threadCount(options.threads), progress);
     if (!progress.advance(0.0)) {
@@ -227,16 +245,11 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
         return chosen.error();
     }
     ChosenLumen lumen = std::move(chosen).value();
-    const AxisOrder part = cropped(order, lumen.box);
-    const VoxelFill partFill = movedBy(fill, lumen.box.low);
-    const HoleFilter isHole = noiseHoles(partFill);
-    for (int round = 0; round < holeRounds && progress.advance(chosenShare); ++round) {
-        fillHoles(lumen.lumen, isHole);
-    }
-    if (!progress.advance(chosenShare)) {
+    closeHoles(lumen.lumen, movedBy(fill, lumen.box.low), progress);
+    if (progress.isStopped()) {
         return stoppedTracing();
     }
-    fillCavities(lumen.lumen);
+    const AxisOrder part = cropped(order, lumen.box);
     auto traced =
         unlessEmpty(treeOf(lumen, fillOf(volume, part, level.value(), lumen.lumen), volume.geometry, options, progress),
                     options.threshold ? noLongBranch() : noVesselsFound(level.value()));
@@ -245,15 +258,16 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
     }
     TracedVessels vessels = std::move(traced).value();
     vessels.threshold = level.value().threshold;
-    if (options.seedsInPatient.empty()) {
-        if (great.empty() && !options.threshold && !isFilled(vessels.tree, order, fill)) {
-            return noVesselsFound(level.value());
-        }
-        if (!lumen.startsInPatient.empty()) {
-            vessels.foundStart = great.front().middleInPatient();
-        }
-        vessels.warnings.insert(vessels.warnings.begin(), startWarning(vessels.foundStart));
+    if (!options.seedsInPatient.empty()) {
+        return vessels;
     }
+    if (great.empty() && !options.threshold && !isFilled(vessels.tree, order, fill)) {
+        return noVesselsFound(level.value());
+    }
+    if (!lumen.startsInPatient.empty()) {
+        vessels.foundStart = great.front().middleInPatient();
+    }
+    vessels.warnings.insert(vessels.warnings.begin(), startWarning(vessels.foundStart));
     return vessels;
 }
 
