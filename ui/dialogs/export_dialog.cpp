@@ -41,46 +41,51 @@ ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
     size_->addItems({tr("As in the window"), tr("1024 px wide"), tr("2048 px wide"), tr("Other width")});
     width_->showValue(1600.0);
 
+    auto* notice = roleLabel("hint", tr("The picture always says “Not for clinical use” and carries inputs, "
+                                        "method and pose in its text fields."));
+    notice->setWordWrap(true);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(22, 20, 22, 16);
+    layout->setSpacing(14);
+    layout->addLayout(makeForm());
+    layout->addWidget(notice);
+    layout->addLayout(makeButtons());
+    connect(size_, &QComboBox::currentIndexChanged, this, &ExportDialog::showSize);
+    connect(width_, &NumberField::edited, this, &ExportDialog::showSize);
+    connect(this, &QDialog::accepted, this, [this] { emit chosen(choice()); });
+    connect(startBeside_, &QCheckBox::toggled, this, &ExportDialog::showSize);
+    offerCutout(false);
+    showChoice({});
+}
+
+QFormLayout* ExportDialog::makeForm()
+{
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(14);
     form->setVerticalSpacing(10);
     form->addRow(roleLabel("label", tr("Size")), size_);
     form->addRow(widthLabel_, width_);
-    form->addRow(QString(), resulting_);
-    form->addRow(QString(), residuals_);
-    form->addRow(QString(), startBeside_);
-    form->addRow(QString(), cutout_);
-    form->addRow(QString(), identity_);
-    form->addRow(QString(), english_);
+    for (QWidget* line :
+         std::initializer_list<QWidget*>{resulting_, residuals_, startBeside_, cutout_, identity_, english_}) {
+        form->addRow(QString(), line);
+    }
     english_->setVisible(currentLanguage() != languages().front());
-    auto* notice = roleLabel("hint", tr("The picture always says “Not for clinical use” and carries inputs, "
-                                        "method and pose in its text fields."));
-    notice->setWordWrap(true);
+    return form;
+}
 
+QHBoxLayout* ExportDialog::makeButtons()
+{
     auto* cancel = new QPushButton(tr("Cancel"));
     auto* exportButton = new QPushButton(tr("Export …"));
     exportButton->setProperty("role", "primary");
     exportButton->setDefault(true);
+    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    connect(exportButton, &QPushButton::clicked, this, &QDialog::accept);
     auto* buttons = new QHBoxLayout;
     buttons->addStretch(1);
     buttons->addWidget(cancel);
     buttons->addWidget(exportButton);
-
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(22, 20, 22, 16);
-    layout->setSpacing(14);
-    layout->addLayout(form);
-    layout->addWidget(notice);
-    layout->addLayout(buttons);
-
-    connect(size_, &QComboBox::currentIndexChanged, this, &ExportDialog::showSize);
-    connect(width_, &NumberField::edited, this, &ExportDialog::showSize);
-    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
-    connect(exportButton, &QPushButton::clicked, this, &QDialog::accept);
-    connect(this, &QDialog::accepted, this, [this] { emit chosen(choice()); });
-    connect(startBeside_, &QCheckBox::toggled, this, &ExportDialog::showSize);
-    offerCutout(false);
-    showChoice({});
+    return buttons;
 }
 
 void ExportDialog::offerCutout(bool hasCutout)

@@ -5,6 +5,8 @@
 
 class QCheckBox;
 class QComboBox;
+class QFormLayout;
+class QHBoxLayout;
 class QLabel;
 
 namespace ui {
@@ -38,6 +40,8 @@ signals:
     void chosen(const ui::ExportChoice& choice);
 
 private:
+    QFormLayout* makeForm();
+    QHBoxLayout* makeButtons();
     void showSize();
 
     int viewWidthPx_;
