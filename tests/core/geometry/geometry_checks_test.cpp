@@ -39,6 +39,63 @@ std::string onlySentence(const CArm& cArm, const GantryHeader& header)
     return found.empty() ? "" : found.front();
 }
 
+/// A value that is wrong, and a word of what is said about it.
+struct Wrong {
+    const char* word;
+    void (*spoil)(CArm&, GantryHeader&);
+};
+
+const Wrong wrongs[] = {
+    {"behind the detector",
+     [](CArm& c, GantryHeader& h) {
+         c.sourceToPatientMm.value = 1200.0;
+         h = {};
+     }},
+    {"magnified",
+     [](CArm& c, GantryHeader& h) {
+         c.sourceToPatientMm.value = 400.0;
+         h = {};
+     }},
+    {"check its unit",
+     [](CArm& c, GantryHeader& h) {
+         c.sourceToDetectorMm.value = 105.0;
+         c.sourceToPatientMm.value = 75.0;
+         h = {};
+     }},
+    {"(0018,1114)", [](CArm&, GantryHeader& h) { h.magnification = 1.5; }},
+    {"times as high",
+     [](CArm& c, GantryHeader& h) {
+         c.rowSpacingMm.value = 0.42;
+         h = {};
+     }},
+    {"field of view",
+     [](CArm&, GantryHeader& h) {
+         h.fieldOfViewMm = {150.0, 150.0};
+     }},
+    {"intensifier", [](CArm&, GantryHeader& h) { h.intensifierMm = 160.0; }},
+    {"active",
+     [](CArm&, GantryHeader& h) {
+         h.detectorMm = {180.0, 300.0};
+     }},
+    {"calibrat",
+     [](CArm&, GantryHeader& h) {
+         h.pixelSpacingMm = {0.4, 0.4};
+     }},
+    {"without a calibration", [](CArm&, GantryHeader& h) { h.isPixelSpacingCalibrated = false; }},
+    {"primary angle", [](CArm& c, GantryHeader&) { c.primaryAngleDeg.value = 200.0; }},
+    {"secondary angle", [](CArm& c, GantryHeader&) { c.secondaryAngleDeg.value = -95.0; }},
+    {"roll", [](CArm& c, GantryHeader&) { c.rollDeg.value = 270.0; }},
+    {"principal point",
+     [](CArm& c, GantryHeader&) {
+         c.principalPointPx.value = {900.0, 10.0};
+     }},
+    {"no detector",
+     [](CArm& c, GantryHeader& h) {
+         c.columnSpacingMm.value = c.rowSpacingMm.value = 1.9;
+         h = {};
+     }},
+};
+
 }   // namespace
 
 TEST(GeometryChecks, PassWhatAgrees)
@@ -51,60 +108,6 @@ TEST(GeometryChecks, PassWhatAgrees)
 
 TEST(GeometryChecks, NameWhatEachWrongValueContradicts)
 {
-    struct Wrong {
-        const char* word;
-        void (*spoil)(CArm&, GantryHeader&);
-    };
-    const Wrong wrongs[] = {
-        {"behind the detector",
-         [](CArm& c, GantryHeader& h) {
-             c.sourceToPatientMm.value = 1200.0;
-             h = {};
-         }},
-        {"magnified",
-         [](CArm& c, GantryHeader& h) {
-             c.sourceToPatientMm.value = 400.0;
-             h = {};
-         }},
-        {"check its unit",
-         [](CArm& c, GantryHeader& h) {
-             c.sourceToDetectorMm.value = 105.0;
-             c.sourceToPatientMm.value = 75.0;
-             h = {};
-         }},
-        {"(0018,1114)", [](CArm&, GantryHeader& h) { h.magnification = 1.5; }},
-        {"times as high",
-         [](CArm& c, GantryHeader& h) {
-             c.rowSpacingMm.value = 0.42;
-             h = {};
-         }},
-        {"field of view",
-         [](CArm&, GantryHeader& h) {
-             h.fieldOfViewMm = {150.0, 150.0};
-         }},
-        {"intensifier", [](CArm&, GantryHeader& h) { h.intensifierMm = 160.0; }},
-        {"active",
-         [](CArm&, GantryHeader& h) {
-             h.detectorMm = {180.0, 300.0};
-         }},
-        {"calibrat",
-         [](CArm&, GantryHeader& h) {
-             h.pixelSpacingMm = {0.4, 0.4};
-         }},
-        {"without a calibration", [](CArm&, GantryHeader& h) { h.isPixelSpacingCalibrated = false; }},
-        {"primary angle", [](CArm& c, GantryHeader&) { c.primaryAngleDeg.value = 200.0; }},
-        {"secondary angle", [](CArm& c, GantryHeader&) { c.secondaryAngleDeg.value = -95.0; }},
-        {"roll", [](CArm& c, GantryHeader&) { c.rollDeg.value = 270.0; }},
-        {"principal point",
-         [](CArm& c, GantryHeader&) {
-             c.principalPointPx.value = {900.0, 10.0};
-         }},
-        {"no detector",
-         [](CArm& c, GantryHeader& h) {
-             c.columnSpacingMm.value = c.rowSpacingMm.value = 1.9;
-             h = {};
-         }},
-    };
     for (const Wrong& wrong : wrongs) {
         CArm cArm = usual();
         GantryHeader header = agreeing();
