@@ -1,6 +1,7 @@
 #include "tests/support/drawn_tubes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace test {
@@ -58,6 +59,23 @@ core::VoxelMask drawnMask(const core::VolumeGeometry& grid, const std::vector<Tu
         }
     }
     return mask;
+}
+
+core::Volume tubesInTissue(const core::VolumeGeometry& grid, const std::vector<Tube>& tubes)
+{
+    core::Volume volume(grid);
+    std::size_t voxel = 0;
+    for (int k = 0; k < grid.size.z(); ++k) {
+        for (int j = 0; j < grid.size.y(); ++j) {
+            for (int i = 0; i < grid.size.x(); ++i, ++voxel) {
+                const double wall = distanceToWall(tubes, grid.patientFromVoxel() * Eigen::Vector3d(i, j, k));
+                const double share = std::clamp(0.5 - wall, 0.0, 1.0);
+                const bool isAir = i < 3;
+                volume.voxels[voxel] = static_cast<std::int16_t>(isAir ? -1000 : std::lround(50 + 350 * share));
+            }
+        }
+    }
+    return volume;
 }
 
 }   // namespace test

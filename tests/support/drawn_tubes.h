@@ -30,4 +30,7 @@ double distanceToWall(const std::vector<Tube>& tubes, const Eigen::Vector3d& poi
 
 core::VoxelMask drawnMask(const core::VolumeGeometry& grid, const std::vector<Tube>& tubes);
 
+/// Tubes of blood in soft tissue beside air, in HU, without noise; the walls are one millimetre wide.
+core::Volume tubesInTissue(const core::VolumeGeometry& grid, const std::vector<Tube>& tubes);
+
 }   // namespace test

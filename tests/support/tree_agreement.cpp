@@ -102,4 +102,20 @@ std::optional<double> radiusErrorInStentMm(const core::VesselTree& traced, const
     return *middle;
 }
 
+double distanceTo(const core::VesselTree& tree, const Eigen::Vector3d& point)
+{
+    return nearestOn(tree, point).distanceMm;
+}
+
+double shareNear(const core::VesselTree& tree, const core::VesselTree& other, double reachMm)
+{
+    double near = 0.0;
+    for (const core::VesselBranch& branch : tree.branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            near += distanceTo(other, point) <= reachMm ? 1.0 : 0.0;
+        }
+    }
+    return near / static_cast<double>(tree.pointCount());
+}
+
 }   // namespace test

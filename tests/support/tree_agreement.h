@@ -22,4 +22,10 @@ TreeAgreement agreementOf(const core::VesselTree& traced, const core::VesselTree
 /// half of it is traced.
 std::optional<double> radiusErrorInStentMm(const core::VesselTree& traced, const core::VesselBranch& stented);
 
+/// From `point` to the curves of `tree`, mm.
+double distanceTo(const core::VesselTree& tree, const Eigen::Vector3d& point);
+
+/// Share of `tree`'s points within `reachMm` of `other`.
+double shareNear(const core::VesselTree& tree, const core::VesselTree& other, double reachMm);
+
 }   // namespace test

@@ -1,5 +1,4 @@
 #include "core/simulation/simulate_cta.h"
-#include "core/simulation/stent_wires.h"
 #include "core/tracing/volume/trace_vessels.h"
 #include "core/vessel/polyline.h"
 #include "tests/support/drawn_tubes.h"
@@ -10,13 +9,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 namespace {
 
 using core::TracedVessels;
 using core::Volume;
+using test::distanceTo;
+using test::shareNear;
 using test::Tube;
+using test::tubesInTissue;
 
 const core::SimulatedCta& smallCta()
 {
@@ -24,47 +25,6 @@ const core::SimulatedCta& smallCta()
         core::simulateCta(3, {.branchCount = 6, .rootRadiusMm = 4.0},
                           {.size = {112, 112, 96}, .spacingMm = {1.0, 1.0, 1.0}, .calcificationCount = 4});
     return cta;
-}
-
-double distanceTo(const core::VesselTree& tree, const Eigen::Vector3d& point)
-{
-    double nearest = std::numeric_limits<double>::max();
-    for (const core::VesselBranch& branch : tree.branches) {
-        for (const Eigen::Vector3d& other : branch.pointsInPatient) {
-            nearest = std::min(nearest, (other - point).norm());
-        }
-    }
-    return nearest;
-}
-
-/// Share of `tree`'s points within `reachMm` of `other`.
-double shareNear(const core::VesselTree& tree, const core::VesselTree& other, double reachMm)
-{
-    double near = 0.0;
-    for (const core::VesselBranch& branch : tree.branches) {
-        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
-            near += distanceTo(other, point) <= reachMm ? 1.0 : 0.0;
-        }
-    }
-    return near / static_cast<double>(tree.pointCount());
-}
-
-/// Tubes of blood in soft tissue, in HU, without noise.
-Volume tubesInTissue(const core::VolumeGeometry& grid, const std::vector<Tube>& tubes)
-{
-    Volume volume(grid);
-    std::size_t voxel = 0;
-    for (int k = 0; k < grid.size.z(); ++k) {
-        for (int j = 0; j < grid.size.y(); ++j) {
-            for (int i = 0; i < grid.size.x(); ++i, ++voxel) {
-                const double wall = test::distanceToWall(tubes, grid.patientFromVoxel() * Eigen::Vector3d(i, j, k));
-                const double share = std::clamp(0.5 - wall, 0.0, 1.0);
-                const bool isAir = i < 3;
-                volume.voxels[voxel] = static_cast<std::int16_t>(isAir ? -1000 : std::lround(50 + 350 * share));
-            }
-        }
-    }
-    return volume;
 }
 
 TEST(TraceVolume, FindsTheVesselsOfASimulatedScanAndNothingElse)
@@ -311,92 +271,6 @@ TEST(TraceVolume, RefusesShellsWithoutBloodOnTheirAxes)
     EXPECT_NE(traced.error().message.find("not like a vessel"), std::string::npos) << traced.error().message;
 }
 
-/// The first branch of a simulated tree carries a stent.
-core::SimulatedCta stentedCta(double rootRadiusMm, double voxelMm)
-{
-    const int across = static_cast<int>(120.0 / voxelMm);
-    return core::simulateCta(3, {.branchCount = 6, .rootRadiusMm = rootRadiusMm},
-                             {.size = {across, across, across},
-                              .spacingMm = Eigen::Vector3d::Constant(voxelMm),
-                              .calcificationCount = 4,
-                              .hasStent = true});
-}
-
-TEST(TraceVolume, GoesOnThroughAStentInAThinVessel)
-{
-    for (const double voxelMm : {1.0, 0.75}) {
-        const core::SimulatedCta cta = stentedCta(4.5, voxelMm);
-        const auto traced = core::traceVessels(cta.volume);
-        ASSERT_TRUE(traced) << traced.error().message;
-        EXPECT_GT(shareNear(cta.tree, traced.value().tree, 2.0), 0.9) << voxelMm;
-        EXPECT_GT(shareNear(traced.value().tree, cta.tree, 2.0), 0.95) << voxelMm;
-        EXPECT_NEAR(static_cast<double>(traced.value().tree.branches.size()),
-                    static_cast<double>(cta.tree.branches.size()), 1.0);
-    }
-}
-
-TEST(TraceVolume, GoesOnThroughAStentWithoutVisibleBlood)
-{
-    for (const double rootRadiusMm : {4.0, 5.0}) {   // 2.2 and 2.7 mm where the stent is
-        const core::SimulatedCta cta =
-            core::simulateCta(2, {.branchCount = 6, .rootRadiusMm = rootRadiusMm},
-                              {.size = {120, 120, 120}, .spacingMm = {1.0, 1.0, 1.0}, .hasStent = true});
-        const auto traced = core::traceVessels(cta.volume);
-        ASSERT_TRUE(traced) << traced.error().message;
-        EXPECT_GT(shareNear(cta.tree, traced.value().tree, 2.0), 0.93) << rootRadiusMm;
-        EXPECT_GT(shareNear(traced.value().tree, cta.tree, 2.0), 0.95) << rootRadiusMm;
-    }
-}
-
-TEST(TraceVolume, MeasuresAStentedVesselAtItsWires)
-{
-    for (const double voxelMm : {1.0, 0.75}) {
-        for (const double rootRadiusMm : {3.6, 6.5}) {
-            const core::SimulatedCta cta = stentedCta(rootRadiusMm, voxelMm);
-            const auto traced = core::traceVessels(cta.volume);
-            ASSERT_TRUE(traced) << traced.error().message;
-            const core::VesselBranch& stented = cta.tree.branches.front();
-            const auto error = test::radiusErrorInStentMm(traced.value().tree, stented);
-            ASSERT_TRUE(error);
-            EXPECT_LT(std::abs(*error), 0.1 * stented.radiusMm[stented.radiusMm.size() / 2])
-                << rootRadiusMm << " in " << voxelMm;
-        }
-    }
-}
-
-/// Wires that are as bright as metal in this scan, some two voxels thick.
-void addStent(Volume& volume, const core::VesselBranch& branch)
-{
-    const Eigen::Affine3d voxelFromPatient = volume.geometry.patientFromVoxel().inverse();
-    for (const core::VesselBranch& wire : core::stentWires(branch).branches) {
-        for (const Eigen::Vector3d& point : wire.pointsInPatient) {
-            const Eigen::Vector3i low = (voxelFromPatient * point).array().floor().cast<int>();
-            volume.at(low.x(), low.y(), low.z()) = 2800;
-            volume.at(low.x() + 1, low.y() + 1, low.z()) = 1200;
-        }
-    }
-}
-
-TEST(TraceVolume, KeepsWithinTheStentOfAWideVessel)
-{
-    const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {64, 48, 130}, {1.0, 1.0, 1.0});
-    const Tube stented{{-9, 0, -62}, {-9, 0, 62}, 9.0};
-    const Tube falseLumen{{10, 0, -62}, {10, 0, 62}, 8.5};   // a torn aorta's, with the tear's flap between
-    Volume volume = tubesInTissue(grid, {stented, falseLumen});
-    core::VesselBranch axis;
-    for (double z = -62.0; z <= 62.0; z += 1.0) {
-        axis.pointsInPatient.emplace_back(-9, 0, z);
-        axis.radiusMm.push_back(9.0);
-    }
-    addStent(volume, axis);
-    const auto traced = core::traceVessels(volume, {.seedsInPatient = {{-9, 0, -50}}});
-    ASSERT_TRUE(traced) << traced.error().message;
-    for (const Eigen::Vector3d& point : axis.pointsInPatient) {
-        EXPECT_LT(distanceTo(traced.value().tree, point), 2.0) << point.transpose();
-    }
-    EXPECT_EQ(traced.value().tree.branches.size(), 1U);
-}
-
 TEST(TraceVolume, StopsAtOnceInEachStage)
 {
     for (const std::string_view stage : {"blood", "vessels", "thinning", "branches"}) {
@@ -411,25 +285,6 @@ TEST(TraceVolume, StopsAtOnceInEachStage)
         EXPECT_NE(traced.error().message.find("stopped"), std::string::npos) << traced.error().message;
         EXPECT_EQ(later, 0);
     }
-}
-
-TEST(SimulateCta, IsTheSameForTheSameSeed)
-{
-    const core::CtaOptions tiny{.size = {40, 40, 30}, .spacingMm = {2.0, 2.0, 2.0}};
-    EXPECT_EQ(core::simulateCta(7, {.branchCount = 3}, tiny).volume.voxels,
-              core::simulateCta(7, {.branchCount = 3}, tiny).volume.voxels);
-    EXPECT_NE(core::simulateCta(7, {.branchCount = 3}, tiny).volume.voxels,
-              core::simulateCta(8, {.branchCount = 3}, tiny).volume.voxels);
-}
-
-TEST(SimulateCta, IsBrightInTheVesselsAndDarkOutsideTheBody)
-{
-    const Volume& volume = smallCta().volume;
-    const core::VesselBranch& trunk = smallCta().tree.branches.front();
-    const Eigen::Vector3d middle = trunk.pointsInPatient[trunk.pointsInPatient.size() / 2];
-    const Eigen::Vector3i voxel = (volume.geometry.patientFromVoxel().inverse() * middle).array().round().cast<int>();
-    EXPECT_NEAR(volume.value(volume.geometry.index(voxel.x(), voxel.y(), voxel.z())), 380.0, 120.0);
-    EXPECT_LT(volume.value(0), -850.0);
 }
 
 }   // namespace
