@@ -118,7 +118,7 @@ HoleFilter noiseHoles(const VoxelFill& fill)
     };
 }
 
-/// How much of each voxel is blood, by its value between soft tissue and blood.
+/// How much of each voxel is blood, by its value between soft tissue and blood. The three must outlive it.
 VoxelFill bloodShare(const Volume& volume, const AxisOrder& order, const BloodLevel& level)
 {
     return [&volume, &order, &level](int i, int j, int k) {
