@@ -1,5 +1,5 @@
 #include "tests/app/open_window.h"
-#include "tests/io/series/dicom_slices.h"
+#include "tests/io/series/ct_phantom.h"
 #include "tests/support/forked_vessel.h"
 
 #include "app/settings.h"
@@ -107,27 +107,12 @@ TEST_F(Newcomer, ReachesAnOverlayOfTheSampleInSixClicks)
 
 TEST_F(Newcomer, ReachesAnOverlayOfADicomFolderAndARunInTwelve)
 {
-    const QTemporaryDir study;
-    const core::Volume scan = test::forkScan();
-    const core::VolumeGeometry& geometry = scan.geometry;
-    for (int k = 0; k < geometry.size.z(); ++k) {
-        test::CtSlice slice;
-        slice.columns = geometry.size.x();
-        slice.rows = geometry.size.y();
-        slice.columnSpacingMm = slice.rowSpacingMm = 1.0;
-        slice.intercept = 0.0;
-        slice.position = {geometry.originInPatient.x(), geometry.originInPatient.y(), geometry.originInPatient.z() + k};
-        slice.sopInstanceUid = "1.2.3." + std::to_string(k);
-        const auto first = scan.voxels.begin() + static_cast<std::ptrdiff_t>(geometry.index(0, 0, k));
-        slice.pixels.assign(first, first + static_cast<std::ptrdiff_t>(slice.columns) * slice.rows);
-        QFile file(study.filePath(QString::fromStdString(slice.sopInstanceUid)));
-        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-        file.write(QByteArray::fromStdString(test::ctSlice(slice)));
-    }
+    const test::TemporaryFolder study;
+    test::writeShuffled(study, test::allSlices(test::forkScan()));
     const auto sample = writeSampleCase();
     ASSERT_TRUE(sample);
     acceptNotice();
-    drop(study.path());
+    drop(QString::fromStdString(study.file("")));
     ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().tree != nullptr; }, test::patienceMs));
     drop(QFileInfo(sample.value()).dir().filePath(QStringLiteral("run.dcm")));
     ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().angiogram != nullptr; }, test::patienceMs));

@@ -1,8 +1,7 @@
 #include "tests/app/open_window.h"
-#include "tests/io/series/dicom_slices.h"
+#include "tests/io/series/ct_phantom.h"
 #include "tests/support/forked_vessel.h"
 
-#include <QTemporaryDir>
 #include <QTreeWidget>
 
 namespace app {
@@ -10,30 +9,10 @@ namespace {
 
 using test::OpenWindow;
 
-void writeSlice(const QTemporaryDir& folder, const test::CtSlice& slice)
-{
-    QFile file(folder.filePath(QString::fromStdString(slice.sopInstanceUid)));
-    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-    file.write(QByteArray::fromStdString(test::ctSlice(slice)));
-}
-
 /// A CT angiogram of a forked vessel, and the three slices of another series.
-void writeStudy(const QTemporaryDir& folder)
+void writeStudy(const test::TemporaryFolder& folder)
 {
-    const core::Volume scan = test::forkScan();
-    const core::VolumeGeometry& geometry = scan.geometry;
-    for (int k = 0; k < geometry.size.z(); ++k) {
-        test::CtSlice slice;
-        slice.columns = geometry.size.x();
-        slice.rows = geometry.size.y();
-        slice.columnSpacingMm = slice.rowSpacingMm = 1.0;
-        slice.intercept = 0.0;
-        slice.position = {geometry.originInPatient.x(), geometry.originInPatient.y(), geometry.originInPatient.z() + k};
-        slice.sopInstanceUid = "1.2.3." + std::to_string(k);
-        const auto first = scan.voxels.begin() + static_cast<std::ptrdiff_t>(geometry.index(0, 0, k));
-        slice.pixels.assign(first, first + static_cast<std::ptrdiff_t>(slice.columns) * slice.rows);
-        writeSlice(folder, slice);
-    }
+    test::writeShuffled(folder, test::allSlices(test::forkScan()));
     for (int k = 0; k < 3; ++k) {
         test::CtSlice slice;
         slice.seriesUid = "1.2.9";
@@ -41,17 +20,17 @@ void writeStudy(const QTemporaryDir& folder)
         slice.position = {0, 0, 5.0 * k};
         slice.sopInstanceUid = "1.2.9." + std::to_string(k);
         slice.pixels.assign(72, 0);
-        writeSlice(folder, slice);
+        folder.write("native" + std::to_string(k), test::ctSlice(slice));
     }
 }
 
 TEST(WindowSeries, AFolderWithSeveralAsksAndTheChosenOneIsTraced)
 {
-    const QTemporaryDir folder;
+    const test::TemporaryFolder folder;
     writeStudy(folder);
     OpenWindow w;
 
-    w.drop({folder.path()});
+    w.drop({QString::fromStdString(folder.file(""))});
 
     const QList<QDialog*> asked = w.dialogs("seriesChooser");
     ASSERT_EQ(asked.size(), 1);
@@ -73,10 +52,10 @@ TEST(WindowSeries, AFolderWithSeveralAsksAndTheChosenOneIsTraced)
 
 TEST(WindowSeries, CancellingTheChoiceLeavesTheCaseAsItWas)
 {
-    const QTemporaryDir folder;
+    const test::TemporaryFolder folder;
     writeStudy(folder);
     OpenWindow w;
-    w.drop({folder.path()});
+    w.drop({QString::fromStdString(folder.file(""))});
     ASSERT_EQ(w.dialogs("seriesChooser").size(), 1);
 
     OpenWindow::clickButton(w.dialogs("seriesChooser").front(), QStringLiteral("Cancel"));

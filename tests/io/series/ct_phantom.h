@@ -21,6 +21,7 @@ inline CtSlice sliceOf(const core::Volume& volume, int k)
     slice.rows = geometry.size.y();
     slice.columnSpacingMm = geometry.spacingMm.x();
     slice.rowSpacingMm = geometry.spacingMm.y();
+    slice.intercept = volume.intercept;
     const Eigen::Vector3d position = geometry.patientFromVoxel() * Eigen::Vector3d(0, 0, k);
     slice.position.assign(position.data(), position.data() + 3);
     slice.orientation.assign(geometry.direction.data(), geometry.direction.data() + 6);
