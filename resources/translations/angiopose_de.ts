@@ -3162,8 +3162,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>keine Voxel zu schreiben. Zuerst ein Volumen laden.</translation>
     </message>
     <message>
-        <source>there is no DICOM image in this folder. Choose the folder of a scan.</source>
-        <translation>in diesem Ordner ist kein DICOM-Bild. Den Ordner eines Scans wählen.</translation>
+        <source>there is no DICOM image in this folder. Choose the folder of a DICOM scan, or a volume file itself.</source>
+        <translation>in diesem Ordner ist kein DICOM-Bild. Den Ordner eines DICOM-Scans oder die Volumendatei selbst wählen.</translation>
     </message>
     <message>
         <source>there is no memory left to pack the volume.</source>

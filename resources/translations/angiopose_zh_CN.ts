@@ -3162,8 +3162,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>没有可写入的体素。请先载入体数据。</translation>
     </message>
     <message>
-        <source>there is no DICOM image in this folder. Choose the folder of a scan.</source>
-        <translation>此文件夹中没有 DICOM 图像。请选择扫描所在文件夹。</translation>
+        <source>there is no DICOM image in this folder. Choose the folder of a DICOM scan, or a volume file itself.</source>
+        <translation>此文件夹中没有 DICOM 图像。请选择 DICOM 扫描所在文件夹，或直接选择体数据文件。</translation>
     </message>
     <message>
         <source>there is no memory left to pack the volume.</source>
