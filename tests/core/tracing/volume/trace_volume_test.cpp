@@ -12,7 +12,6 @@
 
 namespace {
 
-using core::TracedVessels;
 using core::Volume;
 using test::distanceTo;
 using test::shareNear;
