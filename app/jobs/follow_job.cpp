@@ -2,6 +2,7 @@
 
 #include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
+#include "app/jobs/publish_outcome.h"
 
 #include <QtConcurrentRun>
 
@@ -39,12 +40,7 @@ void FollowJob::start(core::RegistrationCase registrationCase)
 void FollowJob::publish()
 {
     running_ = false;
-    const Outcome outcome = takeResult(watcher_);
-    if (outcome) {
-        emit finished(outcome.value());
-    } else {
-        emit failed(QString::fromStdString(outcome.error().message));
-    }
+    publishOutcome(*this, takeResult(watcher_));
 }
 
 }   // namespace app

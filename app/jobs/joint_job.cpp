@@ -2,6 +2,7 @@
 
 #include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
+#include "app/jobs/publish_outcome.h"
 #include "core/joint_case.h"
 
 #include <QtConcurrentRun>
@@ -91,12 +92,7 @@ JointJob::Outcome JointJob::solve(const std::vector<core::RegistrationCase>& vie
 
 void JointJob::publish()
 {
-    const Outcome outcome = takeResult(watcher_);
-    if (outcome) {
-        emit finished(outcome.value());
-    } else {
-        emit failed(QString::fromStdString(outcome.error().message));
-    }
+    publishOutcome(*this, takeResult(watcher_));
 }
 
 }   // namespace app

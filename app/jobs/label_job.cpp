@@ -1,6 +1,7 @@
 #include "app/jobs/label_job.h"
 
 #include "app/jobs/guarded.h"
+#include "app/jobs/publish_outcome.h"
 
 #include <QtConcurrentRun>
 
@@ -42,12 +43,7 @@ void LabelJob::start(const std::string& path)
             return;
         }
         isDropped_.reset();
-        const Outcome outcome = watcher->result();
-        if (outcome) {
-            emit finished(outcome.value());
-        } else {
-            emit failed(QString::fromStdString(outcome.error().message));
-        }
+        publishOutcome(*this, watcher->result());
     });
     watcher->setFuture(QtConcurrent::run([path, isDropped = isDropped_] {
         return guarded<LabelOverview>([&] {

@@ -2,6 +2,7 @@
 
 #include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
+#include "app/jobs/publish_outcome.h"
 
 #include <QtConcurrentRun>
 
@@ -58,12 +59,7 @@ void LoadJob::publish()
     }
     running_ = false;
     poll_.stop();
-    const Outcome outcome = takeResult(watcher_);
-    if (outcome) {
-        emit finished(outcome.value());
-    } else {
-        emit failed(QString::fromStdString(outcome.error().message));
-    }
+    publishOutcome(*this, takeResult(watcher_));
 }
 
 }   // namespace app

@@ -2,6 +2,7 @@
 
 #include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
+#include "app/jobs/publish_outcome.h"
 
 #include <QtConcurrentRun>
 
@@ -40,12 +41,7 @@ void TraceJob::start(TraceRequest request)
 void TraceJob::publish()
 {
     running_ = false;
-    const auto outcome = takeResult(watcher_);
-    if (outcome) {
-        emit finished(outcome.value());
-    } else {
-        emit failed(QString::fromStdString(outcome.error().message));
-    }
+    publishOutcome(*this, takeResult(watcher_));
 }
 
 }   // namespace app

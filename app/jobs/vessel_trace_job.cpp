@@ -2,6 +2,7 @@
 
 #include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
+#include "app/jobs/publish_outcome.h"
 #include "io/vessel_input_file.h"
 
 #include <QtConcurrentRun>
@@ -94,10 +95,8 @@ void VesselTraceJob::publish()
     const auto outcome = takeResult(watcher_);
     if (shared_->isStopWished) {
         emit stopped();
-    } else if (outcome) {
-        emit finished(outcome.value());
     } else {
-        emit failed(QString::fromStdString(outcome.error().message));
+        publishOutcome(*this, outcome);
     }
 }
 

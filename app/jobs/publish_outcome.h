@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/support/result.h"
+
+#include <QString>
+
+namespace app {
+
+/// How a job ends: `finished` with what was found, or `failed` with the reason.
+template <class Job, class Found>
+void publishOutcome(Job& job, const core::Result<Found>& outcome)
+{
+    if (outcome) {
+        emit job.finished(outcome.value());
+    } else {
+        emit job.failed(QString::fromStdString(outcome.error().message));
+    }
+}
+
+}   // namespace app
