@@ -10,11 +10,13 @@ namespace core {
 namespace {
 
 constexpr double mostGapInRadii = 2.0;   ///< of both radii together, from a trunk's end to the axis of the next
+constexpr double mostGapOfSameBlood = 2.5;
 constexpr double leastSlenderness = 5.0;   ///< of one of the trunks; two chambers of the heart in a row reach 4.5
 constexpr double leastLengthMm = 40.0;   ///< of that trunk: marrow, ureters and dense gut are seen in shorter stretches
 constexpr double leastNeck = 0.45;   ///< of the thinner one's radius, on the way between; those that touch have 0.3
 constexpr double mostBeyondSection = 1.3;   ///< largest ball over section: else it lies in something that touches
 constexpr double mostFillStep = 0.2;   ///< between blood of the same artery; of veins and of organs it is other
+constexpr double mostStepOfSameBlood = 0.1;   ///< as much as it changes along a whole aorta
 constexpr double leastOfOther = 0.5;   ///< thinner over wider radius: else one leaves the other
 constexpr double leastOfFirst = 0.01;   ///< of the first trunk's worth: stumps of branches lead from one to the next
 
@@ -28,12 +30,27 @@ public:
 
     bool isContinued(const Trunk& trunk, const Trunk& other) const
     {
-        return std::abs(trunk.fill - other.fill) <= mostFillStep &&
-               (isJoinedAt(trunk, 0, other) || isJoinedAt(trunk, trunk.radiusMm.size() - 1, other));
+        const Blood blood = bloodOf(trunk, other);
+        return blood != Blood::Other &&
+               (isJoinedAt(trunk, 0, other, blood) || isJoinedAt(trunk, trunk.radiusMm.size() - 1, other, blood));
     }
 
 private:
-    bool isJoinedAt(const Trunk& trunk, std::size_t end, const Trunk& other) const
+    enum class Blood { Same, Alike, Other };
+
+    /// Chambers of the heart hold the same blood as arteries, too.
+    static Blood bloodOf(const Trunk& trunk, const Trunk& other)
+    {
+        const double step = std::abs(trunk.fill - other.fill);
+        const bool isSlender = std::max(trunk.slenderness(), other.slenderness()) >= leastSlenderness;
+        return step > mostFillStep                        ? Blood::Other
+               : step > mostStepOfSameBlood || !isSlender ? Blood::Alike
+                                                          : Blood::Same;
+    }
+
+    /// Where the blood is the same, the way between is narrow only if it is so beside the balls that fit into the
+    /// lumen: torn aortas are flattened, and their sections wider than any ball.
+    bool isJoinedAt(const Trunk& trunk, std::size_t end, const Trunk& other, Blood blood) const
     {
         const Eigen::Vector3d& tip = trunk.pointsInPatient[end];
         const auto nearest = std::min_element(
@@ -41,12 +58,37 @@ private:
             [&](const auto& a, const auto& b) { return (a - tip).squaredNorm() < (b - tip).squaredNorm(); });
         const double radius = trunk.radiusMm[end];
         const double otherRadius = other.radiusMm[static_cast<std::size_t>(nearest - other.pointsInPatient.begin())];
-        const double thinner = std::min(radius, otherRadius);
-        return (*nearest - tip).norm() <= mostGapInRadii * (radius + otherRadius) &&
-               thinner >= leastOfOther * std::max(radius, otherRadius) &&
-               neckMm(distances_, middleAt(tip, radius), middleAt(*nearest, otherRadius),
-                      std::max(radius, otherRadius)) >=
-                   leastNeck * std::max(thinner, std::min(trunk.medianRadiusMm(), other.medianRadiusMm()));
+        double thinner = std::min(radius, otherRadius);
+        const double mostGap = blood == Blood::Same ? mostGapOfSameBlood : mostGapInRadii;
+        if ((*nearest - tip).norm() > mostGap * (radius + otherRadius) ||
+            thinner < leastOfOther * std::max(radius, otherRadius)) {
+            return false;
+        }
+        const Eigen::Vector3i from = middleAt(tip, radius);
+        const Eigen::Vector3i to = middleAt(*nearest, otherRadius);
+        double thinnerTrunk = std::min(trunk.medianRadiusMm(), other.medianRadiusMm());
+        if (blood == Blood::Same) {
+            thinner = std::min({thinner, ballMm(from), ballMm(to)});
+            thinnerTrunk = std::min({thinnerTrunk, medianBallMm(trunk), medianBallMm(other)});
+        }
+        return neckMm(distances_, from, to, std::max(radius, otherRadius)) >=
+               leastNeck * std::max(thinner, thinnerTrunk);
+    }
+
+    double ballMm(const Eigen::Vector3i& voxel) const
+    {
+        return distances_.mm(distances_.geometry.index(voxel.x(), voxel.y(), voxel.z()));
+    }
+
+    double medianBallMm(const Trunk& trunk) const
+    {
+        std::vector<double> balls;
+        for (std::size_t n = 0; n < trunk.radiusMm.size(); ++n) {
+            balls.push_back(ballMm(middleAt(trunk.pointsInPatient[n], trunk.radiusMm[n])));
+        }
+        const auto middle = balls.begin() + static_cast<std::ptrdiff_t>(balls.size() / 2);
+        std::nth_element(balls.begin(), middle, balls.end());
+        return *middle;
     }
 
     /// Of the vessel around: the last section of a walk need not lie in its middle.

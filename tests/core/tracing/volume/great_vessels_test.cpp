@@ -130,6 +130,33 @@ TEST(GreatVessels, DoNotHoldVesselsOfOtherBlood)
     EXPECT_FALSE(passes(other[0], {0, 0, -50}, 5.0));
 }
 
+/// Over an arch whose true lumen the flap has pressed flat, 9 mm thick, and to `narrowMm` of radius at one place.
+core::CoarseBlood tornArch(double narrowMm, double descendingFill)
+{
+    std::vector<Tube> tubes{{{30, 0, -70}, {30, 0, 38}, 13.0}};
+    for (double y = -9.0; y <= 9.0; y += 3.0) {
+        tubes.push_back({{-30, y, -85}, {-30, y, 35}, 4.5});
+        tubes.push_back({{-30, y, 35}, {-4, y, 35}, 4.5});
+    }
+    tubes.push_back({{-4, 0, 35}, {30, 0, 35}, narrowMm});
+    const core::VoxelMask lumen = test::drawnMask(test::gridAround({0, 0, 0}, {80, 40, 120}, {1.5, 1.5, 1.5}), tubes);
+    core::TracingProgress progress({});
+    const auto fill = [&](int i, int j, int k) {
+        return lumen.at(i, j, k) == 0 ? 0.0 : 2 * i < lumen.geometry.size.x() ? descendingFill : 1.0;
+    };
+    return core::coarseBlood(lumen, fill, 1, progress);
+}
+
+TEST(GreatVessels, GoOnThroughNarrowPlacesOfTheSameBlood)
+{
+    const auto holdsBoth = [](const std::vector<core::GreatVessel>& found) {
+        return !found.empty() && passes(found[0], {30, 0, -20}, 5.0) && passes(found[0], {-30, 0, -40}, 5.0);
+    };
+    EXPECT_TRUE(holdsBoth(foundIn(tornArch(3.2, 0.97))));
+    EXPECT_FALSE(holdsBoth(foundIn(tornArch(3.2, 0.83))));   // beside a vein
+    EXPECT_FALSE(holdsBoth(foundIn(tornArch(1.2, 0.97))));
+}
+
 TEST(GreatVessels, AreNamedByAPlaceInThem)
 {
     const auto found = foundIn(drawn({aorta}));
