@@ -3,6 +3,7 @@
 #include "core/imaging/interpolate_grid.h"
 #include "core/support/parallel_for.h"
 #include "core/tracing/tree/branch_paths.h"
+#include "core/tracing/tree/drop_dim_parts.h"
 #include "core/tracing/tree/open_loops.h"
 #include "core/tracing/tree/prune_spurs.h"
 #include "core/tracing/tree/vessel_curve.h"
@@ -22,6 +23,15 @@ Eigen::Vector3d onGrid(const Eigen::Vector3d& inPatient, const VolumeGeometry& g
     return grid.spacingMm.cwiseProduct(grid.patientFromVoxel().inverse() * inPatient);
 }
 
+std::vector<Eigen::Vector3d> startsOn(const VolumeGeometry& grid, const VesselTracingOptions& options)
+{
+    std::vector<Eigen::Vector3d> startsMm;
+    for (const Eigen::Vector3d& seed : options.seedsInPatient) {
+        startsMm.push_back(onGrid(seed, grid));
+    }
+    return startsMm;
+}
+
 std::vector<BranchPath> pathsIn(const VesselGraph& graph, const VesselTracingOptions& options,
                                 const VolumeGeometry& grid)
 {
@@ -29,11 +39,7 @@ std::vector<BranchPath> pathsIn(const VesselGraph& graph, const VesselTracingOpt
     if (options.rootInPatient) {
         rootMm = onGrid(*options.rootInPatient, grid);
     }
-    std::vector<Eigen::Vector3d> seedsMm;
-    for (const Eigen::Vector3d& seed : options.seedsInPatient) {
-        seedsMm.push_back(onGrid(seed, grid));
-    }
-    return branchPaths(graph, rootMm, seedsMm);
+    return branchPaths(graph, rootMm, startsOn(grid, options));
 }
 
 /// Skeleton of the lumen without what lies beyond the rim.
@@ -51,8 +57,8 @@ std::vector<std::size_t> skeletonOf(const VoxelMask& lumen, TracingProgress& pro
     return within;
 }
 
-VesselGraph prunedGraph(const VoxelMask& lumen, const VesselTracingOptions& options, TracingProgress& progress,
-                        int& openedLoops)
+VesselGraph prunedGraph(const VoxelMask& lumen, const BloodFill& fill, const VesselTracingOptions& options,
+                        TracingProgress& progress, int& openedLoops)
 {
     progress.enter("thinning", 0.7, 0.8);
     const DistanceMap distances = distanceMap(lumen, threadCount(options.threads), progress);
@@ -63,7 +69,10 @@ VesselGraph prunedGraph(const VoxelMask& lumen, const VesselTracingOptions& opti
     progress.enter("branches", 0.8, 1.0);
     VesselGraph graph = vesselGraph(skeleton, distances);
     openedLoops = openLoops(graph);
-    pruneSpurs(graph, {.minLengthMm = options.minBranchLengthMm, .minRadiusMm = options.minBranchRadiusMm});
+    const SpurLimits limits{.minLengthMm = options.minBranchLengthMm, .minRadiusMm = options.minBranchRadiusMm};
+    pruneSpurs(graph, limits);
+    dropDimParts(graph, fill, startsOn(lumen.geometry, options), lumen.geometry.spacingMm.maxCoeff());
+    pruneSpurs(graph, limits);
     return graph;
 }
 
@@ -86,7 +95,7 @@ LumenTree lumenTree(const VoxelMask& lumen, const BloodFill& fill, const VesselT
 {
     LumenTree result;
     const VolumeGeometry& grid = lumen.geometry;
-    const VesselGraph graph = prunedGraph(lumen, options, progress, result.openedLoops);
+    const VesselGraph graph = prunedGraph(lumen, fill, options, progress, result.openedLoops);
     const std::vector<BranchPath> paths = pathsIn(graph, options, grid);
     const CurveSettings settings{grid.spacingMm.minCoeff(), options.pointSpacingMm, Eigen::Vector3d::Zero(),
                                  grid.spacingMm.cwiseProduct((grid.size.array() - 1).cast<double>().matrix())};

@@ -1,0 +1,227 @@
+#include "core/tracing/tree/drop_dim_parts.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace core {
+namespace {
+
+constexpr double leastOfBlood = 0.65;   ///< a vessel as wide as the least that counts has 0.8 by blurring
+constexpr double leastRadius = 1.5;   ///< voxels; the axis of a thinner vessel is dark by blurring
+constexpr double leastWideShare = 0.5;   ///< of an edge's points
+constexpr std::size_t leastWide = 6;   ///< points that tell
+constexpr double besideMm = 25.0;   ///< of the starts: across a torn aorta, whose false lumen is dim
+constexpr double leastTrust = 0.5;   ///< in sections
+constexpr std::size_t tangentReach = 3;   ///< points
+
+/// At a place of an edge, unless the vessel is too thin there. The lumen of what is hardly bright enough is full of
+/// holes: its balls are too small, its skeleton is off its axis.
+std::optional<double> fillWhereWide(const VesselEdge& edge, std::size_t n, const BloodFill& fill, double voxelMm)
+{
+    const std::size_t before = n - std::min(n, tangentReach);
+    const std::size_t after = std::min(n + tangentReach, edge.pointsMm.size() - 1);
+    const Eigen::Vector3d way = edge.pointsMm[after] - edge.pointsMm[before];
+    double radiusMm = edge.radiusMm[n];
+    Eigen::Vector3d middleMm = edge.pointsMm[n];
+    if (!way.isZero()) {
+        const CrossSection section =
+            crossSection({middleMm, way.normalized(), std::max(radiusMm, voxelMm), voxelMm}, fill);
+        if (section.trust >= leastTrust) {
+            radiusMm = section.radiusMm;
+            middleMm = section.centreMm;
+        }
+    }
+    return radiusMm >= leastRadius * voxelMm ? std::optional(fill(middleMm)) : std::nullopt;
+}
+
+/// Of an edge that mostly is wide enough to tell.
+std::optional<double> medianFill(const VesselEdge& edge, const BloodFill& fill, double voxelMm)
+{
+    std::vector<double> fills;
+    for (std::size_t n = 0; n < edge.pointsMm.size(); ++n) {
+        if (const auto here = fillWhereWide(edge, n, fill, voxelMm)) {
+            fills.push_back(*here);
+        }
+    }
+    if (fills.size() < leastWide ||
+        static_cast<double>(fills.size()) < leastWideShare * static_cast<double>(edge.pointsMm.size())) {
+        return std::nullopt;
+    }
+    const auto middle = fills.begin() + static_cast<std::ptrdiff_t>(fills.size() / 2);
+    std::nth_element(fills.begin(), middle, fills.end());
+    return *middle;
+}
+
+bool isBeside(const VesselEdge& edge, const std::vector<Eigen::Vector3d>& startsMm)
+{
+    const Eigen::Vector3d& middle = edge.pointsMm[edge.pointsMm.size() / 2];
+    return std::ranges::any_of(startsMm,
+                               [&](const Eigen::Vector3d& start) { return (start - middle).norm() < besideMm; });
+}
+
+/// What lies beyond an edge as seen from the starts, itself included.
+struct Part {
+    double dimMm = 0.0;
+    double filledMm = 0.0;
+    bool holdsStart = false;
+};
+
+class DimParts {
+public:
+    DimParts(VesselGraph& graph, const BloodFill& fill, double voxelMm)
+        : graph_(graph), meeting_(graph.nodesMm.size()), holdsStart_(graph.edges.size(), false)
+    {
+        for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+            meeting_[static_cast<std::size_t>(graph.edges[e].startNode)].push_back(e);
+            meeting_[static_cast<std::size_t>(graph.edges[e].endNode)].push_back(e);
+            fills_.push_back(medianFill(graph.edges[e], fill, voxelMm));
+        }
+    }
+
+    void drop(const std::vector<Eigen::Vector3d>& startsMm)
+    {
+        for (const Eigen::Vector3d& start : startsMm) {
+            holdsStart_[nearestEdge(start)] = true;
+        }
+        for (std::size_t e = 0; e < fills_.size(); ++e) {
+            isBeside_.push_back(isBeside(graph_.edges[e], startsMm));
+        }
+        const std::optional<double> blood = bloodAtStarts();
+        if (!blood) {
+            return;
+        }
+        leastFill_ = leastOfBlood * *blood;
+        const auto first = std::find(holdsStart_.begin(), holdsStart_.end(), true);
+        const VesselEdge& edge = graph_.edges[static_cast<std::size_t>(first - holdsStart_.begin())];
+        walkFrom(edge.startNode);
+        for (std::size_t n = order_.size(); n-- > 0;) {
+            gather(n);
+        }
+        removeDim();
+    }
+
+private:
+    std::size_t nearestEdge(const Eigen::Vector3d& placeMm) const
+    {
+        std::size_t nearest = 0;
+        double nearestSquared = std::numeric_limits<double>::max();
+        for (std::size_t e = 0; e < graph_.edges.size(); ++e) {
+            for (const Eigen::Vector3d& point : graph_.edges[e].pointsMm) {
+                if (const double squared = (point - placeMm).squaredNorm(); squared < nearestSquared) {
+                    nearestSquared = squared;
+                    nearest = e;
+                }
+            }
+        }
+        return nearest;
+    }
+
+    /// Half the length of the vessels that hold starts is brighter.
+    std::optional<double> bloodAtStarts() const
+    {
+        std::vector<std::pair<double, double>> fillsAndLengths;
+        double wholeMm = 0.0;
+        for (std::size_t e = 0; e < fills_.size(); ++e) {
+            if (holdsStart_[e] && fills_[e]) {
+                fillsAndLengths.emplace_back(*fills_[e], graph_.edges[e].lengthMm());
+                wholeMm += fillsAndLengths.back().second;
+            }
+        }
+        std::sort(fillsAndLengths.begin(), fillsAndLengths.end());
+        double passedMm = 0.0;
+        for (const auto& [fill, lengthMm] : fillsAndLengths) {
+            passedMm += lengthMm;
+            if (2.0 * passedMm >= wholeMm) {
+                return fill;
+            }
+        }
+        return std::nullopt;
+    }
+
+    struct Step {
+        std::size_t edge = 0;
+        int from = 0;   ///< nodes
+        int to = 0;
+        std::size_t last = 0;   ///< steps up to here, not included, lie beyond it
+        Part part;
+    };
+
+    /// Depth first, so that what lies beyond a step follows it.
+    void walkFrom(int root)
+    {
+        std::vector<bool> seen(graph_.edges.size(), false);
+        std::vector<std::pair<std::size_t, int>> ahead;   // an edge and the node that it is left from
+        const auto look = [&](int node) {
+            for (const std::size_t e : meeting_[static_cast<std::size_t>(node)]) {
+                ahead.emplace_back(e, node);
+            }
+        };
+        look(root);
+        while (!ahead.empty()) {
+            const auto [e, from] = ahead.back();
+            ahead.pop_back();
+            if (!seen[e]) {
+                seen[e] = true;
+                const VesselEdge& edge = graph_.edges[e];
+                order_.push_back({e, from, edge.startNode == from ? edge.endNode : edge.startNode, 0, {}});
+                look(order_.back().to);
+            }
+        }
+    }
+
+    /// The steps beyond a step come right after it, those nearest first.
+    void gather(std::size_t n)
+    {
+        Step& step = order_[n];
+        const double lengthMm = graph_.edges[step.edge].lengthMm();
+        step.part.holdsStart = holdsStart_[step.edge];
+        if (fills_[step.edge]) {
+            (isDim(step.edge) ? step.part.dimMm : step.part.filledMm) += lengthMm;
+        }
+        step.last = n + 1;
+        while (step.last < order_.size() && order_[step.last].from == step.to) {
+            const Step& next = order_[step.last];
+            step.part.dimMm += next.part.dimMm;
+            step.part.filledMm += next.part.filledMm;
+            step.part.holdsStart = step.part.holdsStart || next.part.holdsStart;
+            step.last = next.last;
+        }
+    }
+
+    bool isDim(std::size_t e) const { return fills_[e] && *fills_[e] < leastFill_ && !isBeside_[e]; }
+
+    void removeDim()
+    {
+        for (std::size_t n = 0; n < order_.size();) {
+            const Step& step = order_[n];
+            const bool isLeak = isDim(step.edge) && !step.part.holdsStart && step.part.dimMm > step.part.filledMm;
+            for (std::size_t gone = n; isLeak && gone < step.last; ++gone) {
+                graph_.edges[order_[gone].edge].pointsMm.clear();
+            }
+            n = isLeak ? step.last : n + 1;
+        }
+        std::erase_if(graph_.edges, [](const VesselEdge& edge) { return edge.pointsMm.empty(); });
+    }
+
+    VesselGraph& graph_;
+    std::vector<std::vector<std::size_t>> meeting_;   ///< edges by node
+    std::vector<bool> holdsStart_;
+    std::vector<bool> isBeside_;   ///< the starts
+    std::vector<std::optional<double>> fills_;   ///< of edges wide enough to tell
+    std::vector<Step> order_;
+    double leastFill_ = 0.0;
+};
+
+}   // namespace
+
+void dropDimParts(VesselGraph& graph, const BloodFill& fill, const std::vector<Eigen::Vector3d>& startsMm,
+                  double voxelMm)
+{
+    if (!graph.edges.empty() && !startsMm.empty()) {
+        DimParts(graph, fill, voxelMm).drop(startsMm);
+    }
+}
+
+}   // namespace core
