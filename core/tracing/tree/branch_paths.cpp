@@ -1,5 +1,8 @@
 #include "core/tracing/tree/branch_paths.h"
 
+#include "core/tracing/tree/departure.h"
+#include "core/tracing/tree/root_end.h"
+
 #include <algorithm>
 #include <deque>
 #include <limits>
@@ -8,40 +11,8 @@
 namespace core {
 namespace {
 
-constexpr double lookAheadMm = 12.0;   ///< stretch of an edge that tells its width and direction at a node
 constexpr double directionWorth = 0.8;
 constexpr double seedReachMm = 5.0;   ///< from a seed to the wall of its vessel
-
-/// Width and direction of an edge where it leaves its start node, beyond the node's own ball.
-struct Departure {
-    double radiusMm = 0.0;
-    Eigen::Vector3d direction = Eigen::Vector3d::Zero();
-};
-
-Departure departureOf(const VesselEdge& edge, double nodeRadiusMm)
-{
-    const Eigen::Vector3d& start = edge.pointsMm.front();
-    std::vector<double> radii;
-    std::size_t last = edge.pointsMm.size() - 1;
-    for (std::size_t i = 0; i < edge.pointsMm.size(); ++i) {
-        const double away = (edge.pointsMm[i] - start).norm();
-        if (away > nodeRadiusMm + lookAheadMm) {
-            last = i;
-            break;
-        }
-        if (away > nodeRadiusMm) {
-            radii.push_back(edge.radiusMm[i]);
-        }
-    }
-    Departure departure;
-    departure.radiusMm = edge.radiusMm.back();
-    if (!radii.empty()) {
-        std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());
-        departure.radiusMm = radii[radii.size() / 2];
-    }
-    departure.direction = (edge.pointsMm[last] - start).normalized();
-    return departure;
-}
 
 /// A path to be followed from `edge`, which leaves `node`.
 struct Start {
@@ -67,7 +38,7 @@ public:
     {
         for (const std::vector<int>& nodes : pieces()) {
             const bool isAsked = seedsMm.empty() ? paths_.empty() : isNearOne(nodes, seedsMm);
-            const int root = rootOf(nodes, rootMm);
+            const int root = rootEnd(graph_, nodes, rootMm);
             if (isAsked && root >= 0) {
                 starts_.push_back({meeting_[static_cast<std::size_t>(root)].front(), root, -1, 0});
                 followAll();
@@ -139,25 +110,6 @@ private:
             }
         }
         return false;
-    }
-
-    int rootOf(const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm) const
-    {
-        int best = -1;
-        double bestWorth = -std::numeric_limits<double>::infinity();
-        for (const int node : nodes) {
-            const std::vector<std::size_t>& edges = meeting_[static_cast<std::size_t>(node)];
-            if (edges.size() != 1) {
-                continue;
-            }
-            const double worth = rootMm ? -(graph_.nodesMm[static_cast<std::size_t>(node)] - *rootMm).norm()
-                                        : departureOf(leaving(edges.front(), node), nodeRadius(node)).radiusMm;
-            if (worth > bestWorth + 1e-9) {
-                bestWorth = worth;
-                best = node;
-            }
-        }
-        return best;
     }
 
     void followAll()

@@ -17,9 +17,9 @@ struct BranchPath {
 
 /// The graph, free of loops, as vessels from the root: at each node the vessel goes on in the edge that agrees best in
 /// width and direction, the others leave it. Parents come before their children, the first generation first, along the
-/// parent. The root of each piece is its end nearest to `rootMm`, or its thickest end; the piece with the greatest
-/// length comes first. Thinning keeps pieces together, but the rim of the scan can cut them apart: only pieces near one
-/// of `seedsMm` count, or without seeds the first.
+/// parent. The root of each piece is its end nearest to `rootMm`, or that of its thickest vessel; the piece with the
+/// greatest length comes first. Thinning keeps pieces together, but the rim of the scan can cut them apart: only pieces
+/// near one of `seedsMm` count, or without seeds the first.
 std::vector<BranchPath> branchPaths(const VesselGraph& graph, const std::optional<Eigen::Vector3d>& rootMm,
                                     const std::vector<Eigen::Vector3d>& seedsMm = {});
 

@@ -1,0 +1,37 @@
+#include "core/tracing/tree/departure.h"
+
+#include <algorithm>
+
+namespace core {
+namespace {
+
+constexpr double lookAheadMm = 12.0;   ///< stretch of an edge that tells its width and direction at a node
+
+}   // namespace
+
+Departure departureOf(const VesselEdge& edge, double nodeRadiusMm)
+{
+    const Eigen::Vector3d& start = edge.pointsMm.front();
+    std::vector<double> radii;
+    std::size_t last = edge.pointsMm.size() - 1;
+    for (std::size_t i = 0; i < edge.pointsMm.size(); ++i) {
+        const double away = (edge.pointsMm[i] - start).norm();
+        if (away > nodeRadiusMm + lookAheadMm) {
+            last = i;
+            break;
+        }
+        if (away > nodeRadiusMm) {
+            radii.push_back(edge.radiusMm[i]);
+        }
+    }
+    Departure departure;
+    departure.radiusMm = edge.radiusMm.back();
+    if (!radii.empty()) {
+        std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());
+        departure.radiusMm = radii[radii.size() / 2];
+    }
+    departure.direction = (edge.pointsMm[last] - start).normalized();
+    return departure;
+}
+
+}   // namespace core

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/tracing/tree/vessel_graph.h"
+
+#include <Eigen/Core>
+
+namespace core {
+
+/// Width and direction of an edge where it leaves its start node, beyond the node's own ball.
+struct Departure {
+    double radiusMm = 0.0;
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+};
+
+Departure departureOf(const VesselEdge& edge, double nodeRadiusMm);
+
+}   // namespace core

@@ -1,0 +1,131 @@
+#include "core/tracing/tree/root_end.h"
+
+#include "core/tracing/tree/departure.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace core {
+namespace {
+
+constexpr double alike = 1e-9;   ///< mm
+/// Of the width of a vessel at whose end it is: coronary arteries have 0.15 of the aorta.
+constexpr double spurShare = 0.3;
+
+/// How much an end is like a root.
+struct RootWorth {
+    double first = -std::numeric_limits<double>::infinity();
+    double second = 0.0;   ///< where the first says nothing
+
+    bool isAbove(const RootWorth& other) const
+    {
+        return first > other.first + alike || (first > other.first - alike && second > other.second + alike);
+    }
+};
+
+class RootFinder {
+public:
+    explicit RootFinder(const VesselGraph& graph) : graph_(graph), meeting_(graph.nodesMm.size())
+    {
+        for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+            meeting_[static_cast<std::size_t>(graph.edges[e].startNode)].push_back(e);
+            meeting_[static_cast<std::size_t>(graph.edges[e].endNode)].push_back(e);
+        }
+    }
+
+    int among(const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm) const
+    {
+        int best = -1;
+        RootWorth bestWorth;
+        for (const int node : nodes) {
+            const std::vector<std::size_t>& edges = meeting_[static_cast<std::size_t>(node)];
+            if (edges.size() != 1) {
+                continue;
+            }
+            const RootWorth worth = rootMm
+                                        ? RootWorth{-(graph_.nodesMm[static_cast<std::size_t>(node)] - *rootMm).norm()}
+                                        : worthOf(edges.front(), node);
+            if (worth.isAbove(bestWorth)) {
+                bestWorth = worth;
+                best = node;
+            }
+        }
+        return best;
+    }
+
+private:
+    VesselEdge leaving(std::size_t edge, int node) const
+    {
+        const VesselEdge& stored = graph_.edges[edge];
+        return stored.startNode == node ? stored : reversed(stored);
+    }
+
+    double nodeRadius(int node) const { return graph_.nodeRadiusMm[static_cast<std::size_t>(node)]; }
+
+    /// The vessel that ends there is thick as a whole. The end itself may be a spur: a stump on the wall of something
+    /// wide, which says nothing, or a coronary artery at the root of the aorta, which ends where the aorta does.
+    RootWorth worthOf(std::size_t endEdge, int endNode) const
+    {
+        const VesselEdge fromEnd = leaving(endEdge, endNode);
+        double width = widthOf(endEdge);
+        std::size_t edge = endEdge;
+        int node = fromEnd.endNode;
+        for (std::size_t n = 0; n < graph_.edges.size(); ++n) {
+            const std::optional<std::size_t> wide = wideEdgeBesideSpurs(node, edge);
+            if (!wide) {
+                break;
+            }
+            edge = *wide;
+            node = leaving(edge, node).endNode;
+            width = std::max(width, widthOf(edge));
+        }
+        return {width, departureOf(fromEnd, nodeRadius(endNode)).radiusMm};
+    }
+
+    /// Median radius, without what lies within the vessel that an end leads to.
+    double widthOf(std::size_t e) const
+    {
+        const bool endsFree = meeting_[static_cast<std::size_t>(graph_.edges[e].endNode)].size() == 1;
+        const VesselEdge edge = leaving(e, endsFree ? graph_.edges[e].endNode : graph_.edges[e].startNode);
+        const bool isEnd = meeting_[static_cast<std::size_t>(edge.startNode)].size() == 1;
+        const Eigen::Vector3d& junction = edge.pointsMm.back();
+        std::vector<double> radii{edge.radiusMm.front()};
+        for (std::size_t i = 1; i < edge.pointsMm.size(); ++i) {
+            if (!isEnd || (edge.pointsMm[i] - junction).norm() > nodeRadius(edge.endNode)) {
+                radii.push_back(edge.radiusMm[i]);
+            }
+        }
+        const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+        std::nth_element(radii.begin(), middle, radii.end());
+        return *middle;
+    }
+
+    /// The one vessel that ends at the node, if `arriving` and all others there are spurs beside it.
+    std::optional<std::size_t> wideEdgeBesideSpurs(int node, std::size_t arriving) const
+    {
+        std::optional<std::size_t> widest;
+        double widestMm = 0.0;
+        double nextMm = 0.0;
+        for (const std::size_t e : meeting_[static_cast<std::size_t>(node)]) {
+            const double width = widthOf(e);
+            nextMm = std::max(nextMm, std::min(width, widestMm));
+            if (width > widestMm) {
+                widestMm = width;
+                widest = e;
+            }
+        }
+        return widest != arriving && nextMm < spurShare * widestMm ? widest : std::nullopt;
+    }
+
+    const VesselGraph& graph_;
+    std::vector<std::vector<std::size_t>> meeting_;   ///< edges by node
+};
+
+}   // namespace
+
+int rootEnd(const VesselGraph& graph, const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm)
+{
+    return RootFinder(graph).among(nodes, rootMm);
+}
+
+}   // namespace core
