@@ -4189,6 +4189,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>The picture is a mask of two levels: its vessels are taken as they are drawn.</source>
         <translation>Das Bild ist eine Maske aus zwei Stufen: Die Gefäße werden übernommen, wie sie gezeichnet sind.</translation>
     </message>
+    <message>
+        <source>Nothing in the scan is as dark as air in Hounsfield units: if its values are others, bone cannot be told from blood for sure. Look for bone among the vessels, or export the scan in Hounsfield units.</source>
+        <translation>Nichts im Scan ist so dunkel wie Luft in Hounsfield-Einheiten: Hat er andere Werte, lässt sich Knochen nicht sicher von Blut unterscheiden. Unter den Gefäßen nach Knochen suchen oder den Scan in Hounsfield-Einheiten exportieren.</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

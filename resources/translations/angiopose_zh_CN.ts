@@ -4189,6 +4189,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>The picture is a mask of two levels: its vessels are taken as they are drawn.</source>
         <translation>该图像是只有两级灰度的掩膜：血管按所画的样子采用。</translation>
     </message>
+    <message>
+        <source>Nothing in the scan is as dark as air in Hounsfield units: if its values are others, bone cannot be told from blood for sure. Look for bone among the vessels, or export the scan in Hounsfield units.</source>
+        <translation>扫描中没有像亨氏单位下的空气那样暗的部分：如果其数值不是亨氏单位，就无法可靠地区分骨骼和血液。请检查血管中是否混入骨骼，或以亨氏单位重新导出扫描。</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

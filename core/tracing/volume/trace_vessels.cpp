@@ -77,6 +77,10 @@ std::string loopWarning(int loops)
                             " loops were opened at their thinnest places: look there for vessels that only touch.";
 }
 
+constexpr std::string_view unitWarning =
+    "Nothing in the scan is as dark as air in Hounsfield units: if its values are others, bone cannot be told from "
+    "blood for sure. Look for bone among the vessels, or export the scan in Hounsfield units.";
+
 /// Where tracing began without a seed.
 std::string startWarning(const std::optional<Eigen::Vector3d>& foundStart)
 {
@@ -258,6 +262,9 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
     }
     TracedVessels vessels = std::move(traced).value();
     vessels.threshold = level.value().threshold;
+    if (!level.value().isHu) {
+        vessels.warnings.emplace_back(unitWarning);
+    }
     if (!options.seedsInPatient.empty()) {
         return vessels;
     }

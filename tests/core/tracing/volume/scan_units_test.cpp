@@ -1,0 +1,42 @@
+#include "core/simulation/simulate_cta.h"
+#include "core/tracing/volume/trace_vessels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace {
+
+/// The same scan with its values moved by so much; one branch is enough.
+core::Volume scanMovedBy(std::int16_t offset)
+{
+    core::Volume scan = core::simulateCta(3, {.branchCount = 2, .rootRadiusMm = 4.0},
+                                          {.size = {80, 80, 72}, .spacingMm = {1.2, 1.2, 1.2}, .calcificationCount = 1})
+                            .volume;
+    std::ranges::transform(scan.voxels, scan.voxels.begin(),
+                           [offset](std::int16_t value) { return static_cast<std::int16_t>(value + offset); });
+    return scan;
+}
+
+bool warnsOfUnits(const core::Volume& scan, const core::VesselTracingOptions& options = {})
+{
+    const auto traced = core::traceVessels(scan, options);
+    EXPECT_TRUE(traced) << traced.error().message;
+    return traced && std::ranges::any_of(traced.value().warnings, [](const std::string& warning) {
+               return warning.find("Hounsfield") != std::string::npos;
+           });
+}
+
+TEST(ScanUnits, OtherThanHounsfieldAreWarnedAbout)
+{
+    const core::Volume scan = scanMovedBy(0);
+    const core::Volume moved = scanMovedBy(1024);
+    ASSERT_LT(*std::ranges::min_element(scan.voxels), -500);
+    EXPECT_FALSE(warnsOfUnits(scan));
+    EXPECT_TRUE(warnsOfUnits(moved));
+    const auto traced = core::traceVessels(moved);
+    ASSERT_TRUE(traced);
+    EXPECT_TRUE(warnsOfUnits(moved, {.seedsInPatient = {traced.value().tree.branches.front().pointsInPatient[10]}}));
+}
+
+}   // namespace
