@@ -69,7 +69,9 @@ core::Result<std::vector<DicomSeries>> listSeries(const std::string& folder, con
 {
     auto series = scan(folder, Reach::Below, observe);
     if (series && series.value().empty()) {
-        return fileError(folder, "there is no DICOM image in this folder. Choose the folder of a DICOM scan, or a volume file itself.");
+        return fileError(
+            folder,
+            "there is no DICOM image in this folder. Choose the folder of a DICOM scan, or a volume file itself.");
     }
     return series;
 }
