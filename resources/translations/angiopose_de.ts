@@ -4193,6 +4193,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Nothing in the scan is as dark as air in Hounsfield units: if its values are others, bone cannot be told from blood for sure. Look for bone among the vessels, or export the scan in Hounsfield units.</source>
         <translation>Nichts im Scan ist so dunkel wie Luft in Hounsfield-Einheiten: Hat er andere Werte, lässt sich Knochen nicht sicher von Blut unterscheiden. Unter den Gefäßen nach Knochen suchen oder den Scan in Hounsfield-Einheiten exportieren.</translation>
     </message>
+    <message>
+        <source>%1 parts less bright than the vessels were left out, as veins and organs are. Place seeds in those that belong to the tree.</source>
+        <translation>%1 Teile, die weniger hell sind als die Gefäße, wurden weggelassen: so sehen Venen und Organe aus. In die, die zum Baum gehören, einen Startpunkt setzen.</translation>
+    </message>
+    <message>
+        <source>A part less bright than the vessels was left out, as veins and organs are. Place a seed in it if it belongs to the tree.</source>
+        <translation>Ein Teil, der weniger hell ist als die Gefäße, wurde weggelassen: so sehen Venen und Organe aus. Einen Startpunkt hineinsetzen, wenn er zum Baum gehört.</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

@@ -4193,6 +4193,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Nothing in the scan is as dark as air in Hounsfield units: if its values are others, bone cannot be told from blood for sure. Look for bone among the vessels, or export the scan in Hounsfield units.</source>
         <translation>扫描中没有像亨氏单位下的空气那样暗的部分：如果其数值不是亨氏单位，就无法可靠地区分骨骼和血液。请检查血管中是否混入骨骼，或以亨氏单位重新导出扫描。</translation>
     </message>
+    <message>
+        <source>%1 parts less bright than the vessels were left out, as veins and organs are. Place seeds in those that belong to the tree.</source>
+        <translation>%1 个不如血管明亮的部分已舍弃：静脉和器官即如此。请在属于血管树的部分中放置种子点。</translation>
+    </message>
+    <message>
+        <source>A part less bright than the vessels was left out, as veins and organs are. Place a seed in it if it belongs to the tree.</source>
+        <translation>一个不如血管明亮的部分已舍弃：静脉和器官即如此。若属于血管树，请在其中放置种子点。</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

@@ -80,7 +80,7 @@ public:
         }
     }
 
-    void drop(const std::vector<Eigen::Vector3d>& startsMm)
+    int drop(const std::vector<Eigen::Vector3d>& startsMm)
     {
         for (const Eigen::Vector3d& start : startsMm) {
             holdsStart_[nearestEdge(start)] = true;
@@ -90,7 +90,7 @@ public:
         }
         const std::optional<double> blood = bloodAtStarts();
         if (!blood) {
-            return;
+            return 0;
         }
         leastFill_ = leastOfBlood * *blood;
         const auto first = std::find(holdsStart_.begin(), holdsStart_.end(), true);
@@ -99,7 +99,7 @@ public:
         for (std::size_t n = order_.size(); n-- > 0;) {
             gather(n);
         }
-        removeDim();
+        return removeDim();
     }
 
 private:
@@ -192,17 +192,20 @@ private:
 
     bool isDim(std::size_t e) const { return fills_[e] && *fills_[e] < leastFill_ && !isBeside_[e]; }
 
-    void removeDim()
+    int removeDim()
     {
+        int removed = 0;
         for (std::size_t n = 0; n < order_.size();) {
             const Step& step = order_[n];
             const bool isLeak = isDim(step.edge) && !step.part.holdsStart && step.part.dimMm > step.part.filledMm;
             for (std::size_t gone = n; isLeak && gone < step.last; ++gone) {
                 graph_.edges[order_[gone].edge].pointsMm.clear();
             }
+            removed += isLeak ? 1 : 0;
             n = isLeak ? step.last : n + 1;
         }
         std::erase_if(graph_.edges, [](const VesselEdge& edge) { return edge.pointsMm.empty(); });
+        return removed;
     }
 
     VesselGraph& graph_;
@@ -216,12 +219,11 @@ private:
 
 }   // namespace
 
-void dropDimParts(VesselGraph& graph, const BloodFill& fill, const std::vector<Eigen::Vector3d>& startsMm,
-                  double voxelMm)
+int dropDimParts(VesselGraph& graph, const BloodFill& fill, const std::vector<Eigen::Vector3d>& startsMm,
+                 double voxelMm)
 {
-    if (!graph.edges.empty() && !startsMm.empty()) {
-        DimParts(graph, fill, voxelMm).drop(startsMm);
-    }
+    const bool canTell = !graph.edges.empty() && !startsMm.empty();
+    return canTell ? DimParts(graph, fill, voxelMm).drop(startsMm) : 0;
 }
 
 }   // namespace core

@@ -58,7 +58,7 @@ std::vector<std::size_t> skeletonOf(const VoxelMask& lumen, TracingProgress& pro
 }
 
 VesselGraph prunedGraph(const VoxelMask& lumen, const BloodFill& fill, const VesselTracingOptions& options,
-                        TracingProgress& progress, int& openedLoops)
+                        TracingProgress& progress, LumenTree& found)
 {
     progress.enter("thinning", 0.7, 0.8);
     const DistanceMap distances = distanceMap(lumen, threadCount(options.threads), progress);
@@ -68,10 +68,10 @@ VesselGraph prunedGraph(const VoxelMask& lumen, const BloodFill& fill, const Ves
     }
     progress.enter("branches", 0.8, 1.0);
     VesselGraph graph = vesselGraph(skeleton, distances);
-    openedLoops = openLoops(graph);
+    found.openedLoops = openLoops(graph);
     const SpurLimits limits{.minLengthMm = options.minBranchLengthMm, .minRadiusMm = options.minBranchRadiusMm};
     pruneSpurs(graph, limits);
-    dropDimParts(graph, fill, startsOn(lumen.geometry, options), lumen.geometry.spacingMm.maxCoeff());
+    found.dimParts = dropDimParts(graph, fill, startsOn(lumen.geometry, options), lumen.geometry.spacingMm.maxCoeff());
     pruneSpurs(graph, limits);
     return graph;
 }
@@ -95,7 +95,7 @@ LumenTree lumenTree(const VoxelMask& lumen, const BloodFill& fill, const VesselT
 {
     LumenTree result;
     const VolumeGeometry& grid = lumen.geometry;
-    const VesselGraph graph = prunedGraph(lumen, fill, options, progress, result.openedLoops);
+    const VesselGraph graph = prunedGraph(lumen, fill, options, progress, result);
     const std::vector<BranchPath> paths = pathsIn(graph, options, grid);
     const CurveSettings settings{grid.spacingMm.minCoeff(), options.pointSpacingMm, Eigen::Vector3d::Zero(),
                                  grid.spacingMm.cwiseProduct((grid.size.array() - 1).cast<double>().matrix())};

@@ -10,6 +10,7 @@ namespace core {
 struct LumenTree {
     VesselTree tree;   ///< patient LPS
     int openedLoops = 0;
+    int dimParts = 0;   ///< left out: veins and organs
 };
 
 /// Thinning → graph → tree → smooth centrelines with radii. `lumen` has patient axis order; `fill` tells where its wall

@@ -81,6 +81,16 @@ constexpr std::string_view unitWarning =
     "Nothing in the scan is as dark as air in Hounsfield units: if its values are others, bone cannot be told from "
     "blood for sure. Look for bone among the vessels, or export the scan in Hounsfield units.";
 
+std::string dimWarning(int parts)
+{
+    return parts == 1
+               ? "A part less bright than the vessels was left out, as veins and organs are. Place a seed in it if it "
+                 "belongs to the tree."
+               : std::to_string(parts) +
+                     " parts less bright than the vessels were left out, as veins and organs are. Place seeds in "
+                     "those that belong to the tree.";
+}
+
 /// Where tracing began without a seed.
 std::string startWarning(const std::optional<Eigen::Vector3d>& foundStart)
 {
@@ -108,6 +118,9 @@ Result<TracedVessels> treeOf(const ChosenLumen& chosen, const BloodFill& fill, c
     traced.warnings = chosen.warnings;
     if (found.openedLoops > 0) {
         traced.warnings.push_back(loopWarning(found.openedLoops));
+    }
+    if (found.dimParts > 0) {
+        traced.warnings.push_back(dimWarning(found.dimParts));
     }
     return traced;
 }

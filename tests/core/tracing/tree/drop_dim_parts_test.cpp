@@ -56,7 +56,8 @@ public:
     /// How many of the five edges stay.
     std::size_t left(const std::vector<Eigen::Vector3d>& startsMm = {{0, 0, 20}, {0, 0, 80}})
     {
-        core::dropDimParts(graph_, fill_, startsMm, 1.0);
+        const int removed = core::dropDimParts(graph_, fill_, startsMm, 1.0);
+        EXPECT_EQ(removed > 0, graph_.edges.size() < 5U);
         return graph_.edges.size();
     }
 
