@@ -8,11 +8,13 @@
 #include "io/series/dicom_segmentation.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
+#include "io/support/numbers.h"
 #include "io/surface_file.h"
 #include "io/vessel_tree_file.h"
 #include "io/volume_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace io {
@@ -61,7 +63,7 @@ core::Result<LoadedVessels> withTree(LoadedVessels loaded, core::Result<core::Tr
 core::Result<LoadedVessels> readCenterlines(const std::string& path, const core::VesselInput& input)
 {
     VesselTreeReadOptions options;
-    options.swcUnitMm = input.unitMm;
+    options.unitMm = input.unitMm;
     auto tree = readVesselTree(path, options);
     if (!tree) {
         return tree.error();
@@ -69,6 +71,11 @@ core::Result<LoadedVessels> readCenterlines(const std::string& path, const core:
     LoadedVessels loaded;
     loaded.input = input;
     loaded.tree = std::move(tree).value();
+    if (!core::isUsualSize(loaded.tree)) {
+        loaded.warnings.push_back("The vessels are " + toText(std::round(100.0 * core::acrossMm(loaded.tree)) / 100.0) +
+                                  " mm across, or of a width that is unusual: if the unit of the file is not the "
+                                  "millimetre, give the unit.");
+    }
     return loaded;
 }
 

@@ -16,21 +16,28 @@ namespace {
 
 constexpr std::string_view knownFormats = "Choose a centreline file: .vtp, .vtk, .vtu, .csv, .swc or .mrk.json.";
 
-core::Result<LineSet> parseVtk(std::string_view content, const std::string& path)
+core::Result<LineSet> parseVtk(std::string_view content, double unitMm, const std::string& path)
 {
     auto lines = content.starts_with("# vtk DataFile") ? parseLegacyVtk(content, path) : parseXmlVtk(content, path);
     if (!lines) {
         return lines.error();
     }
-    return lineSetOf(std::move(lines).value());
+    LineSet set = lineSetOf(std::move(lines).value());
+    for (Eigen::Vector3d& point : set.points) {
+        point *= unitMm;
+    }
+    for (double& radius : set.radius) {
+        radius *= unitMm;
+    }
+    return set;
 }
 
 /// By content where that decides, by extension for plain tables.
-core::Result<LineSet> parseLines(std::string_view content, const std::string& path, double swcUnitMm)
+core::Result<LineSet> parseLines(std::string_view content, const std::string& path, double unitMm)
 {
     const bool isVtkXml = content.substr(0, 4096).find("<VTKFile") != std::string_view::npos;
     if (isVtkXml || content.starts_with("# vtk DataFile")) {
-        return parseVtk(content, path);
+        return parseVtk(content, unitMm, path);
     }
     const std::string extension = extensionOf(path);
     const std::string_view found = describeContent(content);
@@ -41,10 +48,10 @@ core::Result<LineSet> parseLines(std::string_view content, const std::string& pa
         return fileError(path, "this is " + std::string(found) + ", not a centreline. " + std::string(knownFormats));
     }
     if (extension == ".swc") {
-        return parseSwc(content, swcUnitMm, path);
+        return parseSwc(content, unitMm, path);
     }
     if (extension == ".csv" || extension == ".txt") {
-        return parseTreeTable(content, path);
+        return parseTreeTable(content, unitMm, path);
     }
     if (extension == ".vtk" || extension == ".vtp" || extension == ".vtu") {
         return fileError(path, "it does not begin like a VTK file. Export the centrelines again.");
@@ -56,14 +63,14 @@ core::Result<LineSet> parseLines(std::string_view content, const std::string& pa
 
 core::Result<core::VesselTree> readVesselTree(const std::string& path, const VesselTreeReadOptions& options)
 {
-    if (!std::isfinite(options.swcUnitMm) || options.swcUnitMm <= 0.0) {
-        return fileError(path, "the SWC unit must be a positive length in mm.");
+    if (!std::isfinite(options.unitMm) || options.unitMm <= 0.0) {
+        return fileError(path, "the unit must be a positive length in mm.");
     }
     const auto input = openInput(path);
     if (!input) {
         return input.error();
     }
-    auto lines = parseLines(input.value().view(), path, options.swcUnitMm);
+    auto lines = parseLines(input.value().view(), path, options.unitMm);
     if (!lines) {
         return lines.error();
     }
@@ -85,7 +92,7 @@ core::Status writeVesselTree(const core::VesselTree& tree, const std::string& pa
     if (path.ends_with(".mrk.json")) {
         return writeAtomically(path, markupsText(tree));
     }
-    return fileError(path, "vessel trees are written as .vtp, .csv or .mrk.json. Change the extension.");
+    return fileError(path, "vessel trees are written as .vtp, .csv, .swc or .mrk.json. Change the extension.");
 }
 
 }   // namespace io

@@ -8,7 +8,7 @@
 namespace io {
 
 struct VesselTreeReadOptions {
-    double swcUnitMm = 1.0;   ///< length of one unit of an SWC file
+    double unitMm = 1.0;   ///< length of one unit; Slicer curves say theirs and are left alone
 };
 
 /// Centreline tree from VTP/VTU, legacy VTK (poly-data or unstructured grid), CSV, SWC or Slicer curves (FORMATS §4),

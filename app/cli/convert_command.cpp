@@ -104,7 +104,7 @@ Status convertAngiogram(const ConvertArguments& arguments)
 Status convertCurves(const ConvertArguments& arguments)
 {
     io::VesselTreeReadOptions options;
-    options.swcUnitMm = arguments.unitMm;
+    options.unitMm = arguments.unitMm;
     const auto tree = io::readVesselTree(arguments.inputPath, options);
     if (tree) {
         return io::writeVesselTree(tree.value(), arguments.outputPath);

@@ -103,7 +103,7 @@ void addConvert(CLI::App& app, int& exitCode)
             ".tfm; X-ray runs: .dcm")
         ->required();
     command->add_option("--series", arguments->seriesId, "Which series of a DICOM folder; `info FOLDER` lists them");
-    command->add_option("--unit-mm", arguments->unitMm, "Length of one unit of a surface or SWC file, mm")
+    command->add_option("--unit-mm", arguments->unitMm, "Length of one unit of a surface or a centreline file, mm")
         ->check(CLI::Range(1e-6, 1e4));
     command->add_option("--spacing-mm", arguments->spacingMm, "Voxels that a surface is filled with, mm")
         ->check(CLI::Range(0.01, 100.0));

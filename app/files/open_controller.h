@@ -48,7 +48,7 @@ signals:
     /// A scan was opened while the case has vessels of a file: to be seen beside them, or to trace vessels from?
     /// Answer with `openScan` or nothing.
     void scanChoiceNeeded(const QString& name);
-    /// A surface that says no unit is too small or large for mm; answer with `openInUnit` or nothing.
+    /// Vessels that say no unit are too small or large for mm; answer with `openInUnit` or nothing.
     void unitNeeded(const QString& name, double unitsAcross);
     /// An angiogram was opened while the case has one: another view, or instead of it? Answer with `addWaitingView`,
     /// `replaceImage` or nothing.

@@ -12,9 +12,43 @@
 
 #include <QFileDialog>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <iterator>
+#include <vector>
 
 namespace app {
+namespace {
+
+struct LengthUnit {
+    const char* name;
+    double mm;
+};
+
+/// The units that make vessels of something so many units across, the likeliest first; millimetres, which are doubted,
+/// come last, and where no unit helps all are there.
+std::vector<LengthUnit> unitsFor(double unitsAcross)
+{
+    constexpr double smallestMm = 10.0, usualMm = 200.0, largestMm = 2000.0;
+    constexpr std::array others{LengthUnit{"cm", 10.0}, LengthUnit{"m", 1000.0}, LengthUnit{"µm", 0.001}};
+    const auto leap = [unitsAcross](const LengthUnit& unit) {
+        return std::abs(std::log(unitsAcross * unit.mm / usualMm));
+    };
+    std::vector<LengthUnit> units;
+    std::ranges::copy_if(others, std::back_inserter(units), [unitsAcross](const LengthUnit& unit) {
+        const double mm = unitsAcross * unit.mm;
+        return mm >= smallestMm && mm <= largestMm;
+    });
+    if (units.empty()) {
+        units.assign(others.begin(), others.end());
+    }
+    std::ranges::sort(units, {}, leap);
+    units.push_back({"mm", 1.0});
+    return units;
+}
+
+}   // namespace
 
 OpenDialogs::OpenDialogs(ui::MainWindow& window, CaseDocument& document, OpenController& open, SaveController& save,
                          Notices& notices, QObject* parent)
@@ -121,28 +155,28 @@ void OpenDialogs::askWhatScan(const QString& name)
     question->open();
 }
 
-/// What each unit would make of it stands on its button.
+/// What each unit would make of it stands on its button, the likeliest first.
 void OpenDialogs::askUnit(const QString& name, double unitsAcross)
 {
-    static constexpr std::array unitsMm{1.0, 10.0, 1000.0};
-    const auto size = [unitsAcross](double unitMm) {
-        const double mm = unitsAcross * unitMm;
-        return mm < 10000.0 ? tr("%1 mm across").arg(ui::numberText(mm, mm < 10.0 ? 2 : 0))
-                            : tr("%1 m across").arg(ui::numberText(mm / 1000.0, 0));
-    };
+    const std::vector<LengthUnit> units = unitsFor(unitsAcross);
+    QStringList verbs;
+    for (const LengthUnit& unit : units) {
+        const double mm = unitsAcross * unit.mm;
+        const QString size = mm < 10000.0 ? tr("%1 mm across").arg(ui::numberText(mm, mm < 10.0 ? 2 : 0))
+                                          : tr("%1 m across").arg(ui::numberText(mm / 1000.0, 0));
+        verbs << tr("%1: %2").arg(QString::fromUtf8(unit.name), size);
+    }
     auto* question = new ui::QuestionDialog(
-        {tr("What is the unit of the surface?"),
+        {tr("What is the unit of the file?"),
          tr("“%1” does not say in what unit its points are, and in millimetres it is unusually small or large for "
             "vessels. The case remembers what you choose.")
              .arg(name),
          {}},
-        {tr("mm: %1").arg(size(unitsMm[0])), tr("cm: %1").arg(size(unitsMm[1])), tr("m: %1").arg(size(unitsMm[2])),
-         tr("Cancel")},
-        &window_);
+        verbs + QStringList{tr("Cancel")}, &window_);
     question->setObjectName(QStringLiteral("unitQuestion"));
-    connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
-        if (index >= 0 && index < static_cast<int>(unitsMm.size())) {
-            open_.openInUnit(unitsMm[static_cast<std::size_t>(index)]);
+    connect(question, &ui::QuestionDialog::answered, this, [this, units](int index) {
+        if (index >= 0 && index < static_cast<int>(units.size())) {
+            open_.openInUnit(units[static_cast<std::size_t>(index)].mm);
         }
     });
     question->open();

@@ -35,7 +35,7 @@ QStringList notesOf(const LoadedInputs& inputs, const core::RegistrationCase& op
         notes << ui::coreText(warning);
     }
     if (!inputs.wholeCase && inputs.vesselInput.unitMm != 1.0) {
-        notes << Words::tr("One unit of the surface is %1 mm, as you chose.")
+        notes << Words::tr("One unit of the file is %1 mm, as you chose.")
                      .arg(ui::briefNumber(inputs.vesselInput.unitMm, 6));
     }
     if (!inputs.wholeCase && opened.angiogram) {   // a case file has compared them itself

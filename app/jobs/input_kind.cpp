@@ -1,6 +1,7 @@
 #include "app/jobs/input_kind.h"
 
 #include "io/series/slice_record.h"
+#include "io/vessel/tree_table.h"
 #include "io/volume_file.h"
 
 #include <QCoreApplication>
@@ -47,18 +48,6 @@ bool isVtk(const QByteArray& head)
     return head.startsWith("# vtk DataFile") || head.contains("<VTKFile");
 }
 
-/// 3-D centreline tables name a z column, 2-D ones do not (FORMATS §4).
-InputKind kindOfCsv(const QByteArray& head)
-{
-    const QByteArray header = head.left(head.indexOf('\n')).toLower().simplified();
-    for (const QByteArray& column : header.split(',')) {
-        if (column.trimmed() == "z") {
-            return InputKind::Centerline;
-        }
-    }
-    return InputKind::Target;
-}
-
 core::Error notOurs(const QFileInfo& file)
 {
     return {
@@ -80,7 +69,8 @@ core::Result<InputKind> kindByName(const QFileInfo& file, const QByteArray& head
         return InputKind::Case;
     }
     if (suffix == QLatin1String("csv")) {
-        return kindOfCsv(head);
+        return io::isTreeTable({head.constData(), static_cast<std::size_t>(head.size())}) ? InputKind::Centerline
+                                                                                          : InputKind::Target;
     }
     if (centerlines.contains(suffix)) {
         return InputKind::Centerline;

@@ -8,6 +8,7 @@
 #include "io/subtraction_file.h"
 #include "io/surface_file.h"
 #include "io/vessel_input_file.h"
+#include "io/vessel_tree_file.h"
 #include "io/volume_file.h"
 
 #include <QFileInfo>
@@ -111,12 +112,21 @@ core::Status addUntraced(LoadedInputs& inputs, const QString& path, const QStrin
     return core::Done{};
 }
 
-/// Surfaces carry no unit. How many it is across where mm make no vessels of it; nothing where they do.
-std::optional<double> doubtfulUnitsAcross(const QString& path)
+/// Surfaces and most centrelines carry no unit. How many it is across where mm make no vessels of it; nothing where
+/// they do, or where the file says its unit (Slicer curves).
+std::optional<double> doubtfulUnitsAcross(const QString& path, core::VesselInputKind kind)
 {
-    const auto surface = io::readSurface(path.toStdString());
-    const bool isDoubtful = surface && !io::isUsualSize(surface.value().acrossMm);
-    return isDoubtful ? std::optional(surface.value().acrossMm) : std::nullopt;
+    if (kind == core::VesselInputKind::Surface) {
+        const auto surface = io::readSurface(path.toStdString());
+        const bool isDoubtful = surface && !io::isUsualSize(surface.value().acrossMm);
+        return isDoubtful ? std::optional(surface.value().acrossMm) : std::nullopt;
+    }
+    if (kind != core::VesselInputKind::Centerline || path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) {
+        return std::nullopt;
+    }
+    const auto tree = io::readVesselTree(path.toStdString());
+    const bool isDoubtful = tree && !core::isUsualSize(tree.value());
+    return isDoubtful ? std::optional(core::acrossMm(tree.value())) : std::nullopt;
 }
 
 core::Status addVessels(LoadedInputs& inputs, const QString& path, const OpenHints& hints, const QString& seriesId,
@@ -137,8 +147,8 @@ core::Status addVessels(LoadedInputs& inputs, const QString& path, const OpenHin
     if (isScan && hints.scanUse == ScanUse::Beside) {
         return addScan(inputs, path, seriesId, observe);
     }
-    if (kind.value() == core::VesselInputKind::Surface && !hints.unitMm) {
-        inputs.askedUnitsAcross = doubtfulUnitsAcross(path);
+    if (!hints.unitMm) {
+        inputs.askedUnitsAcross = doubtfulUnitsAcross(path, kind.value());
         if (inputs.askedUnitsAcross) {
             return core::Done{};
         }

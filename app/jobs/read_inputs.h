@@ -25,7 +25,7 @@ struct LoadedInputs {
     core::InputFile scanFile;   ///< of a scan that is to be seen only: `volume` without a tree
     std::string scanSeriesId;   ///< of `scanFile`, where that is a DICOM folder
     bool isScanAsked = false;   ///< it is a scan: nothing was read, see ScanUse::Ask
-    /// How many units a surface is across that says no unit and is too small or large for mm: nothing else was read.
+    /// How many units vessels are across that say no unit and are too small or large for mm: nothing else was read.
     std::optional<double> askedUnitsAcross;
     std::shared_ptr<const core::VesselTree> tree;
     core::InputFile imageFile;
@@ -50,7 +50,7 @@ struct OpenHints {
     QStringList searchFolders;   ///< where inputs of a case are looked for that are not in their place
     ScanUse scanUse = ScanUse::Trace;   ///< Ask: a scan is not read but told
     std::optional<double> unitMm =
-        std::nullopt;   ///< of a surface among them; not set: mm where that is plausible, else it is told
+        std::nullopt;   ///< of vessels among them; not set: mm where that is plausible, else it is told
     bool withoutOptional = false;   ///< a case opens without what it can do without and is found nowhere
 };
 

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 namespace core {
@@ -155,6 +156,36 @@ bool isCompact(const VesselTree& tree)
         }
     }
     return lengthMm < 2.0 * (2.0 * greatestRadiusMm);
+}
+
+double acrossMm(const VesselTree& tree)
+{
+    Eigen::AlignedBox3d box;
+    for (const BoxedBranch& branch : boxed(tree)) {
+        box.extend(branch.box);
+    }
+    return box.isEmpty() ? 0.0 : box.diagonal().norm();
+}
+
+bool isUsualSize(const VesselTree& tree)
+{
+    constexpr double shortestMm = 10.0, longestMm = 2000.0;   // one short branch … a whole body
+    constexpr double thinnestMm = 0.15, widestMm = 60.0;   // half a voxel of CT … an aneurysm
+    const double across = acrossMm(tree);
+    if (across < shortestMm || across > longestMm) {
+        return false;
+    }
+    std::vector<double> radiiMm;
+    for (const VesselBranch& branch : tree.branches) {
+        std::copy_if(branch.radiusMm.begin(), branch.radiusMm.end(), std::back_inserter(radiiMm),
+                     [](double radius) { return radius > 0.0; });
+    }
+    if (radiiMm.empty()) {
+        return true;
+    }
+    const auto middle = radiiMm.begin() + static_cast<std::ptrdiff_t>(radiiMm.size() / 2);
+    std::nth_element(radiiMm.begin(), middle, radiiMm.end());
+    return *middle >= thinnestMm && *middle <= widestMm;
 }
 
 std::string findProblem(const VesselTree& tree)

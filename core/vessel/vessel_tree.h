@@ -52,6 +52,12 @@ VesselTree without(const VesselTree& tree, const std::vector<int>& excludedIds);
 /// Never without radii.
 bool isCompact(const VesselTree& tree);
 
+/// Diagonal of the box around all points.
+double acrossMm(const VesselTree& tree);
+
+/// False where vessels of a CT are hardly of that size or width: the unit of the numbers may be another.
+bool isUsualSize(const VesselTree& tree);
+
 /// What makes this tree unusable (no branch, one point, NaN, …), in words for the user; empty when it is fine.
 std::string findProblem(const VesselTree& tree);
 

@@ -39,7 +39,7 @@ core::Result<TreeColumns> columnsOf(const CsvTable& table)
 
 struct TreeRow {
     Eigen::Vector3d point;
-    double radiusMm = std::numeric_limits<double>::quiet_NaN();
+    double radius = std::numeric_limits<double>::quiet_NaN();
     int branch = 1;
     std::string label;
 };
@@ -57,7 +57,7 @@ core::Result<TreeRow> parseRow(const CsvTable& table, std::size_t row, const Tre
     }
     const auto& cells = table.rows[row];
     if (columns.radius) {
-        content.radiusMm = parseNumber(cells[*columns.radius]).value_or(content.radiusMm);
+        content.radius = parseNumber(cells[*columns.radius]).value_or(content.radius);
     }
     if (columns.label) {
         content.label = cells[*columns.label];
@@ -119,7 +119,17 @@ std::string withoutSeparators(std::string name)
 
 }   // namespace
 
-core::Result<LineSet> parseTreeTable(std::string_view text, const std::string& path)
+bool isTreeTable(std::string_view head)
+{
+    const auto parsed = parseCsv(head.substr(0, head.find('\n')), {});
+    if (!parsed) {
+        return false;
+    }
+    const CsvTable& table = parsed.value();
+    return table.hasHeader ? table.column("z").has_value() : !table.rows.empty() && table.rows.front().size() == 3;
+}
+
+core::Result<LineSet> parseTreeTable(std::string_view text, double unitMm, const std::string& path)
 {
     const auto parsed = parseCsv(text, path);
     if (!parsed) {
@@ -139,9 +149,9 @@ core::Result<LineSet> parseTreeTable(std::string_view text, const std::string& p
             return parsedRow.error();
         }
         TreeRow content = std::move(parsedRow).value();
-        set.points.push_back(content.point);
+        set.points.emplace_back(unitMm * content.point);
         if (columns.value().radius) {
-            set.radius.push_back(content.radiusMm);
+            set.radius.push_back(unitMm * content.radius);
         }
         ids.push_back(content.branch);
         labels.push_back(std::move(content.label));

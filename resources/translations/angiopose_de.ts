@@ -705,24 +705,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 m groß</translation>
     </message>
     <message>
-        <source>What is the unit of the surface?</source>
-        <translation>In welcher Einheit ist die Oberfläche?</translation>
-    </message>
-    <message>
         <source>“%1” does not say in what unit its points are, and in millimetres it is unusually small or large for vessels. The case remembers what you choose.</source>
         <translation>„%1“ sagt nicht, in welcher Einheit die Punkte sind, und in Millimetern wäre sie für Gefäße ungewöhnlich klein oder groß. Der Fall merkt sich die Wahl.</translation>
     </message>
     <message>
-        <source>mm: %1</source>
-        <translation>mm: %1</translation>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
     <message>
-        <source>cm: %1</source>
-        <translation>cm: %1</translation>
-    </message>
-    <message>
-        <source>m: %1</source>
-        <translation>m: %1</translation>
+        <source>What is the unit of the file?</source>
+        <translation>In welcher Einheit ist die Datei?</translation>
     </message>
 </context>
 <context>
@@ -736,8 +728,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Scan wird ohne Gefäße gezeigt: Startpunkt setzen oder Schwelle in den Schichten (%1) wählen, dann erfassen.</translation>
     </message>
     <message>
-        <source>One unit of the surface is %1 mm, as you chose.</source>
-        <translation>Eine Einheit der Oberfläche ist %1 mm, wie gewählt.</translation>
+        <source>One unit of the file is %1 mm, as you chose.</source>
+        <translation>Eine Einheit der Datei ist %1 mm, wie gewählt.</translation>
     </message>
 </context>
 <context>
@@ -3046,10 +3038,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Oberflächen werden als .stl geschrieben. Die Endung ändern.</translation>
     </message>
     <message>
-        <source>the SWC unit must be a positive length in mm.</source>
-        <translation>die SWC-Einheit muss eine positive Länge in mm sein.</translation>
-    </message>
-    <message>
         <source>the VTK XML data in it is damaged or cut short. Export it again.</source>
         <translation>die VTK-XML-Daten sind beschädigt oder unvollständig. Neu exportieren.</translation>
     </message>
@@ -3276,10 +3264,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>version: the case was saved by a newer AngioPose. Update the program.</source>
         <translation>version: der Fall stammt von einem neueren AngioPose. Das Programm aktualisieren.</translation>
-    </message>
-    <message>
-        <source>vessel trees are written as .vtp, .csv or .mrk.json. Change the extension.</source>
-        <translation>Gefäßbäume werden als .vtp, .csv oder .mrk.json geschrieben. Die Endung ändern.</translation>
     </message>
     <message>
         <source>vessel.%1: the tree has no branch %2; it is left out.</source>
@@ -4200,6 +4184,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>A part less bright than the vessels was left out, as veins and organs are. Place a seed in it if it belongs to the tree.</source>
         <translation>Ein Teil, der weniger hell ist als die Gefäße, wurde weggelassen: so sehen Venen und Organe aus. Einen Startpunkt hineinsetzen, wenn er zum Baum gehört.</translation>
+    </message>
+    <message>
+        <source>The vessels are %1 mm across, or of a width that is unusual: if the unit of the file is not the millimetre, give the unit.</source>
+        <translation>Die Gefäße messen %1 mm im Ganzen oder sind ungewöhnlich breit oder schmal: ist die Einheit der Datei nicht der Millimeter, die Einheit angeben.</translation>
+    </message>
+    <message>
+        <source>vessel trees are written as .vtp, .csv, .swc or .mrk.json. Change the extension.</source>
+        <translation>Gefäßbäume werden als .vtp, .csv, .swc oder .mrk.json geschrieben. Die Endung ändern.</translation>
     </message>
 </context>
 <context>

@@ -705,24 +705,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>宽 %1 m</translation>
     </message>
     <message>
-        <source>What is the unit of the surface?</source>
-        <translation>该表面的单位是什么？</translation>
-    </message>
-    <message>
         <source>“%1” does not say in what unit its points are, and in millimetres it is unusually small or large for vessels. The case remembers what you choose.</source>
         <translation>“%1”未说明点坐标的单位；若为毫米，则对血管而言异常小或大。病例会记住您的选择。</translation>
     </message>
     <message>
-        <source>mm: %1</source>
-        <translation>mm：%1</translation>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
     </message>
     <message>
-        <source>cm: %1</source>
-        <translation>cm：%1</translation>
-    </message>
-    <message>
-        <source>m: %1</source>
-        <translation>m：%1</translation>
+        <source>What is the unit of the file?</source>
+        <translation>文件的单位是什么？</translation>
     </message>
 </context>
 <context>
@@ -736,8 +728,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>显示的扫描没有血管：请在切片（%1）中放置种子点或设置阈值，然后提取。</translation>
     </message>
     <message>
-        <source>One unit of the surface is %1 mm, as you chose.</source>
-        <translation>按您的选择，该表面的一个单位为 %1 mm。</translation>
+        <source>One unit of the file is %1 mm, as you chose.</source>
+        <translation>按您的选择，文件的一个单位为 %1 mm。</translation>
     </message>
 </context>
 <context>
@@ -3046,10 +3038,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>表面写为 .stl。请更改扩展名。</translation>
     </message>
     <message>
-        <source>the SWC unit must be a positive length in mm.</source>
-        <translation>SWC 单位须为正的毫米长度。</translation>
-    </message>
-    <message>
         <source>the VTK XML data in it is damaged or cut short. Export it again.</source>
         <translation>其中的 VTK XML 数据损坏或截断。请重新导出。</translation>
     </message>
@@ -3276,10 +3264,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>version: the case was saved by a newer AngioPose. Update the program.</source>
         <translation>version：病例由较新的 AngioPose 保存。请更新程序。</translation>
-    </message>
-    <message>
-        <source>vessel trees are written as .vtp, .csv or .mrk.json. Change the extension.</source>
-        <translation>血管树写为 .vtp、.csv 或 .mrk.json。请更改扩展名。</translation>
     </message>
     <message>
         <source>vessel.%1: the tree has no branch %2; it is left out.</source>
@@ -4200,6 +4184,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>A part less bright than the vessels was left out, as veins and organs are. Place a seed in it if it belongs to the tree.</source>
         <translation>一个不如血管明亮的部分已舍弃：静脉和器官即如此。若属于血管树，请在其中放置种子点。</translation>
+    </message>
+    <message>
+        <source>The vessels are %1 mm across, or of a width that is unusual: if the unit of the file is not the millimetre, give the unit.</source>
+        <translation>血管总跨度为 %1 mm，或其宽度异常：若文件单位不是毫米，请给出单位。</translation>
+    </message>
+    <message>
+        <source>vessel trees are written as .vtp, .csv, .swc or .mrk.json. Change the extension.</source>
+        <translation>血管树可写为 .vtp、.csv、.swc 或 .mrk.json。请更改扩展名。</translation>
     </message>
 </context>
 <context>

@@ -23,7 +23,7 @@ protected:
         const QString treePath = folder.filePath(QStringLiteral("tree.csv"));
         const QString scanPath = folder.filePath(QStringLiteral("scan.nrrd"));
         core::VesselTree tree;
-        tree.branches.push_back({1, "", {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {1.0, 1.0, 1.0}, -1});
+        tree.branches.push_back({1, "", {{0, 0, 0}, {4, 4, 4}, {8, 8, 8}}, {1.0, 1.0, 1.0}, -1});
         const core::Volume scan = test::forkScan();
         for (Eigen::Vector3d& point : tree.branches.front().pointsInPatient) {
             point += scan.geometry.patientFromVoxel() * Eigen::Vector3d(10.0, 10.0, 10.0);

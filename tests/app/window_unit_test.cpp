@@ -83,5 +83,43 @@ TEST(WindowUnit, NothingOpensWhereNobodyKnowsIt)
     EXPECT_FALSE(w.controller.isLoading());
 }
 
+/// A centreline of 20 points along x as a bare table.
+QString writeLine(const QTemporaryDir& folder, double length)
+{
+    QByteArray text;
+    for (int i = 0; i < 20; ++i) {
+        text += QByteArray::number(length * i / 19.0) + ",0.25,0.5\n";
+    }
+    const QString path = folder.filePath(QStringLiteral("line.csv"));
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+    return path;
+}
+
+TEST(WindowUnit, IsAskedForCentrelinesTooAndEnterTakesTheLikeliest)
+{
+    const QTemporaryDir folder;
+    OpenWindow w;
+    w.drop({writeLine(folder, 0.18)});
+    EXPECT_FALSE(w.current().tree);
+    ASSERT_EQ(w.dialogs("unitQuestion").size(), 1);
+    ASSERT_TRUE(w.dialogs("unitQuestion").front()->focusWidget());
+    QTest::keyClick(w.dialogs("unitQuestion").front()->focusWidget(), Qt::Key_Return);
+    ASSERT_TRUE(QTest::qWaitFor([&w] { return w.current().tree != nullptr; }, test::patienceMs));
+    EXPECT_NEAR(w.current().tree->branches.front().lengthMm(), 180.0, 1e-6);
+    EXPECT_EQ(w.current().vesselInput.unitMm, 1000.0);
+}
+
+TEST(WindowUnit, BareTablesInMillimetresOpenAtOnce)
+{
+    const QTemporaryDir folder;
+    OpenWindow w;
+    w.drop({writeLine(folder, 180.0)});
+    EXPECT_TRUE(w.dialogs("unitQuestion").isEmpty());
+    ASSERT_TRUE(w.current().tree);
+    EXPECT_EQ(w.current().tree->pointCount(), 20U);
+}
+
 }   // namespace
 }   // namespace app

@@ -121,12 +121,31 @@ TEST(ReadVesselTree, ReadsSwcInItsUnit)
     const test::TemporaryFolder folder;
     const std::string path = folder.write(
         "tree.swc", "# comment\n1 2 0 0 0 500 -1\n2 2 1000 0 0 400 1\n3 2 2000 0 0 300 2\n4 2 2000 1000 0 200 2\n");
-    const auto tree = io::readVesselTree(path, {.swcUnitMm = 0.001});
+    const auto tree = io::readVesselTree(path, {.unitMm = 0.001});
     ASSERT_TRUE(tree) << tree.error().message;
     ASSERT_EQ(tree.value().branches.size(), 3u);
     EXPECT_NEAR(tree.value().branches[0].lengthMm(), 1.0, 1e-12);
     EXPECT_NEAR(tree.value().branches[0].radiusMm[0], 0.5, 1e-12);
     EXPECT_NE(errorOf(folder.write("orphan.swc", "1 2 0 0 0 1 9\n")).find("parent"), std::string::npos);
+}
+
+TEST(ReadVesselTree, MultipliesLengthsByTheUnit)
+{
+    const test::TemporaryFolder folder;
+    const std::string table = folder.write("tree.csv", "x,y,z,radius\n0,0,0,0.002\n0.05,0,0,0.001\n0.1,0,0,0.001\n");
+    const std::string lines =
+        folder.write("tree.vtk", header + std::string("y\nASCII\nDATASET POLYDATA\n"
+                                                      "POINTS 3 float\n0 0 0 0.05 0 0 0.1 0 0\n"
+                                                      "LINES 1 4\n3 0 1 2\n"
+                                                      "POINT_DATA 3\nSCALARS Radius float\n"
+                                                      "LOOKUP_TABLE default\n0.002 0.001 0.001\n"));
+    for (const std::string& path : {table, lines}) {
+        const auto tree = io::readVesselTree(path, {.unitMm = 1000.0});
+        ASSERT_TRUE(tree) << tree.error().message;
+        ASSERT_EQ(tree.value().branches.size(), 1u) << path;
+        EXPECT_NEAR(tree.value().branches[0].lengthMm(), 100.0, 1e-4) << path;
+        EXPECT_NEAR(tree.value().branches[0].radiusMm[0], 2.0, 1e-6) << path;
+    }
 }
 
 TEST(WriteVesselTree, SwcKeepsPointsRadiiAndForks)

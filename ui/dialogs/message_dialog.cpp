@@ -93,6 +93,9 @@ QuestionDialog::QuestionDialog(const Message& message, const QStringList& verbs,
         buttons->addWidget(button);
     }
     layout->addLayout(buttons);
+    if (buttons->count() > 1) {
+        buttons->itemAt(buttons->count() - 1)->widget()->setFocus();   // Enter does what stands out
+    }
     connect(this, &QDialog::finished, this, [this, last](int code) { emit answered(code == 0 ? last : code - 1); });
 }
 

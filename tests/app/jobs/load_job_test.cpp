@@ -34,7 +34,7 @@ QString written(const QTemporaryDir& folder, const char* name, const QByteArray&
     return path;
 }
 
-constexpr const char* straightTree = "x,y,z,radius,branch\n0,0,0,1,0\n1,0,0,1,0\n2,0,0,1,0\n";
+constexpr const char* straightTree = "x,y,z,radius,branch\n0,0,0,1,0\n10,0,0,1,0\n20,0,0,1,0\n";
 
 TEST(LoadJob, ReadsTreeAndImageInAnyOrder)
 {
@@ -188,6 +188,7 @@ TEST(InputKind, IsToldByContentBeforeName)
         return kind ? kind.value() : InputKind::Case;
     };
     EXPECT_EQ(kindOf("tree.csv", straightTree), InputKind::Centerline);
+    EXPECT_EQ(kindOf("bare.csv", "7.83e+01,-2.03e+02,1.67e+03\n7.82e+01,-2.03e+02,1.67e+03\n"), InputKind::Centerline);
     EXPECT_EQ(kindOf("curve.csv", "x,y,branch\n1,2,0\n"), InputKind::Target);
     EXPECT_EQ(kindOf("IM1", QByteArray(128, '\0') + "DICM"), InputKind::Image);
     EXPECT_EQ(kindOf("oddly.named", "# vtk DataFile Version 3.0\n"), InputKind::Centerline);

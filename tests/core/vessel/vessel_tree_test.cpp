@@ -98,4 +98,26 @@ TEST(VesselTree, ExcludedBranchesAreGone)
     EXPECT_EQ(rest.find(2), nullptr);
 }
 
+/// Two points along x.
+core::VesselTree stretch(double length, double radius)
+{
+    core::VesselBranch branch;
+    branch.id = 1;
+    branch.pointsInPatient = {{0.0, 0.0, 0.0}, {length, 0.0, 0.0}};
+    branch.radiusMm = {radius, radius};
+    return {{branch}};
+}
+
+TEST(VesselTree, DoubtsLengthsAndWidthsThatNoVesselsHave)
+{
+    EXPECT_DOUBLE_EQ(core::acrossMm(stretch(120.0, 1.5)), 120.0);
+    EXPECT_TRUE(core::isUsualSize(stretch(120.0, 1.5)));
+    EXPECT_FALSE(core::isUsualSize(stretch(0.12, 0.0015))) << "metres";
+    EXPECT_FALSE(core::isUsualSize(stretch(12.0, 0.1))) << "centimetres, told by the width alone";
+    EXPECT_FALSE(core::isUsualSize(stretch(120000.0, 1500.0))) << "micrometres";
+    core::VesselTree bare = stretch(120.0, 1.5);
+    bare.branches[0].radiusMm.clear();
+    EXPECT_TRUE(core::isUsualSize(bare));
+}
+
 }   // namespace
