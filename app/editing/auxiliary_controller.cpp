@@ -6,6 +6,7 @@
 #include "ui/panels/result_sentences.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/bind_tool.h"
+#include "ui/words/language.h"
 #include "ui/words/number.h"
 
 #include <QtConcurrentRun>
@@ -237,7 +238,7 @@ QString AuxiliaryController::namesOf(const std::vector<int>& branchIds) const
         const core::VesselBranch* branch = document_.current().tree ? document_.current().tree->find(id) : nullptr;
         names << (branch ? ui::displayName(*branch) : QString::number(id));
     }
-    return names.join(QStringLiteral(", "));
+    return ui::joinedNames(names);
 }
 
 QString AuxiliaryController::previewWords() const
@@ -285,8 +286,8 @@ void AuxiliaryController::show()
     }
     for (std::size_t step = 0; isKnown_ && step < advice_.pinnedBy.size(); ++step) {
         const auto row = static_cast<Eigen::Index>(step);
-        shown.steps.push_back({nameOfStep(step), step < 3 ? tr("°") : tr("mm"), advice_.stdOfAll[row],
-                               advice_.stdOfChosen[row], namesOf(advice_.pinnedBy[step])});
+        shown.steps.push_back({nameOfStep(step), step < 3 ? QStringLiteral("°") : QStringLiteral("mm"),
+                               advice_.stdOfAll[row], advice_.stdOfChosen[row], namesOf(advice_.pinnedBy[step])});
     }
     shown.suggestion = isKnown_ ? namesOf(advice_.suggested) : QString();
     dialog_->showAdvice(shown);

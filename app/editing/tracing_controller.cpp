@@ -4,6 +4,7 @@
 #include "core/tracing/volume/blood_level.h"
 #include "ui/main_window.h"
 #include "ui/slices/slices_page.h"
+#include "ui/words/language.h"
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
@@ -241,7 +242,7 @@ void TracingController::finish(const VesselTrace& result)
     }
     const int count = static_cast<int>(result.tree->branches.size());
     QStringList notes{count == 1 ? tr("Traced: 1 branch.") : tr("Traced: %1 branches.").arg(count)};
-    emit traced((notes + result.warnings).join(QLatin1Char(' ')));
+    emit traced(ui::joinedSentences(notes + result.warnings));
 }
 
 void TracingController::ended()

@@ -6,6 +6,7 @@
 #include "core/imaging/patient_match.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
+#include "ui/words/language.h"
 #include "ui/words/spoken.h"
 
 #include <QFileInfo>
@@ -97,7 +98,7 @@ void SessionController::connectOpening()
         save_.noteOpened(open_.openedCopy());
         fillRecent();
         pictureOpened();
-        notices_.showNote(notes.isEmpty() ? tr("Opened") : notes.join(QLatin1Char(' ')));
+        notices_.showNote(notes.isEmpty() ? tr("Opened") : ui::joinedSentences(notes));
         warnOfMismatch();
     });
     connect(&open_, &OpenController::failed, this, [this](const QString& reason, const QStringList& paths) {

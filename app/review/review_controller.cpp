@@ -65,7 +65,7 @@ void ReviewController::connectWindow()
     ui::WindowActions& actions = window_.actions();
     connect(&window_.angiogramView(), &ui::AngiogramView::frameStepRequested, this, &ReviewController::stepFrame);
     connect(&window_.strip(), &ui::BottomStrip::frameRequested, this, &ReviewController::showFrame);
-    connect(actions[ui::Command::ResetTreeView], &QAction::triggered, &window_.treeView(), &ui::TreeView::resetView);
+    connect(actions[ui::Command::ResetTreeView], &QAction::triggered, &window_.treeView(), &ui::TreeView::nextView);
     connect(actions[ui::Command::FullScreen], &QAction::toggled, this,
             [this](bool on) { window_.setWindowState(window_.windowState().setFlag(Qt::WindowFullScreen, on)); });
     const std::array themes{std::pair{ui::Command::ThemeDark, "dark"}, std::pair{ui::Command::ThemeLight, "light"},

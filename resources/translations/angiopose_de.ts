@@ -55,14 +55,6 @@
         <source>%1 The option “Auxiliary points” of the method overrules this.</source>
         <translation>%1 Die Option „Hilfspunkte“ der Methode geht vor.</translation>
     </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
 </context>
 <context>
     <name>app::BlindTrialController</name>
@@ -4553,10 +4545,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ohne gewählte Äste gelten die Knoten des Gefäßbaums.</translation>
     </message>
     <message>
-        <source>±%1 %2</source>
-        <translation>±%1 %2</translation>
-    </message>
-    <message>
         <source>Vessels, camera and pose are needed for a suggestion.</source>
         <translation>Für einen Vorschlag sind Gefäße, Kamera und Lage nötig.</translation>
     </message>
@@ -4979,10 +4967,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Patientendaten verbergen</translation>
     </message>
     <message>
-        <source>Reset 3-D view</source>
-        <translation>3-D-Ansicht zurücksetzen</translation>
-    </message>
-    <message>
         <source>Full screen</source>
         <translation>Vollbild</translation>
     </message>
@@ -5309,6 +5293,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Turn about the centroid again</source>
         <translation>Wieder um den Schwerpunkt drehen</translation>
+    </message>
+    <message>
+        <source>3-D view: everything, the vessels alone</source>
+        <translation>3-D-Ansicht: alles, nur die Gefäße</translation>
     </message>
 </context>
 <context>
@@ -7031,18 +7019,6 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>ui::ResultSentences</name>
     <message>
-        <source>In plane ±%1 mm</source>
-        <translation>In der Bildebene ±%1 mm</translation>
-    </message>
-    <message>
-        <source>Rotation ±%1°</source>
-        <translation>Drehung ±%1°</translation>
-    </message>
-    <message>
-        <source>rotation ±%1°</source>
-        <translation>Drehung ±%1°</translation>
-    </message>
-    <message>
         <source>%1 of %2 branches agree within %3 mm.</source>
         <translation>%1 von %2 Ästen stimmen auf %3 mm überein.</translation>
     </message>
@@ -7073,6 +7049,18 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Branch %1</source>
         <translation>Ast %1</translation>
+    </message>
+    <message>
+        <source>In plane ±%1 mm, rotation ±%2°.</source>
+        <translation>In der Bildebene ±%1 mm, Drehung ±%2°.</translation>
+    </message>
+    <message>
+        <source>In plane ±%1 mm.</source>
+        <translation>In der Bildebene ±%1 mm.</translation>
+    </message>
+    <message>
+        <source>Rotation ±%1°.</source>
+        <translation>Drehung ±%1°.</translation>
     </message>
 </context>
 <context>

@@ -55,14 +55,6 @@
         <source>%1 The option “Auxiliary points” of the method overrules this.</source>
         <translation>%1 方法的“辅助点”选项优先。</translation>
     </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
 </context>
 <context>
     <name>app::BlindTrialController</name>
@@ -4553,10 +4545,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>未选分支时使用血管树的节点。</translation>
     </message>
     <message>
-        <source>±%1 %2</source>
-        <translation>±%1 %2</translation>
-    </message>
-    <message>
         <source>Vessels, camera and pose are needed for a suggestion.</source>
         <translation>建议需要血管、相机和位姿。</translation>
     </message>
@@ -4979,10 +4967,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>隐藏患者信息</translation>
     </message>
     <message>
-        <source>Reset 3-D view</source>
-        <translation>重置三维视图</translation>
-    </message>
-    <message>
         <source>Full screen</source>
         <translation>全屏</translation>
     </message>
@@ -5309,6 +5293,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Turn about the centroid again</source>
         <translation>恢复围绕质心转动</translation>
+    </message>
+    <message>
+        <source>3-D view: everything, the vessels alone</source>
+        <translation>三维视图：全部、仅血管</translation>
     </message>
 </context>
 <context>
@@ -7031,18 +7019,6 @@ Below: how far a step moved the vessels, root of the mean square over all points
 <context>
     <name>ui::ResultSentences</name>
     <message>
-        <source>In plane ±%1 mm</source>
-        <translation>平面内 ±%1 mm</translation>
-    </message>
-    <message>
-        <source>Rotation ±%1°</source>
-        <translation>旋转 ±%1°</translation>
-    </message>
-    <message>
-        <source>rotation ±%1°</source>
-        <translation>旋转 ±%1°</translation>
-    </message>
-    <message>
         <source>%1 of %2 branches agree within %3 mm.</source>
         <translation>%2 个分支中有 %1 个在 %3 mm 内吻合。</translation>
     </message>
@@ -7073,6 +7049,18 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Branch %1</source>
         <translation>分支 %1</translation>
+    </message>
+    <message>
+        <source>In plane ±%1 mm, rotation ±%2°.</source>
+        <translation>平面内 ±%1 mm，旋转 ±%2°。</translation>
+    </message>
+    <message>
+        <source>In plane ±%1 mm.</source>
+        <translation>平面内 ±%1 mm。</translation>
+    </message>
+    <message>
+        <source>Rotation ±%1°.</source>
+        <translation>旋转 ±%1°。</translation>
     </message>
 </context>
 <context>

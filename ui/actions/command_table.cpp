@@ -135,7 +135,7 @@ std::span<const CommandRow> CommandTable::viewCommands()
         {Command::Replay, QT_TR_NOOP("Replay the last run"), "P", Switch},
         {Command::Swing, QT_TR_NOOP("Swing along what the image cannot tell"), "U", Switch},
         {Command::HideIdentity, QT_TR_NOOP("Hide patient identity"), "Shift+P", Switch | StartsGroup},
-        {Command::ResetTreeView, QT_TR_NOOP("Reset 3-D view"), "3", StartsGroup},
+        {Command::ResetTreeView, QT_TR_NOOP("3-D view: everything, the vessels alone"), "3", StartsGroup},
         {Command::NextCornerView, QT_TR_NOOP("3-D, axial, coronal, sagittal below the branches"), "2"},
         {Command::SlicesLarge, QT_TR_NOOP("Slices instead of the angiogram"), "M", Switch},
         {Command::FullScreen, QT_TR_NOOP("Full screen"), "F11", Switch},

@@ -125,7 +125,10 @@ void AuxiliaryDialog::showAdvice(const AuxiliaryAdvice& advice)
     for (std::size_t row = 0; row < cells_.size(); ++row) {
         const bool isKnown = row < advice.steps.size();
         const PinnedStep step = isKnown ? advice.steps[row] : PinnedStep{};
-        const auto plusMinus = [&step](double std) { return tr("±%1 %2").arg(numberText(std, 2)).arg(step.unit); };
+        const bool isAngle = step.unit == QStringLiteral("°");   // written close to its number
+        const auto plusMinus = [&step, isAngle](double std) {
+            return (isAngle ? QStringLiteral("±%1%2") : QStringLiteral("±%1 %2")).arg(numberText(std, 2), step.unit);
+        };
         cells_[row][0]->setText(step.name);
         cells_[row][1]->setText(isKnown ? plusMinus(step.stdOfAll) : QString());
         cells_[row][2]->setText(isKnown ? plusMinus(step.stdOfChosen) : QString());

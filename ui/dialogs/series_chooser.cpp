@@ -1,6 +1,7 @@
 #include "ui/dialogs/series_chooser.h"
 
 #include "ui/panels/section.h"
+#include "ui/words/language.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -98,7 +99,7 @@ void SeriesChooser::showNotes()
 {
     const int row = currentRow();
     const bool hasRow = row >= 0 && static_cast<std::size_t>(row) < rows_.size();
-    notes_->setText(hasRow ? rows_[static_cast<std::size_t>(row)].notes.join(QLatin1Char(' ')) : QString());
+    notes_->setText(hasRow ? joinedSentences(rows_[static_cast<std::size_t>(row)].notes) : QString());
     open_->setEnabled(hasRow && rows_[static_cast<std::size_t>(row)].isOpenable);
 }
 

@@ -102,12 +102,12 @@ void paintName(QPainter& painter, QRect area, const QFont& font, const QModelInd
     name.setItalic(hidden);
     painter.setFont(name);
     painter.setPen(toQColor(excluded || hidden ? tones.hint : tones.textStrong));
-    const bool hasGeneration = generation >= 0 && QFontMetrics(name).horizontalAdvance(text) <= area.width();
+    const bool hasGeneration = generation >= 0 && QFontMetrics(name).horizontalAdvance(text) < area.width();
     if (!hasGeneration) {
         area.setWidth(area.width() + generationWidth - 4);
     }
     painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter,
-                     QFontMetrics(name).elidedText(text, Qt::ElideRight, area.width()));
+                     QFontMetrics(name).elidedText(text, Qt::ElideMiddle, area.width()));   // numbers stand last
     painter.setFont(font);
     if (hasGeneration) {
         const QRect behind(area.right(), area.top(), generationWidth - 4, area.height());

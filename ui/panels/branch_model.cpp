@@ -1,6 +1,7 @@
 #include "ui/panels/branch_model.h"
 
 #include "ui/panels/result_sentences.h"
+#include "ui/words/language.h"
 #include "ui/words/number.h"
 
 #include <algorithm>
@@ -137,7 +138,7 @@ QString BranchModel::description(const Row& row) const
     if (const auto found = residualMm_.find(row.id); found != residualMm_.end()) {
         parts << tr("median residual %1 mm").arg(numberText(found->second, 2));
     }
-    return parts.join(QStringLiteral(", "));
+    return joinedNames(parts);
 }
 
 }   // namespace ui

@@ -4,6 +4,7 @@
 #include "ui/plots/convergence_plot.h"
 #include "ui/plots/histogram_plot.h"
 #include "ui/words/core_texts.h"
+#include "ui/words/language.h"
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
@@ -23,7 +24,7 @@ QLabel* sentenceBox(const char* role)
 
 void showIn(QLabel* box, const QStringList& sentences)
 {
-    box->setText(sentences.join(QLatin1Char(' ')));
+    box->setText(joinedSentences(sentences));
     box->setVisible(!sentences.isEmpty());
 }
 

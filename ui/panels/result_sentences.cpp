@@ -1,6 +1,7 @@
 #include "ui/panels/result_sentences.h"
 
 #include "ui/words/core_texts.h"
+#include "ui/words/language.h"
 #include "ui/words/number.h"
 
 #include <QCoreApplication>
@@ -28,16 +29,14 @@ QString certainPose(const core::PoseUncertainty& uncertainty)
 {
     const bool inPlane = uncertainty.observed[3] && uncertainty.observed[4];
     const bool turns = uncertainty.observed[0] && uncertainty.observed[1] && uncertainty.observed[2];
-    QStringList parts;
-    if (inPlane) {
-        parts << Words::tr("In plane ±%1 mm").arg(number(std::max(0.05, uncertainty.inPlaneMm)));
+    const QString shiftMm = number(std::max(0.05, uncertainty.inPlaneMm));
+    const QString turnDeg = number(std::max(0.05, uncertainty.rotationDeg.maxCoeff()));
+    if (inPlane && turns) {
+        return Words::tr("In plane ±%1 mm, rotation ±%2°.").arg(shiftMm, turnDeg);
     }
-    if (turns) {
-        const double largest = uncertainty.rotationDeg.maxCoeff();
-        parts << (parts.isEmpty() ? Words::tr("Rotation ±%1°") : Words::tr("rotation ±%1°"))
-                     .arg(number(std::max(0.05, largest)));
-    }
-    return parts.isEmpty() ? QString() : parts.join(QStringLiteral(", ")) + QLatin1Char('.');
+    return inPlane ? Words::tr("In plane ±%1 mm.").arg(shiftMm)
+           : turns ? Words::tr("Rotation ±%1°.").arg(turnDeg)
+                   : QString();
 }
 
 QString agreement(const std::vector<core::BranchResidual>& branches, double mmPerPx)
@@ -95,7 +94,7 @@ QString disagreement(const std::vector<core::BranchResidual>& branches, const co
     }
     const QString last = names.takeLast();
     return Words::tr("%1 and %2 are up to %3 mm off: perhaps unfilled in this frame, or moved.")
-        .arg(names.join(QStringLiteral(", ")), last, number(worstMm));
+        .arg(joinedNames(names), last, number(worstMm));
 }
 
 }   // namespace
@@ -107,7 +106,7 @@ ResultSentences sentencesOf(const core::RegistrationResult& result, const core::
     const QString pose = certainPose(result.uncertainty);
     const QString branches = agreement(result.branches, millimetresPerPixel);
     if (result.trustworthy) {
-        sentences.certain << (pose.isEmpty() ? branches : pose + QLatin1Char(' ') + branches);
+        sentences.certain << (pose.isEmpty() ? branches : joinedSentences({pose, branches}));
     } else {
         sentences.doubtful << Words::tr("Look closely: this fit is not trustworthy.");
     }

@@ -13,6 +13,8 @@ namespace {
 
 constexpr double axisHeight = 15.0;
 constexpr double gap = 5.0;   // between the lanes
+constexpr int emptyHeight = 34;   // until there was a run, others have the room
+constexpr int fullHeight = 148;
 
 /// The steps at both ends.
 void paintAxis(QPainter& painter, const QRectF& room, int first, int last)
@@ -26,7 +28,7 @@ void paintAxis(QPainter& painter, const QRectF& room, int first, int last)
 
 ConvergencePlot::ConvergencePlot(QWidget* parent) : QWidget(parent)
 {
-    setMinimumHeight(148);
+    setMinimumHeight(emptyHeight);
     withName(this, [] { return tr("Convergence"); });
     withTip(this, [] {
         return tr(
@@ -54,6 +56,9 @@ void ConvergencePlot::append(const core::IterationReport& report)
         medianPx_.push_back(report.medianDistancePx);
         stepMm_.push_back(report.stepMm);
     }
+    if (iterations_.size() > 1) {
+        setMinimumHeight(fullHeight);   // and stays: nothing below moves when runs come and go
+    }
     update();
 }
 
@@ -63,8 +68,6 @@ void ConvergencePlot::paintEvent(QPaintEvent*)
     QPainter painter(this);
     const QRectF area = QRectF(rect()).adjusted(0, 0, 0, -2);
     if (iterations_.size() < 2) {
-        painter.setPen(toQColor(tones.line));
-        painter.drawLine(area.bottomLeft(), area.bottomRight());
         painter.setPen(toQColor(tones.hint));
         painter.drawText(area, Qt::AlignCenter, tr("shown after a run"));
         return;

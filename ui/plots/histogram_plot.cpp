@@ -13,12 +13,14 @@ namespace {
 
 constexpr int binCount = 22;
 constexpr int labelHeight = 18;
+constexpr int emptyHeight = 34;   // until there is something to show, others have the room
+constexpr int fullHeight = 92;
 
 }   // namespace
 
 HistogramPlot::HistogramPlot(QWidget* parent) : QWidget(parent)
 {
-    setMinimumHeight(92);
+    setMinimumHeight(emptyHeight);
     withName(this, [] { return tr("Histogram of residuals"); });
 }
 
@@ -26,6 +28,9 @@ void HistogramPlot::showValues(const std::vector<double>& valuesMm, double scale
 {
     scaleMaximumMm_ = scaleMaximumMm;
     counts_ = valuesMm.empty() ? std::vector<int>{} : binned(valuesMm, scaleMaximumMm, binCount);
+    if (!counts_.empty()) {
+        setMinimumHeight(fullHeight);   // and stays: nothing below moves when values come and go
+    }
     update();
 }
 
@@ -33,14 +38,14 @@ void HistogramPlot::paintEvent(QPaintEvent*)
 {
     const Palette& tones = activePalette();
     QPainter painter(this);
+    if (counts_.empty()) {
+        painter.setPen(toQColor(tones.hint));
+        painter.drawText(rect(), Qt::AlignCenter, tr("no residuals yet"));
+        return;
+    }
     const QRectF area = QRectF(rect()).adjusted(0, 2, 0, -labelHeight);
     painter.setPen(toQColor(tones.line));
     painter.drawLine(area.bottomLeft(), area.bottomRight());
-    if (counts_.empty()) {
-        painter.setPen(toQColor(tones.hint));
-        painter.drawText(area, Qt::AlignCenter, tr("no residuals yet"));
-        return;
-    }
     const double tallest = std::max(1, *std::ranges::max_element(counts_));
     // One empty slot keeps the "above" bar apart from the scale.
     const double slot = area.width() / (binCount + 2);

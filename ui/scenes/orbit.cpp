@@ -33,13 +33,13 @@ Eigen::AlignedBox3d boxOf(const Beam& beam, const core::VesselTree& tree)
 }
 
 /// What must be in view.
-std::vector<Eigen::Vector3d> landmarks(const Beam& beam, const core::VesselTree& tree)
+std::vector<Eigen::Vector3d> landmarks(const Beam& beam, const core::VesselTree& tree, ViewExtent extent)
 {
     std::vector<Eigen::Vector3d> points;
     for (const core::VesselBranch& branch : tree.branches) {
         points.insert(points.end(), branch.pointsInPatient.begin(), branch.pointsInPatient.end());
     }
-    if (beam.hasDetector()) {
+    if (beam.hasDetector() && extent == ViewExtent::Everything) {
         points.push_back(beam.source());
         const auto corners = beam.detectorCorners();
         points.insert(points.end(), corners.begin(), corners.end());
@@ -62,7 +62,7 @@ ScreenFromPatient screenFromPatient(vtkCamera& camera, int width, int height)
     return screen;
 }
 
-void frameBeam(vtkCamera& camera, const Beam& beam, const core::VesselTree& tree, double aspect)
+void frameBeam(vtkCamera& camera, const Beam& beam, const core::VesselTree& tree, double aspect, ViewExtent extent)
 {
     const Eigen::Vector3d along = beam.patientFromCamera.rotation.col(2);
     const Eigen::Vector3d imageDown = std::copysign(1.0, beam.camera.fy) * beam.patientFromCamera.rotation.col(1);
@@ -72,7 +72,7 @@ void frameBeam(vtkCamera& camera, const Beam& beam, const core::VesselTree& tree
 
     const Eigen::Vector3d pivot = core::centroidInPatient(tree);
     Eigen::AlignedBox2d box;
-    for (const Eigen::Vector3d& point : landmarks(beam, tree)) {
+    for (const Eigen::Vector3d& point : landmarks(beam, tree, extent)) {
         box.extend(Eigen::Vector2d(right.dot(point - pivot), up.dot(point - pivot)));
     }
     const Eigen::Vector3d centre = pivot + box.center().x() * right + box.center().y() * up;

@@ -27,9 +27,13 @@ struct ScreenFromPatient {
 
 ScreenFromPatient screenFromPatient(vtkCamera& camera, int width, int height);
 
+/// What a view takes in: beam and tree, or the tree alone.
+enum class ViewExtent { Everything, Vessels };
+
 /// Points a parallel camera at beam and tree: from behind the detector, so that left and right are those of the
-/// angiogram; source at the top, everything inside a picture of this width/height.
-void frameBeam(vtkCamera& camera, const Beam& beam, const core::VesselTree& tree, double aspect);
+/// angiogram; source at the top, the extent inside a picture of this width/height.
+void frameBeam(vtkCamera& camera, const Beam& beam, const core::VesselTree& tree, double aspect,
+               ViewExtent extent = ViewExtent::Everything);
 
 /// Moves the camera in its own plane so that what is seen follows the mouse.
 void pan(vtkCamera& camera, int heightPx, double rightPx, double upPx);

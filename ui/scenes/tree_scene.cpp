@@ -72,8 +72,15 @@ struct TreeScene::Parts {
     double pixelScale = 1.0;
     bool isTreeStale = false;
     bool isViewStale = true;   // nothing was framed yet
+    ViewExtent extent = ViewExtent::Everything;
+    bool isTouched = false;   // turned, moved or zoomed since it was framed
     unsigned long watch = 0;
 
+    void showNext(ViewExtent wanted)
+    {
+        extent = wanted;
+        isViewStale = true;
+    }
     vtkCamera& camera() { return *ground->GetActiveCamera(); }
     ScreenFromPatient screen() const;
     void update();
@@ -134,8 +141,9 @@ void TreeScene::Parts::update()
     }
     if (isViewStale && !tree.branches.empty()) {
         const int* size = ground->GetSize();
-        frameBeam(camera(), beam, tree, static_cast<double>(size[0]) / std::max(1, size[1]));
+        frameBeam(camera(), beam, tree, static_cast<double>(size[0]) / std::max(1, size[1]), extent);
         isViewStale = false;
+        isTouched = false;
     }
     ground->ResetCameraClippingRange(sceneBounds(beam, tree).data());
     strokes.show(groundStrokes(screen()));
@@ -164,7 +172,9 @@ TreeScene::~TreeScene()
 
 void TreeScene::setTree(const core::VesselTree& tree)
 {
-    parts_->isViewStale = parts_->isViewStale || !lieTogether(parts_->tree, tree);
+    if (!lieTogether(parts_->tree, tree)) {
+        parts_->showNext(ViewExtent::Everything);
+    }
     parts_->tree = tree;
     parts_->isTreeStale = true;
 }
@@ -174,7 +184,9 @@ void TreeScene::setCamera(const core::ProjectionCamera& camera, double sourceToD
     const bool isFirst = !parts_->beam.hasDetector();
     parts_->beam.camera = camera;
     parts_->beam.sourceToDetectorMm = sourceToDetectorMm;
-    parts_->isViewStale = parts_->isViewStale || isFirst;
+    if (isFirst) {
+        parts_->showNext(ViewExtent::Everything);
+    }
 }
 
 void TreeScene::setPose(const core::RigidTransform& cameraFromPatient)
@@ -212,9 +224,10 @@ void TreeScene::attachTo(vtkRenderWindow* window)
     window->AddRenderer(parts_->front);
 }
 
-void TreeScene::resetView()
+void TreeScene::nextView()
 {
-    parts_->isViewStale = true;
+    const bool showsAll = parts_->extent == ViewExtent::Everything && !parts_->isTouched;
+    parts_->showNext(showsAll ? ViewExtent::Vessels : ViewExtent::Everything);
 }
 
 void TreeScene::turnBy(double rightDeg, double downDeg)
@@ -223,17 +236,20 @@ void TreeScene::turnBy(double rightDeg, double downDeg)
     camera.Azimuth(-rightDeg);
     camera.Elevation(downDeg);
     camera.OrthogonalizeViewUp();
+    parts_->isTouched = true;
 }
 
 void TreeScene::zoomBy(double factor)
 {
     vtkCamera& camera = parts_->camera();
     camera.SetParallelScale(camera.GetParallelScale() / factor);
+    parts_->isTouched = true;
 }
 
 void TreeScene::panBy(double rightDevicePx, double upDevicePx)
 {
     pan(parts_->camera(), parts_->ground->GetSize()[1], rightDevicePx, upDevicePx);
+    parts_->isTouched = true;
 }
 
 Eigen::Vector2d TreeScene::deviceFromPatient(const Eigen::Vector3d& pointInPatient) const

@@ -45,8 +45,8 @@ public:
     void setPixelScale(double devicePxPerPx);   ///< line widths and the orientation sign grow with it
     void attachTo(vtkRenderWindow* window);
 
-    /// Looks along the beam from the side, source above, all in view.
-    void resetView();
+    /// Looks along the beam from the side, source above: everything in view; where it is so already, the vessels alone.
+    void nextView();
     void turnBy(double rightDeg, double downDeg);   ///< turns what is seen under the mouse
     void zoomBy(double factor);
     void panBy(double rightDevicePx, double upDevicePx);

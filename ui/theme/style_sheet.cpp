@@ -88,6 +88,7 @@ QTabWidget::pane { border: none; }
 
 QMenuBar { background: @title@; color: @text@; }
 QMenuBar::item { padding: 5px 9px; background: transparent; }
+QFileDialog QToolButton { padding: 1px; }
 QMenuBar QToolButton { padding: 0px; border: none; background: transparent; }
 QMenuBar::item:selected { background: @row@; color: @textStrong@; }
 QMenu { background: @panel@; border: 1px solid @line@; padding: 4px; }

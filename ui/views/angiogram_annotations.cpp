@@ -91,19 +91,35 @@ void paintRuler(QPainter& painter, const QSizeF& size, const QRectF& blockBelow,
                      Words::tr("%1 mm at vessel").arg(briefNumber(lengthMm, 6)), tone);
 }
 
-/// Where the residual scale goes: at the right edge, in the middle.
-QRectF scaleBar(const QSizeF& size)
+/// What the residual scale takes with its numbers.
+QRectF scaleRoom(const QRectF& bar)
 {
-    const double height = std::round(std::clamp(0.2 * size.height(), 80.0, 180.0));
-    return {size.width() - annotationMarginPx - 10.0, std::round(0.5 * (size.height() - height)), 10.0, height};
+    return bar.adjusted(-58.0, -34.0, 6.0, 12.0);
 }
 
-void paintScale(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations)
+/// Where the residual scale goes: at the right edge, in the middle, or as near to it as it covers no vessels.
+QRectF scaleBar(const QSizeF& size, const Ground& ground, const std::vector<QRectF>& corners)
+{
+    const double height = std::round(std::clamp(0.2 * size.height(), 80.0, 180.0));
+    const QRectF middle(size.width() - annotationMarginPx - 10.0, std::round(0.5 * (size.height() - height)), 10.0,
+                        height);
+    for (const double share : {0.0, 0.08, -0.08, 0.16, -0.16, 0.24, -0.24, 0.32, -0.32}) {
+        const QRectF bar = middle.translated(0.0, std::round(share * size.height()));
+        const QRectF room = scaleRoom(bar);
+        const auto meets = [&room](const QRectF& each) { return each.intersects(room); };
+        const bool isInside = room.top() >= 0.0 && room.bottom() <= size.height();
+        if (isInside && std::ranges::none_of(corners, meets) && !ground.isTaken(room) && !ground.hasVessels(room)) {
+            return bar;
+        }
+    }
+    return middle;
+}
+
+void paintScale(QPainter& painter, const QRectF& bar, const AngiogramAnnotations& annotations)
 {
     const bool inMm = annotations.scaleMaximumMm > 0.0;
     const double maximum = inMm ? annotations.scaleMaximumMm : annotations.scaleMaximumPx;
-    const QRectF bar = scaleBar(size);
-    painter.fillRect(bar.adjusted(-58.0, -34.0, 6.0, 12.0), colorOf(annotationTones().canvas, 0.45));
+    painter.fillRect(scaleRoom(bar), colorOf(annotationTones().canvas, 0.45));
 
     QLinearGradient ramp(bar.bottomLeft(), bar.topLeft());
     for (int k = 0; k <= 8; ++k) {
@@ -117,7 +133,7 @@ void paintScale(QPainter& painter, const QSizeF& size, const AngiogramAnnotation
     const auto label = [&](double y, const QString& text, const Color& tone) {
         drawShadowedText(painter, QRectF(bar.left() - 64.0, y - 8.0, 58.0, 16.0), flags, text, colorOf(tone));
     };
-    const bool isFine = std::fmod(5.0 * maximum, 1.0) > 1e-6;   // its half needs another digit
+    const bool isFine = std::abs(5.0 * maximum - std::round(5.0 * maximum)) > 1e-6;   // its half needs another digit
     const int decimals = maximum >= 10.0 ? 0 : isFine ? 2 : 1;
     label(bar.top() - 24.0, inMm ? QStringLiteral("mm") : QStringLiteral("px"), annotationTones().label);
     label(bar.top() - 6.0, QStringLiteral("> %1").arg(numberText(maximum, decimals)), annotationTones().text);
@@ -165,7 +181,7 @@ double clearHeight(double middle, double wanted, const std::vector<QRectF>& take
 }
 
 /// Letters in the middle of each edge: the side of the patient that lies there.
-void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations,
+void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations, const QRectF& scale,
                 const std::vector<QRectF>& taken)
 {
     painter.setFont(sized(painter.font(), 12));
@@ -176,7 +192,7 @@ void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotation
     constexpr double step = 8.0;
     const double middle = 0.5 * size.width();
     const double below = clearHeight(middle, annotations.mode.text.isEmpty() ? 18.0 : 34.0, taken, step);
-    const double besideScale = annotations.scaleMaximumPx > 0.0 ? scaleBar(size).top() - 56.0 : 0.5 * size.height();
+    const double besideScale = scale.isEmpty() ? 0.5 * size.height() : scale.top() - 56.0;
     letter({middle, below}, annotations.sides.top);
     if (!annotations.sideMark.isEmpty()) {
         const double width = QFontMetricsF(painter.font()).horizontalAdvance(annotations.sideMark) + 16.0;
@@ -207,9 +223,11 @@ void paintAnnotations(QPainter& painter, const QSizeF& size, const AngiogramAnno
     if (annotations.mmPerImagePx > 0.0) {
         paintRuler(painter, size, below, viewport.zoom() / annotations.mmPerImagePx);
     }
-    paintSides(painter, size, annotations, {topLeft, topRight, beside, below});
-    if (annotations.scaleMaximumPx > 0.0 && !annotations.hasRadiograph) {
-        paintScale(painter, size, annotations);
+    const bool hasScale = annotations.scaleMaximumPx > 0.0 && !annotations.hasRadiograph;
+    const QRectF scale = hasScale ? scaleBar(size, ground, {topRight, beside}) : QRectF();
+    paintSides(painter, size, annotations, scale, {topLeft, topRight, beside, below});
+    if (hasScale) {
+        paintScale(painter, scale, annotations);
     }
     if (!annotations.mode.text.isEmpty()) {
         paintMode(painter, size, annotations.mode);

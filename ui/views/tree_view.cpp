@@ -51,9 +51,9 @@ void TreeView::setTheme(ThemeMode mode)
     requestRender();
 }
 
-void TreeView::resetView()
+void TreeView::nextView()
 {
-    scene_.resetView();
+    scene_.nextView();
     requestRender();
 }
 

@@ -18,7 +18,7 @@ public:
 
     TreeScene& scene() { return scene_; }   ///< call requestRender() after changing it
     void setTheme(ThemeMode mode);
-    void resetView();
+    void nextView();   ///< everything, the vessels alone
     void setCrosshair(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< the place that the slices show
     void showLandmarks(const std::vector<Eigen::Vector3d>& pointsInPatient,
                        const std::optional<Eigen::Vector3d>& pendingInPatient);   ///< numbered from 1

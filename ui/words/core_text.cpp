@@ -1,5 +1,6 @@
 #include "ui/words/core_texts.h"
 
+#include "ui/words/language.h"
 #include "ui/words/number.h"
 
 #include <QCoreApplication>
@@ -117,7 +118,7 @@ std::optional<QString> translatedSentences(const QString& text)
     }
     const auto first = translatedSentence(text.left(place + 1));
     const auto rest = first ? translatedSentences(text.mid(place + 2)) : std::nullopt;
-    return rest ? std::optional(*first + QLatin1Char(' ') + *rest) : std::nullopt;
+    return rest ? std::optional(joinedSentences({*first, *rest})) : std::nullopt;
 }
 
 /// "720 mm (header)": a known word in brackets at the end.

@@ -83,4 +83,20 @@ QLocale languageLocale()
     return QLocale(current());
 }
 
+QString joinedSentences(const QStringList& sentences)
+{
+    QString text;
+    for (const QString& sentence : sentences) {
+        const bool isApart = text.isEmpty() || text.endsWith(QChar(0x3002));   // the full stop of Chinese is wide
+        text += isApart ? sentence : QLatin1Char(' ') + sentence;
+    }
+    return text;
+}
+
+QString joinedNames(const QStringList& names)
+{
+    const bool isChinese = languageLocale().language() == QLocale::Chinese;
+    return names.join(isChinese ? QString(QChar(0x3001)) : QStringLiteral(", "));
+}
+
 }   // namespace ui

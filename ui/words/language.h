@@ -21,4 +21,10 @@ QString currentLanguage();
 /// How that language writes dates and numbers, wherever the desktop is; see number.h.
 QLocale languageLocale();
 
+/// Sentences one behind the other: with spaces where the language has them.
+QString joinedSentences(const QStringList& sentences);
+
+/// Names one behind the other, with the comma of the language.
+QString joinedNames(const QStringList& names);
+
 }   // namespace ui

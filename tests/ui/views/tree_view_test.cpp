@@ -81,6 +81,35 @@ TEST_F(TreeViewTest, ManyChangesMakeOneRedrawAndOneMoreWhenAtRest)
     EXPECT_EQ(view_->renderCount() - before, 2);
 }
 
+TEST_F(TreeViewTest, ShowsEverythingOrTheVesselsAlone)
+{
+    core::ProjectionCamera camera;
+    camera.fx = -2500.0;
+    camera.fy = 2500.0;
+    camera.cx = camera.cy = 255.5;
+    camera.width = camera.height = 512;
+    core::RigidTransform pose;
+    pose.translation = {0.0, 0.0, 750.0};
+    view_->scene().setCamera(camera, 1000.0);
+    view_->scene().setPose(pose);
+    view_->requestRender();
+    settle();
+    const auto lengthPx = [this] {
+        return (view_->scene().deviceFromPatient({0.0, 0.0, 20.0}) -
+                view_->scene().deviceFromPatient({0.0, 0.0, -20.0}))
+            .norm();
+    };
+    const double inAll = lengthPx();
+    view_->nextView();
+    settle();
+    EXPECT_GT(lengthPx(), 3.0 * inAll) << "the source is 1 m away, the vessels are 40 mm long";
+    EXPECT_LT(lengthPx(), 300.0 * view_->devicePixelRatio());
+    QTest::keyClick(view_.get(), Qt::Key_Plus);
+    view_->nextView();
+    settle();
+    EXPECT_NEAR(lengthPx(), inAll, 1e-6 * inAll) << "what was zoomed by hand goes back to everything first";
+}
+
 TEST_F(TreeViewTest, DrawsNothingWhileHidden)
 {
     settle();
