@@ -1,6 +1,7 @@
 #include "app/files/export_controller.h"
 
 #include "app/files/save_folder.h"
+#include "app/jobs/radiograph_source.h"
 #include "app/settings.h"
 #include "app/texts/overlay_picture.h"
 #include "io/centerline2d_file.h"
@@ -12,9 +13,10 @@
 #include "ui/words/core_texts.h"
 
 #include <QFileDialog>
-#include <QPainter>
 
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace app {
 
@@ -96,14 +98,13 @@ ExportController::Write ExportController::overlayWriter(const ui::ExportChoice& 
     options.depthCue = view.scene().depthCue();
     options.cutout = choice.cutout == ui::Choice::On ? view.scene().cutout() : ui::Cutout{};
     options.isStartBeside = choice.startBeside == ui::Choice::On;
-    if (!view.radiograph().isNull()) {
-        options.paintVessels = [radiograph = view.radiograph()](core::ColorImage& picture) {
-            QImage canvas(picture.rgb.data(), picture.width, picture.height, qsizetype{3} * picture.width,
-                          QImage::Format_RGB888);
-            QPainter painter(&canvas);
-            painter.setRenderHint(QPainter::SmoothPixmapTransform);
-            painter.drawImage(QRect(0, 0, picture.width, picture.height), radiograph);
-        };
+    if (view.scene().hasRadiograph()) {
+        const core::Centerline2d target = target_.current() ? *target_.current() : core::Centerline2d{};
+        if (auto input = core::registrationInputOf(document_.current(), target)) {
+            const auto source =
+                std::make_shared<RadiographSource>(std::move(input).value(), document_.current().options);
+            options.radiograph = [source](const core::RigidTransform& pose) { return source->from(pose); };
+        }
     }
     return [snapshot = document_.current(), target = target_.current(), options](const QString& path) -> core::Status {
         auto picture = drawOverlay(snapshot, target ? *target : core::Centerline2d{}, options);

@@ -2,41 +2,13 @@
 
 #include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
-#include "core/registration/picture/radiograph.h"
+#include "app/jobs/radiograph_source.h"
 
 #include <QtConcurrentRun>
 
 #include <utility>
 
 namespace app {
-
-/// Used by one worker at a time: the job never starts a second one.
-class RadiographSource {
-public:
-    RadiographSource(core::RegistrationInput input, core::RegistrationOptions options)
-        : input_(std::move(input)), options_(std::move(options))
-    {
-    }
-
-    core::Result<core::ImageF> from(const core::RigidTransform& cameraFromPatient)
-    {
-        if (!radiograph_) {
-            auto problem = core::makeProblem(input_, options_);
-            if (!problem) {
-                return problem.error();
-            }
-            problem_ = std::make_unique<core::RegistrationProblem>(std::move(problem).value());
-            radiograph_.emplace(*problem_);
-        }
-        return radiograph_->from(cameraFromPatient);
-    }
-
-private:
-    core::RegistrationInput input_;
-    core::RegistrationOptions options_;
-    std::unique_ptr<core::RegistrationProblem> problem_;   ///< the radiograph looks into it
-    std::optional<core::Radiograph> radiograph_;
-};
 
 RadiographJob::RadiographJob(QObject* parent) : QObject(parent)
 {

@@ -11,7 +11,6 @@
 
 namespace app {
 
-/// The vessels of a case, ready to be X-rayed from any pose; shared with a worker.
 class RadiographSource;
 
 /// Makes radiographs of the vessels (of the CTA inside them, or of tubes) off the GUI thread, always from the newest

@@ -1,38 +1,10 @@
 #include "app/review/radiograph_controller.h"
 
 #include "ui/main_window.h"
-#include "ui/theme/theme.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/words/core_texts.h"
 
-#include <QImage>
-
-#include <algorithm>
-#include <cmath>
-
 namespace app {
-namespace {
-
-constexpr double opaqueShare = 0.85;   // of the strongest vessel: the angiogram shows through
-
-/// Bright places in the colour of what is selected, dark ones clear.
-QImage tinted(const core::ImageF& picture, const ui::Color& tone)
-{
-    QImage image(picture.width, picture.height, QImage::Format_ARGB32_Premultiplied);
-    const float strongest = picture.pixels.empty() ? 1.0F : std::max(1e-6F, *std::ranges::max_element(picture.pixels));
-    for (int y = 0; y < picture.height; ++y) {
-        auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
-        for (int x = 0; x < picture.width; ++x) {
-            const double share = std::sqrt(std::max(0.0F, picture.at(x, y)) / strongest);
-            row[x] = qPremultiply(
-                qRgba(tone.red, tone.green, tone.blue, static_cast<int>(std::lround(255.0 * opaqueShare * share))));
-        }
-    }
-    return image;
-}
-
-}   // namespace
-
 RadiographController::RadiographController(const Parts& parts, QObject* parent) : QObject(parent), on_(parts)
 {
     connect(&on_.look, &LookController::radiographWanted, this, &RadiographController::setWanted);
@@ -43,7 +15,11 @@ RadiographController::RadiographController(const Parts& parts, QObject* parent) 
             job_.request(cameraFromPatient);
         }
     });
-    connect(&job_, &RadiographJob::made, this, &RadiographController::show);
+    connect(&job_, &RadiographJob::made, this, [this](const core::ImageF& picture) {
+        if (isWanted_) {
+            show(picture);
+        }
+    });
     connect(&job_, &RadiographJob::failed, this,
             [this](const QString& reason) { on_.window.strip().showStatus(ui::coreText(reason.toStdString())); });
 }
@@ -67,7 +43,7 @@ void RadiographController::clear()
     isReady_ = false;
     tree_.reset();
     volume_.reset();
-    on_.window.angiogramView().setRadiograph({});
+    show({});
 }
 
 void RadiographController::followDocument()
@@ -99,10 +75,8 @@ void RadiographController::followDocument()
 
 void RadiographController::show(const core::ImageF& picture)
 {
-    if (isWanted_) {
-        on_.window.angiogramView().setRadiograph(
-            tinted(picture, ui::branchColors(ui::palette(ui::ThemeMode::Dark)).auxiliary));
-    }
+    on_.window.angiogramView().scene().setRadiograph(picture);
+    on_.window.angiogramView().update();
 }
 
 }   // namespace app

@@ -3,8 +3,8 @@
 #include "app/texts/number_text.h"
 #include "core/evaluation/branch_distances.h"
 #include "core/imaging/display_range.h"
-#include "ui/scenes/burn_text.h"
 #include "ui/scenes/overlay_scene.h"
+#include "ui/scenes/render_offscreen.h"
 #include "ui/words/core_texts.h"
 #include "ui/words/language.h"
 
@@ -101,14 +101,14 @@ namespace {
 double styleScene(ui::OverlayScene& scene, const core::RegistrationCase& registrationCase,
                   const core::Centerline2d& target, const OverlayPictureOptions& options)
 {
-    scene.setMode(options.vessels);
+    scene.setMode(options.radiograph ? ui::OverlayMode::Hidden : options.vessels);
     scene.setDepthCue(options.depthCue);
     scene.setCutout(options.cutout);
     if (options.range) {
         scene.setWindowLevel(options.range->window(), options.range->level());
     }
     const bool isColored = options.coloring == OverlayColoring::Residuals && target.pointCount() > 0;
-    if (!isColored || options.vessels == ui::OverlayMode::Hidden) {
+    if (!isColored || scene.mode() == ui::OverlayMode::Hidden) {
         return 0.0;
     }
     const core::ProjectionCamera camera = core::cameraOf(registrationCase).value();
@@ -134,19 +134,15 @@ core::Result<core::ColorImage> drawOne(const core::RegistrationCase& registratio
     const int height =
         std::max(1, static_cast<int>(std::lround(static_cast<double>(width) * frame.height / frame.width)));
     scene.setLineWidthPx(std::max(1.5, width / 512.0 * 1.5));
-    const ui::CornerTexts texts = exportTexts(registrationCase, options, heading);
-    if (!options.paintVessels) {
-        return ui::renderOffscreen(scene, width, height, wholeImage(frame), texts, scaleMaximumPx,
-                                   residualScaleMaximumMm);
+    if (options.radiograph) {
+        const auto radiograph = options.radiograph(registrationCase.cameraFromPatient);
+        if (!radiograph) {
+            return radiograph.error();
+        }
+        scene.setRadiograph(radiograph.value());
     }
-    auto picture = ui::renderOffscreen(scene, width, height, wholeImage(frame));
-    if (!picture) {
-        return picture.error();
-    }
-    core::ColorImage painted = std::move(picture).value();
-    options.paintVessels(painted);
-    ui::burnTexts(painted, texts, ui::burnSizes(width, height));
-    return painted;
+    return ui::renderOffscreen(scene, width, height, wholeImage(frame), exportTexts(registrationCase, options, heading),
+                               scaleMaximumPx, residualScaleMaximumMm);
 }
 
 /// Two pictures of one size with a dark line between them.
@@ -182,11 +178,8 @@ core::Result<core::ColorImage> drawOverlay(const core::RegistrationCase& registr
     core::RegistrationCase before = registrationCase;
     before.cameraFromPatient = start.value();
     before.result.reset();
-    OverlayPictureOptions sameLook = options;
-    sameLook.paintVessels = nullptr;   // what is painted shows the vessels at their pose alone
-    sameLook.vessels = options.paintVessels ? ui::OverlayMode::Centerline : options.vessels;
-    const auto left = drawOne(before, target, sameLook, "before: at the start pose");
-    const auto right = drawOne(registrationCase, target, sameLook, "after: at this pose");
+    const auto left = drawOne(before, target, options, "before: at the start pose");
+    const auto right = drawOne(registrationCase, target, options, "after: at this pose");
     if (!left) {
         return left.error();
     }

@@ -29,8 +29,8 @@ struct OverlayPictureOptions {
     ui::Cutout cutout = {};   ///< swipe or lens where the vessels step aside, image px
     /// Before and after: a second picture on the left with the vessels at the start pose.
     bool isStartBeside = false;
-    /// Draws the vessels where they are hidden, over the whole picture and below its texts; not set: nobody does.
-    std::function<void(core::ColorImage& picture)> paintVessels = nullptr;
+    /// Shows the vessels as a radiograph, which this makes from a pose, in place of their lines; not set: lines.
+    std::function<core::Result<core::ImageF>(const core::RigidTransform& cameraFromPatient)> radiograph = nullptr;
 };
 
 /// The picture that reports carry: angiogram, projected tree at the case's pose, residual colours against `target`

@@ -47,6 +47,17 @@ int differing(const core::ColorImage& a, const core::ColorImage& b, int from, in
     return count;
 }
 
+/// So many columns of a picture, from one on.
+core::ColorImage columns(const core::ColorImage& whole, int from, int width)
+{
+    core::ColorImage part{width, whole.height, {}};
+    for (int y = 0; y < whole.height; ++y) {
+        const std::uint8_t* row = whole.rgb.data() + 3 * (static_cast<std::ptrdiff_t>(y) * whole.width + from);
+        part.rgb.insert(part.rgb.end(), row, row + std::ptrdiff_t{3} * width);
+    }
+    return part;
+}
+
 TEST_F(OverlayPicture, ShowsNearAndFarWhereTheWindowDoes)
 {
     const core::ColorImage plain = drawn(options);
@@ -81,17 +92,58 @@ TEST_F(OverlayPicture, PutsTheStartPoseBesideThePose)
     sample.cameraFromPatient = start;
     options.isStartBeside = false;
     const core::ColorImage before = drawn(options);
-    const auto half = [&both](int from, int width) {
-        core::ColorImage part{width, both.height, {}};
-        for (int y = 0; y < both.height; ++y) {
-            const std::uint8_t* row = both.rgb.data() + 3 * (static_cast<std::ptrdiff_t>(y) * both.width + from);
-            part.rgb.insert(part.rgb.end(), row, row + std::ptrdiff_t{3} * width);
-        }
-        return part;
-    };
-    EXPECT_EQ(differing(half(0, after.width), before, 0, after.width), 0);
-    EXPECT_EQ(differing(half(both.width - after.width, after.width), after, 0, after.width), 0);
+    EXPECT_EQ(differing(columns(both, 0, after.width), before, 0, after.width), 0);
+    EXPECT_EQ(differing(columns(both, both.width - after.width, after.width), after, 0, after.width), 0);
     EXPECT_GT(differing(before, after, 0, after.width), 100);
+}
+
+/// A bright block whose place says the pose, at half the image's resolution.
+core::ImageF blockAt(const core::RegistrationCase& shown, const core::RigidTransform& pose)
+{
+    core::ImageF picture(shown.angiogram->width() / 2, shown.angiogram->height() / 2);
+    const int middle = picture.width / 4 + static_cast<int>(pose.translation.x());
+    for (int y = picture.height / 3; y < picture.height / 2; ++y) {
+        for (int x = middle - 6; x < middle + 6; ++x) {
+            picture.at(x, y) = 1.0F;
+        }
+    }
+    return picture;
+}
+
+TEST_F(OverlayPicture, ShowsTheRadiographOfEachPoseBeforeAndAfter)
+{
+    const core::RigidTransform start = core::startPoseOf(sample).value();
+    sample.cameraFromPatient = start;
+    sample.cameraFromPatient.translation.x() += 20.0;
+    OverlayPictureOptions hidden = options;
+    hidden.vessels = ui::OverlayMode::Hidden;
+    const core::ColorImage bare = drawn(hidden);
+    options.radiograph = [this](const core::RigidTransform& pose) -> core::Result<core::ImageF> {
+        return blockAt(sample, pose);
+    };
+    const core::ColorImage after = drawn(options);
+    options.isStartBeside = true;
+    const core::ColorImage both = drawn(options);
+    const core::ColorImage left = columns(both, 0, bare.width),
+                           right = columns(both, both.width - bare.width, bare.width);
+    EXPECT_EQ(differing(right, after, 0, bare.width), 0);
+    EXPECT_GT(differing(left, bare, 0, bare.width), 1000) << "a block, not centrelines";
+    EXPECT_GT(differing(left, right, 0, bare.width), 1000) << "at another pose";
+}
+
+TEST_F(OverlayPicture, LeavesTheRadiographOutBesideTheSwipe)
+{
+    OverlayPictureOptions hidden = options;
+    hidden.vessels = ui::OverlayMode::Hidden;
+    const core::ColorImage bare = drawn(hidden);
+    options.radiograph = [this](const core::RigidTransform&) -> core::Result<core::ImageF> {
+        return core::ImageF(sample.angiogram->width(), sample.angiogram->height(), 1.0F);
+    };
+    options.cutout = {ui::Cutout::Shape::RightOf, {sample.angiogram->width() / 2.0 - 0.5, 0.0}, 0.0};
+    const core::ColorImage swiped = drawn(options);
+    EXPECT_EQ(differing(swiped, bare, bare.width / 2 + 2, bare.width), 0);
+    EXPECT_EQ(differing(swiped, bare, 0, bare.width / 2 - 2),
+              (bare.width / 2 - 2) * (bare.height * 7 / 8 - bare.height / 8));
 }
 
 TEST_F(OverlayPicture, NeedsAStartPoseForBeforeAndAfter)

@@ -3,6 +3,7 @@
 #include "ui/scenes/fill_strokes.h"
 #include "ui/scenes/grey_frame.h"
 #include "ui/scenes/overlay_strokes.h"
+#include "ui/scenes/radiograph_tint.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -60,6 +61,7 @@ struct OverlayScene::Parts {
     ViewRect viewRect{-0.5, 511.5, -0.5, 511.5};
     std::uint64_t revision = 1;
     Cutout cutout;
+    RadiographTint radiograph;
     Backdrop backdrop;
     Strokes strokes;
 
@@ -184,6 +186,17 @@ void OverlayScene::setOpacity(double opacity)
     ++parts_->revision;
 }
 
+void OverlayScene::setRadiograph(const core::ImageF& radiograph)
+{
+    parts_->radiograph.setRadiograph(radiograph);
+    ++parts_->revision;
+}
+
+bool OverlayScene::hasRadiograph() const
+{
+    return !parts_->radiograph.isEmpty();
+}
+
 void OverlayScene::setLineWidthPx(double devicePixels)
 {
     if (parts_->content.lineWidthPx != devicePixels) {
@@ -255,6 +268,9 @@ void OverlayScene::drawRows(Canvas canvas, int firstRow, int rowCount)
     forBands(canvas.height, [&](const Rows& rows) {
         std::copy(bare.data() + (canvas.row(rows.from) - canvas.pixels),
                   bare.data() + (canvas.row(rows.to) - canvas.pixels), canvas.row(rows.from));
+        if (!p.content.isVeiled) {
+            p.radiograph.blend({p.frame.width(), p.frame.height(), part}, p.content.opacity, canvas, rows);
+        }
         fillStrokes(mesh, rowCount - firstRow, canvas, rows);
         applyCutout(p.cutout, part, bare, canvas, rows);
     });

@@ -56,6 +56,8 @@ public:
     void setVeiled(bool veiled);   ///< neither tree nor traced curves for a while
     void setDepthCue(DepthCue cue);
     void setOpacity(double opacity);
+    /// Of the vessels, over the whole frame at any resolution, bright on 0; shown whatever the mode. Empty: none.
+    void setRadiograph(const core::ImageF& radiograph);
     void setCutout(const Cutout& cutout);
     void setLineWidthPx(double devicePixels);
     void setTracedCenterline(const core::Centerline2d& traced);   ///< thin dotted curves, hidden unless shown
@@ -69,6 +71,7 @@ public:
     void setViewRect(const ViewRect& rect);
     const core::ImageF& frame() const;
     OverlayMode mode() const;
+    bool hasRadiograph() const;
     DepthCue depthCue() const;
     const Cutout& cutout() const;
     ViewRect viewRect() const;

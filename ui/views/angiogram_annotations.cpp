@@ -223,7 +223,7 @@ void paintAnnotations(QPainter& painter, const QSizeF& size, const AngiogramAnno
     if (annotations.mmPerImagePx > 0.0) {
         paintRuler(painter, size, below, viewport.zoom() / annotations.mmPerImagePx);
     }
-    const bool hasScale = annotations.scaleMaximumPx > 0.0 && !annotations.hasRadiograph;
+    const bool hasScale = annotations.scaleMaximumPx > 0.0 && !annotations.hidesScale;
     const QRectF scale = hasScale ? scaleBar(size, ground, {topRight, beside}) : QRectF();
     paintSides(painter, size, annotations, scale, {topLeft, topRight, beside, below});
     if (hasScale) {

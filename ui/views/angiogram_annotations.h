@@ -35,7 +35,7 @@ struct AngiogramAnnotations {
     QString sideMark;   ///< that image or view are mirrored; empty: as from the detector
     ImageSides sides;   ///< empty: nobody knows
     ModeLabel mode;
-    bool hasRadiograph = false;   ///< it shows no residuals: no scale
+    bool hidesScale = false;   ///< no residuals are seen
     std::vector<QRectF> taken;   ///< by what lies on the image: texts keep clear of it
 };
 

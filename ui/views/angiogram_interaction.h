@@ -17,7 +17,6 @@ struct AngiogramView::Interaction {
     bool hasFrame = false;
     std::pair<int, int> frame{0, 0};   ///< index and count
     Cutout cutout;   ///< as it is drawn
-    QImage radiograph;   ///< of the vessels, over the whole frame at any resolution; null: nothing
     QImage keptOut;   ///< over the frame, one pixel for each of its; null: nothing
     bool isOrientationKnown = false;
     std::pair<int, int> frameSize{0, 0};

@@ -39,8 +39,6 @@ public:
     ImageTool* tool() const;
     void addBar(QWidget* bar);   ///< of a tool: at the bottom of the image, in the middle
     bool filterToolKey(QKeyEvent& event);   ///< true when the key is the tool's, or an Esc that it ends by
-    void setRadiograph(const QImage& picture);   ///< lies over the whole frame, below the texts; null: nothing
-    const QImage& radiograph() const;
     void setKeptOut(const core::Mask2d& fieldMask);   ///< hatches where it is 0; empty: nothing
     void setMousePreset(const MousePreset& preset);
     void setResidualScale(double maximumPx, double maximumMm);   ///< 0 hides the scale
@@ -105,7 +103,6 @@ private:
     std::vector<QRectF> barPlaces() const;
     void dragBy(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void startDrag();
-    void paintRadiograph(QPainter& painter) const;
     void paintPivot(QPainter& painter) const;
     bool showsVessels() const;
     void adjustWindowLevel(const QPointF& step);

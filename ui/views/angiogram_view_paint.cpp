@@ -37,33 +37,6 @@ void AngiogramView::setKeptOut(const core::Mask2d& fieldMask)
     update();
 }
 
-void AngiogramView::setRadiograph(const QImage& picture)
-{
-    interaction_->radiograph = picture;
-    update();
-}
-
-void AngiogramView::paintRadiograph(QPainter& painter) const
-{
-    const core::ImageF& frame = scene_.frame();
-    const QPointF topLeft = widgetFromImage({-0.5, -0.5});
-    const QPointF bottomRight = widgetFromImage({frame.width - 0.5, frame.height - 0.5});
-    const bool isMirrored = topLeft.x() > bottomRight.x();
-    painter.save();
-    QPainterPath shown;
-    shown.addRect(rect());
-    painter.setClipPath(shown.subtracted(cutoutPath(interaction_->cutout, interaction_->viewport, size())));
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(QRectF(topLeft, bottomRight).normalized(),
-                      isMirrored ? interaction_->radiograph.mirrored(true, false) : interaction_->radiograph);
-    painter.restore();
-}
-
-const QImage& AngiogramView::radiograph() const
-{
-    return interaction_->radiograph;
-}
-
 bool AngiogramView::showsVessels() const
 {
     return scene_.treePasses(interaction_->viewport.imageRectOf({0.0, 0.0}, {1.0 * width(), 1.0 * height()}));
@@ -153,9 +126,6 @@ void AngiogramView::paintEvent(QPaintEvent*)
     if (!interaction_->hasFrame) {
         return;
     }
-    if (!interaction_->radiograph.isNull()) {
-        paintRadiograph(painter);
-    }
     if (!interaction_->keptOut.isNull()) {
         const QPointF topLeft = widgetFromImage({-0.5, -0.5});
         const QSizeF covered = QSizeF(interaction_->keptOut.size()) * zoom();
@@ -165,7 +135,8 @@ void AngiogramView::paintEvent(QPaintEvent*)
         paintCutoutEdge(painter, cutoutPath(interaction_->cutout, interaction_->viewport, size()));
     }
     interaction_->annotations.mmPerImagePx = interaction_->mmPerImagePx();
-    interaction_->annotations.hasRadiograph = !interaction_->radiograph.isNull();
+    const bool isVeiled = interaction_->tool && interaction_->tool->hidesOverlay();
+    interaction_->annotations.hidesScale = scene_.hasRadiograph() || isVeiled;
     interaction_->annotations.taken = barPlaces();
     interaction_->annotations.sides = interaction_->isOrientationKnown
                                           ? imageSides(interaction_->camera, interaction_->cameraFromPatient)

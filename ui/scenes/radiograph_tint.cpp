@@ -1,0 +1,89 @@
+#include "ui/scenes/radiograph_tint.h"
+
+#include "ui/theme/theme.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace ui {
+namespace {
+
+constexpr double deepest = 0.75;   // the angiogram shows through the strongest vessel
+
+/// Between which two source pixels a target pixel lies. Along one axis.
+struct Tap {
+    int first = -1;   ///< negative: outside the frame
+    int second = 0;
+    float shareOfSecond = 0.0F;
+};
+
+/// Where `targetSize` pixels that show `low` … `high` of the frame lie in the source.
+std::vector<Tap> tapsOf(double low, double high, int targetSize, int frameSize, int sourceSize)
+{
+    std::vector<Tap> taps(static_cast<std::size_t>(targetSize));
+    for (int k = 0; k < targetSize; ++k) {
+        const double inFrame = low + (k + 0.5) * (high - low) / targetSize;
+        if (inFrame < -0.5 || inFrame > frameSize - 0.5) {
+            continue;
+        }
+        const double place = std::clamp((inFrame + 0.5) / frameSize * sourceSize - 0.5, 0.0, sourceSize - 1.0);
+        const int first = static_cast<int>(place);
+        taps[static_cast<std::size_t>(k)] = {first, std::min(first + 1, sourceSize - 1),
+                                             static_cast<float>(place - first)};
+    }
+    return taps;
+}
+
+std::uint32_t mixed(std::uint32_t below, const Color& tone, float share)
+{
+    const auto channel = [share](std::uint32_t from, std::uint8_t to) {
+        return static_cast<std::uint8_t>(std::lround((1.0F - share) * static_cast<float>(from & 0xFFU) + share * to));
+    };
+    return packed(channel(below >> 16U, tone.red), channel(below >> 8U, tone.green), channel(below, tone.blue));
+}
+
+}   // namespace
+
+void RadiographTint::setRadiograph(const core::ImageF& radiograph)
+{
+    share_ = radiograph;
+    const float strongest = share_.pixels.empty() ? 1.0F : std::max(1e-6F, *std::ranges::max_element(share_.pixels));
+    for (float& pixel : share_.pixels) {
+        pixel = std::sqrt(std::max(0.0F, pixel) / strongest);   // thin vessels are seen too
+    }
+}
+
+void RadiographTint::blend(const Place& place, double opacity, Canvas canvas, const Rows& rows) const
+{
+    if (isEmpty() || place.frameWidth <= 0 || place.frameHeight <= 0) {
+        return;
+    }
+    const Color tone = branchColors(palette(ThemeMode::Dark)).auxiliary;
+    const ViewRect& part = place.part;
+    const std::vector<Tap> across = tapsOf(part.left, part.right, canvas.width, place.frameWidth, share_.width);
+    const std::vector<Tap> down = tapsOf(part.top, part.bottom, canvas.height, place.frameHeight, share_.height);
+    for (int y = rows.from; y < rows.to; ++y) {
+        const Tap& v = down[static_cast<std::size_t>(y)];
+        if (v.first < 0) {
+            continue;
+        }
+        const float* upper = share_.pixels.data() + share_.index(0, v.first);
+        const float* lower = share_.pixels.data() + share_.index(0, v.second);
+        std::uint32_t* row = canvas.row(y);
+        for (int x = 0; x < canvas.width; ++x) {
+            const Tap& u = across[static_cast<std::size_t>(x)];
+            if (u.first < 0) {
+                continue;
+            }
+            const float above = upper[u.first] + u.shareOfSecond * (upper[u.second] - upper[u.first]);
+            const float below = lower[u.first] + u.shareOfSecond * (lower[u.second] - lower[u.first]);
+            const float share = static_cast<float>(deepest * opacity) * (above + v.shareOfSecond * (below - above));
+            if (share > 0.002F) {
+                row[x] = mixed(row[x], tone, share);
+            }
+        }
+    }
+}
+
+}   // namespace ui
