@@ -15,6 +15,7 @@ void CaseDocument::replace(core::RegistrationCase opened, const QString& path)
     path_ = path;
     ++caseNumber_;
     unsavedByNature_ = path.isEmpty() && !isEmpty();
+    isRecovered_ = false;
     undoStack_.clear();
     undoFloor_ = 0;
     emit changed();
@@ -28,6 +29,7 @@ void CaseDocument::markSaved(const QString& path, const CaseState& written)
     }
     path_ = path;
     unsavedByNature_ = false;
+    isRecovered_ = false;
     if (written == state()) {
         undoStack_.setClean();
     } else {
@@ -39,6 +41,7 @@ void CaseDocument::markSaved(const QString& path, const CaseState& written)
 void CaseDocument::markUnsaved()
 {
     unsavedByNature_ = true;
+    isRecovered_ = true;
     emit stateChanged();
 }
 

@@ -30,6 +30,8 @@ public:
     const QUndoStack& undoStack() const { return undoStack_; }
     bool isEmpty() const { return !case_.tree && !case_.angiogram; }
     bool isModified() const { return unsavedByNature_ || !undoStack_.isClean(); }
+    /// Something would be lost with it: edits, or a copy of a crashed session. Opening files alone is no work.
+    bool holdsWork() const { return isModified() && (isRecovered_ || !undoStack_.isClean()); }
     const QString& path() const { return path_; }   ///< empty until saved or opened from a case file
 
     /// Another case takes the place of the open one. Without a path it counts as unsaved.
@@ -71,6 +73,7 @@ private:
     int caseNumber_ = 0;   ///< counts the cases opened
     std::uint64_t revision_ = 0;   ///< counts the changes
     bool unsavedByNature_ = false;
+    bool isRecovered_ = false;   ///< and not saved since
     bool locked_ = false;
     int undoFloor_ = 0;   ///< of the running trial; 0: no trial
 };

@@ -1,6 +1,7 @@
 #include "app/files/autosave.h"
 
 #include "io/case_file.h"
+#include "io/vessel_tree_file.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -14,12 +15,17 @@ namespace {
 
 using namespace std::chrono_literals;
 
-QDir autosaveFolder()
+QDir dataFolder(const char* name)
 {
-    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
-                      QStringLiteral("/autosave"));
+    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QLatin1Char('/') +
+                      QLatin1String(name));
     folder.mkpath(QStringLiteral("."));
     return folder;
+}
+
+QDir autosaveFolder()
+{
+    return dataFolder("autosave");
 }
 
 QString sidecarOf(const QString& path)
@@ -27,16 +33,33 @@ QString sidecarOf(const QString& path)
     return path + QStringLiteral(".origin");
 }
 
+/// One for the session, whatever it keeps.
 QString lockOf(const QString& path)
 {
-    return path + QStringLiteral(".lock");
+    const QFileInfo file(path);
+    return file.dir().filePath(file.completeBaseName() + QStringLiteral(".angiopose.lock"));
+}
+
+QString vesselsBeside(const QString& casePath)
+{
+    const QFileInfo file(casePath);
+    return file.dir().filePath(file.completeBaseName() + QStringLiteral(".vtp"));
 }
 
 core::Result<QString> write(const core::RegistrationCase& snapshot, const QString& path, const QString& original)
 {
+    if (snapshot.tree && !snapshot.angiogram) {
+        const QString vessels = vesselsBeside(path);
+        if (const core::Status written = io::writeVesselTree(*snapshot.tree, vessels.toStdString()); !written) {
+            return written.error();
+        }
+        QFile::remove(path);   // an angiogram that was there has been taken back
+        return vessels;
+    }
     if (const auto saved = io::saveCase(snapshot, path.toStdString()); !saved) {
         return saved.error();
     }
+    QFile::remove(vesselsBeside(path));
     QFile sidecar(sidecarOf(path));
     if (sidecar.open(QIODevice::WriteOnly)) {
         sidecar.write(original.toUtf8());
@@ -48,6 +71,7 @@ void removeCopy(const QString& path)
 {
     QFile::remove(path);
     QFile::remove(sidecarOf(path));
+    QFile::remove(vesselsBeside(path));
     QDir folder = QFileInfo(path).dir();   // its edited curves, and those of its other views
     for (const QString& curves :
          folder.entryList({QFileInfo(path).completeBaseName() + QStringLiteral(".*curves.csv")})) {
@@ -72,11 +96,20 @@ QString Autosave::path() const
     return autosaveFolder().filePath(QStringLiteral("session-%1.angiopose").arg(QCoreApplication::applicationPid()));
 }
 
+bool Autosave::isWorthCopying() const
+{
+    const core::RegistrationCase& current = document_.current();
+    if (document_.isEmpty() || !document_.isModified() || document_.isInTrial()) {
+        return false;
+    }
+    // Centrelines that were only opened lie in their file; tracing took its time.
+    return current.angiogram || document_.holdsWork() || current.vesselInput.kind != core::VesselInputKind::Centerline;
+}
+
 void Autosave::saveSoon()
 {
     const int index = document_.undoStack().index();
-    if (files_.isBusy() || document_.isEmpty() || !document_.isModified() || document_.isInTrial() ||
-        index == savedIndex_) {
+    if (files_.isBusy() || !isWorthCopying() || index == savedIndex_) {
         return;
     }
     savedIndex_ = index;
@@ -104,7 +137,8 @@ void Autosave::discard()
 std::vector<LeftBehind> Autosave::leftBehind()
 {
     std::vector<LeftBehind> copies;
-    for (const QFileInfo& file : autosaveFolder().entryInfoList({QStringLiteral("session-*.angiopose")}, QDir::Files)) {
+    const QStringList names{QStringLiteral("session-*.angiopose"), QStringLiteral("session-*.vtp")};
+    for (const QFileInfo& file : autosaveFolder().entryInfoList(names, QDir::Files)) {
         QLockFile lock(lockOf(file.absoluteFilePath()));
         lock.setStaleLockTime(0);
         if (!lock.tryLock(0)) {
@@ -121,6 +155,17 @@ std::vector<LeftBehind> Autosave::leftBehind()
 void Autosave::forget(const LeftBehind& copy)
 {
     removeCopy(copy.path);
+}
+
+QString Autosave::keepVessels(const LeftBehind& copy)
+{
+    const QDir folder = dataFolder("recovered");
+    const QString name = QStringLiteral("vessels-") + copy.when.toString(QStringLiteral("yyyyMMdd-hhmmss"));
+    QString kept = folder.filePath(name + QStringLiteral(".vtp"));
+    for (int i = 2; QFile::exists(kept); ++i) {
+        kept = folder.filePath(QStringLiteral("%1-%2.vtp").arg(name).arg(i));
+    }
+    return QFile::rename(copy.path, kept) ? kept : copy.path;
 }
 
 }   // namespace app

@@ -18,9 +18,12 @@ struct LeftBehind {
     QString path;   ///< of the autosaved copy
     QString original;   ///< where the case lived; empty when it was never saved
     QDateTime when;
+
+    bool holdsVessels() const { return path.endsWith(QLatin1String(".vtp")); }   ///< without an angiogram: no case
 };
 
-/// Keeps a copy of a changed case in the application's data folder, every minute and on a worker.
+/// Keeps a copy of a changed case in the application's data folder, every minute and on a worker. Vessels that have no
+/// angiogram yet are kept as centrelines.
 class Autosave : public QObject {
     Q_OBJECT
 public:
@@ -33,12 +36,15 @@ public:
     /// Copies of sessions that are not alive any more, newest first.
     static std::vector<LeftBehind> leftBehind();
     static void forget(const LeftBehind& copy);
+    /// Vessels get a file that stays, for cases refer to it; where it lies.
+    static QString keepVessels(const LeftBehind& copy);
 
 signals:
     void saved();
 
 private:
-    QString path() const;
+    QString path() const;   ///< of the case; vessels alone lie beside it
+    bool isWorthCopying() const;
 
     const CaseDocument& document_;
     QTimer timer_;

@@ -27,34 +27,59 @@ void CloseController::requestClose()
         return;
     }
     emit aboutToClose();
-    const bool running = registration_.isRunning();
-    if (!running && !document_.isModified()) {
+    if (!registration_.isRunning() && !save_.holdsWork()) {
         closeWindow();
         return;
     }
-    const ui::Message words =
-        running ? ui::Message{tr("A registration is running"),
-                              tr("Stop it and close? Changes of this case are lost unless they are saved."),
-                              {}}
-                : ui::Message{
-                      tr("Save before closing?"),
-                      tr("“%1” has changes that are not saved.").arg(QString::fromStdString(document_.current().title)),
-                      {}};
-    const QStringList verbs = running
-                                  ? QStringList{tr("Stop, save and close"), tr("Stop and close"), tr("Keep running")}
-                                  : QStringList{tr("Save and close"), tr("Close without saving"), tr("Stay")};
-    auto* question = new ui::QuestionDialog(words, verbs, &window_);
-    question->setObjectName(QStringLiteral("closeQuestion"));
-    connect(question, &ui::QuestionDialog::answered, this, &CloseController::answerClose);
-    question->open();
+    const Question words = question();
+    QStringList verbs;
+    for (const auto& [verb, closing] : words.answers) {
+        verbs << verb;
+    }
+    auto* dialog = new ui::QuestionDialog(words.message, verbs, &window_);
+    dialog->setObjectName(QStringLiteral("closeQuestion"));
+    connect(
+        dialog, &ui::QuestionDialog::answered, this,
+        [this, answers = words.answers](int index) { answerClose(answers.at(static_cast<std::size_t>(index)).second); },
+        Qt::QueuedConnection);   // one dialog goes, then one may come
+    dialog->open();
 }
 
-void CloseController::answerClose(int index)
+CloseController::Question CloseController::question() const
 {
-    if (index == 2) {
+    using enum Closing;
+    if (registration_.isRunning()) {
+        return {{tr("A registration is running"),
+                 tr("Stop it and close? Changes of this case are lost unless they are saved."),
+                 {}},
+                {{tr("Stop, save and close"), AfterSaving}, {tr("Stop and close"), Now}, {tr("Keep running"), No}}};
+    }
+    const QString title = QString::fromStdString(document_.current().title);
+    switch (save_.savable()) {
+        case SaveController::Savable::Case:
+            break;
+        case SaveController::Savable::Vessels:
+            return {
+                {tr("Save before closing?"),
+                 tr("“%1” has no angiogram yet. Its vessels can be saved alone, as centrelines.").arg(title),
+                 {}},
+                {{tr("Save the vessels and close"), AfterSaving}, {tr("Close without saving"), Now}, {tr("Stay"), No}}};
+        case SaveController::Savable::Nothing:
+            return {{tr("Close without saving?"),
+                     tr("“%1” has no vessels yet, so there is no case to save. What was done here is lost.").arg(title),
+                     {}},
+                    {{tr("Stay"), No}, {tr("Close without saving"), Now}}};
+    }
+    return {{tr("Save before closing?"), tr("“%1” has changes that are not saved.").arg(title), {}},
+            {{tr("Save and close"), AfterSaving}, {tr("Close without saving"), Now}, {tr("Stay"), No}}};
+}
+
+void CloseController::answerClose(Closing closing)
+{
+    if (closing == Closing::No) {
         return;
     }
-    closing_ = index == 0 ? Closing::AfterSaving : Closing::Now;
+    closing_ = closing;
     if (registration_.isRunning()) {
         registration_.stop();   // setRunning goes on when the worker has ended
     } else {
@@ -65,7 +90,12 @@ void CloseController::answerClose(int index)
 void CloseController::closeWindow()
 {
     if (std::exchange(closing_, Closing::No) == Closing::AfterSaving) {
-        save_.save([this] { closeWindow(); });
+        const auto close = [this] { closeWindow(); };
+        if (save_.savable() == SaveController::Savable::Vessels) {
+            save_.saveVessels(close);
+        } else {
+            save_.save(close);
+        }
         return;
     }
     save_.discardAutosave();

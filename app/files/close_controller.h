@@ -4,7 +4,12 @@
 #include "app/files/save_controller.h"
 #include "app/registration/registration_controller.h"
 
+#include "ui/dialogs/message_dialog.h"
+
 #include <QObject>
+
+#include <utility>
+#include <vector>
 
 namespace ui {
 class MainWindow;
@@ -25,8 +30,14 @@ signals:
 private:
     enum class Closing { No, Now, AfterSaving };
 
+    struct Question {
+        ui::Message message;
+        std::vector<std::pair<QString, Closing>> answers;   ///< the last one is closing the dialog
+    };
+
     void requestClose();
-    void answerClose(int index);
+    Question question() const;
+    void answerClose(Closing closing);
     void closeWindow();
 
     ui::MainWindow& window_;

@@ -8,6 +8,7 @@
 #include "io/image_file.h"
 #include "io/pose_file.h"
 #include "io/result_file.h"
+#include "io/vessel_tree_file.h"
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/words/core_texts.h"
@@ -26,7 +27,7 @@ ExportController::ExportController(CaseDocument& document, TargetProvider& targe
 {
 }
 
-void ExportController::askFile(const FileQuestion& question, const Write& write)
+void ExportController::askFile(const FileQuestion& question, const Write& write, const Then& then)
 {
     const QString base = document_.path().isEmpty() ? QString::fromStdString(document_.current().title)
                                                     : QFileInfo(document_.path()).completeBaseName();
@@ -35,11 +36,12 @@ void ExportController::askFile(const FileQuestion& question, const Write& write)
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(question.suffix);
-    connect(dialog, &QFileDialog::fileSelected, this, [this, write](const QString& path) { writeFile(path, write); });
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this, write, then](const QString& path) { writeFile(path, write, then); });
     dialog->open();
 }
 
-void ExportController::writeFile(const QString& path, const Write& write)
+void ExportController::writeFile(const QString& path, const Write& write, const Then& then)
 {
     emit started();
     files_.run(
@@ -49,12 +51,15 @@ void ExportController::writeFile(const QString& path, const Write& write)
             }
             return path;
         },
-        [this](const core::Result<QString>& written) {
-            if (written) {
-                rememberSaveFolder(written.value());
-                emit exported(written.value());
-            } else {
+        [this, then](const core::Result<QString>& written) {
+            if (!written) {
                 emit failed(ui::coreText(written.error().message));
+                return;
+            }
+            rememberSaveFolder(written.value());
+            emit exported(written.value());
+            if (then) {
+                then();
             }
         });
 }
@@ -150,6 +155,20 @@ void ExportController::askTrace()
             [target = target_.current()](const QString& path) {
                 return io::writeCenterline2d(*target, path.toStdString());
             });
+}
+
+void ExportController::askVessels(const Then& then)
+{
+    if (!document_.current().tree) {
+        emit failed(tr("There are no vessels yet. Open a centreline, or trace a scan."));
+        return;
+    }
+    askFile(
+        {tr("Export vessel tree"), tr("Centrelines (*.vtp *.csv *.swc *.mrk.json)"), QStringLiteral("vtp")},
+        [tree = document_.current().tree](const QString& path) {
+            return io::writeVesselTree(*tree, path.toStdString());
+        },
+        then);
 }
 
 }   // namespace app

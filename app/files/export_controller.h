@@ -28,14 +28,16 @@ public:
     };
     /// Writes one file on a worker; gets all it needs by value.
     using Write = std::function<core::Status(const QString& path)>;
-    void askFile(const FileQuestion& question, const Write& write);
-    void writeFile(const QString& path, const Write& write);   ///< returns at once
+    using Then = std::function<void()>;   ///< called once it is written
+    void askFile(const FileQuestion& question, const Write& write, const Then& then = {});
+    void writeFile(const QString& path, const Write& write, const Then& then = {});   ///< returns at once
 
     void askOverlay();
     void exportOverlay(const ui::ExportChoice& choice, const QString& path);   ///< returns at once
     void askResult();
     void askPose();
     void askTrace();
+    void askVessels(const Then& then = {});
 
 signals:
     void started();

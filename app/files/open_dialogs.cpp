@@ -218,15 +218,23 @@ void OpenDialogs::openSample()
 
 void OpenDialogs::askToReplace()
 {
+    if (!save_.holdsWork()) {
+        open_.replaceOpenCase();
+        return;
+    }
+    const bool isSavable = save_.savable() != SaveController::Savable::Nothing;
+    const QString title = QString::fromStdString(document_.current().title);
+    const QStringList saving = isSavable ? QStringList(tr("Save")) : QStringList();
     auto* question = new ui::QuestionDialog(
-        {tr("Save the open case first?"),
-         tr("“%1” has changes that are not saved.").arg(QString::fromStdString(document_.current().title)),
+        {isSavable ? tr("Save the open case first?") : tr("Discard what was done?"),
+         isSavable ? tr("“%1” has changes that are not saved.").arg(title)
+                   : tr("“%1” has no vessels yet, so there is no case to save. What was done here is lost.").arg(title),
          {}},
-        {tr("Save"), tr("Discard changes"), tr("Keep the open case")}, &window_);
-    connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
-        if (index == 0) {
+        saving + QStringList{tr("Discard changes"), tr("Keep the open case")}, &window_);
+    connect(question, &ui::QuestionDialog::answered, this, [this, discard = saving.size()](int index) {
+        if (index < discard) {
             save_.save([this] { open_.replaceOpenCase(); });
-        } else if (index == 1) {
+        } else if (index == discard) {
             open_.replaceOpenCase();
         } else {
             open_.abandon();

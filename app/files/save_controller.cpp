@@ -5,6 +5,7 @@
 #include "app/files/save_folder.h"
 #include "app/settings.h"
 #include "io/case_file.h"
+#include "ui/dialogs/message_dialog.h"
 #include "ui/dialogs/recovery_dialog.h"
 #include "ui/words/core_texts.h"
 #include "ui/words/language.h"
@@ -31,8 +32,8 @@ QString suggestedCasePath(const CaseDocument& document)
 
 }   // namespace
 
-SaveController::SaveController(CaseDocument& document, QWidget& window, QObject* parent)
-    : QObject(parent), document_(document), window_(window), autosave_(document)
+SaveController::SaveController(CaseDocument& document, ExportController& files, QWidget& window, QObject* parent)
+    : QObject(parent), document_(document), export_(files), window_(window), autosave_(document)
 {
     connect(&autosave_, &Autosave::saved, this, &SaveController::forgetRecovered);
 }
@@ -46,9 +47,54 @@ void SaveController::save(const std::function<void()>& whenSaved)
     }
 }
 
-/// Nobody chooses a name for what cannot be saved.
-bool SaveController::refusesToSave()
+SaveController::Savable SaveController::savable() const
 {
+    const core::RegistrationCase& current = document_.current();
+    return current.tree && current.angiogram ? Savable::Case : current.tree ? Savable::Vessels : Savable::Nothing;
+}
+
+bool SaveController::holdsWork() const
+{
+    return document_.holdsWork() && !(savable() == Savable::Vessels && keptVessels_ == document_.state());
+}
+
+void SaveController::saveVessels(const std::function<void()>& whenSaved)
+{
+    export_.askVessels([this, state = document_.state(), whenSaved] {
+        keptVessels_ = state;
+        if (whenSaved) {
+            whenSaved();
+        }
+    });
+}
+
+void SaveController::offerVessels(const std::function<void()>& whenSaved)
+{
+    auto* question = new ui::QuestionDialog(
+        {tr("No angiogram yet"),
+         tr("A case holds vessels and an angiogram. Until it has one, save the vessels alone, as centrelines: opened "
+            "together with any angiogram they make a case."),
+         {}},
+        {tr("Save the vessels …"), tr("Cancel")}, &window_);
+    question->setObjectName(QStringLiteral("vesselsQuestion"));
+    connect(
+        question, &ui::QuestionDialog::answered, this,
+        [this, whenSaved](int index) {
+            if (index == 0) {
+                saveVessels(whenSaved);
+            }
+        },
+        Qt::QueuedConnection);   // one dialog goes, then one comes
+    question->open();
+}
+
+/// Nobody chooses a name for what cannot be saved.
+bool SaveController::refusesToSave(const std::function<void()>& whenSaved)
+{
+    if (savable() == Savable::Vessels) {
+        offerVessels(whenSaved);
+        return true;
+    }
     QString why = ui::coreText(io::findUnsavable(document_.current()));
     if (!why.isEmpty()) {
         why[0] = why[0].toUpper();
@@ -59,7 +105,7 @@ bool SaveController::refusesToSave()
 
 void SaveController::saveAs(const std::function<void()>& whenSaved)
 {
-    if (refusesToSave()) {
+    if (refusesToSave(whenSaved)) {
         return;
     }
     auto* dialog = new QFileDialog(&window_, tr("Save case"), suggestedCasePath(document_), tr("Cases (*.angiopose)"));
@@ -119,7 +165,8 @@ void SaveController::offerRecovery()
     std::vector<ui::RecoveryRow> rows;
     for (const LeftBehind& copy : copies) {
         const QFileInfo original(copy.original);
-        rows.push_back({copy.path, copy.original.isEmpty() ? tr("Untitled case") : original.fileName(),
+        const QString untitled = copy.holdsVessels() ? tr("Vessels without an angiogram") : tr("Untitled case");
+        rows.push_back({copy.path, copy.original.isEmpty() ? untitled : original.fileName(),
                         ui::languageLocale().toString(copy.when, QLocale::ShortFormat),
                         copy.original.isEmpty() ? QString() : original.absolutePath()});
     }
@@ -137,6 +184,11 @@ void SaveController::offerRecovery()
 
 void SaveController::recover(const LeftBehind& copy)
 {
+    if (copy.holdsVessels()) {
+        recoveredVessels_ = Autosave::keepVessels(copy);
+        emit vesselsRecovered(recoveredVessels_);
+        return;
+    }
     wanted_ = copy;
     emit recoveryWanted(copy);
 }
@@ -147,6 +199,10 @@ void SaveController::noteOpened(const QString& copy)
     recovered_ = wanted && wanted->path == copy ? wanted : std::nullopt;
     if (recovered_) {
         autosave_.saveSoon();
+    }
+    const QString vessels = std::exchange(recoveredVessels_, {});
+    if (!vessels.isEmpty() && document_.current().centerlineFile.path == vessels.toStdString()) {
+        document_.markUnsaved();   // the user has given them no name yet
     }
 }
 
@@ -164,6 +220,9 @@ QString SaveController::saveState() const
     }
     if (!document_.isModified()) {
         return tr("All changes saved");
+    }
+    if (savable() == Savable::Vessels && keptVessels_ == document_.state()) {
+        return tr("Vessels saved as centrelines");
     }
     if (const auto when = autosave_.lastSaved()) {
         const qint64 seconds = when->secsTo(QDateTime::currentDateTime());

@@ -2,6 +2,7 @@
 
 #include "app/document/case_document.h"
 #include "app/files/autosave.h"
+#include "app/files/export_controller.h"
 #include "app/jobs/file_queue.h"
 
 #include <QObject>
@@ -16,9 +17,15 @@ namespace app {
 class SaveController : public QObject {
     Q_OBJECT
 public:
-    SaveController(CaseDocument& document, QWidget& window, QObject* parent = nullptr);
+    SaveController(CaseDocument& document, ExportController& files, QWidget& window, QObject* parent = nullptr);
+
+    /// What of the open case a file can hold: a case has vessels and an angiogram, vessels alone are centrelines.
+    enum class Savable { Case, Vessels, Nothing };
+    Savable savable() const;
+    bool holdsWork() const;   ///< that no file has
 
     void save(const std::function<void()>& whenSaved = {});   ///< asks for a name where there is none
+    void saveVessels(const std::function<void()>& whenSaved = {});   ///< as centrelines; asks for a name
     void saveAs(const std::function<void()>& whenSaved = {});
     void saveTo(const QString& path, const std::function<void()>& whenSaved = {});   ///< returns at once
     bool isSaving() const { return files_.isBusy(); }
@@ -33,17 +40,22 @@ signals:
     void failed(const QString& reason);
     void saved();
     void recoveryWanted(const app::LeftBehind& copy);
+    void vesselsRecovered(const QString& path);   ///< vessels without an angiogram; this is their file now
 
 private:
-    bool refusesToSave();   ///< and says why
+    bool refusesToSave(const std::function<void()>& whenSaved);   ///< and says why, or offers what can be saved
+    void offerVessels(const std::function<void()>& whenSaved);
     void recover(const LeftBehind& copy);
     void forgetRecovered();
     void take(const QString& path, const CaseState& written);
 
     CaseDocument& document_;
+    ExportController& export_;
     QWidget& window_;
     Autosave autosave_;
     FileQueue files_;
+    std::optional<CaseState> keptVessels_;   ///< as which a file of centrelines has them
+    QString recoveredVessels_;   ///< where they lie
     std::optional<LeftBehind> wanted_;   ///< being opened
     std::optional<LeftBehind> recovered_;   ///< open; its copy goes once this session has its own
 };

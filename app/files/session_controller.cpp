@@ -21,8 +21,8 @@ SessionController::SessionController(ui::MainWindow& window, CaseDocument& docum
       document_(document),
       notices_(notices),
       open_(document),
-      save_(document, window),
       export_(document, target, window),
+      save_(document, export_, window),
       dialogs_(window, document, open_, save_, notices),
       close_(window, document, save_, registration)
 {
@@ -121,6 +121,7 @@ void SessionController::connectSaving()
     });
     connect(&save_, &SaveController::recoveryWanted, this,
             [this](const LeftBehind& copy) { open_.openCopy(copy.path, copy.original); });
+    connect(&save_, &SaveController::vesselsRecovered, this, [this](const QString& path) { open_.open({path}); });
 }
 
 void SessionController::connectExporting()
@@ -130,6 +131,7 @@ void SessionController::connectExporting()
     connect(actions[ui::Command::ExportResult], &QAction::triggered, &export_, &ExportController::askResult);
     connect(actions[ui::Command::ExportPose], &QAction::triggered, &export_, &ExportController::askPose);
     connect(actions[ui::Command::ExportTrace], &QAction::triggered, &export_, &ExportController::askTrace);
+    connect(actions[ui::Command::ExportVessels], &QAction::triggered, this, [this] { save_.saveVessels(); });
     connect(&export_, &ExportController::started, this, [this] { notices_.showNote(tr("Writing …")); });
     connect(&export_, &ExportController::exported, this, [this](const QString& path) {
         emit exported();

@@ -55,8 +55,8 @@ private:
     CaseDocument& document_;
     Notices& notices_;
     OpenController open_;
-    SaveController save_;
     ExportController export_;
+    SaveController save_;
     OpenDialogs dialogs_;
     CloseController close_;
     FileQueue pictures_;

@@ -174,6 +174,22 @@
         <source>Stay</source>
         <translation>Bleiben</translation>
     </message>
+    <message>
+        <source>“%1” has no angiogram yet. Its vessels can be saved alone, as centrelines.</source>
+        <translation>„%1“ hat noch kein Angiogramm. Die Gefäße lassen sich allein speichern, als Mittellinien.</translation>
+    </message>
+    <message>
+        <source>Save the vessels and close</source>
+        <translation>Gefäße speichern und schließen</translation>
+    </message>
+    <message>
+        <source>Close without saving?</source>
+        <translation>Ohne Speichern schließen?</translation>
+    </message>
+    <message>
+        <source>“%1” has no vessels yet, so there is no case to save. What was done here is lost.</source>
+        <translation>„%1“ hat noch keine Gefäße, also gibt es keinen Fall zu speichern. Was hier getan wurde, geht verloren.</translation>
+    </message>
 </context>
 <context>
     <name>app::CurveController</name>
@@ -251,6 +267,18 @@
     <message>
         <source>2-D centrelines (*.csv)</source>
         <translation>2-D-Mittellinien (*.csv)</translation>
+    </message>
+    <message>
+        <source>There are no vessels yet. Open a centreline, or trace a scan.</source>
+        <translation>Noch keine Gefäße. Eine Mittellinie öffnen oder einen Scan nachzeichnen.</translation>
+    </message>
+    <message>
+        <source>Export vessel tree</source>
+        <translation>Gefäßbaum exportieren</translation>
+    </message>
+    <message>
+        <source>Centrelines (*.vtp *.csv *.swc *.mrk.json)</source>
+        <translation>Mittellinien (*.vtp *.csv *.swc *.mrk.json)</translation>
     </message>
 </context>
 <context>
@@ -708,6 +736,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>What is the unit of the file?</source>
         <translation>In welcher Einheit ist die Datei?</translation>
     </message>
+    <message>
+        <source>Discard what was done?</source>
+        <translation>Verwerfen, was getan wurde?</translation>
+    </message>
+    <message>
+        <source>“%1” has no vessels yet, so there is no case to save. What was done here is lost.</source>
+        <translation>„%1“ hat noch keine Gefäße, also gibt es keinen Fall zu speichern. Was hier getan wurde, geht verloren.</translation>
+    </message>
 </context>
 <context>
     <name>app::OpenNotes</name>
@@ -1070,6 +1106,30 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Untitled case</source>
         <translation>Unbenannter Fall</translation>
+    </message>
+    <message>
+        <source>No angiogram yet</source>
+        <translation>Noch kein Angiogramm</translation>
+    </message>
+    <message>
+        <source>A case holds vessels and an angiogram. Until it has one, save the vessels alone, as centrelines: opened together with any angiogram they make a case.</source>
+        <translation>Ein Fall enthält Gefäße und ein Angiogramm. Bis er eines hat, lassen sich die Gefäße allein speichern, als Mittellinien: zusammen mit einem Angiogramm geöffnet ergeben sie einen Fall.</translation>
+    </message>
+    <message>
+        <source>Save the vessels …</source>
+        <translation>Gefäße speichern …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Vessels without an angiogram</source>
+        <translation>Gefäße ohne Angiogramm</translation>
+    </message>
+    <message>
+        <source>Vessels saved as centrelines</source>
+        <translation>Gefäße als Mittellinien gespeichert</translation>
     </message>
 </context>
 <context>
@@ -5297,6 +5357,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>3-D view: everything, the vessels alone</source>
         <translation>3-D-Ansicht: alles, nur die Gefäße</translation>
+    </message>
+    <message>
+        <source>Export vessel tree …</source>
+        <translation>Gefäßbaum exportieren …</translation>
     </message>
 </context>
 <context>

@@ -174,6 +174,22 @@
         <source>Stay</source>
         <translation>返回</translation>
     </message>
+    <message>
+        <source>“%1” has no angiogram yet. Its vessels can be saved alone, as centrelines.</source>
+        <translation>“%1”尚无造影图像。可单独将其血管存为中心线。</translation>
+    </message>
+    <message>
+        <source>Save the vessels and close</source>
+        <translation>保存血管并关闭</translation>
+    </message>
+    <message>
+        <source>Close without saving?</source>
+        <translation>不保存就关闭？</translation>
+    </message>
+    <message>
+        <source>“%1” has no vessels yet, so there is no case to save. What was done here is lost.</source>
+        <translation>“%1”尚无血管，因此没有可保存的病例。此处所做的工作将丢失。</translation>
+    </message>
 </context>
 <context>
     <name>app::CurveController</name>
@@ -251,6 +267,18 @@
     <message>
         <source>2-D centrelines (*.csv)</source>
         <translation>二维中心线 (*.csv)</translation>
+    </message>
+    <message>
+        <source>There are no vessels yet. Open a centreline, or trace a scan.</source>
+        <translation>尚无血管。请打开中心线，或从扫描中提取。</translation>
+    </message>
+    <message>
+        <source>Export vessel tree</source>
+        <translation>导出血管树</translation>
+    </message>
+    <message>
+        <source>Centrelines (*.vtp *.csv *.swc *.mrk.json)</source>
+        <translation>中心线 (*.vtp *.csv *.swc *.mrk.json)</translation>
     </message>
 </context>
 <context>
@@ -708,6 +736,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>What is the unit of the file?</source>
         <translation>文件的单位是什么？</translation>
     </message>
+    <message>
+        <source>Discard what was done?</source>
+        <translation>放弃所做的工作？</translation>
+    </message>
+    <message>
+        <source>“%1” has no vessels yet, so there is no case to save. What was done here is lost.</source>
+        <translation>“%1”尚无血管，因此没有可保存的病例。此处所做的工作将丢失。</translation>
+    </message>
 </context>
 <context>
     <name>app::OpenNotes</name>
@@ -1070,6 +1106,30 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Untitled case</source>
         <translation>未命名病例</translation>
+    </message>
+    <message>
+        <source>No angiogram yet</source>
+        <translation>尚无造影图像</translation>
+    </message>
+    <message>
+        <source>A case holds vessels and an angiogram. Until it has one, save the vessels alone, as centrelines: opened together with any angiogram they make a case.</source>
+        <translation>病例含有血管和造影图像。在有造影图像之前，可单独将血管存为中心线：与任一造影图像一起打开即成为病例。</translation>
+    </message>
+    <message>
+        <source>Save the vessels …</source>
+        <translation>保存血管…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Vessels without an angiogram</source>
+        <translation>无造影图像的血管</translation>
+    </message>
+    <message>
+        <source>Vessels saved as centrelines</source>
+        <translation>血管已存为中心线</translation>
     </message>
 </context>
 <context>
@@ -5297,6 +5357,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>3-D view: everything, the vessels alone</source>
         <translation>三维视图：全部、仅血管</translation>
+    </message>
+    <message>
+        <source>Export vessel tree …</source>
+        <translation>导出血管树…</translation>
     </message>
 </context>
 <context>

@@ -10,7 +10,11 @@
 
 #include <gtest/gtest.h>
 #include <QApplication>
+#include <QDialogButtonBox>
 #include <QDropEvent>
+#include <QFile>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
 #include <QTest>
@@ -94,6 +98,17 @@ public:
             }
         }
         return open;
+    }
+
+    /// Puts a path into the file dialog that is there or comes, saves, and waits for the file.
+    void saveAs(const QString& path)
+    {
+        QFileDialog* files = nullptr;
+        const auto isThere = [&] { return (files = window.findChild<QFileDialog*>()) && files->isVisible(); };
+        ASSERT_TRUE(QTest::qWaitFor(isThere, patienceMs));
+        files->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
+        QTest::mouseClick(files->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save), Qt::LeftButton);
+        EXPECT_TRUE(QTest::qWaitFor([&path] { return QFile::exists(path); }, patienceMs));
     }
 
     static void clickButton(const QDialog* dialog, const QString& text)

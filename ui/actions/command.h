@@ -14,6 +14,7 @@ enum class Command {
     ExportResult,
     ExportPose,
     ExportTrace,
+    ExportVessels,
     ExportFollowed,
     SaveWindow,
     Close,

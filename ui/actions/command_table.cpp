@@ -24,6 +24,7 @@ std::span<const CommandRow> CommandTable::fileCommands()
         {Command::ExportResult, QT_TR_NOOP("Export result …")},
         {Command::ExportPose, QT_TR_NOOP("Export pose …")},
         {Command::ExportTrace, QT_TR_NOOP("Export traced vessels …")},
+        {Command::ExportVessels, QT_TR_NOOP("Export vessel tree …")},
         {Command::ExportFollowed, QT_TR_NOOP("Export followed poses …")},
         {Command::SaveWindow, QT_TR_NOOP("Save picture of the window …"), "F12"},
         {Command::Close, QT_TR_NOOP("Quit"), "Ctrl+Q", StartsGroup},

@@ -1,0 +1,127 @@
+#include "app/files/autosave.h"
+#include "io/vessel_tree_file.h"
+#include "tests/app/open_window.h"
+
+#include <QDir>
+#include <QFile>
+#include <QListView>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTreeWidget>
+
+namespace app {
+namespace {
+
+using test::OpenWindow;
+
+/// Vessels without an angiogram: three branches that meet, from a table.
+class WindowVesselsAlone : public ::testing::Test {
+protected:
+    void SetUp() override
+    {
+        QFile file(folder.filePath(QStringLiteral("fork.csv")));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write("x,y,z,radius,branch\n");
+        for (int branch = 1; branch <= 3; ++branch) {
+            for (int i = 0; i <= 10; ++i) {
+                const int along = branch == 1 ? i - 10 : i;
+                const int aside = branch == 1 ? 0 : branch == 2 ? i : -i;
+                file.write(QByteArray::number(5 * along) + ',' + QByteArray::number(5 * aside) + ",0,1.5," +
+                           QByteArray::number(branch) + '\n');
+            }
+        }
+        file.close();
+        w.drop({file.fileName()});
+        ASSERT_TRUE(w.current().tree);
+        ASSERT_EQ(w.current().tree->branches.size(), 3U);
+    }
+    void deleteABranch()
+    {
+        w.controller.branches().select({w.current().tree->branches.back().id});
+        QTest::keyClick(w.window.branches().list(), Qt::Key_Delete);
+        ASSERT_EQ(w.current().tree->branches.size(), 2U);
+    }
+    /// Answers the file dialog that comes; where the vessels lie then.
+    QString nameThem()
+    {
+        const QString path = folder.filePath(QStringLiteral("kept.vtp"));
+        w.saveAs(path);
+        return path;
+    }
+
+    const QTemporaryDir folder;
+    OpenWindow w;
+};
+
+TEST_F(WindowVesselsAlone, AreOfferedAsCentrelinesWhereACaseCannotBeSaved)
+{
+    deleteABranch();
+    w.press(Qt::Key_S, Qt::ControlModifier);
+    ASSERT_EQ(w.dialogs("vesselsQuestion").size(), 1);
+    EXPECT_TRUE(w.dialogs("messageDialog").isEmpty());
+    OpenWindow::clickButton(w.dialogs("vesselsQuestion").front(), QStringLiteral("Save the vessels …"));
+    const auto kept = io::readVesselTree(nameThem().toStdString());
+    ASSERT_TRUE(kept) << kept.error().message;
+    EXPECT_EQ(kept.value().branches.size(), 2U);
+    EXPECT_EQ(kept.value().pointCount(), w.current().tree->pointCount());
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !w.controller.saving().holdsWork(); }, test::patienceMs));
+}
+
+TEST_F(WindowVesselsAlone, AreExportedFromTheMenu)
+{
+    w.window.actions()[ui::Command::ExportVessels]->trigger();
+    const auto written = io::readVesselTree(nameThem().toStdString());
+    ASSERT_TRUE(written) << written.error().message;
+    EXPECT_EQ(written.value().branches.size(), 3U);
+    EXPECT_NEAR(written.value().branches.front().radiusMm.front(), 1.5, 1e-6);
+}
+
+TEST_F(WindowVesselsAlone, AreSavedWhenTheWindowIsClosed)
+{
+    deleteABranch();
+    w.window.close();
+    ASSERT_EQ(w.dialogs("closeQuestion").size(), 1);
+    OpenWindow::clickButton(w.dialogs("closeQuestion").front(), QStringLiteral("Save the vessels and close"));
+    nameThem();
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !w.window.isVisible(); }, test::patienceMs));
+}
+
+TEST_F(WindowVesselsAlone, CloseWithoutAskingWhenTheyWereOnlyOpened)
+{
+    w.window.close();
+    EXPECT_TRUE(w.dialogs("closeQuestion").isEmpty());
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !w.window.isVisible(); }, test::patienceMs));
+}
+
+TEST_F(WindowVesselsAlone, AreRecoveredAfterACrash)
+{
+    deleteABranch();
+    const core::VesselTree before = *w.current().tree;
+    w.controller.saving().autosaveSoon();
+    const QDir copies(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+                      QStringLiteral("/autosave"));
+    const QString own = copies.filePath(QStringLiteral("session-%1.vtp").arg(QCoreApplication::applicationPid()));
+    ASSERT_TRUE(QTest::qWaitFor([&own] { return QFile::exists(own); }, test::patienceMs));
+    const QString left = copies.filePath(QStringLiteral("session-999993.vtp"));   // as a crash would leave it
+    ASSERT_TRUE(QFile::copy(own, left));
+
+    OpenWindow again;
+    again.controller.saving().offerRecovery();
+    ASSERT_EQ(again.dialogs("recoveryDialog").size(), 1);
+    QDialog* dialog = again.dialogs("recoveryDialog").front();
+    auto* list = dialog->findChild<QTreeWidget*>();
+    const auto rows = list->findItems(QStringLiteral("Vessels without an angiogram"), Qt::MatchExactly);
+    ASSERT_EQ(rows.size(), 1);
+    list->setCurrentItem(rows.front());
+    OpenWindow::clickButton(dialog, QStringLiteral("Recover"));
+
+    ASSERT_TRUE(QTest::qWaitFor([&again] { return again.current().tree != nullptr; }, test::patienceMs));
+    EXPECT_EQ(again.current().tree->pointCount(), before.pointCount());
+    EXPECT_FALSE(QFile::exists(left));
+    EXPECT_TRUE(QFile::exists(QString::fromStdString(again.current().centerlineFile.path)));
+    EXPECT_TRUE(again.controller.saving().holdsWork()) << "closing asks where they belong";
+    QFile::remove(own);
+}
+
+}   // namespace
+}   // namespace app
