@@ -1,13 +1,16 @@
 #include "app/files/export_controller.h"
 
+#include "app/files/case_report.h"
 #include "app/files/save_folder.h"
 #include "app/jobs/radiograph_source.h"
+#include "app/review/snapshot_texts.h"
 #include "app/settings.h"
 #include "app/texts/overlay_picture.h"
 #include "io/centerline2d_file.h"
 #include "io/image_file.h"
 #include "io/pose_file.h"
 #include "io/result_file.h"
+#include "io/support/atomic_file.h"
 #include "io/vessel_tree_file.h"
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
@@ -90,7 +93,7 @@ void ExportController::askOverlay()
     dialog->open();
 }
 
-ExportController::Write ExportController::overlayWriter(const ui::ExportChoice& choice) const
+OverlayPictureOptions ExportController::lookOf(const ui::ExportChoice& choice) const
 {
     ui::AngiogramView& view = window_.angiogramView();
     OverlayPictureOptions options{
@@ -111,6 +114,12 @@ ExportController::Write ExportController::overlayWriter(const ui::ExportChoice& 
             options.radiograph = [source](const core::RigidTransform& pose) { return source->from(pose); };
         }
     }
+    return options;
+}
+
+ExportController::Write ExportController::overlayWriter(const ui::ExportChoice& choice) const
+{
+    const OverlayPictureOptions options = lookOf(choice);
     return [snapshot = document_.current(), target = target_.current(), options](const QString& path) -> core::Status {
         auto picture = drawOverlay(snapshot, target ? *target : core::Centerline2d{}, options);
         if (!picture) {
@@ -123,6 +132,39 @@ ExportController::Write ExportController::overlayWriter(const ui::ExportChoice& 
 void ExportController::exportOverlay(const ui::ExportChoice& choice, const QString& path)
 {
     writeFile(path, overlayWriter(choice));
+}
+
+void ExportController::askReport()
+{
+    const core::RegistrationCase& current = document_.current();
+    if (!current.tree || !current.angiogram || !target_.current()) {
+        emit failed(tr("There is nothing to report yet. Open vessels and an angiogram first."));
+        return;
+    }
+    auto input = core::registrationInputOf(current, *target_.current());
+    if (!input) {
+        emit failed(ui::coreText(input.error().message));
+        return;
+    }
+    ui::ExportChoice choice;
+    choice.residualColors = ui::Choice::On;
+    choice.identity = settings::identityHidden.read() ? ui::Choice::Off : ui::Choice::On;
+    const CaseReport report{current, {}, *target_.current(), lookOf(choice), observerName()};
+    askFile({tr("Export report"), tr("Reports (*.pdf *.html)"), QStringLiteral("pdf")},
+            [report, input = std::move(input).value()](const QString& path) -> core::Status {
+                const auto judged = report.shown.result ? core::Result<core::RegistrationResult>(*report.shown.result)
+                                                        : core::evaluatePose(input, report.shown.cameraFromPatient);
+                if (!judged) {
+                    return judged.error();
+                }
+                CaseReport judgedReport = report;
+                judgedReport.judgement = judged.value();
+                const bool isHtml = path.endsWith(QLatin1String(".html"), Qt::CaseInsensitive);
+                const auto bytes = reportBytes(judgedReport, isHtml ? ReportKind::Html : ReportKind::Pdf);
+                return bytes ? io::writeAtomically(path.toStdString(), {bytes.value().constData(),
+                                                                        static_cast<std::size_t>(bytes.value().size())})
+                             : bytes.error();
+            });
 }
 
 void ExportController::askResult()

@@ -3,6 +3,7 @@
 #include "app/document/case_document.h"
 #include "app/jobs/file_queue.h"
 #include "app/registration/target_provider.h"
+#include "app/texts/overlay_picture.h"
 #include "ui/dialogs/export_dialog.h"
 
 #include <QObject>
@@ -34,6 +35,7 @@ public:
 
     void askOverlay();
     void exportOverlay(const ui::ExportChoice& choice, const QString& path);   ///< returns at once
+    void askReport();
     void askResult();
     void askPose();
     void askTrace();
@@ -45,6 +47,7 @@ signals:
     void failed(const QString& reason);
 
 private:
+    OverlayPictureOptions lookOf(const ui::ExportChoice& choice) const;   ///< as the window shows it
     Write overlayWriter(const ui::ExportChoice& choice) const;
 
     CaseDocument& document_;

@@ -128,6 +128,7 @@ void SessionController::connectExporting()
 {
     ui::WindowActions& actions = window_.actions();
     connect(actions[ui::Command::ExportOverlay], &QAction::triggered, &export_, &ExportController::askOverlay);
+    connect(actions[ui::Command::ExportReport], &QAction::triggered, &export_, &ExportController::askReport);
     connect(actions[ui::Command::ExportResult], &QAction::triggered, &export_, &ExportController::askResult);
     connect(actions[ui::Command::ExportPose], &QAction::triggered, &export_, &ExportController::askPose);
     connect(actions[ui::Command::ExportTrace], &QAction::triggered, &export_, &ExportController::askTrace);

@@ -22,7 +22,8 @@ constexpr std::array hiddenCommands{
     ui::Command::ComparePoses,     ui::Command::Save,         ui::Command::SaveAs,   ui::Command::ExportOverlay,
     ui::Command::ExportResult,     ui::Command::ExportPose,   ui::Command::Open,     ui::Command::OpenFolder,
     ui::Command::OpenSample,       ui::Command::BlindTrial,   ui::Command::CopyPose, ui::Command::Landmarks,
-    ui::Command::PlaceByLandmarks, ui::Command::AddView,      ui::Command::NextView, ui::Command::FollowFrames};
+    ui::Command::PlaceByLandmarks, ui::Command::AddView,      ui::Command::NextView, ui::Command::FollowFrames,
+    ui::Command::ExportReport};
 
 std::uint64_t nextSeed(const std::vector<core::PoseSnapshot>& snapshots)
 {

@@ -133,6 +133,85 @@
     </message>
 </context>
 <context>
+    <name>app::CaseReport</name>
+    <message>
+        <source>Median distance</source>
+        <translation>Median des Abstands</translation>
+    </message>
+    <message>
+        <source>%1 mm (%2 px)</source>
+        <translation>%1 mm (%2 px)</translation>
+    </message>
+    <message>
+        <source>95 % nearer than</source>
+        <translation>95 % näher als</translation>
+    </message>
+    <message>
+        <source>Traced vessels covered</source>
+        <translation>Erkannte Gefäße abgedeckt</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>pose set by hand</source>
+        <translation>Lage von Hand gesetzt</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>%1 mm median · %2 mm long</source>
+        <translation>Median %1 mm · %2 mm lang</translation>
+    </message>
+    <message>
+        <source>The %1 worst of %2 branches</source>
+        <translation>Die %1 schlechtesten von %2 Ästen</translation>
+    </message>
+    <message>
+        <source>Branches, the worst first</source>
+        <translation>Äste, der schlechteste zuerst</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>Geometrie</translation>
+    </message>
+    <message>
+        <source>Pose: camera from patient, mm</source>
+        <translation>Lage: Kamera aus Patient, mm</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>Gefäße</translation>
+    </message>
+    <message>
+        <source>Angiogram</source>
+        <translation>Angiogramm</translation>
+    </message>
+    <message>
+        <source>Traced vessels</source>
+        <translation>Erkannte Gefäße</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Erstellt</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Eingaben</translation>
+    </message>
+    <message>
+        <source>Signature</source>
+        <translation>Unterschrift</translation>
+    </message>
+</context>
+<context>
     <name>app::CloseController</name>
     <message>
         <source>A registration is running</source>
@@ -279,6 +358,18 @@
     <message>
         <source>Centrelines (*.vtp *.csv *.swc *.mrk.json)</source>
         <translation>Mittellinien (*.vtp *.csv *.swc *.mrk.json)</translation>
+    </message>
+    <message>
+        <source>There is nothing to report yet. Open vessels and an angiogram first.</source>
+        <translation>Noch nichts zu berichten. Zuerst Gefäße und ein Angiogramm öffnen.</translation>
+    </message>
+    <message>
+        <source>Export report</source>
+        <translation>Bericht exportieren</translation>
+    </message>
+    <message>
+        <source>Reports (*.pdf *.html)</source>
+        <translation>Berichte (*.pdf *.html)</translation>
     </message>
 </context>
 <context>
@@ -5361,6 +5452,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Export vessel tree …</source>
         <translation>Gefäßbaum exportieren …</translation>
+    </message>
+    <message>
+        <source>Export report …</source>
+        <translation>Bericht exportieren …</translation>
     </message>
 </context>
 <context>

@@ -133,6 +133,85 @@
     </message>
 </context>
 <context>
+    <name>app::CaseReport</name>
+    <message>
+        <source>Median distance</source>
+        <translation>中位距离</translation>
+    </message>
+    <message>
+        <source>%1 mm (%2 px)</source>
+        <translation>%1 mm（%2 px）</translation>
+    </message>
+    <message>
+        <source>95 % nearer than</source>
+        <translation>95 % 小于</translation>
+    </message>
+    <message>
+        <source>Traced vessels covered</source>
+        <translation>提取血管的覆盖率</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>pose set by hand</source>
+        <translation>手动设定的位姿</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>%1 mm median · %2 mm long</source>
+        <translation>中位数 %1 mm · 长 %2 mm</translation>
+    </message>
+    <message>
+        <source>The %1 worst of %2 branches</source>
+        <translation>%2 个分支中最差的 %1 个</translation>
+    </message>
+    <message>
+        <source>Branches, the worst first</source>
+        <translation>分支，最差的在前</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>几何</translation>
+    </message>
+    <message>
+        <source>Pose: camera from patient, mm</source>
+        <translation>位姿：患者到相机，mm</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>血管</translation>
+    </message>
+    <message>
+        <source>Angiogram</source>
+        <translation>造影</translation>
+    </message>
+    <message>
+        <source>Traced vessels</source>
+        <translation>提取的血管</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>生成时间</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>输入</translation>
+    </message>
+    <message>
+        <source>Signature</source>
+        <translation>签名</translation>
+    </message>
+</context>
+<context>
     <name>app::CloseController</name>
     <message>
         <source>A registration is running</source>
@@ -279,6 +358,18 @@
     <message>
         <source>Centrelines (*.vtp *.csv *.swc *.mrk.json)</source>
         <translation>中心线 (*.vtp *.csv *.swc *.mrk.json)</translation>
+    </message>
+    <message>
+        <source>There is nothing to report yet. Open vessels and an angiogram first.</source>
+        <translation>尚无可报告内容。请先打开血管和造影图像。</translation>
+    </message>
+    <message>
+        <source>Export report</source>
+        <translation>导出报告</translation>
+    </message>
+    <message>
+        <source>Reports (*.pdf *.html)</source>
+        <translation>报告 (*.pdf *.html)</translation>
     </message>
 </context>
 <context>
@@ -5361,6 +5452,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Export vessel tree …</source>
         <translation>导出血管树…</translation>
+    </message>
+    <message>
+        <source>Export report …</source>
+        <translation>导出报告…</translation>
     </message>
 </context>
 <context>

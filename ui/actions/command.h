@@ -15,6 +15,7 @@ enum class Command {
     ExportPose,
     ExportTrace,
     ExportVessels,
+    ExportReport,
     ExportFollowed,
     SaveWindow,
     Close,

@@ -1,0 +1,75 @@
+#include "tests/app/open_window.h"
+#include "tests/support/test_data.h"
+
+#include <QFile>
+#include <QImage>
+#include <QTemporaryDir>
+
+namespace app {
+namespace {
+
+using test::OpenWindow;
+
+/// Reports written through the menu and the file dialog.
+class WindowReport : public ::testing::Test {
+protected:
+    QByteArray written(const char* name)
+    {
+        w.window.actions()[ui::Command::ExportReport]->trigger();
+        const QString path = folder.filePath(QString::fromLatin1(name));
+        w.saveAs(path);
+        QFile file(path);
+        EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+        return file.readAll();
+    }
+
+    const QTemporaryDir folder;
+    OpenWindow w;
+};
+
+TEST_F(WindowReport, HoldsPictureResultGeometryAndInputs)
+{
+    w.openSample();
+    w.press(Qt::Key_R);
+    w.waitForRun();
+    w.waitForJudgement();
+    ASSERT_TRUE(w.current().result);
+    const QByteArray text = written("report.html");
+    const QByteArray median = QByteArray::number(w.current().result->metrics.medianMm, 'f', 2) + " mm";
+    for (const QByteArray& wanted :
+         {QByteArray("Not for clinical use"), median, QByteArray("SID"),
+          QByteArray::fromStdString(w.current().imageFile.sha256.substr(0, 16)), QByteArray("Signature")}) {
+        EXPECT_TRUE(text.contains(wanted)) << wanted.toStdString();
+    }
+    const qsizetype from = text.indexOf("base64,") + 7;
+    const QImage picture = QImage::fromData(QByteArray::fromBase64(text.mid(from, text.indexOf('"', from) - from)));
+    EXPECT_GT(picture.width(),
+              2 * picture.height() * w.current().angiogram->width() / w.current().angiogram->height() - 1)
+        << "before and after";
+}
+
+TEST_F(WindowReport, IsAPdfAndJudgesAPoseSetByHand)
+{
+    w.openSample();
+    w.press(Qt::Key_N);
+    w.press(Qt::Key_Right);
+    ASSERT_FALSE(w.current().result);
+    const QByteArray page = written("report.pdf");
+    EXPECT_TRUE(page.startsWith("%PDF"));
+    EXPECT_GT(page.size(), 20000) << "the pictures are in it";
+}
+
+TEST_F(WindowReport, NamesThePatientOnlyWhereTheWindowDoes)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases/IM4.angiopose");
+    w.drop({QString::fromStdString(test::dataFile("coronary-phantom-xa/cases/IM4.angiopose").string())});
+    w.waitForJudgement();
+    EXPECT_TRUE(written("named.html").contains("fantom as"));
+    w.press(Qt::Key_P, Qt::ShiftModifier);
+    const QByteArray hidden = written("hidden.html");
+    EXPECT_FALSE(hidden.contains("fantom as"));
+    EXPECT_TRUE(hidden.contains("identity hidden"));
+}
+
+}   // namespace
+}   // namespace app
