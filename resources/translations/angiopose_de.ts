@@ -4620,6 +4620,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>flicker %1 · swipe %2 · hide H · outline %3</source>
         <translation>Blinken %1 · Wischen %2 · Verbergen H · Umriss %3</translation>
     </message>
+    <message>
+        <source>No angiogram yet: drop one here, or open it (%1).</source>
+        <translation>Noch kein Angiogramm: hier eines ablegen oder öffnen (%1).</translation>
+    </message>
 </context>
 <context>
     <name>ui::AuxiliaryDialog</name>

@@ -4620,6 +4620,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>flicker %1 · swipe %2 · hide H · outline %3</source>
         <translation>闪烁 %1 · 卷帘 %2 · 隐藏 H · 轮廓 %3</translation>
     </message>
+    <message>
+        <source>No angiogram yet: drop one here, or open it (%1).</source>
+        <translation>尚无造影图像：拖放到此处，或打开（%1）。</translation>
+    </message>
 </context>
 <context>
     <name>ui::AuxiliaryDialog</name>

@@ -67,6 +67,18 @@ TEST_F(WindowVesselsAlone, AreOfferedAsCentrelinesWhereACaseCannotBeSaved)
     EXPECT_TRUE(QTest::qWaitFor([this] { return !w.controller.saving().holdsWork(); }, test::patienceMs));
 }
 
+TEST_F(WindowVesselsAlone, LeaveWordsWhereTheAngiogramWillBe)
+{
+    const QImage seen = w.window.angiogramView().grab().toImage();
+    int bright = 0;
+    for (int y = 0; y < seen.height(); ++y) {
+        for (int x = 0; x < seen.width(); ++x) {
+            bright += qGray(seen.pixel(x, y)) > 80 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(bright, 200);
+}
+
 TEST_F(WindowVesselsAlone, AreExportedFromTheMenu)
 {
     w.window.actions()[ui::Command::ExportVessels]->trigger();

@@ -124,6 +124,9 @@ void AngiogramView::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.drawImage(QPointF(0.0, 0.0), picture_);
     if (!interaction_->hasFrame) {
+        painter.setPen(toQColor(ui::palette(ThemeMode::Dark).label));
+        painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
+                         tr("No angiogram yet: drop one here, or open it (%1).").arg(keyOf(Command::Open)));
         return;
     }
     if (!interaction_->keptOut.isNull()) {
