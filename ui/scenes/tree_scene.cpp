@@ -74,6 +74,7 @@ struct TreeScene::Parts {
     bool isViewStale = true;   // nothing was framed yet
     ViewExtent extent = ViewExtent::Everything;
     bool isTouched = false;   // turned, moved or zoomed since it was framed
+    double framedAspect = 0.0;   // of the picture that it was framed for
     unsigned long watch = 0;
 
     void showNext(ViewExtent wanted)
@@ -139,9 +140,12 @@ void TreeScene::Parts::update()
         patientFromImage->DeepCopy(matrix.data());
         detector.actor()->SetUserMatrix(patientFromImage);
     }
-    if (isViewStale && !tree.branches.empty()) {
-        const int* size = ground->GetSize();
-        frameBeam(camera(), beam, tree, static_cast<double>(size[0]) / std::max(1, size[1]), extent);
+    const int* size = ground->GetSize();
+    const double aspect = static_cast<double>(size[0]) / std::max(1, size[1]);
+    const bool isReshaped = !isTouched && aspect != framedAspect;
+    if ((isViewStale || isReshaped) && !tree.branches.empty()) {
+        frameBeam(camera(), beam, tree, aspect, extent);
+        framedAspect = aspect;
         isViewStale = false;
         isTouched = false;
     }

@@ -110,6 +110,32 @@ TEST_F(TreeViewTest, ShowsEverythingOrTheVesselsAlone)
     EXPECT_NEAR(lengthPx(), inAll, 1e-6 * inAll) << "what was zoomed by hand goes back to everything first";
 }
 
+TEST_F(TreeViewTest, ShowsTheWholeTreeInAnyShapeUntilItIsTurnedByHand)
+{
+    core::VesselTree across = straightVessel();
+    for (Eigen::Vector3d& point : across.branches.front().pointsInPatient) {
+        point = {3.0 * point.z(), 0.0, 0.0};
+    }
+    view_->scene().setTree(across);
+    view_->nextView();
+    settle();
+    const auto endPx = [this] { return view_->scene().deviceFromPatient({60.0, 0.0, 0.0}); };
+    const auto isSeen = [this](const Eigen::Vector2d& px) {
+        const QSize size = view_->size() * view_->devicePixelRatio();
+        return px.x() >= 0.0 && px.y() >= 0.0 && px.x() <= size.width() && px.y() <= size.height();
+    };
+    ASSERT_TRUE(isSeen(endPx()));
+    const double inWide = (endPx() - view_->scene().deviceFromPatient({-60.0, 0.0, 0.0})).norm();
+    view_->resize(90, 300);
+    settle();
+    EXPECT_TRUE(isSeen(endPx())) << endPx().transpose();
+    view_->scene().turnBy(1.0, 0.0);
+    view_->resize(300, 300);
+    settle();
+    const double turned = (endPx() - view_->scene().deviceFromPatient({-60.0, 0.0, 0.0})).norm();
+    EXPECT_LT(turned, 0.9 * inWide) << "what was turned by hand is not framed anew";
+}
+
 TEST_F(TreeViewTest, DrawsNothingWhileHidden)
 {
     settle();
