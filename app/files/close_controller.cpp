@@ -4,6 +4,7 @@
 #include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace app {
@@ -38,6 +39,8 @@ void CloseController::requestClose()
     }
     auto* dialog = new ui::QuestionDialog(words.message, verbs, &window_);
     dialog->setObjectName(QStringLiteral("closeQuestion"));
+    const auto stays = std::ranges::find(words.answers, Closing::No, &std::pair<QString, Closing>::second);
+    dialog->setMeantByClosing(static_cast<int>(stays - words.answers.begin()));
     connect(
         dialog, &ui::QuestionDialog::answered, this,
         [this, answers = words.answers](int index) { answerClose(answers.at(static_cast<std::size_t>(index)).second); },

@@ -32,7 +32,7 @@ private:
 
     struct Question {
         ui::Message message;
-        std::vector<std::pair<QString, Closing>> answers;   ///< the last one is closing the dialog
+        std::vector<std::pair<QString, Closing>> answers;   ///< the first one stands out
     };
 
     void requestClose();

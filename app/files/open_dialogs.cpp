@@ -224,20 +224,23 @@ void OpenDialogs::askToReplace()
     }
     const bool isSavable = save_.savable() != SaveController::Savable::Nothing;
     const QString title = QString::fromStdString(document_.current().title);
-    const QStringList saving = isSavable ? QStringList(tr("Save")) : QStringList();
     auto* question = new ui::QuestionDialog(
         {isSavable ? tr("Save the open case first?") : tr("Discard what was done?"),
          isSavable ? tr("“%1” has changes that are not saved.").arg(title)
                    : tr("“%1” has no vessels yet, so there is no case to save. What was done here is lost.").arg(title),
          {}},
-        saving + QStringList{tr("Discard changes"), tr("Keep the open case")}, &window_);
-    connect(question, &ui::QuestionDialog::answered, this, [this, discard = saving.size()](int index) {
-        if (index < discard) {
-            save_.save([this] { open_.replaceOpenCase(); });
-        } else if (index == discard) {
-            open_.replaceOpenCase();
-        } else {
+        isSavable ? QStringList{tr("Save"), tr("Discard changes"), tr("Keep the open case")}
+                  : QStringList{tr("Keep the open case"), tr("Discard changes")},
+        &window_);
+    const int keep = isSavable ? 2 : 0;
+    question->setMeantByClosing(keep);
+    connect(question, &ui::QuestionDialog::answered, this, [this, keep](int index) {
+        if (index == keep) {
             open_.abandon();
+        } else if (index == 0) {
+            save_.save([this] { open_.replaceOpenCase(); });
+        } else {
+            open_.replaceOpenCase();
         }
     });
     question->open();

@@ -106,6 +106,26 @@ TEST(WindowFiles, AskBeforeUnsavedChangesAreReplaced)
     EXPECT_GT(test::distance(w.current().cameraFromPatient, edited), 0.5);
 }
 
+TEST(WindowFiles, LeaveWhatCannotBeSavedWhereTheQuestionIsDismissed)
+{
+    OpenWindow w;
+    w.openSample();
+    core::RegistrationCase image;
+    image.angiogram = w.current().angiogram;
+    w.controller.document().replace(image, {});
+    core::RegistrationOptions options = w.current().options;
+    options.maxIterations = 7;
+    w.controller.document().push(std::make_unique<ChangeOptions>(
+        w.controller.document(), ChangeOptions::Values{options}, [] { return QStringLiteral("Change"); }));
+
+    w.window.close();
+    ASSERT_EQ(w.dialogs("closeQuestion").size(), 1);
+    QTest::keyClick(w.dialogs("closeQuestion").front(), Qt::Key_Escape);
+    QTest::qWait(200);
+    EXPECT_TRUE(w.window.isVisible());
+    EXPECT_EQ(w.current().options.maxIterations, 7);
+}
+
 TEST(WindowFiles, CloseWithoutAskingWhenNothingChanged)
 {
     OpenWindow w;

@@ -76,14 +76,14 @@ void MessageDialog::show(const Message& message, QWidget* parent)
     (new MessageDialog(message, parent))->open();
 }
 
-QuestionDialog::QuestionDialog(const Message& message, const QStringList& verbs, QWidget* parent) : QDialog(parent)
+QuestionDialog::QuestionDialog(const Message& message, const QStringList& verbs, QWidget* parent)
+    : QDialog(parent), meantByClosing_(static_cast<int>(verbs.size()) - 1)
 {
     setObjectName(QStringLiteral("questionDialog"));
     auto* layout = makeBody(this, message);
     auto* buttons = new QHBoxLayout;
     buttons->addStretch(1);
-    const int last = static_cast<int>(verbs.size()) - 1;
-    for (int i = last; i >= 0; --i) {
+    for (int i = static_cast<int>(verbs.size()) - 1; i >= 0; --i) {
         auto* button = new QPushButton(verbs[i]);
         if (i == 0) {
             button->setProperty("role", "primary");
@@ -96,7 +96,8 @@ QuestionDialog::QuestionDialog(const Message& message, const QStringList& verbs,
     if (buttons->count() > 1) {
         buttons->itemAt(buttons->count() - 1)->widget()->setFocus();   // Enter does what stands out
     }
-    connect(this, &QDialog::finished, this, [this, last](int code) { emit answered(code == 0 ? last : code - 1); });
+    connect(this, &QDialog::finished, this,
+            [this](int code) { emit answered(code == 0 ? meantByClosing_ : code - 1); });
 }
 
 }   // namespace ui

@@ -20,14 +20,20 @@ public:
     static void show(const Message& message, QWidget* parent);
 };
 
-/// A question whose answers are verbs. `answered` carries the index of the chosen verb; closing means the last one.
+/// A question whose answers are verbs, the first under Enter. `answered` carries the index of the chosen verb; closing
+/// means the last one unless told otherwise.
 class QuestionDialog : public QDialog {
     Q_OBJECT
 public:
     QuestionDialog(const Message& message, const QStringList& verbs, QWidget* parent);
 
+    void setMeantByClosing(int index) { meantByClosing_ = index; }
+
 signals:
     void answered(int index);
+
+private:
+    int meantByClosing_;
 };
 
 }   // namespace ui
