@@ -25,12 +25,8 @@ struct Start {
 class Gatherer {
 public:
     explicit Gatherer(const VesselGraph& graph)
-        : graph_(graph), meeting_(graph.nodesMm.size()), used_(graph.edges.size(), false)
+        : graph_(graph), meeting_(graph.edgesByNode()), used_(graph.edges.size(), false)
     {
-        for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-            meeting_[static_cast<std::size_t>(graph.edges[e].startNode)].push_back(e);
-            meeting_[static_cast<std::size_t>(graph.edges[e].endNode)].push_back(e);
-        }
     }
 
     std::vector<BranchPath> run(const std::optional<Eigen::Vector3d>& rootMm,
@@ -48,12 +44,6 @@ public:
     }
 
 private:
-    VesselEdge leaving(std::size_t edge, int node) const
-    {
-        const VesselEdge& stored = graph_.edges[edge];
-        return stored.startNode == node ? stored : reversed(stored);
-    }
-
     double nodeRadius(int node) const { return graph_.nodeRadiusMm[static_cast<std::size_t>(node)]; }
 
     /// Nodes by connected piece, that with the greatest length of vessels first.
@@ -130,7 +120,7 @@ private:
         std::size_t edge = start.edge;
         int node = start.node;
         for (bool goesOn = true; goesOn;) {
-            const VesselEdge way = leaving(edge, node);
+            const VesselEdge way = graph_.leaving(edge, node);
             used_[edge] = true;
             const std::ptrdiff_t skip = path.pointsMm.empty() ? 0 : 1;   // the node is there already
             path.pointsMm.insert(path.pointsMm.end(), way.pointsMm.begin() + skip, way.pointsMm.end());
@@ -160,7 +150,7 @@ private:
             if (used_[e]) {
                 continue;
             }
-            const Departure departure = departureOf(leaving(e, way.endNode), nodeRadius(way.endNode));
+            const Departure departure = departureOf(graph_.leaving(e, way.endNode), nodeRadius(way.endNode));
             const double worth = std::min(1.0, departure.radiusMm / arriving.radiusMm) -
                                  directionWorth * departure.direction.dot(arriving.direction);
             if (worth > bestWorth + 1e-9) {

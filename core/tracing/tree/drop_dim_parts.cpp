@@ -71,12 +71,10 @@ struct Part {
 class DimParts {
 public:
     DimParts(VesselGraph& graph, const BloodFill& fill, double voxelMm)
-        : graph_(graph), meeting_(graph.nodesMm.size()), holdsStart_(graph.edges.size(), false)
+        : graph_(graph), meeting_(graph.edgesByNode()), holdsStart_(graph.edges.size(), false)
     {
-        for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-            meeting_[static_cast<std::size_t>(graph.edges[e].startNode)].push_back(e);
-            meeting_[static_cast<std::size_t>(graph.edges[e].endNode)].push_back(e);
-            fills_.push_back(medianFill(graph.edges[e], fill, voxelMm));
+        for (const VesselEdge& edge : graph.edges) {
+            fills_.push_back(medianFill(edge, fill, voxelMm));
         }
     }
 

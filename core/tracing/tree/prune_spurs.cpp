@@ -36,12 +36,8 @@ Protrusion protrusionOf(const VesselEdge& fromParent, double parentRadiusMm)
 class Pruner {
 public:
     Pruner(VesselGraph& graph, const SpurLimits& limits)
-        : graph_(graph), limits_(limits), meeting_(graph.nodesMm.size()), worths_(graph.edges.size(), never)
+        : graph_(graph), limits_(limits), meeting_(graph.edgesByNode()), worths_(graph.edges.size(), never)
     {
-        for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-            meetingAt(graph.edges[e].startNode).push_back(e);
-            meetingAt(graph.edges[e].endNode).push_back(e);
-        }
     }
 
     void joinAll()

@@ -25,13 +25,7 @@ struct RootWorth {
 
 class RootFinder {
 public:
-    explicit RootFinder(const VesselGraph& graph) : graph_(graph), meeting_(graph.nodesMm.size())
-    {
-        for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-            meeting_[static_cast<std::size_t>(graph.edges[e].startNode)].push_back(e);
-            meeting_[static_cast<std::size_t>(graph.edges[e].endNode)].push_back(e);
-        }
-    }
+    explicit RootFinder(const VesselGraph& graph) : graph_(graph), meeting_(graph.edgesByNode()) {}
 
     int among(const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm) const
     {
@@ -54,19 +48,13 @@ public:
     }
 
 private:
-    VesselEdge leaving(std::size_t edge, int node) const
-    {
-        const VesselEdge& stored = graph_.edges[edge];
-        return stored.startNode == node ? stored : reversed(stored);
-    }
-
     double nodeRadius(int node) const { return graph_.nodeRadiusMm[static_cast<std::size_t>(node)]; }
 
     /// The vessel that ends there is thick as a whole. The end itself may be a spur: a stump on the wall of something
     /// wide, which says nothing, or a coronary artery at the root of the aorta, which ends where the aorta does.
     RootWorth worthOf(std::size_t endEdge, int endNode) const
     {
-        const VesselEdge fromEnd = leaving(endEdge, endNode);
+        const VesselEdge fromEnd = graph_.leaving(endEdge, endNode);
         double width = widthOf(endEdge);
         std::size_t edge = endEdge;
         int node = fromEnd.endNode;
@@ -76,7 +64,7 @@ private:
                 break;
             }
             edge = *wide;
-            node = leaving(edge, node).endNode;
+            node = graph_.leaving(edge, node).endNode;
             width = std::max(width, widthOf(edge));
         }
         return {width, departureOf(fromEnd, nodeRadius(endNode)).radiusMm};
@@ -86,7 +74,7 @@ private:
     double widthOf(std::size_t e) const
     {
         const bool endsFree = meeting_[static_cast<std::size_t>(graph_.edges[e].endNode)].size() == 1;
-        const VesselEdge edge = leaving(e, endsFree ? graph_.edges[e].endNode : graph_.edges[e].startNode);
+        const VesselEdge edge = graph_.leaving(e, endsFree ? graph_.edges[e].endNode : graph_.edges[e].startNode);
         const bool isEnd = meeting_[static_cast<std::size_t>(edge.startNode)].size() == 1;
         const Eigen::Vector3d& junction = edge.pointsMm.back();
         std::vector<double> radii{edge.radiusMm.front()};

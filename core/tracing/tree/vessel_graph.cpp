@@ -195,6 +195,21 @@ std::vector<int> VesselGraph::degrees() const
     return result;
 }
 
+std::vector<std::vector<std::size_t>> VesselGraph::edgesByNode() const
+{
+    std::vector<std::vector<std::size_t>> meeting(nodesMm.size());
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        meeting[static_cast<std::size_t>(edges[e].startNode)].push_back(e);
+        meeting[static_cast<std::size_t>(edges[e].endNode)].push_back(e);
+    }
+    return meeting;
+}
+
+VesselEdge VesselGraph::leaving(std::size_t edge, int node) const
+{
+    return edges[edge].startNode == node ? edges[edge] : reversed(edges[edge]);
+}
+
 VesselGraph vesselGraph(const std::vector<std::size_t>& skeleton, const DistanceMap& distances)
 {
     return SkeletonWalker(skeleton, distances).run();

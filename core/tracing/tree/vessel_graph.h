@@ -27,6 +27,8 @@ struct VesselGraph {
     std::vector<VesselEdge> edges;
 
     std::vector<int> degrees() const;
+    std::vector<std::vector<std::size_t>> edgesByNode() const;   ///< a ring twice at its node
+    VesselEdge leaving(std::size_t edge, int node) const;   ///< the edge as it runs from one of its nodes
 };
 
 /// Graph of a one voxel thin skeleton, given as ascending voxel indices; touching junction voxels are one node at their
