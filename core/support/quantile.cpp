@@ -1,7 +1,9 @@
 #include "core/support/quantile.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace core {
@@ -37,6 +39,14 @@ std::vector<double> quantiles(std::vector<double> values, const std::vector<doub
 double quantile(std::vector<double> values, double fraction)
 {
     return quantiles(std::move(values), {fraction}).front();
+}
+
+double medianOf(std::vector<double> values)
+{
+    assert(!values.empty());
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
 }
 
 }   // namespace core

@@ -1,5 +1,7 @@
 #include "core/tracing/tree/cross_section.h"
 
+#include "core/support/quantile.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -62,13 +64,6 @@ void findWall(Ray& ray, const SectionPlane& plane, const BloodFill& fill, double
     }
     ray.wallMm = reachMm;
     ray.isOpen = true;
-}
-
-double medianOf(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 /// Rays that run into a branch or a neighbour end where the others do, roughly.

@@ -1,6 +1,9 @@
 #include "core/tracing/tree/departure.h"
 
+#include "core/support/quantile.h"
+
 #include <algorithm>
+#include <utility>
 
 namespace core {
 namespace {
@@ -27,8 +30,7 @@ Departure departureOf(const VesselEdge& edge, double nodeRadiusMm)
     Departure departure;
     departure.radiusMm = edge.radiusMm.back();
     if (!radii.empty()) {
-        std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());
-        departure.radiusMm = radii[radii.size() / 2];
+        departure.radiusMm = medianOf(std::move(radii));
     }
     departure.direction = (edge.pointsMm[last] - start).normalized();
     return departure;

@@ -1,5 +1,7 @@
 #include "core/tracing/tree/drop_dim_parts.h"
 
+#include "core/support/quantile.h"
+
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -49,9 +51,7 @@ std::optional<double> medianFill(const VesselEdge& edge, const BloodFill& fill, 
         static_cast<double>(fills.size()) < leastWideShare * static_cast<double>(edge.pointsMm.size())) {
         return std::nullopt;
     }
-    const auto middle = fills.begin() + static_cast<std::ptrdiff_t>(fills.size() / 2);
-    std::nth_element(fills.begin(), middle, fills.end());
-    return *middle;
+    return medianOf(std::move(fills));
 }
 
 bool isBeside(const VesselEdge& edge, const std::vector<Eigen::Vector3d>& startsMm)

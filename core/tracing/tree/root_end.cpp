@@ -1,9 +1,11 @@
 #include "core/tracing/tree/root_end.h"
 
+#include "core/support/quantile.h"
 #include "core/tracing/tree/departure.h"
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace core {
 namespace {
@@ -83,9 +85,7 @@ private:
                 radii.push_back(edge.radiusMm[i]);
             }
         }
-        const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-        std::nth_element(radii.begin(), middle, radii.end());
-        return *middle;
+        return medianOf(std::move(radii));
     }
 
     /// The one vessel that ends at the node, if `arriving` and all others there are spurs beside it.

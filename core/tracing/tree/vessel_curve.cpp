@@ -1,5 +1,6 @@
 #include "core/tracing/tree/vessel_curve.h"
 
+#include "core/support/quantile.h"
 #include "core/tracing/smoothing_spline.h"
 #include "core/vessel/polyline.h"
 
@@ -25,10 +26,7 @@ VesselCurve evenly(const VesselCurve& curve, double spacingMm)
 /// Stiffness of the spline in steps of the curve: it follows bends of a radius, not the wall's unevenness.
 double stiffness(const VesselCurve& curve, double stepMm)
 {
-    std::vector<double> radii = curve.radiusMm;
-    const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-    std::nth_element(radii.begin(), middle, radii.end());
-    const double reach = std::max(2.0, 0.7 * *middle / stepMm);
+    const double reach = std::max(2.0, 0.7 * medianOf(curve.radiusMm) / stepMm);
     return std::pow(reach, 4.0);
 }
 

@@ -1,5 +1,6 @@
 #include "core/tracing/volume/find_trunks.h"
 
+#include "core/support/quantile.h"
 #include "core/tracing/volume/walk_tube.h"
 #include "core/vessel/polyline.h"
 
@@ -91,10 +92,7 @@ bool isTrunk(const Trunk& trunk)
 
 double Trunk::medianRadiusMm() const
 {
-    std::vector<double> radii = radiusMm;
-    const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-    std::nth_element(radii.begin(), middle, radii.end());
-    return *middle;
+    return medianOf(radiusMm);
 }
 
 double Trunk::slenderness() const

@@ -1,10 +1,12 @@
 #include "core/tracing/volume/great_vessels.h"
 
+#include "core/support/quantile.h"
 #include "core/tracing/volume/necks.h"
 #include "core/vessel/polyline.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace core {
 namespace {
@@ -86,9 +88,7 @@ private:
         for (std::size_t n = 0; n < trunk.radiusMm.size(); ++n) {
             balls.push_back(ballMm(middleAt(trunk.pointsInPatient[n], trunk.radiusMm[n])));
         }
-        const auto middle = balls.begin() + static_cast<std::ptrdiff_t>(balls.size() / 2);
-        std::nth_element(balls.begin(), middle, balls.end());
-        return *middle;
+        return medianOf(std::move(balls));
     }
 
     /// Of the vessel around: the last section of a walk need not lie in its middle.

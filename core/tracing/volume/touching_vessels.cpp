@@ -1,9 +1,11 @@
 #include "core/tracing/volume/touching_vessels.h"
 
+#include "core/support/quantile.h"
 #include "core/tracing/volume/voxel_pieces.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace core {
 namespace {
@@ -26,9 +28,7 @@ double medianFill(const std::vector<std::uint32_t>& voxels, const VolumeGeometry
     for (const std::uint32_t voxel : voxels) {
         fills.push_back(fillOf(voxel, grid, fill));
     }
-    const auto middle = fills.begin() + static_cast<std::ptrdiff_t>(fills.size() / 2);
-    std::nth_element(fills.begin(), middle, fills.end());
-    return *middle;
+    return medianOf(std::move(fills));
 }
 
 }   // namespace

@@ -1,6 +1,7 @@
 #include "core/tracing/volume/trace_vessels.h"
 
 #include "core/support/parallel_for.h"
+#include "core/support/quantile.h"
 #include "core/tracing/tree/lumen_tree.h"
 #include "core/tracing/volume/axis_order.h"
 #include "core/tracing/volume/blood_level.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <utility>
 
 namespace core {
 namespace {
@@ -185,9 +187,7 @@ bool isFilled(const VesselTree& tree, const AxisOrder& order, const VoxelFill& f
     if (fills.empty()) {
         return true;
     }
-    const auto middle = fills.begin() + static_cast<std::ptrdiff_t>(fills.size() / 2);
-    std::nth_element(fills.begin(), middle, fills.end());
-    return *middle >= leastAxisFill;
+    return medianOf(std::move(fills)) >= leastAxisFill;
 }
 
 /// A mask in patient axis order, taken as it is.
