@@ -12,6 +12,7 @@
 #include "core/tracing/field_mask.h"
 #include "core/tracing/flatten_background.h"
 #include "core/tracing/lines_across.h"
+#include "core/tracing/part_neighbours.h"
 #include "core/tracing/skeleton_graph.h"
 #include "core/tracing/steady_frame.h"
 #include "core/tracing/suspect_curves.h"
@@ -31,8 +32,10 @@ constexpr double surroundingsInRadii = 3.0;
 // Thinning splits the crossing of two vessels into two junctions about as far apart as they are wide.
 constexpr double crossingInRadii = 2.0;
 constexpr std::size_t sampleSize = 200000;
-constexpr double gapReachPx = 10.0;
-constexpr double leastEvidenceInGap = 0.6;
+// Faint branches are lost beside a strong vessel, in the halo that filters see around it: bridges reach across that,
+// where there is nearly enough evidence of a vessel all the way.
+constexpr double gapReachPx = 14.0;
+constexpr double leastEvidenceInGap = 0.75;
 constexpr int mostThreads = 2;   // more wait for memory
 
 bool isFinite(const ImageF& frame)
@@ -101,11 +104,12 @@ ImageF normalised(ImageF ridges)
     return ridges;
 }
 
-/// Short gaps closed, and holes that are smaller than any loop of vessels.
-Mask2d wholeVessels(const Mask2d& vessels, const ImageF& evidence, const TraceOptions& options)
+/// The vessel pixels with short gaps closed, and with holes filled that are smaller than any loop of vessels and no
+/// ground between two of them. Bridges make such holes too.
+Mask2d wholeVessels(const Mask2d& vessels, const Mask2d& ground, const ImageF& evidence, int smallestLoopPx)
 {
-    const int smallestLoopPx = static_cast<int>(options.maxVesselRadiusPx * options.maxVesselRadiusPx);
-    return withHolesFilled(withGapsBridged(vessels, evidence, gapReachPx, leastEvidenceInGap), smallestLoopPx);
+    const Mask2d bridged = withGapsBridged(without(vessels, ground), evidence, gapReachPx, leastEvidenceInGap);
+    return without(withHolesFilled(bridged, smallestLoopPx), ground);
 }
 
 std::vector<Curve2d> centredCurves(std::vector<std::vector<Eigen::Vector2d>> paths, const ImageF& opacity,
@@ -140,8 +144,12 @@ SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options)
     double clutterLevel = 0.0;
     ImageF clear;
     atOnce([&] { clear = withoutStars(ridges, seen.opacity); }, [&] { clutterLevel = clutter.level(ridges); });
-    const ImageF evidence = vesselEvidence(clear, seen.fieldMask, clutterLevel, options.sensitivity);
-    atOnce([&] { seen.vesselMask = wholeVessels(vesselPixels(evidence), evidence, options); },
+    const double unit = clearRidge(clear, clutterLevel, options.sensitivity);
+    const ImageF evidence = vesselEvidence(clear, seen.fieldMask, unit);
+    const int smallestLoopPx = static_cast<int>(options.maxVesselRadiusPx * options.maxVesselRadiusPx);
+    const Mask2d vessels = withHolesFilled(vesselPixels(evidence), smallestLoopPx);
+    const Mask2d ground = groundBetweenNeighbours(vessels, evidence, seen.opacity, clutter.scales(), unit);
+    atOnce([&] { seen.vesselMask = wholeVessels(vessels, ground, evidence, smallestLoopPx); },
            [&] { seen.vesselness = normalised(std::move(clear)); });
     seen.paths = orderedCurves(vesselBranches(seen.vesselMask, evidence, seen.fieldMask, options),
                                crossingInRadii * options.maxVesselRadiusPx);

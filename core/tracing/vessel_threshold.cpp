@@ -32,16 +32,21 @@ double ridgeNoiseLimit(const std::vector<float>& ridges)
     return ridges.empty() ? 0.0 : noiseMultiple * ranked(ridges, 0.5);
 }
 
-ImageF vesselEvidence(const ImageF& ridges, const Mask2d& field, double clutter, double sensitivity)
+double clearRidge(const ImageF& ridges, double clutter, double sensitivity)
 {
     const double strongest = ranked(evenSample(ridges.pixels, sampleSize), strongestRank);
-    const double threshold = std::max(clutterMultiple * clutter, leastShare * strongest) / sensitivity;
+    return std::max(clutterMultiple * clutter, leastShare * strongest) / sensitivity;
+}
+
+ImageF vesselEvidence(const ImageF& ridges, const Mask2d& field, double clearRidge)
+{
     ImageF evidence(ridges.width, ridges.height);
-    if (!(threshold > 0.0)) {
+    if (!(clearRidge > 0.0)) {
         return evidence;
     }
+    const auto unit = static_cast<float>(clearRidge);
     for (std::size_t i = 0; i < ridges.pixels.size(); ++i) {
-        evidence.pixels[i] = field.pixels[i] != 0 ? ridges.pixels[i] / static_cast<float>(threshold) : 0.0F;
+        evidence.pixels[i] = field.pixels[i] != 0 ? ridges.pixels[i] / unit : 0.0F;
     }
     return evidence;
 }

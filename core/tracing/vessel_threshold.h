@@ -10,9 +10,12 @@ namespace core {
 /// shows no vessel, so the middle ridge strength is that of noise.
 double ridgeNoiseLimit(const std::vector<float>& ridges);
 
-/// Ridge strength in units of what makes a vessel: 1 is well above `clutter` (see `Clutter`) and above a small
-/// share of the strongest ridges, divided by `sensitivity`. 0 outside the field, and everywhere if there is no ridge.
-ImageF vesselEvidence(const ImageF& ridges, const Mask2d& field, double clutter, double sensitivity);
+/// The ridge strength that makes a vessel: well above `clutter` (see `Clutter`) and above a small share of the
+/// strongest ridges, divided by `sensitivity`. 0 if there is no ridge.
+double clearRidge(const ImageF& ridges, double clutter, double sensitivity);
+
+/// Ridge strength in units of `clearRidge`. 0 outside the field, and everywhere if there is no ridge.
+ImageF vesselEvidence(const ImageF& ridges, const Mask2d& field, double clearRidge);
 
 /// The ridges without those in the star around the end of a strong vessel: there filters still see the vessel, but
 /// `opacity` is hardly above the surroundings.
