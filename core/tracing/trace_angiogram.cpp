@@ -151,7 +151,7 @@ SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options)
     const Mask2d ground = groundBetweenNeighbours(vessels, evidence, seen.opacity, clutter.scales(), unit);
     atOnce([&] { seen.vesselMask = wholeVessels(vessels, ground, evidence, smallestLoopPx); },
            [&] { seen.vesselness = normalised(std::move(clear)); });
-    seen.paths = orderedCurves(vesselBranches(seen.vesselMask, evidence, seen.fieldMask, options),
+    seen.paths = orderedCurves(vesselBranches(seen.vesselMask, evidence, seen.opacity, seen.fieldMask, options),
                                crossingInRadii * options.maxVesselRadiusPx);
     return seen;
 }

@@ -3,6 +3,7 @@
 #include "core/imaging/grey_statistics.h"
 #include "core/imaging/image_filters.h"
 #include "core/imaging/mask_morphology.h"
+#include "core/tracing/moved_edge.h"
 #include "core/tracing/prune_graph.h"
 #include "core/tracing/thin_mask.h"
 #include "core/vessel/polyline.h"
@@ -59,7 +60,7 @@ bool runsAlongRim(const SkeletonEdge& edge, const Mask2d& inside)
 
 }   // namespace
 
-SkeletonGraph vesselBranches(const Mask2d& vessels, const ImageF& evidence, const Mask2d& field,
+SkeletonGraph vesselBranches(const Mask2d& vessels, const ImageF& evidence, const ImageF& opacity, const Mask2d& field,
                              const TraceOptions& options)
 {
     const auto worth = [&](const SkeletonEdge& edge) {
@@ -69,7 +70,9 @@ SkeletonGraph vesselBranches(const Mask2d& vessels, const ImageF& evidence, cons
     };
     const Mask2d inside = insideOfRim(field);
     SkeletonGraph graph = skeletonGraph(thinned(vessels));
-    std::erase_if(graph.edges, [&](const SkeletonEdge& edge) { return runsAlongRim(edge, inside); });
+    std::erase_if(graph.edges, [&](const SkeletonEdge& edge) {
+        return runsAlongRim(edge, inside) || isMovedEdge(edge.pointsPx, opacity);
+    });
     graph = withoutSpurs(std::move(graph), lengthOf, options.minBranchLengthPx);
     graph = withoutSpurs(std::move(graph), worth, leastWorth);
     graph = withoutSmallPieces(std::move(graph), lengthOf, options.minComponentLengthPx);
