@@ -55,19 +55,19 @@ private:
     bool isJoinedAt(const Trunk& trunk, std::size_t end, const Trunk& other, Blood blood) const
     {
         const Eigen::Vector3d& tip = trunk.pointsInPatient[end];
-        const auto nearest = std::min_element(
-            other.pointsInPatient.begin(), other.pointsInPatient.end(),
-            [&](const auto& a, const auto& b) { return (a - tip).squaredNorm() < (b - tip).squaredNorm(); });
+        const std::size_t nearest = nearestTo(tip, other);
         const double radius = trunk.radiusMm[end];
-        const double otherRadius = other.radiusMm[static_cast<std::size_t>(nearest - other.pointsInPatient.begin())];
+        const double otherRadius = other.radiusMm[nearest];
         double thinner = std::min(radius, otherRadius);
         const double mostGap = blood == Blood::Same ? mostGapOfSameBlood : mostGapInRadii;
-        if ((*nearest - tip).norm() > mostGap * (radius + otherRadius) ||
+        if ((other.pointsInPatient[nearest] - tip).norm() > mostGap * (radius + otherRadius) ||
             thinner < leastOfOther * std::max(radius, otherRadius)) {
             return false;
         }
-        const Eigen::Vector3i from = middleAt(tip, radius);
-        const Eigen::Vector3i to = middleAt(*nearest, otherRadius);
+        const std::size_t last = nearestOutside(end, trunk, other);
+        const std::size_t first = nearestOutside(nearest, other, trunk);
+        const Eigen::Vector3i from = middleAt(trunk.pointsInPatient[last], trunk.radiusMm[last]);
+        const Eigen::Vector3i to = middleAt(other.pointsInPatient[first], other.radiusMm[first]);
         double thinnerTrunk = std::min(trunk.medianRadiusMm(), other.medianRadiusMm());
         if (blood == Blood::Same) {
             thinner = std::min({thinner, ballMm(from), ballMm(to)});
@@ -75,6 +75,36 @@ private:
         }
         return neckMm(distances_, from, to, std::max(radius, otherRadius)) >=
                leastNeck * std::max(thinner, thinnerTrunk);
+    }
+
+    static std::size_t nearestTo(const Eigen::Vector3d& place, const Trunk& trunk)
+    {
+        const auto& points = trunk.pointsInPatient;
+        const auto nearest = std::min_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+            return (a - place).squaredNorm() < (b - place).squaredNorm();
+        });
+        return static_cast<std::size_t>(nearest - points.begin());
+    }
+
+    static bool isSurrounded(const Eigen::Vector3d& place, const Trunk& by)
+    {
+        const std::size_t beside = nearestTo(place, by);
+        return (by.pointsInPatient[beside] - place).norm() <= by.radiusMm[beside];
+    }
+
+    /// Along the trunk the point nearest to one of its points that the other does not surround: walks may lead through
+    /// a wall into what touches, where no neck is seen any more. That point itself where there is none.
+    static std::size_t nearestOutside(std::size_t from, const Trunk& trunk, const Trunk& other)
+    {
+        const std::size_t count = trunk.pointsInPatient.size();
+        for (std::size_t away = 0; away < count; ++away) {
+            for (const std::size_t at : {from - std::min(from, away), std::min(from + away, count - 1)}) {
+                if (!isSurrounded(trunk.pointsInPatient[at], other)) {
+                    return at;
+                }
+            }
+        }
+        return from;
     }
 
     double ballMm(const Eigen::Vector3i& voxel) const
