@@ -3,6 +3,7 @@
 #include "core/imaging/interpolate_grid.h"
 #include "core/support/parallel_for.h"
 #include "core/tracing/volume/bright_pieces.h"
+#include "core/tracing/volume/bright_skirts.h"
 #include "core/tracing/volume/mark_tubes.h"
 #include "core/tracing/volume/metal_in_blood.h"
 #include "core/tracing/volume/stent_width.h"
@@ -21,6 +22,7 @@ constexpr std::uint8_t core = 4;   ///< evenly as bright as blood
 constexpr std::uint8_t tooBright = 8;
 constexpr std::uint8_t chalk = 16;   ///< too bright, but in a small piece
 constexpr std::uint8_t metal = 32;   ///< too bright, of a stent with blood within
+constexpr std::uint8_t skirt = 64;   ///< see `markSkirts`
 constexpr std::uint8_t wallBits = tooBright | metal;
 
 constexpr double leastTubeFill = 0.25;   ///< share of blood in a voxel of a thin vessel
@@ -31,6 +33,7 @@ constexpr double mostUneven = 0.18;   ///< standard deviation within a core
 constexpr double mostBrightMl = 0.1;   ///< of pieces brighter than blood: calcifications are smaller
 constexpr double coreReachMm = 1.4;   ///< from a core to its wall; at least two voxels
 constexpr double rimMm = 1.5;   ///< around bone and metal, what blurring makes as bright as blood; at least a voxel
+constexpr double skirtMm = 4.0;   ///< from bone and dense contrast medium, how far streaks and blurring lead
 constexpr double cortexReachMm = 1.4;   ///< from marrow to the shell of its bone; at least two voxels
 constexpr double mostBoneWall = 0.3;   ///< of a vessel's wall
 constexpr double leastCoreShare = 0.2;   ///< of a piece that may lie in bright walls all the same: a stented vessel
@@ -45,6 +48,7 @@ public:
           threads_(threads),
           coreReach_(voxelsIn(coreReachMm, 2)),
           rim_(voxelsIn(rimMm, 1)),
+          skirtReach_(voxelsIn(skirtMm, 2)),
           cortexReach_(voxelsIn(cortexReachMm, 2)),
           flags_(order.geometry)
     {
@@ -56,6 +60,7 @@ public:
         eachSlice(progress, [&](int k) { markCores(k); });
         openThinStents(progress);
         markTubes(volume_, order_, level_, leastTubeFill, flags_, bits, threads_, progress);
+        markSkirts(flags_, {tooBright, core | metal, skirt}, fill(), leastTubeFill, skirtReach_, progress);
         VoxelMask lumen(order_.geometry);
         eachSlice(progress, [&](int k) { choose(lumen, k); });
         if (progress.advance(0.0)) {
@@ -94,6 +99,11 @@ private:
         return (volume_.value(order_.stored(i, j, k)) - level_.tissue) / level_.contrast();
     }
 
+    VoxelFill fill() const
+    {
+        return [this](int i, int j, int k) { return fillAt(i, j, k); };
+    }
+
     /// What is brighter than blood: large pieces are bone and metal, small ones chalk in the wall of a vessel.
     void markTooBright(TracingProgress& progress)
     {
@@ -103,9 +113,8 @@ private:
         if (progress.isStopped()) {
             return;
         }
-        const VoxelFill fill = [this](int i, int j, int k) { return fillAt(i, j, k); };
         markBrightPieces(flags_, mostBrightMl, {tooBright, chalk, metal}, [&](const VoxelPiece& piece) {
-            if (!isMetalInBlood(piece, order_.geometry, level_, fill)) {
+            if (!isMetalInBlood(piece, order_.geometry, level_, fill())) {
                 return false;
             }
             stents_.push_back(piece);
@@ -181,7 +190,7 @@ private:
         for (int j = 0; j < size_.y(); ++j) {
             for (int i = 0; i < size_.x(); ++i) {
                 const std::uint8_t flag = flags_.at(i, j, k);
-                if (flag == 0 || isNear(i, j, k, rim_, wallBits)) {
+                if (flag == 0 || (flag & skirt) != 0 || isNear(i, j, k, rim_, wallBits)) {
                     continue;
                 }
                 const bool isCore = (flag & core) != 0;
@@ -246,6 +255,7 @@ private:
     int threads_;
     Eigen::Vector3i coreReach_;   ///< voxels along each axis, as are those below
     Eigen::Vector3i rim_;
+    Eigen::Vector3i skirtReach_;
     Eigen::Vector3i cortexReach_;
     std::vector<VoxelPiece> stents_;
     VoxelMask flags_;
