@@ -7,6 +7,7 @@
 #include "core/tracing/volume/mark_tubes.h"
 #include "core/tracing/volume/metal_in_blood.h"
 #include "core/tracing/volume/stent_width.h"
+#include "core/tracing/volume/stented_lumen.h"
 #include "core/tracing/volume/voxel_pieces.h"
 
 #include <algorithm>
@@ -33,6 +34,7 @@ constexpr double mostUneven = 0.18;   ///< standard deviation within a core
 constexpr double mostBrightMl = 0.1;   ///< of pieces brighter than blood: calcifications are smaller
 constexpr double coreReachMm = 1.4;   ///< from a core to its wall; at least two voxels
 constexpr double rimMm = 1.5;   ///< around bone and metal, what blurring makes as bright as blood; at least a voxel
+constexpr int mostWireWidth = 2;   ///< voxels up to its crest
 constexpr double skirtMm = 4.0;   ///< from bone and dense contrast medium, how far streaks and blurring lead
 constexpr double cortexReachMm = 1.4;   ///< from marrow to the shell of its bone; at least two voxels
 constexpr double mostBoneWall = 0.3;   ///< of a vessel's wall
@@ -54,17 +56,21 @@ public:
     {
     }
 
-    VoxelMask run(TracingProgress& progress)
+    SegmentedLumen run(TracingProgress& progress)
     {
         markTooBright(progress);
         eachSlice(progress, [&](int k) { markCores(k); });
         openThinStents(progress);
         markTubes(volume_, order_, level_, leastTubeFill, flags_, bits, threads_, progress);
         markSkirts(flags_, {tooBright, core | metal, skirt}, fill(), leastTubeFill, skirtReach_, progress);
-        VoxelMask lumen(order_.geometry);
-        eachSlice(progress, [&](int k) { choose(lumen, k); });
+        SegmentedLumen lumen{VoxelMask(order_.geometry), {}};
+        eachSlice(progress, [&](int k) { choose(lumen.clear, k); });
         if (progress.advance(0.0)) {
-            dropMarrow(lumen, progress);
+            dropMarrow(lumen.clear, progress);
+        }
+        if (progress.advance(0.0)) {
+            lumen.besideWires =
+                lumenBesideWires(lumen.clear, wires(), fill(), rim_.maxCoeff() + mostWireWidth, progress);
         }
         return lumen;
     }
@@ -126,14 +132,24 @@ private:
     /// of it.
     void openThinStents(TracingProgress& progress)
     {
-        for (const VoxelPiece& stent : stents_) {
-            if (!isWideStent(stent, flags_, core, threads_, progress)) {
-                for (const std::uint32_t voxel : stent) {
-                    flags_.voxels[voxel] = core;
-                }
+        std::vector<VoxelPiece> wide;
+        for (VoxelPiece& stent : stents_) {
+            if (isWideStent(stent, flags_, core, threads_, progress)) {
+                wide.push_back(std::move(stent));
+                continue;
+            }
+            for (const std::uint32_t voxel : stent) {
+                flags_.voxels[voxel] = core;
             }
         }
-        stents_.clear();
+        stents_ = std::move(wide);
+    }
+
+    StentWires wires() const
+    {
+        return {stents_, [this](int i, int j, int k) {
+                    return isNear(i, j, k, rim_, metal) && !isNear(i, j, k, rim_, tooBright);
+                }};
     }
 
     void markCores(int k)
@@ -257,14 +273,14 @@ private:
     Eigen::Vector3i rim_;
     Eigen::Vector3i skirtReach_;
     Eigen::Vector3i cortexReach_;
-    std::vector<VoxelPiece> stents_;
+    std::vector<VoxelPiece> stents_;   ///< of all, later of wide vessels alone
     VoxelMask flags_;
 };
 
 }   // namespace
 
-VoxelMask segmentLumen(const Volume& volume, const AxisOrder& order, const BloodLevel& level, int threads,
-                       TracingProgress& progress)
+SegmentedLumen segmentLumen(const Volume& volume, const AxisOrder& order, const BloodLevel& level, int threads,
+                            TracingProgress& progress)
 {
     return Segmenter(volume, order, level, threads).run(progress);
 }

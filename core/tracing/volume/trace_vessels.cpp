@@ -8,7 +8,7 @@
 #include "core/tracing/volume/chosen_lumen.h"
 #include "core/tracing/volume/chosen_pieces.h"
 #include "core/tracing/volume/fill_cavities.h"
-#include "core/tracing/volume/great_vessels.h"
+#include "core/tracing/volume/find_great_vessels.h"
 #include "core/tracing/volume/segment_lumen.h"
 #include "core/tracing/volume/tracing_progress.h"
 
@@ -243,21 +243,21 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
         return level.error();
     }
     progress.enter("vessels", 0.05, 0.7);
-    VoxelMask candidates = segmentLumen(volume, order, level.value(), threadCount(options.threads), progress);
+    SegmentedLumen candidates = segmentLumen(volume, order, level.value(), threadCount(options.threads), progress);
     if (!progress.advance(0.0)) {
         return stoppedTracing();
     }
-    if (std::none_of(candidates.voxels.begin(), candidates.voxels.end(),
+    if (std::none_of(candidates.clear.voxels.begin(), candidates.clear.voxels.end(),
                      [](std::uint8_t voxel) { return voxel != 0; })) {
         return noVesselsFound(level.value());
     }
     const VoxelFill fill = bloodShare(volume, order, level.value());
-    const std::vector<GreatVessel> great = greatVessels(
-        coarseBlood(candidates, fill, threadCount(options.threads), progress), threadCount(options.threads), progress);
+    LumenWithGreatVessels found = findGreatVessels(std::move(candidates), fill, threadCount(options.threads), progress);
     if (!progress.advance(0.0)) {
         return stoppedTracing();
     }
-    auto chosen = chosenLumen(std::move(candidates), options, fill, great, progress);
+    const std::vector<GreatVessel>& great = found.great;
+    auto chosen = chosenLumen(std::move(found.lumen), options, fill, great, progress);
     if (!chosen) {
         return chosen.error();
     }

@@ -68,6 +68,30 @@ TEST(TraceStented, MeasuresAStentedVesselAtItsWires)
     }
 }
 
+TEST(TraceStented, TakesAWideVesselUpToTheWires)
+{
+    for (const double voxelMm : {1.0, 0.75}) {
+        const core::SimulatedCta cta = stentedCta(8.5, voxelMm);
+        const auto traced = core::traceVessels(cta.volume);
+        ASSERT_TRUE(traced) << traced.error().message;
+        const core::VesselBranch& stented = cta.tree.branches.front();
+        const auto error = test::radiusErrorInStentMm(traced.value().tree, stented);
+        ASSERT_TRUE(error);
+        EXPECT_LT(std::abs(*error), 0.15 * stented.radiusMm[stented.radiusMm.size() / 2]) << voxelMm;
+    }
+}
+
+TEST(TraceStented, FindsBranchesThatLeaveBetweenTheWires)
+{
+    for (const double voxelMm : {1.0, 0.75}) {
+        const core::SimulatedCta cta = stentedCta(8.5, voxelMm);
+        const auto traced = core::traceVessels(cta.volume);
+        ASSERT_TRUE(traced) << traced.error().message;
+        EXPECT_GT(shareNear(cta.tree, traced.value().tree, 2.0), 0.9) << voxelMm;
+        EXPECT_GT(shareNear(traced.value().tree, cta.tree, 2.0), 0.93) << voxelMm;
+    }
+}
+
 /// Wires that are as bright as metal in this scan, some two voxels thick.
 void addStent(Volume& volume, const core::VesselBranch& branch)
 {
