@@ -11,11 +11,9 @@
 namespace benchmarks {
 namespace {
 
-constexpr double sampleMm = 0.5;
 constexpr std::uint64_t placesSeed = 5;
 constexpr int depthInAorta = 3;   ///< voxels to its wall
-constexpr double axisReachMm = 2.0;   ///< along an axis
-constexpr double arterialTolerance = 0.1;   ///< of the masked arteries' value
+constexpr double endReachInRadii = 2.0;   ///< from the end of a mask's axis; the mask's own end is round
 
 Eigen::Vector3i nearestVoxel(const core::VolumeGeometry& geometry, const Eigen::Vector3d& inPatient)
 {
@@ -41,65 +39,14 @@ core::LabelVolume givenArteries()
     return all;
 }
 
-double medianOf(std::vector<double> values)
+core::VoxelMask withLumens(const core::LabelVolume& arteries)
 {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return values.empty() ? 0.0 : *middle;
-}
-
-OutsideRun runOf(const core::VesselBranch& branch, std::size_t first, std::size_t last, const ThoracicScan& thorax)
-{
-    std::vector<double> values;
-    double farthestMm = 0.0;
-    for (std::size_t i = first; i < last; ++i) {
-        values.push_back(thorax.value(branch.pointsInPatient[i]));
-        farthestMm = std::max(farthestMm, thorax.mmToArteries(branch.pointsInPatient[i]));
+    core::VoxelMask all(arteries.geometry);
+    const core::Volume lumens = readScan("thoracic-aorta-cta/T716_aorta_true_false_lumen.nii.gz");
+    for (std::size_t v = 0; v < lumens.voxels.size(); ++v) {
+        all.voxels[v] = arteries.voxels[v] != 0 || lumens.voxels[v] != 0 ? 1 : 0;
     }
-    const auto radii = branch.radiusMm.begin();
-    return {branch.id,
-            sampleMm * static_cast<double>(last - first),
-            medianOf({radii + static_cast<std::ptrdiff_t>(first), radii + static_cast<std::ptrdiff_t>(last)}),
-            medianOf(values),
-            branch.pointsInPatient[first],
-            branch.pointsInPatient[last - 1],
-            farthestMm,
-            false};
-}
-
-/// The axis of an aorta with two lumens lies between them, so that a distance to it would say nothing: what counts is
-/// whether a curve runs beside it.
-double coveredShare(const std::vector<Eigen::Vector3d>& axis, const std::vector<Eigen::Vector3d>& insidePoints)
-{
-    std::vector<bool> isBeside(axis.size(), false);
-    for (const Eigen::Vector3d& point : insidePoints) {
-        const auto nearest = std::min_element(axis.begin(), axis.end(), [&](const auto& a, const auto& b) {
-            return (a - point).squaredNorm() < (b - point).squaredNorm();
-        });
-        isBeside[static_cast<std::size_t>(nearest - axis.begin())] = true;
-    }
-    std::size_t covered = 0;
-    for (const Eigen::Vector3d& point : axis) {
-        for (std::size_t n = 0; n < axis.size(); ++n) {
-            if (isBeside[n] && (axis[n] - point).norm() <= axisReachMm) {
-                ++covered;
-                break;
-            }
-        }
-    }
-    return static_cast<double>(covered) / std::max(1.0, static_cast<double>(axis.size()));
-}
-
-std::vector<Eigen::Vector3d> axisWithin(const core::VesselTree& axes, const core::VolumeGeometry* seen)
-{
-    std::vector<Eigen::Vector3d> axis;
-    for (const core::VesselBranch& branch : core::resampled(axes, sampleMm).branches) {
-        std::copy_if(branch.pointsInPatient.begin(), branch.pointsInPatient.end(), std::back_inserter(axis),
-                     [&](const Eigen::Vector3d& point) {
-                         return seen == nullptr || seen->contains(nearestVoxel(*seen, point));
-                     });
-    }
-    return axis;
+    return all;
 }
 
 }   // namespace
@@ -125,6 +72,26 @@ bool ThoracicScan::isArtery(const Eigen::Vector3d& inPatient) const
     return arteries.geometry.contains(voxel) && arteries.at(voxel.x(), voxel.y(), voxel.z()) != 0;
 }
 
+bool ThoracicScan::isLumen(const Eigen::Vector3d& inPatient) const
+{
+    const Eigen::Vector3i voxel = nearestVoxel(lumens.geometry, inPatient);
+    return lumens.geometry.contains(voxel) && lumens.at(voxel.x(), voxel.y(), voxel.z()) != 0;
+}
+
+bool ThoracicScan::isAtAnEnd(const Eigen::Vector3d& inPatient) const
+{
+    for (const core::VesselBranch& branch : axes.branches) {
+        const bool isEnd =
+            (branch.pointsInPatient.back() - inPatient).norm() <= endReachInRadii * branch.radiusMm.back();
+        const bool isRoot = branch.generation == 0 && (branch.pointsInPatient.front() - inPatient).norm() <=
+                                                          endReachInRadii * branch.radiusMm.front();
+        if (isEnd || isRoot) {
+            return true;
+        }
+    }
+    return false;
+}
+
 double ThoracicScan::value(const Eigen::Vector3d& inPatient) const
 {
     const Eigen::Vector3i at =
@@ -141,7 +108,8 @@ double ThoracicScan::mmToArteries(const Eigen::Vector3d& inPatient) const
 
 std::optional<ThoracicScan> readThoracicScan()
 {
-    ThoracicScan thorax{readScan("thoracic-aorta-cta/ct_cropped.nii.gz"), givenArteries(), {}, {}};
+    ThoracicScan thorax{readScan("thoracic-aorta-cta/ct_cropped.nii.gz"), givenArteries(), {}, {}, {}};
+    thorax.lumens = withLumens(thorax.arteries);
     core::VoxelMask others(thorax.arteries.geometry);
     std::transform(thorax.arteries.voxels.begin(), thorax.arteries.voxels.end(), others.voxels.begin(),
                    [](std::uint16_t label) { return static_cast<std::uint8_t>(label == 0 ? 1 : 0); });
@@ -186,46 +154,6 @@ std::vector<Eigen::Vector3d> placesInAorta(const ThoracicScan& thorax, int count
         }
     }
     return places;
-}
-
-Course courseOf(const core::VesselTree& tree, const ThoracicScan& thorax, const core::VolumeGeometry* seen)
-{
-    Course course;
-    std::vector<Eigen::Vector3d> insidePoints;
-    std::vector<double> insideValues;
-    for (const core::VesselBranch& branch : core::resampled(tree, sampleMm).branches) {
-        const auto& way = branch.pointsInPatient;
-        for (std::size_t i = 0; i < way.size();) {
-            const std::size_t first = i;
-            const bool isIn = thorax.isArtery(way[i]);
-            while (i < way.size() && thorax.isArtery(way[i]) == isIn) {
-                ++i;
-            }
-            if (!isIn) {
-                course.outside.push_back(runOf(branch, first, i, thorax));
-                continue;
-            }
-            for (std::size_t n = first; n < i; ++n) {
-                insidePoints.push_back(way[n]);
-                insideValues.push_back(thorax.value(way[n]));
-            }
-        }
-    }
-    const double arteryValue = medianOf(insideValues);
-    const double insideMm = sampleMm * static_cast<double>(insidePoints.size());
-    double arterialMm = 0.0;
-    double otherMm = 0.0;
-    for (OutsideRun& run : course.outside) {
-        run.isArterial = std::abs(run.value - arteryValue) <= arterialTolerance * arteryValue;
-        (run.isArterial ? arterialMm : otherMm) += run.lengthMm;
-    }
-    course.lengthMm = insideMm + arterialMm + otherMm;
-    const double all = std::max(course.lengthMm, sampleMm);
-    course.inside = insideMm / all;
-    course.outsideArterial = arterialMm / all;
-    course.outsideOther = otherMm / all;
-    course.covered = coveredShare(axisWithin(thorax.axes, seen), insidePoints);
-    return course;
 }
 
 }   // namespace benchmarks

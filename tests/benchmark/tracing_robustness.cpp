@@ -7,6 +7,7 @@
 #include "io/angiogram_file.h"
 #include "io/evaluation/table_text.h"
 #include "tests/benchmark/arguments.h"
+#include "tests/benchmark/thoracic_course.h"
 #include "tests/benchmark/thoracic_scan.h"
 #include "tests/support/altered_frame.h"
 #include "tests/support/altered_scan.h"

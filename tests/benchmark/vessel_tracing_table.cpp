@@ -8,6 +8,7 @@
 #include "io/evaluation/table_text.h"
 #include "tests/benchmark/arguments.h"
 #include "tests/benchmark/large_scan.h"
+#include "tests/benchmark/thoracic_course.h"
 #include "tests/benchmark/thoracic_scan.h"
 #include "tests/benchmark/timing.h"
 #include "tests/support/tree_agreement.h"
@@ -119,9 +120,9 @@ void addThoracic(core::ResultTable& table, const std::string& name, const core::
     }
     const core::VesselTree& tree = traced.value().tree;
     const Course course = benchmarks::courseOf(tree, thorax);
-    add(table,
-        {name, fixedText(course.inside, 3), fixedText(course.outsideArterial, 3), fixedText(course.outsideOther, 3),
-         fixedText(course.covered, 3), std::to_string(tree.branches.size()), fixedText(course.lengthMm, 0)});
+    add(table, {name, fixedText(course.inside, 3), fixedText(course.outsideArterial, 3),
+                fixedText(course.outsideOther, 3), fixedText(course.insideOfJudged, 3), fixedText(course.covered, 3),
+                std::to_string(tree.branches.size()), fixedText(course.lengthMm, 0)});
 }
 
 std::string placeOf(const Eigen::Vector3d& point, const core::Volume& scan)
@@ -130,15 +131,28 @@ std::string placeOf(const Eigen::Vector3d& point, const core::Volume& scan)
     return fixedText(voxel.x(), 0) + " " + fixedText(voxel.y(), 0) + " " + fixedText(voxel.z(), 0);
 }
 
+std::string textOf(benchmarks::OutsideKind kind)
+{
+    switch (kind) {
+        case benchmarks::OutsideKind::BothLumens:
+            return "mask of a lumen";
+        case benchmarks::OutsideKind::BeyondAnEnd:
+            return "beyond an end";
+        case benchmarks::OutsideKind::Elsewhere:
+            return "elsewhere";
+    }
+    return {};
+}
+
 void printOutside(const Course& course, const core::Volume& scan)
 {
     core::ResultTable table = tableOf({"one seed, outside the masks: branch", "length [mm]", "radius [mm]", "HU",
-                                       "as arteries", "farthest [mm]", "from voxel", "to voxel"});
+                                       "as arteries", "farthest [mm]", "where", "from voxel", "to voxel"});
     for (const benchmarks::OutsideRun& run : course.outside) {
         if (run.lengthMm >= 2.0) {
             add(table, {std::to_string(run.branch), fixedText(run.lengthMm, 1), fixedText(run.radiusMm, 1),
                         fixedText(run.value, 0), run.isArterial ? "yes" : "no", fixedText(run.farthestMm, 1),
-                        placeOf(run.from, scan), placeOf(run.to, scan)});
+                        textOf(run.kind), placeOf(run.from, scan), placeOf(run.to, scan)});
         }
     }
     print(table);
@@ -177,10 +191,12 @@ void printThoracic()
     }
     const ThoracicScan& thorax = *read;
     core::ResultTable table = tableOf({"thoracic CTA", "inside masks", "outside, as bright", "outside, other",
-                                       "masks covered", "branches", "length [mm]"});
+                                       "inside of judged", "masks covered", "branches", "length [mm]"});
     core::TracedVessels given;
     given.tree = thorax.axes;
-    addThoracic(table, "from the masks", given, thorax);
+    addThoracic(table, "axes of the masks", given, thorax);
+    addThoracic(table, "masks as labels, defaults", core::traceLabels(thorax.arteries, {}), thorax);
+    addThoracic(table, "no seed", core::traceVessels(thorax.scan), thorax);
     core::VesselTracingOptions options;
     options.seedsInPatient = {benchmarks::seedOf(thorax)};
     options.rootInPatient = benchmarks::rootOf(thorax);
@@ -193,6 +209,10 @@ void printThoracic()
                               thorax.at(38, 47, 110), thorax.at(64, 52, 131), thorax.at(45, 45, 133)};
     addThoracic(table, "seed, heart and veins avoided", core::traceVessels(thorax.scan, options), thorax);
     print(table);
+    std::printf(
+        "Inside of judged: the masks end where arteries go on, and leave out parts of the torn aorta. What is "
+        "reached through an end of\na mask (within twice its radius) is not judged, and the masks of the aorta's "
+        "two lumens count as inside; all else does not.\n\n");
     if (fromSeed) {
         const Course course = benchmarks::courseOf(fromSeed.value().tree, thorax);
         printReasons(course);
