@@ -13,6 +13,11 @@ namespace {
 constexpr std::size_t binCount = 300;
 constexpr int coarseStep = 3;   ///< voxels between two looked at, along each axis
 constexpr double airHu = -500.0;   ///< values below this: a CT in HU
+constexpr double wholeAirHu = -1000.0;
+constexpr double darkHu = -20.0;   ///< fat lies below; counts from 0 have nothing there but noise around air
+constexpr double darkShare = 0.001;   ///< of the voxels
+constexpr double denseHu = 800.0;   ///< bone and metal; of HU moved by some 1000 so that air is 0, the whole body
+constexpr double mostDenseShare = 0.2;   ///< of the voxels
 constexpr double leastContrastHu = 150.0;   ///< of blood to tissue in CT; less is an organ or the marrow of bone
 constexpr double leastContrastShare = 0.15;   ///< without HU: of the way from tissue to dense bone, some 1000 HU
 constexpr double leastBloodMl = 0.03;
@@ -78,9 +83,21 @@ private:
 };
 
 struct Range {
-    double low = 0.0;
+    double low = 0.0;   ///< in HU that of air, also where none was left in the scan
     double high = 0.0;   ///< all but a few per thousand lie below
+    bool isHu = false;
 };
+
+/// Whether the values are Hounsfield units: there is air, or in a scan cropped without any there is fat, and little is
+/// as dense as all of the body would be if the values were HU moved above 0.
+bool showsHu(std::vector<float>& values, double low)
+{
+    const auto dark = values.begin() + static_cast<std::ptrdiff_t>(darkShare * static_cast<double>(values.size()));
+    std::nth_element(values.begin(), dark, values.end());
+    const auto dense = std::count_if(values.begin(), values.end(), [](float value) { return value > denseHu; });
+    return low < airHu ||
+           (*dark < darkHu && static_cast<double>(dense) < mostDenseShare * static_cast<double>(values.size()));
+}
 
 Range rangeOf(const Reader& reader)
 {
@@ -92,7 +109,9 @@ Range rangeOf(const Reader& reader)
     const auto top = values.begin() + static_cast<std::ptrdiff_t>(0.998 * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), top, values.end());
     const double high = *top;
-    return {*std::min_element(values.begin(), values.end()), high};
+    const double low = *std::min_element(values.begin(), values.end());
+    const bool isHu = showsHu(values, low);
+    return {isHu ? std::min(low, wholeAirHu) : low, high, isHu};
 }
 
 /// Of the voxels above a value, with every `step`-th along each axis.
@@ -230,7 +249,7 @@ Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, 
     if (!(range.high > range.low)) {
         return Error{"The volume is of one value: there is nothing to trace. Choose another series or file."};
     }
-    const bool isHu = range.low < airHu;
+    const bool isHu = range.isHu;
     BloodLevel level;
     level.isHu = isHu;
     level.tissue = tissueValue(histogramOf(reader, range, range.low - 1.0, coarseStep), range, isHu);

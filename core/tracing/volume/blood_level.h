@@ -13,7 +13,7 @@ struct BloodLevel {
     double tissue = 0.0;   ///< of what surrounds the vessels
     double blood = 1.0;   ///< of contrast-filled lumen where it is wide
     double threshold = 0.5;   ///< half way: there lies the wall, unmoved by blurring
-    bool isHu = false;   ///< Hounsfield units: there is air in the scan
+    bool isHu = false;   ///< Hounsfield units: there is air in the scan, or fat and no body of greater values
 
     double contrast() const { return blood - tissue; }
 };

@@ -39,4 +39,25 @@ TEST(ScanUnits, OtherThanHounsfieldAreWarnedAbout)
     EXPECT_TRUE(warnsOfUnits(moved, {.seedsInPatient = {traced.value().tree.branches.front().pointsInPatient[10]}}));
 }
 
+TEST(ScanUnits, HounsfieldAreKnownWithoutAir)
+{
+    core::Volume scan = scanMovedBy(0);
+    const auto whole = core::traceVessels(scan);
+    std::ranges::transform(scan.voxels, scan.voxels.begin(),
+                           [](std::int16_t value) { return value < -300 ? std::int16_t{-100} : value; });
+    ASSERT_GT(*std::ranges::min_element(scan.voxels), -500);
+    EXPECT_FALSE(warnsOfUnits(scan));
+    const auto airless = core::traceVessels(scan);
+    ASSERT_TRUE(whole && airless);
+    EXPECT_NEAR(airless.value().threshold, whole.value().threshold, 10.0);
+    EXPECT_EQ(airless.value().tree.branches.size(), whole.value().tree.branches.size());
+}
+
+TEST(ScanUnits, NoiseAroundAirThatCountsAsZeroIsNoFat)
+{
+    const core::Volume scan = scanMovedBy(1000);
+    ASSERT_LT(*std::ranges::min_element(scan.voxels), -20);
+    EXPECT_TRUE(warnsOfUnits(scan));
+}
+
 }   // namespace
