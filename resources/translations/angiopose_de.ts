@@ -4336,6 +4336,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>vessel trees are written as .vtp, .csv, .swc or .mrk.json. Change the extension.</source>
         <translation>Gefäßbäume werden als .vtp, .csv, .swc oder .mrk.json geschrieben. Die Endung ändern.</translation>
     </message>
+    <message>
+        <source>A wide vessel that was not traced runs beside the traced ones for %1 cm: the other lumen, if the aorta is torn. Place a seed in each lumen to trace both.</source>
+        <translation>Ein weites Gefäß, das nicht erfasst wurde, läuft %1 cm weit neben den erfassten: bei einer eingerissenen Aorta das andere Lumen. In jedes Lumen einen Startpunkt setzen, um beide zu erfassen.</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

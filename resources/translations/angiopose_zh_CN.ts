@@ -4336,6 +4336,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>vessel trees are written as .vtp, .csv, .swc or .mrk.json. Change the extension.</source>
         <translation>血管树可写为 .vtp、.csv、.swc 或 .mrk.json。请更改扩展名。</translation>
     </message>
+    <message>
+        <source>A wide vessel that was not traced runs beside the traced ones for %1 cm: the other lumen, if the aorta is torn. Place a seed in each lumen to trace both.</source>
+        <translation>一条未提取的粗血管与已提取的血管并行 %1 cm：若主动脉存在夹层，它就是另一个腔。要提取两个腔，请在每个腔中各放置一个种子点。</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

@@ -6,11 +6,12 @@
 #include "core/tracing/volume/axis_order.h"
 #include "core/tracing/volume/blood_level.h"
 #include "core/tracing/volume/chosen_lumen.h"
-#include "core/tracing/volume/chosen_pieces.h"
 #include "core/tracing/volume/fill_cavities.h"
 #include "core/tracing/volume/find_great_vessels.h"
+#include "core/tracing/volume/other_lumen.h"
 #include "core/tracing/volume/segment_lumen.h"
 #include "core/tracing/volume/tracing_progress.h"
+#include "core/tracing/volume/tracing_warnings.h"
 
 #include <algorithm>
 #include <limits>
@@ -23,6 +24,7 @@ namespace {
 constexpr int holeRounds = 4;
 constexpr double leastFilledRadius = 1.5;   ///< voxels; the axis of a thinner vessel is dark by blurring
 constexpr double leastAxisFill = 0.65;   ///< of the blood, half way along all axes
+constexpr double leastBesideMm = 80.0;   ///< of another great vessel; pulmonary arteries have less than half
 constexpr double leastHoleFill = 0.4;   ///< share of blood around a voxel that is dark by noise
 
 /// The set voxels in patient axis order.
@@ -70,38 +72,6 @@ std::string problemWith(const VolumeGeometry& geometry, std::size_t voxels)
         return "The volume has no valid voxel spacing. Give the spacing in mm, or export the volume again.";
     }
     return {};
-}
-
-std::string loopWarning(int loops)
-{
-    return loops == 1 ? "1 loop was opened at the thinnest place: look there for vessels that only touch."
-                      : std::to_string(loops) +
-                            " loops were opened at their thinnest places: look there for vessels that only touch.";
-}
-
-constexpr std::string_view unitWarning =
-    "Nothing in the scan is as dark as air in Hounsfield units: if its values are others, bone cannot be told from "
-    "blood for sure. Look for bone among the vessels, or export the scan in Hounsfield units.";
-
-std::string dimWarning(int parts)
-{
-    return parts == 1
-               ? "A part less bright than the vessels was left out, as veins and organs are. Place a seed in it if it "
-                 "belongs to the tree."
-               : std::to_string(parts) +
-                     " parts less bright than the vessels were left out, as veins and organs are. Place seeds in "
-                     "those that belong to the tree.";
-}
-
-/// Where tracing began without a seed.
-std::string startWarning(const std::optional<Eigen::Vector3d>& foundStart)
-{
-    if (!foundStart) {
-        return "No seed was placed, and nothing is like a great vessel: the largest piece was traced. Place a seed in "
-               "the vessels if it is not them.";
-    }
-    return "No seed was placed: the great vessel at " + placeText(*foundStart) +
-           " mm (LPS) was found and traced. Place a seed in another vessel if it is the wrong one.";
 }
 
 Result<TracedVessels> treeOf(const ChosenLumen& chosen, const BloodFill& fill, const VolumeGeometry& stored,
@@ -275,8 +245,11 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
     }
     TracedVessels vessels = std::move(traced).value();
     vessels.threshold = level.value().threshold;
+    if (const double besideMm = besideLumenMm(lumen.lumen, great); besideMm >= leastBesideMm) {
+        vessels.warnings.push_back(besideWarning(besideMm));
+    }
     if (!level.value().isHu) {
-        vessels.warnings.emplace_back(unitWarning);
+        vessels.warnings.push_back(unitWarning());
     }
     if (!options.seedsInPatient.empty()) {
         return vessels;
