@@ -114,7 +114,8 @@ void printFrames(int count, const std::string& only)
 core::ResultTable scanTable()
 {
     core::ResultTable table;
-    table.columns = {"thoracic CTA", "inside masks", "as bright", "other", "masks covered", "branches", "length mm"};
+    table.columns = {"thoracic CTA",     "inside masks",  "as bright", "other",
+                     "inside of judged", "masks covered", "branches",  "length mm"};
     return table;
 }
 
@@ -123,14 +124,15 @@ void addRow(core::ResultTable& table, const std::string& name, const benchmarks:
 {
     const auto traced = core::traceVessels(scan, options);
     if (!traced) {
-        table.rows.push_back({{name + ": " + traced.error().message, "", "", "", "", "", ""}, false});
+        table.rows.push_back({{name + ": " + traced.error().message, "", "", "", "", "", "", ""}, false});
         return;
     }
     const core::VesselTree& tree = traced.value().tree;
     const benchmarks::Course course = benchmarks::courseOf(tree, thorax, &scan.geometry);
     table.rows.push_back(
         {{name, fixedText(course.inside, 3), fixedText(course.outsideArterial, 3), fixedText(course.outsideOther, 3),
-          fixedText(course.covered, 3), std::to_string(tree.branches.size()), fixedText(course.lengthMm, 0)},
+          fixedText(course.insideOfJudged, 3), fixedText(course.covered, 3), std::to_string(tree.branches.size()),
+          fixedText(course.lengthMm, 0)},
          false});
 }
 

@@ -138,6 +138,10 @@ std::vector<ScanChange> scanChanges()
          [](V v) {
              return withSpacing(v, {0.75, 0.75, 0.75});
          }},
+        {"voxels of 2 mm",
+         [](V v) {
+             return withSpacing(v, {2.0, 2.0, 2.0});
+         }},
         {"upper 3/4",
          [](V v) {
              return cropped(v, {0.0, 0.0, 0.25}, Eigen::Array3d::Ones());

@@ -13,24 +13,12 @@ constexpr double farMm = 7.0;
 /// Of blood at that distance, over wires, by volume; beyond the ends of a thin stent 0.2.
 constexpr double leastShare = 0.35;
 
-VoxelBox boxAround(const VoxelPiece& piece, const VolumeGeometry& grid)
-{
-    VoxelBox box{grid.size, Eigen::Vector3i::Zero()};
-    for (const std::uint32_t voxel : piece) {
-        const Eigen::Vector3i at = grid.voxelAt(voxel);
-        box.low = box.low.cwiseMin(at);
-        box.high = box.high.cwiseMax((at.array() + 1).matrix());
-    }
-    const Eigen::Vector3i reach = (farMm / grid.spacingMm.array()).ceil().cast<int>();
-    return {(box.low - reach).cwiseMax(0), (box.high + reach).cwiseMin(grid.size)};
-}
-
 }   // namespace
 
 bool isWideStent(const VoxelPiece& wires, const VoxelMask& flags, std::uint8_t core, int threads,
                  TracingProgress& progress)
 {
-    const VoxelBox box = boxAround(wires, flags.geometry);
+    const VoxelBox box = boxAround(wires, flags.geometry, farMm);
     VoxelMask others(cropped(flags.geometry, box), 1);
     for (const std::uint32_t voxel : wires) {
         const Eigen::Vector3i at = flags.geometry.voxelAt(voxel) - box.low;

@@ -41,18 +41,14 @@ struct Contact {
     }
 };
 
-VoxelBox boxAround(const std::vector<VoxelPiece>& pieces, const VolumeGeometry& grid)
+VoxelBox boxAroundAll(const std::vector<VoxelPiece>& pieces, const VolumeGeometry& grid)
 {
-    VoxelBox box{grid.size, Eigen::Vector3i::Zero()};
+    VoxelBox all{grid.size, Eigen::Vector3i::Zero()};
     for (const VoxelPiece& piece : pieces) {
-        for (const std::uint32_t voxel : piece) {
-            const Eigen::Vector3i at = grid.voxelAt(voxel);
-            box.low = box.low.cwiseMin(at);
-            box.high = box.high.cwiseMax((at.array() + 1).matrix());
-        }
+        const VoxelBox box = boxAround(piece, grid, besideMm);
+        all = {all.low.cwiseMin(box.low), all.high.cwiseMax(box.high)};
     }
-    const Eigen::Vector3i reach = (besideMm / grid.spacingMm.array()).ceil().cast<int>();
-    return {(box.low - reach).cwiseMax(0), (box.high + reach).cwiseMin(grid.size)};
+    return all;
 }
 
 /// Grows the pieces of the lumen around stents.
@@ -62,7 +58,7 @@ public:
         : lumen_(lumen),
           isBeside_(wires.isBeside),
           fill_(fill),
-          box_(boxAround(wires.pieces, lumen.geometry)),
+          box_(boxAroundAll(wires.pieces, lumen.geometry)),
           wires_(cropped(lumen.geometry, box_)),
           labels_(wires_.geometry)
     {

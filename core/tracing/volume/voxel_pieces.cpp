@@ -74,4 +74,16 @@ VoxelBox boxOf(const VoxelMask& mask)
     return box;
 }
 
+VoxelBox boxAround(const VoxelPiece& piece, const VolumeGeometry& grid, double aroundMm)
+{
+    VoxelBox box{grid.size, Eigen::Vector3i::Zero()};
+    for (const std::uint32_t voxel : piece) {
+        const Eigen::Vector3i at = grid.voxelAt(voxel);
+        box.low = box.low.cwiseMin(at);
+        box.high = box.high.cwiseMax((at.array() + 1).matrix());
+    }
+    const Eigen::Vector3i reach = (aroundMm / grid.spacingMm.array()).ceil().cast<int>();
+    return {(box.low - reach).cwiseMax(0), (box.high + reach).cwiseMin(grid.size)};
+}
+
 }   // namespace core

@@ -17,4 +17,7 @@ std::vector<VoxelPiece> piecesOf(const VoxelMask& mask, std::size_t leastVoxels 
 /// The smallest box that holds everything set.
 VoxelBox boxOf(const VoxelMask& mask);
 
+/// That of a piece, with `aroundMm` to all sides as far as the grid goes.
+VoxelBox boxAround(const VoxelPiece& piece, const VolumeGeometry& grid, double aroundMm);
+
 }   // namespace core
