@@ -45,7 +45,7 @@ void widen(VoxelMask& mask)
 
 }   // namespace
 
-void markBrightPieces(VoxelMask& mask, double leastLargeMl, const BrightMarks& marks, const IsMetal& isMetal)
+void markBrightPieces(VoxelMask& mask, double leastLargeMl, const BrightMarks& marks, const MetalOf& metalOf)
 {
     for (std::uint8_t& voxel : mask.voxels) {
         voxel = voxel != 0 ? bright : 0;
@@ -63,9 +63,11 @@ void markBrightPieces(VoxelMask& mask, double leastLargeMl, const BrightMarks& m
         voxel = voxel == bright ? marks.small : std::uint8_t{0};
     }
     for (const VoxelPiece& piece : large) {
-        const std::uint8_t mark = isMetal && isMetal(piece) ? marks.metal : marks.large;
         for (const std::uint32_t voxel : piece) {
-            mask.voxels[voxel] = mark;
+            mask.voxels[voxel] = marks.large;
+        }
+        for (const std::uint32_t voxel : metalOf ? metalOf(piece) : VoxelPiece()) {
+            mask.voxels[voxel] = marks.metal;
         }
     }
 }

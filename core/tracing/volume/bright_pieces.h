@@ -16,11 +16,11 @@ struct BrightMarks {
     std::uint8_t metal = 32;   ///< large, but a stent
 };
 
-using IsMetal = std::function<bool(const VoxelPiece& piece)>;
+/// What of a large piece is metal.
+using MetalOf = std::function<VoxelPiece(const VoxelPiece& piece)>;
 
 /// Turns what is set into `marks`. What lies within some millimetres belongs to one piece: where voxels are fine, the
-/// wires of a stent and the beams of bone fall apart. Large pieces have `leastLargeMl` or more; those that `isMetal`
-/// agrees to are metal.
-void markBrightPieces(VoxelMask& mask, double leastLargeMl, const BrightMarks& marks, const IsMetal& isMetal = {});
+/// wires of a stent and the beams of bone fall apart. Large pieces have `leastLargeMl` or more.
+void markBrightPieces(VoxelMask& mask, double leastLargeMl, const BrightMarks& marks, const MetalOf& metalOf = {});
 
 }   // namespace core

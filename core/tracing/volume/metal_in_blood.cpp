@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace core {
 namespace {
@@ -11,6 +12,7 @@ namespace {
 constexpr double mostBoneHu = 2000.0;
 constexpr double mostBoneFill = 5.0;   ///< in scans without Hounsfield units
 constexpr double solidReachMm = 6.0;   ///< bright as far as this to all sides: no stent, blurred as it may be
+constexpr double aroundMetalMm = 2.0;   ///< from its brightest voxels, what they blur and the thinner wires between
 constexpr double besideMm = 3.0;   ///< beyond what the wires blur
 constexpr double brightFill = 1.6;
 constexpr double leastBesideFill = 0.7;
@@ -67,18 +69,8 @@ double mostBone(const BloodLevel& level)
     return level.isHu ? (mostBoneHu - level.tissue) / level.contrast() : mostBoneFill;
 }
 
-}   // namespace
-
-bool isMetalInBlood(const VoxelPiece& piece, const VolumeGeometry& grid, const BloodLevel& level, const VoxelFill& fill)
+bool isStent(const VoxelPiece& piece, const VolumeGeometry& grid, const VoxelFill& fill)
 {
-    const double leastMetal = mostBone(level);
-    const bool isMetal = std::ranges::any_of(piece, [&](std::uint32_t voxel) {
-        const Eigen::Vector3i at = grid.voxelAt(voxel);
-        return fill(at.x(), at.y(), at.z()) > leastMetal;
-    });
-    if (!isMetal) {
-        return false;
-    }
     Surroundings around(grid, fill);
     for (const std::uint32_t voxel : piece) {
         if (around.isSolidAt(grid.voxelAt(voxel))) {
@@ -87,6 +79,48 @@ bool isMetalInBlood(const VoxelPiece& piece, const VolumeGeometry& grid, const B
         around.countBeside(grid.voxelAt(voxel));
     }
     return around.isBlood() || isThinStent(piece, grid, fill);
+}
+
+/// The voxels of a piece that lie around `metal`.
+VoxelPiece partAround(const VoxelPiece& metal, const VoxelPiece& piece, const VolumeGeometry& grid)
+{
+    const VoxelBox box = boxAround(metal, grid, aroundMetalMm);
+    VoxelMask isNear(cropped(grid, box));
+    const Eigen::Vector3i reach = (aroundMetalMm / grid.spacingMm.array()).round().cast<int>().max(1);
+    for (const std::uint32_t voxel : metal) {
+        const Eigen::Vector3i at = grid.voxelAt(voxel) - box.low;
+        const Eigen::Vector3i low = (at - reach).cwiseMax(0);
+        const Eigen::Vector3i high = (at + reach).cwiseMin((isNear.geometry.size.array() - 1).matrix());
+        for (int k = low.z(); k <= high.z(); ++k) {
+            for (int j = low.y(); j <= high.y(); ++j) {
+                std::fill(&isNear.at(low.x(), j, k), &isNear.at(high.x(), j, k) + 1, std::uint8_t{1});
+            }
+        }
+    }
+    VoxelPiece part;
+    std::ranges::copy_if(piece, std::back_inserter(part), [&](std::uint32_t voxel) {
+        const Eigen::Vector3i at = grid.voxelAt(voxel) - box.low;
+        return isNear.geometry.contains(at) && isNear.at(at.x(), at.y(), at.z()) != 0;
+    });
+    return part;
+}
+
+}   // namespace
+
+VoxelPiece metalInBlood(const VoxelPiece& piece, const VolumeGeometry& grid, const BloodLevel& level,
+                        const VoxelFill& fill)
+{
+    const double leastMetal = mostBone(level);
+    VoxelPiece metal;
+    std::ranges::copy_if(piece, std::back_inserter(metal), [&](std::uint32_t voxel) {
+        const Eigen::Vector3i at = grid.voxelAt(voxel);
+        return fill(at.x(), at.y(), at.z()) > leastMetal;
+    });
+    if (metal.empty() || isStent(piece, grid, fill)) {
+        return metal.empty() ? VoxelPiece() : piece;
+    }
+    VoxelPiece part = partAround(metal, piece, grid);
+    return isStent(part, grid, fill) ? part : VoxelPiece();
 }
 
 }   // namespace core

@@ -7,10 +7,11 @@
 
 namespace core {
 
-/// Whether a piece that is brighter than blood is a stent: somewhere brighter than any bone, of thin wires, and with
+/// What of a piece that is brighter than blood is a stent: somewhere brighter than any bone, of thin wires, and with
 /// blood beside much of it or, where it is too thin for that, beyond both its ends. Wires in bone, electrodes on the
-/// skin, devices and dense contrast medium lack one of these.
-bool isMetalInBlood(const VoxelPiece& piece, const VolumeGeometry& grid, const BloodLevel& level,
-                    const VoxelFill& fill);
+/// skin, devices and dense contrast medium lack one of these. Where bone is so close that it is in the same piece, what
+/// lies around the brightest voxels alone. Empty when nothing is.
+VoxelPiece metalInBlood(const VoxelPiece& piece, const VolumeGeometry& grid, const BloodLevel& level,
+                        const VoxelFill& fill);
 
 }   // namespace core

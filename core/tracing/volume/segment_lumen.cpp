@@ -120,11 +120,11 @@ private:
             return;
         }
         markBrightPieces(flags_, mostBrightMl, {tooBright, chalk, metal}, [&](const VoxelPiece& piece) {
-            if (!isMetalInBlood(piece, order_.geometry, level_, fill())) {
-                return false;
+            VoxelPiece stent = metalInBlood(piece, order_.geometry, level_, fill());
+            if (!stent.empty()) {
+                stents_.push_back(stent);
             }
-            stents_.push_back(piece);
-            return true;
+            return stent;
         });
     }
 

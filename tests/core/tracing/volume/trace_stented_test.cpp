@@ -92,6 +92,18 @@ TEST(TraceStented, FindsBranchesThatLeaveBetweenTheWires)
     }
 }
 
+TEST(TraceStented, KnowsAStentThatLiesOnBone)
+{
+    for (const std::uint64_t seed : {6U, 8U}) {   // the wires are in one piece with a vertebra
+        const core::SimulatedCta cta = core::simulateCta(
+            seed, {.branchCount = 6, .rootRadiusMm = seed == 6 ? 7.5 : 10.0},
+            {.size = {160, 160, 160}, .spacingMm = {0.75, 0.75, 0.75}, .calcificationCount = 4, .hasStent = true});
+        const auto traced = core::traceVessels(cta.volume);
+        ASSERT_TRUE(traced) << traced.error().message;
+        EXPECT_GT(shareNear(cta.tree, traced.value().tree, 2.0), 0.9) << seed;
+    }
+}
+
 /// Wires that are as bright as metal in this scan, some two voxels thick.
 void addStent(Volume& volume, const core::VesselBranch& branch)
 {
