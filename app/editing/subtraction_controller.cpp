@@ -1,6 +1,7 @@
 #include "app/editing/subtraction_controller.h"
 
 #include "app/document/edit_case.h"
+#include "app/jobs/freed_elsewhere.h"
 #include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
 #include "ui/main_window.h"
@@ -28,7 +29,7 @@ core::Result<std::shared_ptr<const core::Angiogram>> make(const core::Angiogram&
             if (!run) {
                 return run.error();
             }
-            return std::make_shared<const core::Angiogram>(std::move(run).value());
+            return freedElsewhere(std::make_shared<const core::Angiogram>(std::move(run).value()));
         });
 }
 

@@ -1,5 +1,6 @@
 #include "app/jobs/load_job.h"
 
+#include "app/jobs/freed_elsewhere.h"
 #include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
 #include "app/jobs/publish_outcome.h"
@@ -37,7 +38,13 @@ void LoadJob::start(const QStringList& paths, const OpenHints& hints)
             shared->fraction = fraction;
             return shared->isStopWished ? core::Verdict::Stop : core::Verdict::Continue;
         };
-        return guarded<LoadedInputs>([&] { return readInputs(paths, hints, observe); });
+        return guarded<LoadedInputs>([&]() -> Outcome {
+            auto inputs = readInputs(paths, hints, observe);
+            if (!inputs) {
+                return inputs;
+            }
+            return freedElsewhere(std::move(inputs).value());
+        });
     }));
 }
 
