@@ -27,6 +27,12 @@ void PictureController::copy()
 void PictureController::askFile()
 {
     const QPixmap picture = window_.grab();   // before the dialog covers it
+    QMetaObject::invokeMethod(
+        this, [this, picture] { askFileFor(picture); }, Qt::QueuedConnection);
+}
+
+void PictureController::askFileFor(const QPixmap& picture)
+{
     const QString suggested = suggestedPath({}, QStringLiteral("angiopose.png"));
     auto* dialog = new QFileDialog(&window_, tr("Save picture of the window"), suggested, tr("PNG pictures (*.png)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);

@@ -2,6 +2,8 @@
 
 #include <QObject>
 
+class QPixmap;
+
 namespace ui {
 class MainWindow;
 }
@@ -17,6 +19,7 @@ public:
 private:
     void copy();
     void askFile();
+    void askFileFor(const QPixmap& picture);   ///< in an event of its own: either takes most of what one may take
 
     ui::MainWindow& window_;
 };
