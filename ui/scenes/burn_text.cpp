@@ -1,5 +1,6 @@
 #include "ui/scenes/burn_text.h"
 
+#include "ui/scenes/residual_scale.h"
 #include "ui/scenes/text_mask.h"
 #include "ui/theme/theme.h"
 
@@ -104,11 +105,11 @@ void burnScale(core::ColorImage& picture, const BurnScale& scale, const BurnSize
 
     const bool inMm = scale.maximumMm > 0.0;
     const double maximum = inMm ? scale.maximumMm : scale.maximumPx;
-    const int decimals = maximum < 10.0 ? 1 : 0;
+    const int decimals = residualScaleDecimals(maximum);
     const int right = bar.left - sizes.textPx / 2;
     drawLabel(picture, inMm ? "mm" : "px", right, bar.top - 5 * sizes.textPx / 2);
     drawLabel(picture, "> " + formatted(maximum, decimals, scale.decimalSign), right, bar.top - capHeight / 2 - 2);
-    drawLabel(picture, formatted(0.5 * maximum, decimals + 1, scale.decimalSign), right, bar.top + bar.height / 2);
+    drawLabel(picture, formatted(0.5 * maximum, decimals, scale.decimalSign), right, bar.top + bar.height / 2);
     drawLabel(picture, "0", right, bar.top + bar.height - sizes.textPx / 2);
 }
 

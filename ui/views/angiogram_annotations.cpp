@@ -1,5 +1,6 @@
 #include "ui/views/angiogram_annotations.h"
 
+#include "ui/scenes/residual_scale.h"
 #include "ui/views/corner_blocks.h"
 #include "ui/views/shadowed_text.h"
 #include "ui/words/core_texts.h"
@@ -133,8 +134,7 @@ void paintScale(QPainter& painter, const QRectF& bar, const AngiogramAnnotations
     const auto label = [&](double y, const QString& text, const Color& tone) {
         drawShadowedText(painter, QRectF(bar.left() - 64.0, y - 8.0, 58.0, 16.0), flags, text, colorOf(tone));
     };
-    const bool isFine = std::abs(5.0 * maximum - std::round(5.0 * maximum)) > 1e-6;   // its half needs another digit
-    const int decimals = maximum >= 10.0 ? 0 : isFine ? 2 : 1;
+    const int decimals = residualScaleDecimals(maximum);
     label(bar.top() - 24.0, inMm ? QStringLiteral("mm") : QStringLiteral("px"), annotationTones().label);
     label(bar.top() - 6.0, QStringLiteral("> %1").arg(numberText(maximum, decimals)), annotationTones().text);
     label(bar.center().y(), numberText(0.5 * maximum, decimals), annotationTones().text);
