@@ -1,6 +1,7 @@
 #include "tests/benchmark/timed_application.h"
 
 #include <QAbstractButton>
+#include <QThread>
 
 #include <algorithm>
 #include <cstdio>
@@ -23,6 +24,14 @@ QString wordsOn(const QObject& receiver)
 {
     const auto* button = qobject_cast<const QAbstractButton*>(&receiver);
     return button ? QStringLiteral(" “%1”").arg(button->text()) : QString();
+}
+
+QString nameOf(const QObject& receiver, const QEvent& event)
+{
+    return QStringLiteral("%1 · event %2%3")
+        .arg(QLatin1String(receiver.metaObject()->className()))
+        .arg(event.type())
+        .arg(wordsOn(receiver));
 }
 
 /// Where a slow handler was, from the inside out: our own functions, and what the innermost was calling.
@@ -51,34 +60,48 @@ void printStack(const std::vector<std::string>& stack)
 
 bool TimedApplication::notify(QObject* receiver, QEvent* event)
 {
-    if (depth_ > 1 || !isWatching) {
+    if (!isWatching || QThread::currentThread() != thread()) {
         return QApplication::notify(receiver, event);
     }
-    const QString name = QStringLiteral("%1 · event %2%3")
-                             .arg(QLatin1String(receiver->metaObject()->className()))
-                             .arg(event->type())
-                             .arg(wordsOn(*receiver));
-    const double before = threadMs();
-    if (depth_ == 0) {
-        stackWatch_.begin();
+    const int loopLevel = thread()->loopLevel();
+    if (handlers_.empty() || loopLevel > handlers_.back().loopLevel) {
+        return handle(receiver, event, loopLevel);
     }
-    ++depth_;
+    Handler& handler = handlers_.back();
+    if (handler.isInside) {
+        return QApplication::notify(receiver, event);
+    }
+    const QString name = nameOf(*receiver, *event);
+    const double before = threadMs() - handler.awayMs;
+    handler.isInside = true;
     const bool accepted = QApplication::notify(receiver, event);
-    --depth_;
-    const double tookMs = threadMs() - before;
-    if (depth_ > 0) {
-        inner_[name] += tookMs;
-        return accepted;
-    }
-    ++handled;
-    if (tookMs > handlerLimitMs) {
-        note(name, tookMs);
-    }
-    inner_.clear();
+    handler.isInside = false;
+    handler.innerMs[name] += threadMs() - handler.awayMs - before;
     return accepted;
 }
 
-void TimedApplication::note(const QString& name, double tookMs)
+bool TimedApplication::handle(QObject* receiver, QEvent* event, int loopLevel)
+{
+    const QString name = nameOf(*receiver, *event);
+    const double before = threadMs();
+    handlers_.emplace_back().loopLevel = loopLevel;
+    stackWatch_.begin();
+    const bool accepted = QApplication::notify(receiver, event);
+    const Handler done = std::move(handlers_.back());
+    handlers_.pop_back();
+    const double allMs = threadMs() - before;
+    ++handled;
+    if (allMs - done.awayMs > handlerLimitMs) {
+        note(name, allMs - done.awayMs, done);
+    }
+    if (!handlers_.empty()) {
+        handlers_.back().awayMs += allMs;
+        stackWatch_.begin();
+    }
+    return accepted;
+}
+
+void TimedApplication::note(const QString& name, double tookMs, const Handler& handler)
 {
     Slow& slow = slowest_[name];
     ++slow.count;
@@ -86,7 +109,7 @@ void TimedApplication::note(const QString& name, double tookMs)
         slow.worstMs = tookMs;
         slow.stack = stackWatch_.end();
     }
-    for (const auto& [inner, ms] : inner_) {
+    for (const auto& [inner, ms] : handler.innerMs) {
         slow.innerMs[inner] += ms;
     }
 }
