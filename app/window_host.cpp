@@ -1,9 +1,12 @@
 #include "app/window_host.h"
 
+#include "ui/views/tree_view.h"
+
 namespace app {
 
 WindowHost::WindowHost() : controller_(window_)
 {
+    window_.treeView().warmUp();
     window_.show();
 }
 

@@ -1,6 +1,33 @@
 #include "ui/scenes/beam.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
 namespace ui {
+namespace {
+
+/// The parts of a line that can be seen. A view that is zoomed in has lines many thousands of px long.
+std::vector<StrokeLine> visibleParts(const StrokeLine& line, const BeamLook& look)
+{
+    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(16.0 * look.pixelScale);
+    return clipped(line, -margin, look.sizePx + margin);
+}
+
+/// Dashes from `line`'s begin on: they stay where they are when the view moves.
+std::vector<StrokeLine> visibleDashes(const StrokeLine& line, const DashPattern& pattern, const BeamLook& look)
+{
+    std::vector<StrokeLine> dashes;
+    for (StrokeLine& part : visibleParts(line, look)) {
+        const Eigen::Vector2d way = part.front().at - line.front().at;
+        const double sinceDashPx = std::fmod(way.norm(), pattern.drawnPx + pattern.gapPx);
+        part.front().at -= sinceDashPx * way.stableNormalized();
+        std::ranges::move(dashed(part, pattern), std::back_inserter(dashes));
+    }
+    return dashes;
+}
+
+}   // namespace
 
 Eigen::Matrix4d Beam::patientFromImagePlane() const
 {
@@ -38,12 +65,14 @@ void addBeamStrokes(StrokeMesh& mesh, const Beam& beam, const ScreenFromPatient&
     for (const Eigen::Vector3d& corner : beam.detectorCorners()) {
         const Eigen::Vector2d at = toScreen * corner;
         border.push_back({at, edge});
-        for (const StrokeLine& dash : dashed({{source, faint}, {at, faint}}, {3.0 * scale, 4.0 * scale})) {
+        for (const StrokeLine& dash : visibleDashes({{source, faint}, {at, faint}}, {3.0 * scale, 4.0 * scale}, look)) {
             addLine(mesh, dash, {1.0 * scale});
         }
     }
     border.push_back(border.front());
-    addLine(mesh, border, {1.2 * scale});
+    for (const StrokeLine& part : visibleParts(border, look)) {
+        addLine(mesh, part, {1.2 * scale});
+    }
     addLine(mesh, {{source, look.tones.attention}}, {9.0 * scale, 0.35, 9.0 * scale});
     addDot(mesh, {source, look.tones.attention}, 3.5 * scale, 1.0);
 }

@@ -27,10 +27,11 @@ struct Beam {
 
 struct BeamLook {
     Palette tones;
+    Eigen::Vector2d sizePx = Eigen::Vector2d::Zero();   ///< of the picture
     double pixelScale = 1.0;
 };
 
-/// Source dot, dashed beam edges, border of the detector.
+/// Source dot, dashed beam edges, border of the detector; of lines only what passes through the picture.
 void addBeamStrokes(StrokeMesh& mesh, const Beam& beam, const ScreenFromPatient& toScreen, const BeamLook& look);
 
 }   // namespace ui

@@ -1,16 +1,60 @@
 #include "ui/scenes/frame_quad.h"
 
 #include <vtkCellArray.h>
-#include <vtkFloatArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
 #include <utility>
 
 namespace ui {
+namespace {
+
+using Grey = core::Image2d<std::uint8_t>;
+
+/// Every 2 × 2 pixels become one; an odd last row or column counts twice.
+Grey halved(const Grey& grey)
+{
+    Grey half((grey.width + 1) / 2, (grey.height + 1) / 2);
+    auto mean = half.pixels.begin();
+    for (int y = 0; y < grey.height; y += 2) {
+        const int below = std::min(y + 1, grey.height - 1);
+        for (int x = 0; x < grey.width; x += 2) {
+            const int beside = std::min(x + 1, grey.width - 1);
+            const int sum = grey.at(x, y) + grey.at(beside, y) + grey.at(x, below) + grey.at(beside, below);
+            *mean++ = static_cast<std::uint8_t>((sum + 2) / 4);
+        }
+    }
+    return half;
+}
+
+/// How often to halve so that one pixel of the screen takes in at most two of the texture: else it would flicker.
+int halvingsFor(double devicePxPerImagePx)
+{
+    constexpr int most = 6;
+    return std::clamp(static_cast<int>(std::floor(-std::log2(devicePxPerImagePx))), 0, most);
+}
+
+/// Never a power of two, for which OpenGL would make another program.
+int textureSize(int sizePx)
+{
+    return std::has_single_bit(static_cast<unsigned>(sizePx)) ? sizePx + 1 : sizePx;
+}
+
+int halvedSize(int sizePx, int halvings)
+{
+    for (int i = 0; i < halvings; ++i) {
+        sizePx = (sizePx + 1) / 2;
+    }
+    return sizePx;
+}
+
+}   // namespace
 
 FrameQuad::FrameQuad()
 {
@@ -18,12 +62,9 @@ FrameQuad::FrameQuad()
     const vtkIdType corners[] = {0, 1, 2, 3};
     cells->InsertNextCell(4, corners);
     rectangle_->SetPolys(cells);
-    vtkNew<vtkFloatArray> coordinates;
-    coordinates->SetNumberOfComponents(2);
-    for (const auto& [s, t] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}) {
-        coordinates->InsertNextTuple2(s, t);
-    }
-    rectangle_->GetPointData()->SetTCoords(coordinates);
+    coordinates_->SetNumberOfComponents(2);
+    coordinates_->SetNumberOfTuples(4);
+    rectangle_->GetPointData()->SetTCoords(coordinates_);
 
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(rectangle_);
@@ -45,37 +86,52 @@ void FrameQuad::show(const GreyFrame& frame, double devicePxPerImagePx)
         actor_->VisibilityOff();
         return;
     }
-    showPicture(frame);
-    fitRectangle(frame.width(), frame.height());
-    texture_->SetMipmap(devicePxPerImagePx < 0.9);   // else it would flicker
+    const int halvings = halvingsFor(devicePxPerImagePx);
+    const bool isNew = std::exchange(shownRevision_, frame.revision()) != frame.revision();
+    if (std::exchange(shownHalvings_, halvings) != halvings || isNew) {
+        showPicture(frame, halvings);
+        fitRectangle(frame.width(), frame.height(), halvings);
+    }
     actor_->SetTexture(texture_);
     actor_->VisibilityOn();
 }
 
-void FrameQuad::showPicture(const GreyFrame& frame)
+void FrameQuad::showPicture(const GreyFrame& frame, int halvings)
 {
-    if (std::exchange(shownRevision_, frame.revision()) == frame.revision()) {
-        return;
+    Grey smaller;
+    for (int i = 0; i < halvings; ++i) {
+        smaller = halved(i == 0 ? frame.grey() : smaller);
     }
-    picture_->SetDimensions(frame.width(), frame.height(), 1);
+    const Grey& grey = halvings == 0 ? frame.grey() : smaller;
+    const int width = textureSize(grey.width);
+    const int height = textureSize(grey.height);
+    picture_->SetDimensions(width, height, 1);
     picture_->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-    std::ranges::copy(frame.grey().pixels, static_cast<std::uint8_t*>(picture_->GetScalarPointer()));
+    auto* texel = static_cast<std::uint8_t*>(picture_->GetScalarPointer());
+    for (int y = 0; y < height; ++y) {
+        const std::uint8_t* row = grey.pixels.data() + grey.index(0, std::min(y, grey.height - 1));
+        texel = std::copy_n(row, grey.width, texel);
+        texel = std::fill_n(texel, width - grey.width, row[grey.width - 1]);
+    }
     picture_->Modified();
 }
 
-void FrameQuad::fitRectangle(int width, int height)
+void FrameQuad::fitRectangle(int width, int height, int halvings)
 {
-    if (width_ == width && height_ == height) {
-        return;
-    }
-    width_ = width;
-    height_ = height;
-    const double right = width_ - 0.5;
-    const double bottom = height_ - 0.5;
+    const double right = width - 0.5;
+    const double bottom = height - 0.5;
+    const double step = std::exp2(halvings);
+    const double s = width / step / textureSize(halvedSize(width, halvings));
+    const double t = height / step / textureSize(halvedSize(height, halvings));
+    struct Corner {
+        double u, v, s, t;
+    };
     vtkNew<vtkPoints> points;
-    for (const auto& [u, v] : {std::pair{-0.5, -0.5}, {right, -0.5}, {right, bottom}, {-0.5, bottom}}) {
-        points->InsertNextPoint(u, v, 0.0);
+    for (const Corner& corner : std::array<Corner, 4>{
+             {{-0.5, -0.5, 0.0, 0.0}, {right, -0.5, s, 0.0}, {right, bottom, s, t}, {-0.5, bottom, 0.0, t}}}) {
+        coordinates_->SetTuple2(points->InsertNextPoint(corner.u, corner.v, 0.0), corner.s, corner.t);
     }
+    coordinates_->Modified();
     rectangle_->SetPoints(points);
 }
 

@@ -3,6 +3,7 @@
 #include "ui/scenes/grey_frame.h"
 
 #include <vtkActor.h>
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -10,7 +11,9 @@
 
 namespace ui {
 
-/// The frame as a textured rectangle from −0.5 to size − 0.5: pixel centres lie on integers.
+/// The frame as a textured rectangle from −0.5 to size − 0.5: pixel centres lie on integers. Whatever the frame and the
+/// zoom, OpenGL is asked for the same kind of texture: in software, every other kind means a program that takes longer
+/// to make than a picture may take to draw.
 class FrameQuad {
 public:
     FrameQuad();
@@ -18,16 +21,16 @@ public:
     vtkActor* actor() { return actor_; }
 
 private:
-    void showPicture(const GreyFrame& frame);
-    void fitRectangle(int width, int height);
+    void showPicture(const GreyFrame& frame, int halvings);
+    void fitRectangle(int width, int height, int halvings);
 
     vtkNew<vtkImageData> picture_;
     vtkNew<vtkPolyData> rectangle_;
     vtkNew<vtkTexture> texture_;
     vtkNew<vtkActor> actor_;
+    vtkNew<vtkFloatArray> coordinates_;
     std::uint64_t shownRevision_ = 0;
-    int width_ = 0;
-    int height_ = 0;
+    int shownHalvings_ = 0;
 };
 
 }   // namespace ui

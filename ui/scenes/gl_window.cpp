@@ -2,7 +2,11 @@
 
 #include <GL/glew.h>
 #include <vtkObjectFactory.h>
+#include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
+#include <vtkRect.h>
+
+#include <algorithm>
 
 namespace ui {
 namespace {
@@ -45,6 +49,28 @@ void GlWindow::takeOverState()
 {
     GetState()->Reset();
     GetState()->vtkglDepthFunc(GL_LEQUAL);   // lines of one layer lie at one depth: the later one wins
+}
+
+void GlWindow::readPicture(Canvas canvas)
+{
+    ReadPixels(vtkRecti(0, 0, canvas.width, canvas.height), 0, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, canvas.pixels, 0);
+    for (int top = 0, bottom = canvas.height - 1; top < bottom; ++top, --bottom) {   // OpenGL begins with the lowest
+        std::swap_ranges(canvas.row(top), canvas.row(top) + canvas.width, canvas.row(bottom));
+    }
+    std::uint32_t* pixels = canvas.pixels;
+    std::transform(pixels, pixels + canvas.pixelCount(), pixels, [](std::uint32_t pixel) {
+        return 0xFF000000U | pixel;   // as every canvas
+    });
+}
+
+void GlWindow::letGoOfOldBuffers()
+{
+    constexpr int scenesAtATime = 64;   // the most that Mesa knows
+    RenderFramebuffer->Bind();
+    for (int i = 0; i < scenesAtATime; ++i) {
+        glClear(GL_COLOR_BUFFER_BIT);
+        glFlush();
+    }
 }
 
 }   // namespace ui

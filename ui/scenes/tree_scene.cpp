@@ -71,6 +71,7 @@ struct TreeScene::Parts {
     Palette tones = palette(ThemeMode::Dark);
     double pixelScale = 1.0;
     bool isTreeStale = false;
+    bool isGreyStale = false;   // the range of grey values is that of another frame
     bool isViewStale = true;   // nothing was framed yet
     ViewExtent extent = ViewExtent::Everything;
     bool isTouched = false;   // turned, moved or zoomed since it was framed
@@ -109,7 +110,7 @@ double TreeScene::Parts::detectorScale() const
 StrokeMesh TreeScene::Parts::groundStrokes(const ScreenFromPatient& toScreen) const
 {
     StrokeMesh mesh;
-    addBeamStrokes(mesh, beam, toScreen, {tones, pixelScale});
+    addBeamStrokes(mesh, beam, toScreen, {tones, 2.0 * toScreen.centrePx, pixelScale});
     if (tree.branches.empty()) {
         return mesh;   // nothing to orient
     }
@@ -129,6 +130,9 @@ void TreeScene::Parts::update()
 {
     if (std::exchange(isTreeStale, false)) {
         tubes.show(tree, marks, tones);
+    }
+    if (std::exchange(isGreyStale, false)) {
+        frame.setRange(core::displayRange(frame.pixels()));
     }
     const auto back = tones.field.unit();
     ground->SetBackground(back[0], back[1], back[2]);
@@ -172,6 +176,10 @@ TreeScene::TreeScene() : parts_(std::make_unique<Parts>())
 TreeScene::~TreeScene()
 {
     parts_->ground->RemoveObserver(parts_->watch);
+    if (vtkRenderWindow* window = parts_->ground->GetRenderWindow()) {
+        window->RemoveRenderer(parts_->front);
+        window->RemoveRenderer(parts_->ground);
+    }
 }
 
 void TreeScene::setTree(const core::VesselTree& tree)
@@ -201,7 +209,7 @@ void TreeScene::setPose(const core::RigidTransform& cameraFromPatient)
 void TreeScene::setFrame(const core::ImageF& frame)
 {
     parts_->frame.setPixels(frame);
-    parts_->frame.setRange(core::displayRange(frame));
+    parts_->isGreyStale = true;
 }
 
 void TreeScene::setMarks(const BranchMarks& marks)

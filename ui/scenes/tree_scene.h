@@ -28,7 +28,8 @@ struct TreePick {
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();
 };
 
-/// Tree, source, detector plane with the image, and beam, in patient space. VTK without Qt; shows in one window.
+/// Tree, source, detector plane with the image, and beam, in patient space. VTK without Qt; shows in one window, while
+/// it lives.
 class TreeScene {
 public:
     TreeScene();
@@ -43,7 +44,7 @@ public:
     void setMarks(const BranchMarks& marks);
     void setTones(const Palette& tones);
     void setPixelScale(double devicePxPerPx);   ///< line widths and the orientation sign grow with it
-    void attachTo(vtkRenderWindow* window);
+    void attachTo(vtkRenderWindow* window);   ///< once
 
     /// Looks along the beam from the side, source above: everything in view; where it is so already, the vessels alone.
     void nextView();

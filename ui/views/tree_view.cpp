@@ -44,6 +44,24 @@ TreeView::TreeView(QWidget* parent) : VtkView(parent)
 
 TreeView::~TreeView() = default;
 
+void TreeView::warmUp()
+{
+    TreeScene rehearsal;
+    rehearsal.attachTo(renderWindow());
+    core::VesselTree tree;
+    tree.branches.emplace_back();
+    tree.branches.front().pointsInPatient = {{0.0, 0.0, -10.0}, {0.0, 0.0, 10.0}};
+    tree.branches.front().radiusMm = {1.0, 1.0};
+    rehearsal.setTree(tree);
+    constexpr int size = 9;
+    rehearsal.setCamera({100.0, 100.0, 4.0, 4.0, size, size}, 1000.0);
+    core::RigidTransform cameraFromPatient;
+    cameraFromPatient.translation.z() = 750.0;
+    rehearsal.setPose(cameraFromPatient);
+    rehearsal.setFrame(core::ImageF(size, size, 1.0F));
+    rehearse();
+}
+
 void TreeView::setTheme(ThemeMode mode)
 {
     theme_ = mode;

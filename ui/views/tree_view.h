@@ -16,6 +16,10 @@ public:
     explicit TreeView(QWidget* parent = nullptr);
     ~TreeView() override;
 
+    /// Draws every kind of thing once, for nobody to see: in software, OpenGL takes 50 ms to make the program of each.
+    /// Better before there is a window than while somebody works in it.
+    void warmUp();
+
     TreeScene& scene() { return scene_; }   ///< call requestRender() after changing it
     void setTheme(ThemeMode mode);
     void nextView();   ///< everything, the vessels alone

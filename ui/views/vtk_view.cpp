@@ -4,11 +4,15 @@
 #include "ui/views/offscreen_context.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
 #include <vtkNew.h>
-#include <vtkUnsignedCharArray.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
 #include <QElapsedTimer>
 #include <QPainter>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 
 namespace ui {
@@ -16,8 +20,28 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int settledSamples = 4;
 constexpr int frameMs = 16;
+
+/// Where the pictures of a view at rest are taken, in px: one per quarter of a pixel, on four rows and columns.
+const std::array<QPointF, 4> settledShiftsPx{{{-0.125, -0.375}, {0.375, -0.125}, {0.125, 0.375}, {-0.375, 0.125}}};
+
+/// The mean of two pictures of the same size.
+void blendInto(QImage& picture, const QImage& other)
+{
+    std::uint8_t* bytes = picture.bits();
+    std::transform(bytes, bytes + picture.sizeInBytes(), other.constBits(), bytes,
+                   [](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>((a + b + 1) / 2); });
+}
+
+void movePicture(vtkRenderWindow& window, const QPointF& shiftPx)
+{
+    const int* size = window.GetSize();
+    vtkRendererCollection* renderers = window.GetRenderers();
+    for (int i = 0; i < renderers->GetNumberOfItems(); ++i) {
+        auto* renderer = static_cast<vtkRenderer*>(renderers->GetItemAsObject(i));
+        renderer->GetActiveCamera()->SetWindowCenter(2.0 * shiftPx.x() / size[0], 2.0 * shiftPx.y() / size[1]);
+    }
+}
 
 }   // namespace
 
@@ -26,6 +50,7 @@ struct VtkView::Glue {
     vtkNew<GlWindow> window;
     enum class State { Untried, Ready, Missing } state = State::Untried;
     int lastRenderMs = 0;
+    qint64 largestPx = 0;   // of all pictures so far: OpenGL may still hold its buffers
 
     void observe(unsigned long event, void (*reaction)(vtkObject*, unsigned long, void*, void*))
     {
@@ -33,6 +58,20 @@ struct VtkView::Glue {
         command->SetCallback(reaction);
         command->SetClientData(&context);
         window->AddObserver(event, command);
+    }
+
+    qint64 sizePx() const
+    {
+        const int* size = window->GetSize();
+        return qint64{size[0]} * size[1];
+    }
+
+    void letGoOfLargerBuffers()
+    {
+        if (largestPx > sizePx() && context.makeCurrent()) {
+            window->letGoOfOldBuffers();
+            context.doneCurrent();
+        }
     }
 };
 
@@ -51,18 +90,12 @@ VtkView::VtkView(QWidget* parent) : QWidget(parent), glue_(std::make_unique<Glue
     renderTimer_.setSingleShot(true);
     connect(&renderTimer_, &QTimer::timeout, this, [this] {
         if (isVisible()) {
-            render(Quality::Draft);
+            drawDraft();
             update();
         }
     });
     settleTimer_.setSingleShot(true);
-    settleTimer_.setInterval(250ms);
-    connect(&settleTimer_, &QTimer::timeout, this, [this] {
-        if (isVisible()) {
-            render(Quality::Settled);
-            update();
-        }
-    });
+    connect(&settleTimer_, &QTimer::timeout, this, &VtkView::settle);
 }
 
 VtkView::~VtkView()
@@ -109,7 +142,14 @@ bool VtkView::prepareContext()
     return glue_->state == Glue::State::Ready && glue_->context.makeCurrent();
 }
 
-void VtkView::render(Quality quality)
+void VtkView::rehearse()
+{
+    if (prepareContext()) {
+        (void)drawn({});
+    }
+}
+
+void VtkView::drawDraft()
 {
     renderTimer_.stop();
     if (!prepareContext()) {
@@ -117,30 +157,56 @@ void VtkView::render(Quality quality)
     }
     QElapsedTimer timer;
     timer.start();
+    picture_ = drawn({});
+    ++renderCount_;
+    glue_->lastRenderMs = static_cast<int>(timer.elapsed());
+    passes_.clear();
+    settleTimer_.start(250ms);
+}
+
+/// One step: the next picture, and with the last one the mean of all.
+void VtkView::settle()
+{
+    if (!isVisible() || renderTimer_.isActive() || picture_.size() != deviceSize() || !prepareContext()) {
+        passes_.clear();   // the next draft begins anew
+        return;
+    }
+    passes_.push_back(drawn(settledShiftsPx[passes_.size()]));
+    if (passes_.size() % 2 == 0) {
+        blendInto(passes_[passes_.size() - 2], passes_.back());
+    }
+    if (passes_.size() < settledShiftsPx.size()) {
+        settleTimer_.start(0ms);
+        return;
+    }
+    glue_->letGoOfLargerBuffers();
+    blendInto(passes_[0], passes_[2]);
+    picture_ = passes_[0];
+    passes_.clear();
+    ++renderCount_;
+    update();
+}
+
+QImage VtkView::drawn(const QPointF& shiftPx)
+{
     const QSize device = deviceSize();
     glue_->window->SetSize(device.width(), device.height());
-    glue_->window->SetMultiSamples(quality == Quality::Settled ? settledSamples : 0);
+    glue_->largestPx = std::max(glue_->largestPx, glue_->sizePx());
     prepareFrame();
+    movePicture(*glue_->window, shiftPx);
     glue_->window->takeOverState();
     glue_->window->Render();
-    vtkNew<vtkUnsignedCharArray> pixels;
-    glue_->window->GetPixelData(0, 0, device.width() - 1, device.height() - 1, 1, pixels, 0);
+    QImage picture(device, QImage::Format_RGB32);
+    glue_->window->readPicture({reinterpret_cast<std::uint32_t*>(picture.bits()), device.width(), device.height()});
+    movePicture(*glue_->window, {});
     glue_->context.doneCurrent();
-    picture_ = QImage(pixels->GetPointer(0), device.width(), device.height(), qsizetype{3} * device.width(),
-                      QImage::Format_RGB888)
-                   .mirrored()   // OpenGL counts rows from the bottom
-                   .convertToFormat(QImage::Format_RGB32);
-    ++renderCount_;
-    if (quality == Quality::Draft) {
-        glue_->lastRenderMs = static_cast<int>(timer.elapsed());
-        settleTimer_.start();
-    }
+    return picture;
 }
 
 void VtkView::paintEvent(QPaintEvent*)
 {
     if (picture_.isNull()) {
-        render(Quality::Draft);
+        drawDraft();
     }
     QPainter painter(this);
     if (picture_.isNull()) {

@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <vector>
 
 class QPainter;
 class vtkRenderWindow;
@@ -13,8 +14,9 @@ namespace ui {
 
 /// A VTK render window shown by a plain widget: VTK draws off screen, the widget paints the picture. A window without
 /// any OpenGL widget needs no composition of its own, which costs a frame's whole time without a graphics card.
-/// Redraws are asked for with requestRender() and happen once, after what the user waits for more urgently; edges are
-/// smoothed when the view comes to rest (multisampling takes most of a frame's time in software).
+/// Redraws are asked for with requestRender() and happen once, after what the user waits for more urgently. Edges are
+/// smoothed when the view comes to rest, in several short steps that any change ends: pictures moved by parts of a
+/// pixel are averaged.
 class VtkView : public QWidget {
     Q_OBJECT
 public:
@@ -34,20 +36,25 @@ protected:
     /// Called in every redraw on top of what VTK drew, in device-independent pixels.
     virtual void paintAnnotations(QPainter& painter);
 
+    /// Renders once, for nobody to see.
+    void rehearse();
+
     void paintEvent(QPaintEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
     struct Glue;
-    enum class Quality { Draft, Settled };
     bool prepareContext();
-    void render(Quality quality);
+    void drawDraft();
+    void settle();
+    QImage drawn(const QPointF& shiftPx);
     void paintExcuse(QPainter& painter);
 
     std::unique_ptr<Glue> glue_;
     QTimer renderTimer_;
     QTimer settleTimer_;
     QImage picture_;
+    std::vector<QImage> passes_;   ///< of the view at rest, so far
     int renderCount_ = 0;
 };
 

@@ -7,6 +7,9 @@
 #include <QTest>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <set>
+
 namespace {
 
 constexpr int patienceMs = 20000;
@@ -134,6 +137,85 @@ TEST_F(TreeViewTest, ShowsTheWholeTreeInAnyShapeUntilItIsTurnedByHand)
     settle();
     const double turned = (endPx() - view_->scene().deviceFromPatient({-60.0, 0.0, 0.0})).norm();
     EXPECT_LT(turned, 0.9 * inWide) << "what was turned by hand is not framed anew";
+}
+
+TEST_F(TreeViewTest, ShowsTheImageOnTheDetectorTheRightWayRoundAtAnySize)
+{
+    core::RigidTransform pose;
+    pose.translation = {0.0, 0.0, 750.0};
+    for (const int size : {5, 301, 512, 2048}) {
+        const double focalPx = 5.0 * size;
+        const double centrePx = 0.5 * (size - 1);
+        view_->scene().setCamera({-focalPx, focalPx, centrePx, centrePx, size, size}, 1000.0);
+        view_->scene().setPose(pose);
+        core::ImageF frame(size, size);
+        const int half = size / 2;
+        for (int v = 0; v < size; ++v) {
+            for (int u = 0; u < size; ++u) {
+                const float shade = 100.0F * static_cast<float>(u + v) / static_cast<float>(size);
+                frame.at(u, v) = shade + (u < half && v < half ? 1000.0F : 0.0F);
+            }
+        }
+        view_->scene().setFrame(frame);
+        view_->requestRender();
+        settle();
+        const QImage picture = view_->grab().toImage();
+        const auto greyAt = [&](double across, double down) {   // shares of the image
+            const Eigen::Vector3d inPatient((across * size - 0.5 - centrePx) * 1000.0 / -focalPx,
+                                            (down * size - 0.5 - centrePx) * 1000.0 / focalPx, 250.0);
+            const Eigen::Vector2d px = view_->scene().deviceFromPatient(inPatient);
+            return qGray(picture.pixel(static_cast<int>(px.x()), picture.height() - 1 - static_cast<int>(px.y())));
+        };
+        const double near = 0.5 * half / size;
+        for (const auto& [across, down] :
+             {std::pair{0.7, near}, {near, 0.8}, {0.7, 0.8}}) {   // beside the beam's edges
+            EXPECT_GT(greyAt(near, near), greyAt(across, down) + 50) << size << ": " << across << ", " << down;
+        }
+    }
+}
+
+TEST_F(TreeViewTest, EdgesAreSmoothAtRest)
+{
+    settle();
+    view_->scene().turnBy(0.0, 3.0);
+    const int before = view_->renderCount();
+    view_->requestRender();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view_->renderCount() > before; }, patienceMs));
+    const QImage draft = view_->grab().toImage();
+    settle();
+    const QImage atRest = view_->grab().toImage();
+    EXPECT_EQ(view_->renderCount(), before + 2);
+    const auto shades = [](const QImage& picture) {
+        std::set<QRgb> colors;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                colors.insert(picture.pixel(x, y));
+            }
+        }
+        return colors.size();
+    };
+    EXPECT_GT(static_cast<double>(shades(atRest)), 1.5 * static_cast<double>(shades(draft)));
+    EXPECT_NEAR(brightPixels(atRest), brightPixels(draft), 0.15 * brightPixels(draft)) << "nothing else changes";
+}
+
+TEST(TreeViewBeforeItIsShown, RehearsesWithoutATrace)
+{
+    const auto pictureOf = [](bool isWarm) {
+        ui::TreeView view;
+        view.resize(300, 300);
+        if (isWarm) {
+            view.warmUp();
+            EXPECT_EQ(view.renderCount(), 0);
+        }
+        view.scene().setTree(straightVessel());
+        view.show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&view));
+        EXPECT_TRUE(QTest::qWaitFor([&view] { return view.renderCount() >= 2; }, patienceMs));
+        return view.grab().toImage();
+    };
+    const QImage warm = pictureOf(true);
+    EXPECT_GT(brightPixels(warm), 200);
+    EXPECT_EQ(warm, pictureOf(false));
 }
 
 TEST_F(TreeViewTest, DrawsNothingWhileHidden)
