@@ -1,5 +1,6 @@
 #include "app/jobs/trace_job.h"
 
+#include "app/jobs/freed_elsewhere.h"
 #include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
 #include "app/jobs/publish_outcome.h"
@@ -18,8 +19,8 @@ core::Result<SharedTrace> trace(const TraceRequest& request)
         return traced.error();
     }
     core::AngiogramTrace found = std::move(traced).value();
-    return SharedTrace(std::make_shared<TracedFrame>(
-        TracedFrame{std::move(found.centerline), std::move(found.suspectCurves), std::move(found.fieldMask)}));
+    return freedElsewhere(SharedTrace(std::make_shared<TracedFrame>(
+        TracedFrame{std::move(found.centerline), std::move(found.suspectCurves), std::move(found.fieldMask)})));
 }
 
 }   // namespace
