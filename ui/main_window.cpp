@@ -231,11 +231,11 @@ void MainWindow::showAlone(std::optional<MovableView> view)
     }
     const bool comesBack = alone_ && !view;
     alone_ = view;
-    placeViews();
-    if (comesBack) {
+    if (comesBack) {   // first: what is hidden yet is not laid out for a width that it does not keep
         columns_->restoreState(columnsBefore_);
         leftSplitter_->restoreState(leftBefore_);
     }
+    placeViews();
 }
 
 void MainWindow::placeViews()
