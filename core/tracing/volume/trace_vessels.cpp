@@ -160,6 +160,21 @@ bool isFilled(const VesselTree& tree, const AxisOrder& order, const VoxelFill& f
     return medianOf(std::move(fills)) >= leastAxisFill;
 }
 
+bool isEmpty(const VoxelMask& mask)
+{
+    return std::ranges::none_of(mask.voxels, [](std::uint8_t voxel) { return voxel != 0; });
+}
+
+/// Where nobody placed a seed, it is told where tracing began.
+TracedVessels startedBy(TracedVessels vessels, const ChosenLumen& lumen, const std::vector<GreatVessel>& great)
+{
+    if (!lumen.startsInPatient.empty()) {
+        vessels.foundStart = great.front().middleInPatient();
+    }
+    vessels.warnings.insert(vessels.warnings.begin(), startWarning(vessels.foundStart));
+    return vessels;
+}
+
 /// A mask in patient axis order, taken as it is.
 Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, const VesselTracingOptions& options,
                                  TracingProgress& progress)
@@ -217,8 +232,7 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
     if (!progress.advance(0.0)) {
         return stoppedTracing();
     }
-    if (std::none_of(candidates.clear.voxels.begin(), candidates.clear.voxels.end(),
-                     [](std::uint8_t voxel) { return voxel != 0; })) {
+    if (isEmpty(candidates.clear)) {
         return noVesselsFound(level.value());
     }
     const VoxelFill fill = bloodShare(volume, order, level.value());
@@ -257,11 +271,7 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
     if (great.empty() && !options.threshold && !isFilled(vessels.tree, order, fill)) {
         return noVesselsFound(level.value());
     }
-    if (!lumen.startsInPatient.empty()) {
-        vessels.foundStart = great.front().middleInPatient();
-    }
-    vessels.warnings.insert(vessels.warnings.begin(), startWarning(vessels.foundStart));
-    return vessels;
+    return startedBy(std::move(vessels), lumen, great);
 }
 
 }   // namespace core
