@@ -1,7 +1,6 @@
 #include "core/tracing/volume/stented_lumen.h"
 
 #include "core/support/quantile.h"
-#include "core/tracing/volume/axis_order.h"
 #include "core/tracing/volume/distance_map.h"
 #include "core/tracing/volume/wide_basins.h"
 
@@ -22,7 +21,7 @@ constexpr double besideMm = 10.0;   ///< around an opening, to tell the blood by
 constexpr std::size_t leastInner = 12;   ///< voxels that tell it
 constexpr double mostDifference = 0.15;   ///< between blood of one vessel
 
-using Label = std::uint32_t;
+using Label = StentSite::Label;
 using Pair = std::pair<Label, Label>;
 
 /// Where two pieces meet.
@@ -41,33 +40,12 @@ struct Contact {
     }
 };
 
-VoxelBox boxAroundAll(const std::vector<VoxelPiece>& pieces, const VolumeGeometry& grid)
-{
-    VoxelBox all{grid.size, Eigen::Vector3i::Zero()};
-    for (const VoxelPiece& piece : pieces) {
-        const VoxelBox box = boxAround(piece, grid, besideMm);
-        all = {all.low.cwiseMin(box.low), all.high.cwiseMax(box.high)};
-    }
-    return all;
-}
-
 /// Grows the pieces of the lumen around stents.
 class Widening {
 public:
     Widening(const VoxelMask& lumen, const StentWires& wires, const VoxelFill& fill, TracingProgress& progress)
-        : lumen_(lumen),
-          isBeside_(wires.isBeside),
-          fill_(fill),
-          box_(boxAroundAll(wires.pieces, lumen.geometry)),
-          wires_(cropped(lumen.geometry, box_)),
-          labels_(wires_.geometry)
+        : site_(lumen, wires, fill, besideMm)
     {
-        for (const VoxelPiece& piece : wires.pieces) {
-            for (const std::uint32_t voxel : piece) {
-                const Eigen::Vector3i at = lumen.geometry.voxelAt(voxel) - box_.low;
-                wires_.at(at.x(), at.y(), at.z()) = 1;
-            }
-        }
         labelPieces(progress);
     }
 
@@ -76,9 +54,9 @@ public:
     {
         std::vector<Eigen::Vector3i> next;
         for (const Eigen::Vector3i& from : shore_) {
-            eachBeside(from, [&](const Eigen::Vector3i& to) {
-                if (labelAt(to) == 0 && leads(from, to) && !isParting(to, labelAt(from))) {
-                    take(to, labelAt(from));
+            site_.eachBeside(from, [&](const Eigen::Vector3i& to) {
+                if (site_.labelAt(to) == 0 && leads(from, to) && !isParting(to, site_.labelAt(from))) {
+                    take(to, site_.labelAt(from));
                     next.push_back(to);
                 }
             });
@@ -94,9 +72,9 @@ public:
             const Label vessel = vessels[pair.first];
             for (const Eigen::Vector3i& at : contact.places) {
                 bool isWithin = vessels[pair.second] == vessel;
-                eachLabelAround(
+                site_.eachLabelAround(
                     at, [&](Label its, const Eigen::Vector3i&) { isWithin = isWithin && vessels[its] == vessel; });
-                if (isWithin && labelAt(at) == 0) {
+                if (isWithin && site_.labelAt(at) == 0) {
                     take(at, pair.first);
                 }
             }
@@ -110,65 +88,24 @@ public:
     }
 
 private:
-    template <class Visit>
-    void eachBeside(const Eigen::Vector3i& at, const Visit& visit) const
-    {
-        for (int axis = 0; axis < 3; ++axis) {
-            for (const int step : {-1, 1}) {
-                const Eigen::Vector3i beside = at + step * Eigen::Vector3i::Unit(axis);
-                if (labels_.geometry.contains(beside)) {
-                    visit(beside);
-                }
-            }
-        }
-    }
-
-    /// Those of the places around that have one.
-    template <class Visit>
-    void eachLabelAround(const Eigen::Vector3i& at, const Visit& visit) const
-    {
-        for (int n = 0; n < 27; ++n) {
-            const Eigen::Vector3i beside = at + Eigen::Vector3i(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
-            if (labels_.geometry.contains(beside) && labelAt(beside) != 0) {
-                visit(labelAt(beside), beside);
-            }
-        }
-    }
-
-    std::uint8_t lumenAt(const Eigen::Vector3i& at) const
-    {
-        return lumen_.at(at.x() + box_.low.x(), at.y() + box_.low.y(), at.z() + box_.low.z());
-    }
-    double fillAt(const Eigen::Vector3i& at) const
-    {
-        return fill_(at.x() + box_.low.x(), at.y() + box_.low.y(), at.z() + box_.low.z());
-    }
-    bool isBeside(const Eigen::Vector3i& at) const
-    {
-        return isBeside_(at.x() + box_.low.x(), at.y() + box_.low.y(), at.z() + box_.low.z());
-    }
-    bool isWire(const Eigen::Vector3i& at) const { return wires_.at(at.x(), at.y(), at.z()) != 0; }
-    Label labelAt(const Eigen::Vector3i& at) const { return labels_.at(at.x(), at.y(), at.z()); }
-
     void take(const Eigen::Vector3i& at, Label label)
     {
-        const Eigen::Vector3i whole = at + box_.low;
-        taken_.push_back(static_cast<std::uint32_t>(lumen_.geometry.index(whole.x(), whole.y(), whole.z())));
-        labels_.at(at.x(), at.y(), at.z()) = label;
+        taken_.push_back(site_.inScan(at));
+        site_.labels.at(at.x(), at.y(), at.z()) = label;
     }
 
     /// What hangs together on ways about as wide as itself: a tear in a flap is narrow beside the lumens.
     void labelPieces(TracingProgress& progress)
     {
-        VoxelMask part(labels_.geometry);
+        VoxelMask part(site_.geometry());
         for (std::size_t voxel = 0; voxel < part.voxels.size(); ++voxel) {
-            part.voxels[voxel] = lumenAt(part.geometry.voxelAt(voxel)) != 0 ? 1 : 0;
+            part.voxels[voxel] = site_.lumenAt(part.geometry.voxelAt(voxel)) != 0 ? 1 : 0;
         }
         const DistanceMap distances = distanceMap(part, 1, progress);
-        labels_.voxels = wideBasins(distances, leastNeck);
+        site_.labels.voxels = wideBasins(distances, leastNeck);
         for (std::size_t voxel = 0; voxel < part.voxels.size(); ++voxel) {
             if (part.voxels[voxel] != 0) {
-                double& radiusMm = radiusMm_[labels_.voxels[voxel]];
+                double& radiusMm = radiusMm_[site_.labels.voxels[voxel]];
                 radiusMm = std::max(radiusMm, distances.mm(voxel));
                 shore_.push_back(part.geometry.voxelAt(voxel));
             }
@@ -178,19 +115,19 @@ private:
     /// Up to the crest of a wire, or between wires.
     bool leads(const Eigen::Vector3i& from, const Eigen::Vector3i& to) const
     {
-        const double fill = fillAt(to);
-        const bool isRising = isWire(to) && fill > fillAt(from);
-        return fill >= leastFill && (isRising || !isWire(from)) && isBeside(to);
+        const double fill = site_.fillAt(to);
+        const bool isRising = site_.isWire(to) && fill > site_.fillAt(from);
+        return fill >= leastFill && (isRising || !site_.isWire(from)) && site_.isBesideWires(to);
     }
 
     /// Whether it lies between different pieces; notes where they meet and where blood is seen there.
     bool isParting(const Eigen::Vector3i& at, Label label)
     {
-        const bool isBlood = !isWire(at) && fillAt(at) >= leastBlood;
+        const bool isBlood = !site_.isWire(at) && site_.fillAt(at) >= leastBlood;
         std::map<Label, bool> others;   // whether blood is seen on the way
-        eachLabelAround(at, [&](Label its, const Eigen::Vector3i& beside) {
+        site_.eachLabelAround(at, [&](Label its, const Eigen::Vector3i& beside) {
             if (its != label) {
-                others[its] = others[its] || (isBlood && !isWire(beside));
+                others[its] = others[its] || (isBlood && !site_.isWire(beside));
             }
         });
         for (const auto& [other, isOpen] : others) {
@@ -234,55 +171,24 @@ private:
     double spanMm(const Contact& contact) const
     {
         const VoxelBox box = contact.box();
-        return labels_.geometry.spacingMm.cwiseProduct((box.high - box.low).cast<double>()).norm();
+        return site_.geometry().spacingMm.cwiseProduct((box.high - box.low).cast<double>()).norm();
     }
 
     /// Or one of them is too thin to tell.
     bool isSameBlood(const Pair& pair, const Contact& contact) const
     {
         const VoxelBox box = contact.box();
-        const Eigen::Vector3i reach = (besideMm / labels_.geometry.spacingMm.array()).ceil().cast<int>();
-        const Fills first = fillsOf(pair.first, box.low - reach, box.high + reach);
-        const Fills second = fillsOf(pair.second, box.low - reach, box.high + reach);
+        const Eigen::Vector3i reach = (besideMm / site_.geometry().spacingMm.array()).ceil().cast<int>();
+        const VoxelBox around{box.low - reach, box.high + reach};
+        const StentSite::Fills first = site_.fillsOf(pair.first, around);
+        const StentSite::Fills second = site_.fillsOf(pair.second, around);
         if (first.inner.size() < leastInner || second.inner.size() < leastInner) {
             return std::min(quantile(first.all, 0.9), quantile(second.all, 0.9)) >= leastBlood;
         }
         return std::abs(medianOf(first.inner) - medianOf(second.inner)) <= mostDifference;
     }
 
-    struct Fills {
-        std::vector<double> all;
-        std::vector<double> inner;
-    };
-
-    Fills fillsOf(Label label, const Eigen::Vector3i& from, const Eigen::Vector3i& to) const
-    {
-        Fills fills;
-        const Eigen::Vector3i low = from.cwiseMax(0);
-        const Eigen::Vector3i high = to.cwiseMin((labels_.geometry.size.array() - 1).matrix());
-        for (int k = low.z(); k <= high.z(); ++k) {
-            for (int j = low.y(); j <= high.y(); ++j) {
-                for (int i = low.x(); i <= high.x(); ++i) {
-                    const Eigen::Vector3i at(i, j, k);
-                    if (labelAt(at) != label || isWire(at)) {
-                        continue;
-                    }
-                    fills.all.push_back(fillAt(at));
-                    if (lumenAt(at) > 1) {
-                        fills.inner.push_back(fills.all.back());
-                    }
-                }
-            }
-        }
-        return fills;
-    }
-
-    const VoxelMask& lumen_;
-    const std::function<bool(int, int, int)>& isBeside_;
-    const VoxelFill& fill_;
-    VoxelBox box_;   ///< around the stents; all places are counted from its low corner
-    VoxelMask wires_;
-    VoxelGrid<Label> labels_;   ///< of the pieces, 0 elsewhere
+    StentSite site_;   ///< labelled with the pieces
     std::vector<Eigen::Vector3i> shore_;   ///< what was taken last
     VoxelPiece taken_;   ///< in the whole scan
     std::map<Label, double> radiusMm_;   ///< of the pieces where they are widest

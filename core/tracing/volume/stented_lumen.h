@@ -1,20 +1,12 @@
 #pragma once
 
 #include "core/imaging/volume.h"
+#include "core/tracing/volume/stent_site.h"
 #include "core/tracing/volume/touching_vessels.h"
 #include "core/tracing/volume/tracing_progress.h"
 #include "core/tracing/volume/voxel_pieces.h"
 
-#include <functional>
-#include <vector>
-
 namespace core {
-
-/// The wires of stents in wide vessels.
-struct StentWires {
-    std::vector<VoxelPiece> pieces;
-    std::function<bool(int i, int j, int k)> isBeside;   ///< near them and may be lumen: bone is not
-};
 
 /// What belongs to the lumen beside wires, where it was kept clear of all that they blur: up to the crest of each wire,
 /// where its middle and the vessel's wall lie, and between wires as far as blood is seen, in at most `steps` voxels.
