@@ -3,7 +3,7 @@
 #include "app/window_layout.h"
 #include "ui/words/spoken.h"
 
-namespace app {
+namespace angiopose::app {
 
 CaseController::CaseController(ui::MainWindow& window, QObject* parent)
     : QObject(parent),
@@ -107,4 +107,4 @@ void CaseController::followTarget()
     steps_.show();
 }
 
-}   // namespace app
+}   // namespace angiopose::app

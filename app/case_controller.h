@@ -35,7 +35,7 @@
 #include "app/views/view_controller.h"
 #include "ui/main_window.h"
 
-namespace app {
+namespace angiopose::app {
 
 /// Connects the window with the document and the jobs; each sub-controller holds one of the user's intents.
 class CaseController : public QObject {
@@ -106,4 +106,4 @@ private:
     HelpController help_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

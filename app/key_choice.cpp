@@ -6,7 +6,7 @@
 #include <QKeySequence>
 #include <QSettings>
 
-namespace app {
+namespace angiopose::app {
 
 void applyChosenKeys()
 {
@@ -24,4 +24,4 @@ void applyChosenKeys()
     ui::setChosenKeys(std::move(chosen));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -3,7 +3,7 @@
 #include "app/settings.h"
 #include "ui/words/language.h"
 
-namespace app {
+namespace angiopose::app {
 
 void applyChosenLanguage()
 {
@@ -11,4 +11,4 @@ void applyChosenLanguage()
     ui::applyLanguage(choice == QLatin1String("system") ? ui::desktopLanguage() : choice);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -1,9 +1,9 @@
 #pragma once
 
-namespace app {
+namespace angiopose::app {
 
 /// Makes the program speak as the user chose. Before the first window is made; later, what is said already has to be
 /// said again.
 void applyChosenLanguage();
 
-}   // namespace app
+}   // namespace angiopose::app

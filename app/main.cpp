@@ -7,6 +7,8 @@
 #include <QCommandLineParser>
 #include <QIcon>
 
+using namespace angiopose;
+
 int main(int argc, char** argv)
 {
     QApplication application(argc, argv);

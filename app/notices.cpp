@@ -7,7 +7,7 @@
 #include <QCoreApplication>
 #include <QDateTime>
 
-namespace app {
+namespace angiopose::app {
 
 using namespace std::chrono_literals;
 
@@ -40,4 +40,4 @@ void Notices::showProblem(const QString& heading, const QString& reason, const Q
     ui::MessageDialog::show({heading, ui::coreText(reason), details.join(QLatin1Char('\n'))}, &window_);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

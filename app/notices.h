@@ -7,11 +7,11 @@
 
 #include <functional>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// What the program tells the user in passing: notes in the strip below, problems in a box.
 class Notices : public QObject {
@@ -29,4 +29,4 @@ private:
     QTimer noteTimer_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -4,7 +4,7 @@
 #include <QSettings>
 #include <QStringList>
 
-namespace app {
+namespace angiopose::app {
 
 /// One stored preference: key, type and default in one place.
 template <class T>
@@ -46,4 +46,4 @@ inline const Setting<bool> exportResiduals{"export/residuals", true};
 inline const Setting<bool> exportEnglish{"export/english", false};   ///< whatever language the window speaks
 }   // namespace settings
 
-}   // namespace app
+}   // namespace angiopose::app

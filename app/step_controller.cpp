@@ -4,7 +4,7 @@
 #include "ui/main_window.h"
 #include "ui/words/core_texts.h"
 
-namespace app {
+namespace angiopose::app {
 
 StepController::StepController(const Parts& parts, QObject* parent) : QObject(parent), on_(parts)
 {
@@ -43,4 +43,4 @@ void StepController::goTo(ui::Step step)
     }
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -10,11 +10,11 @@
 
 #include <QObject>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// The step bar: what of the way to a result is done, and where a click on a step leads.
 class StepController : public QObject {
@@ -41,4 +41,4 @@ private:
     bool exported_ = false;   ///< the case as it is
 };
 
-}   // namespace app
+}   // namespace angiopose::app

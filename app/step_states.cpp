@@ -6,7 +6,7 @@
 
 #include <QCoreApplication>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using ui::StepMark;
@@ -14,7 +14,7 @@ using ui::StepState;
 
 /// The words of this file.
 struct Words {
-    Q_DECLARE_TR_FUNCTIONS(app::StepStates)
+    Q_DECLARE_TR_FUNCTIONS(angiopose::app::StepStates)
 };
 
 StepState vessels(const core::RegistrationCase& current, const StepFacts& facts)
@@ -150,4 +150,4 @@ std::array<ui::StepState, ui::stepCount> stepStates(const core::RegistrationCase
             registration(current, facts), review(current),           exported};
 }
 
-}   // namespace app
+}   // namespace angiopose::app

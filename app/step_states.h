@@ -3,7 +3,7 @@
 #include "core/registration_case.h"
 #include "ui/panels/step_bar.h"
 
-namespace app {
+namespace angiopose::app {
 
 /// What the steps need to know beside the case.
 struct StepFacts {
@@ -18,4 +18,4 @@ struct StepFacts {
 /// Marks and hints of the step bar: true now, in few words.
 std::array<ui::StepState, ui::stepCount> stepStates(const core::RegistrationCase& current, const StepFacts& facts);
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -3,7 +3,7 @@
 #include "app/settings.h"
 #include "ui/theme/active_theme.h"
 
-namespace app {
+namespace angiopose::app {
 
 void applyChosenTheme(QApplication& application)
 {
@@ -16,4 +16,4 @@ void applyChosenTheme(QApplication& application)
     }
 }
 
-}   // namespace app
+}   // namespace angiopose::app

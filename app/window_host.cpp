@@ -2,7 +2,7 @@
 
 #include "ui/views/tree_view.h"
 
-namespace app {
+namespace angiopose::app {
 
 WindowHost::WindowHost() : controller_(window_)
 {
@@ -10,4 +10,4 @@ WindowHost::WindowHost() : controller_(window_)
     window_.show();
 }
 
-}   // namespace app
+}   // namespace angiopose::app

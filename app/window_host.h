@@ -3,7 +3,7 @@
 #include "app/case_controller.h"
 #include "ui/main_window.h"
 
-namespace app {
+namespace angiopose::app {
 
 /// The window and all behind it.
 class WindowHost {
@@ -18,4 +18,4 @@ private:
     CaseController controller_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

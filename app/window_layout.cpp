@@ -7,7 +7,7 @@
 #include <QGuiApplication>
 #include <QScreen>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 /// Which screens there are, and how they stand to each other.
@@ -42,4 +42,4 @@ void storeWindowLayout(const ui::MainWindow& window)
     settings::windowLayout.write(layout);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

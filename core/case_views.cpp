@@ -3,7 +3,7 @@
 #include <tuple>
 #include <utility>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 template <class Case>
@@ -79,4 +79,4 @@ std::vector<RegistrationCase> casesOfViews(const RegistrationCase& registrationC
     return cases;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

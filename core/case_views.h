@@ -2,7 +2,7 @@
 
 #include "core/registration_case.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// What belongs to one view of a case: image, target, geometry, poses, result, snapshots. No vessels, no options.
 RegistrationCase viewOf(const RegistrationCase& registrationCase);
@@ -24,4 +24,4 @@ std::vector<OtherView> movedAlong(const RegistrationCase& registrationCase, cons
 /// The other views, each at its own start pose where it has one.
 std::vector<OtherView> atStart(const RegistrationCase& registrationCase);
 
-}   // namespace core
+}   // namespace angiopose::core

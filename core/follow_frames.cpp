@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 Status checkCase(const RegistrationCase& registrationCase)
@@ -101,4 +101,4 @@ Result<std::vector<FollowedFrame>> followFrames(const RegistrationCase& registra
     return frames;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Where the vessels are in one frame of a run.
 struct FollowedFrame {
@@ -21,4 +21,4 @@ struct FollowedFrame {
 Result<std::vector<FollowedFrame>> followFrames(const RegistrationCase& registrationCase,
                                                 const std::function<Verdict(double fraction)>& observe);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 Error inView(std::size_t index, const Error& error)
@@ -61,4 +61,4 @@ Result<std::vector<RegistrationInput>> jointInputsOf(std::span<const Registratio
     return inputs;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// From the camera of one view to that of another: distances and angles of both gantries about one isocentre, whatever
 /// coordinates the vessels have; where a view lacks them, what leads from start pose to start pose (ALGORITHMS §5.5).
@@ -20,4 +20,4 @@ Result<RigidTransform> viewFromView(const RegistrationCase& first, const Registr
 Result<std::vector<RegistrationInput>> jointInputsOf(std::span<const RegistrationCase> views,
                                                      std::span<const Centerline2d> targets);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include "core/geometry/geometry_checks.h"
 
-namespace core {
+namespace angiopose::core {
 
 Result<ProjectionCamera> cameraOf(const RegistrationCase& registrationCase)
 {
@@ -156,4 +156,4 @@ Result<RegistrationInput> registrationInputOf(const RegistrationCase& registrati
     return input;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// A file the case refers to.
 struct InputFile {
@@ -118,4 +118,4 @@ Result<Centerline2d> targetOf(const RegistrationCase& registrationCase);
 /// The snapshot a worker needs; fails naming what the case still lacks. The registration starts from the current pose.
 Result<RegistrationInput> registrationInputOf(const RegistrationCase& registrationCase, Centerline2d target);
 
-}   // namespace core
+}   // namespace angiopose::core

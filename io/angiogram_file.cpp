@@ -12,7 +12,7 @@
 #include "io/support/inflate.h"
 #include "io/support/input_bytes.h"
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::size_t maxUnpackedBytes = std::size_t{128} << 20;
@@ -96,4 +96,4 @@ core::Status writeAngiogram(const core::Angiogram& angiogram, const std::string&
     return content ? writeAtomically(path, content.value()) : fileError(path, content.error().message);
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -18,7 +18,7 @@
 #include <memory>
 #include <utility>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -265,4 +265,4 @@ core::Status saveCase(const RegistrationCase& registrationCase, const std::strin
     }
 }
 
-}   // namespace io
+}   // namespace angiopose::io

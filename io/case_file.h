@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 /// The JSON Schema of `*.angiopose` files, as published under resources/.
 std::string_view caseSchema();
@@ -34,4 +34,4 @@ std::string findUnsavable(const core::RegistrationCase& registrationCase);
 /// keys unknown to this version kept.
 core::Status saveCase(const core::RegistrationCase& registrationCase, const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

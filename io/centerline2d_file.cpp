@@ -13,7 +13,7 @@
 #include <cmath>
 #include <optional>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using core::Centerline2d;
@@ -170,4 +170,4 @@ core::Status writeCenterline2d(const Centerline2d& centerline, const std::string
     return writeAtomically(path, text);
 }
 
-}   // namespace io
+}   // namespace angiopose::io

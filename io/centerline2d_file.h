@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 /// 2-D centreline from CSV (`x,y,branch,radius`) or a PNG mask (traced).
 core::Result<core::Centerline2d> readCenterline2d(const std::string& path);
@@ -13,4 +13,4 @@ core::Result<core::Centerline2d> readCenterline2d(const std::string& path);
 /// Writes CSV `x,y,branch,radius`, px, atomically.
 core::Status writeCenterline2d(const core::Centerline2d& centerline, const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// One thing to open in a DICOM folder: the slices of a volume, or an X-ray run.
 struct DicomSeries {
@@ -41,4 +41,4 @@ core::Result<core::Volume> readSeries(const DicomSeries& series, const ReadObser
 /// SHA-256 over the hashes of the slices' files in their order: the identity of a series as an input of a case.
 core::Result<std::string> sha256OfSeries(const DicomSeries& series);
 
-}   // namespace io
+}   // namespace angiopose::io

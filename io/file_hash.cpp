@@ -6,7 +6,7 @@
 #include <openssl/evp.h>
 #include <array>
 
-namespace io {
+namespace angiopose::io {
 
 core::Result<std::string> sha256OfText(std::string_view text)
 {
@@ -34,4 +34,4 @@ core::Result<std::string> sha256OfFile(const std::string& path)
     return hash ? hash : fileError(path, hash.error().message);
 }
 
-}   // namespace io
+}   // namespace angiopose::io

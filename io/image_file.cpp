@@ -4,7 +4,7 @@
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 core::Status writePixels(const PngPixels& pixels, const std::string& path,
@@ -35,4 +35,4 @@ core::Status writePng(const core::Mask2d& mask, const std::string& path)
     return writePixels({mask.width, mask.height, 1, &levels}, path, {});
 }
 
-}   // namespace io
+}   // namespace angiopose::io

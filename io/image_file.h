@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 /// Writes an 8-bit sRGB PNG atomically; `texts` become PNG text chunks (provenance).
 core::Status writePng(const core::ColorImage& image, const std::string& path,
@@ -15,4 +15,4 @@ core::Status writePng(const core::ColorImage& image, const std::string& path,
 /// Writes an 8-bit grey PNG (0 and 255).
 core::Status writePng(const core::Mask2d& mask, const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -11,7 +11,7 @@
 #include <array>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::size_t mostMentioned = 8;
@@ -155,4 +155,4 @@ core::Result<std::vector<int>> labelsCalled(const std::vector<std::string>& want
     return numbers;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// One label of a label image.
 struct ListedLabel {
@@ -51,4 +51,4 @@ std::string labelText(const std::vector<ListedLabel>& labels);
 core::Result<std::vector<int>> labelsCalled(const std::vector<std::string>& wanted,
                                             const std::vector<ListedLabel>& labels);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <set>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -123,4 +123,4 @@ MovedInputs findMovedInputs(const std::vector<MissingInput>& missing, const std:
     return found;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

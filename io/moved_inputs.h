@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// An input that is not where its case says.
 struct MissingInput {
@@ -33,4 +33,4 @@ MovedInputs findMovedInputs(const std::vector<MissingInput>& missing, const std:
 /// Whether a file or folder can stand for a missing input: the same content, or where that is not known, anything.
 bool canStandFor(const MissingInput& missing, const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

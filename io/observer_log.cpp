@@ -10,7 +10,7 @@
 
 #include <filesystem>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 std::string poseColumns(const std::string& prefix)
@@ -61,4 +61,4 @@ core::Status appendTrial(const ObserverTrial& trial, const std::string& path)
     return writeAtomically(path, content + rowOf(trial));
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 /// One trial of an observer who fitted the vessels by hand without seeing numbers.
 struct ObserverTrial {
@@ -31,4 +31,4 @@ struct ObserverTrial {
 /// file is something else.
 core::Status appendTrial(const ObserverTrial& trial, const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

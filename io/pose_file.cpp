@@ -10,7 +10,7 @@
 #include <exception>
 #include <nlohmann/json.hpp>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -79,4 +79,4 @@ core::Status writePose(const core::RigidTransform& cameraFromPatient, const std:
     return fileError(path, "poses are written as .json or .tfm. Change the extension.");
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 /// Pose from `.json` (`cameraFromPatient` at the top, or in `pose`), or an ITK `.tfm`.
 /// Our ITK transforms map patient points to camera points (LPS mm), said in the file's comment.
@@ -15,4 +15,4 @@ core::Result<core::RigidTransform> readPose(const std::string& path);
 /// Writes JSON or `.tfm`, by extension; every double restores to the last bit.
 core::Status writePose(const core::RigidTransform& cameraFromPatient, const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

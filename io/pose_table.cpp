@@ -3,7 +3,7 @@
 #include "io/support/atomic_file.h"
 #include "io/support/numbers.h"
 
-namespace io {
+namespace angiopose::io {
 
 core::Status writePoseTable(std::span<const core::FollowedFrame> frames, const std::string& path)
 {
@@ -23,4 +23,4 @@ core::Status writePoseTable(std::span<const core::FollowedFrame> frames, const s
     return writeAtomically(path, table);
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -6,10 +6,10 @@
 #include <span>
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 /// CSV of one pose per frame: frame, trustworthy (1 or 0), searched, score, and cameraFromPatient as r11 … r33, tx, ty,
 /// tz (mm), row by row, with enough digits to restore the same doubles. Written atomically.
 core::Status writePoseTable(std::span<const core::FollowedFrame> frames, const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

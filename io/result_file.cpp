@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -132,4 +132,4 @@ core::Status writeResult(const core::RegistrationCase& registrationCase, const c
     return writeAtomically(path, resultJson(registrationCase, result));
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 /// result.json of FORMATS §3 as text.
 std::string resultJson(const core::RegistrationCase& registrationCase, const core::RegistrationResult& result);
@@ -14,4 +14,4 @@ std::string resultJson(const core::RegistrationCase& registrationCase, const cor
 core::Status writeResult(const core::RegistrationCase& registrationCase, const core::RegistrationResult& result,
                          const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::string_view header =
@@ -66,4 +66,4 @@ core::Status writeSnapshotTable(std::span<const core::PoseSnapshot> snapshots, c
     return writeAtomically(path, snapshotTable(snapshots, reference, pivotInPatient));
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 /// The upper three rows of a pose's matrix as comma-separated cells, row-major.
 std::string poseCells(const core::RigidTransform& cameraFromPatient);
@@ -20,4 +20,4 @@ std::string snapshotTable(std::span<const core::PoseSnapshot> snapshots, const c
 core::Status writeSnapshotTable(std::span<const core::PoseSnapshot> snapshots, const core::PoseSnapshot& reference,
                                 const Eigen::Vector3d& pivotInPatient, const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

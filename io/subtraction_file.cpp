@@ -3,7 +3,7 @@
 #include "io/dicom/dicom_file.h"
 #include "io/support/input_bytes.h"
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr DicomTag maskSubtractionSequence = 0x00286100;
@@ -68,4 +68,4 @@ core::Result<core::SubtractionPlan> readSubtractionPlan(const std::string& path)
     return file ? core::Result<core::SubtractionPlan>(planOf(file.value().dataset)) : file.error();
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 /// What a DICOM run says about its subtraction: the mask frames or the interval to them, and their sub-pixel shift
 /// (Mask Module, PS3.3 C.7.6.10: the first item that is AVG_SUB, TID or REV_TID) and the pixel relation (0028,1040).
@@ -13,4 +13,4 @@ namespace io {
 /// cannot be read.
 core::Result<core::SubtractionPlan> readSubtractionPlan(const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::size_t maxTriangles = 50'000'000;
@@ -176,4 +176,4 @@ core::Status writeSurface(const core::SurfaceMesh& mesh, const std::string& path
     return writeAtomically(path, content);
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 struct LoadedSurface {
     core::SurfaceMesh mesh;   ///< welded, patient LPS
@@ -24,4 +24,4 @@ core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm =
 /// Writes binary STL, patient LPS.
 core::Status writeSurface(const core::SurfaceMesh& mesh, const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

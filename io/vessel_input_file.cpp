@@ -17,7 +17,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using core::VesselInputKind;
@@ -241,4 +241,4 @@ core::Result<std::string> sha256OfVesselInput(const std::string& path, const cor
     return fileError(path, "the series of the case is not in this folder. Choose the folder it is in.");
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// A vessel tree, read or traced, with what it came from.
 struct LoadedVessels {
@@ -39,4 +39,4 @@ core::Result<LoadedVessels> readVessels(const std::string& path, const core::Ves
 /// SHA-256 of a vessel input: of the file, or of the series in a folder (see `sha256OfSeries`).
 core::Result<std::string> sha256OfVesselInput(const std::string& path, const core::VesselInput& input);
 
-}   // namespace io
+}   // namespace angiopose::io

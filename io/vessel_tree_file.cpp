@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::string_view knownFormats = "Choose a centreline file: .vtp, .vtk, .vtu, .csv, .swc or .mrk.json.";
@@ -95,4 +95,4 @@ core::Status writeVesselTree(const core::VesselTree& tree, const std::string& pa
     return fileError(path, "vessel trees are written as .vtp, .csv, .swc or .mrk.json. Change the extension.");
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 struct VesselTreeReadOptions {
     double unitMm = 1.0;   ///< length of one unit; Slicer curves say theirs and are left alone
@@ -20,4 +20,4 @@ core::Result<core::VesselTree> readVesselTree(const std::string& path, const Ves
 /// Writes VTP, CSV, SWC or Slicer curves (.mrk.json, without radii), by extension, atomically.
 core::Status writeVesselTree(const core::VesselTree& tree, const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

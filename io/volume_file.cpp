@@ -12,7 +12,7 @@
 #include <bitset>
 #include <filesystem>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 /// The series with this id, or the only volume there is.
@@ -169,4 +169,4 @@ core::LabelVolume labelsOf(const core::Volume& volume)
     return labels;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// A volume with what its file says besides.
 struct LoadedVolume {
@@ -58,4 +58,4 @@ core::LabelVolume labelsOf(const core::Volume& volume);
 core::Status writeVolume(const core::Volume& volume, const std::string& path);
 core::Status writeLabels(const core::LabelVolume& labels, const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

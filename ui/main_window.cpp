@@ -19,7 +19,7 @@
 
 #include <algorithm>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int leftWidth = 300;
@@ -294,4 +294,4 @@ void MainWindow::closeNow()
     QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

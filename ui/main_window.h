@@ -26,7 +26,7 @@ class QScrollArea;
 class QSplitter;
 class QStackedWidget;
 
-namespace ui {
+namespace angiopose::ui {
 
 class AngiogramView;
 class CornerViews;
@@ -143,4 +143,4 @@ private:
     bool closeAllowed_ = false;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

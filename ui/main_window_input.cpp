@@ -14,7 +14,7 @@
 
 // What reaches the window from outside: closing, dropped files, and the keys that are held or repeat.
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 QStringList localFiles(const QMimeData* data)
@@ -118,4 +118,4 @@ bool MainWindow::filterKey(QEvent* event)
     return angiogramView_->filterToolKey(*key);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

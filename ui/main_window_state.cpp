@@ -6,7 +6,7 @@
 #include <QIODevice>
 #include <QSplitter>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 /// Names of the parts that are folded now.
@@ -63,4 +63,4 @@ void MainWindow::restoreLayout(const QByteArray& state)
     }
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -4,12 +4,12 @@
 
 #include <array>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 QString translated(const char* text)
 {
-    return QCoreApplication::translate("ui::PoseAxis", text);
+    return QCoreApplication::translate("angiopose::ui::PoseAxis", text);
 }
 
 double factorOf(Qt::KeyboardModifiers modifiers)
@@ -63,22 +63,25 @@ bool isShift(PoseAxis axis)
 
 QString labelOf(PoseAxis axis)
 {
-    static constexpr std::array labels{
-        QT_TRANSLATE_NOOP("ui::PoseAxis", "right"),     QT_TRANSLATE_NOOP("ui::PoseAxis", "up"),
-        QT_TRANSLATE_NOOP("ui::PoseAxis", "along ray"), QT_TRANSLATE_NOOP("ui::PoseAxis", "roll"),
-        QT_TRANSLATE_NOOP("ui::PoseAxis", "LAO / RAO"), QT_TRANSLATE_NOOP("ui::PoseAxis", "CRA / CAU")};
+    static constexpr std::array labels{QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "right"),
+                                       QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "up"),
+                                       QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "along ray"),
+                                       QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "roll"),
+                                       QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "LAO / RAO"),
+                                       QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "CRA / CAU")};
     return translated(labels[static_cast<std::size_t>(axis)]);
 }
 
 QString explanationOf(PoseAxis axis)
 {
     static constexpr std::array texts{
-        QT_TRANSLATE_NOOP("ui::PoseAxis", "To the right on screen, in mm at the vessels. Nudge: ← →"),
-        QT_TRANSLATE_NOOP("ui::PoseAxis", "Up on screen, in mm at the vessels. Nudge: ↑ ↓"),
-        QT_TRANSLATE_NOOP("ui::PoseAxis", "Away from the X-ray source, in mm. Nudge: PgUp PgDn"),
-        QT_TRANSLATE_NOOP("ui::PoseAxis", "Clockwise on screen. Nudge: , ."),
-        QT_TRANSLATE_NOOP("ui::PoseAxis", "As if the C-arm went to LAO (+) or RAO (−). Nudge: Alt+← Alt+→"),
-        QT_TRANSLATE_NOOP("ui::PoseAxis", "As if the C-arm went cranial (+) or caudal (−). Nudge: Alt+↑ Alt+↓")};
+        QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "To the right on screen, in mm at the vessels. Nudge: ← →"),
+        QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "Up on screen, in mm at the vessels. Nudge: ↑ ↓"),
+        QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "Away from the X-ray source, in mm. Nudge: PgUp PgDn"),
+        QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "Clockwise on screen. Nudge: , ."),
+        QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "As if the C-arm went to LAO (+) or RAO (−). Nudge: Alt+← Alt+→"),
+        QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis",
+                          "As if the C-arm went cranial (+) or caudal (−). Nudge: Alt+↑ Alt+↓")};
     return translated(texts[static_cast<std::size_t>(axis)]);
 }
 
@@ -110,4 +113,4 @@ std::optional<Nudge> nudgeOfKey(int key, Qt::KeyboardModifiers modifiers)
     return nudge;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace ui {
+namespace angiopose::ui {
 
 using core::poseAxes;
 using core::PoseAxis;
@@ -34,4 +34,4 @@ struct Nudge {
 /// Shift ten times, Ctrl a tenth.
 std::optional<Nudge> nudgeOfKey(int key, Qt::KeyboardModifiers modifiers);
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -9,7 +9,7 @@
 #include <exception>
 #include <filesystem>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -121,4 +121,4 @@ int runBatch(const BatchArguments& arguments)
     return exitCode;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

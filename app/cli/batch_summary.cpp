@@ -2,7 +2,7 @@
 
 #include "core/support/format_number.h"
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 std::string quoted(const std::string& text)
@@ -63,4 +63,4 @@ std::string summaryRow(const BatchOutcome& outcome)
            "," + quoted(message) + "\n";
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace app {
+namespace angiopose::app {
 
 /// How one case of a batch ended.
 struct BatchOutcome {
@@ -24,4 +24,4 @@ std::string summaryHeader();
 /// Its row for one case; texts are quoted as RFC 4180 says.
 std::string summaryRow(const BatchOutcome& outcome);
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 std::string optionList()
@@ -99,4 +99,4 @@ void addBatch(CLI::App& app, int& exitCode)
     command->callback([arguments, &exitCode] { exitCode = runBatch(*arguments); });
 }
 
-}   // namespace app
+}   // namespace angiopose::app

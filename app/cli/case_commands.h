@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace app {
+namespace angiopose::app {
 
 /// Adds the commands that work on cases; each sets `exitCode` when it runs.
 void addRegister(CLI::App& app, int& exitCode);
@@ -10,4 +10,4 @@ void addTrack(CLI::App& app, int& exitCode);
 void addProject(CLI::App& app, int& exitCode);
 void addBatch(CLI::App& app, int& exitCode);
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -3,7 +3,7 @@
 #include "app/cli/console.h"
 #include "io/case_file.h"
 
-namespace app {
+namespace angiopose::app {
 
 core::Result<core::RegistrationCase> loadCaseForCommand(const std::string& path, std::optional<int> frame)
 {
@@ -29,4 +29,4 @@ core::Result<core::RegistrationCase> loadCaseForCommand(const std::string& path,
     return registrationCase;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-namespace app {
+namespace angiopose::app {
 
 /// Loads a case, prints its warnings, and moves it to `frame` where one is given.
 core::Result<core::RegistrationCase> loadCaseForCommand(const std::string& path, std::optional<int> frame);
 
-}   // namespace app
+}   // namespace angiopose::app

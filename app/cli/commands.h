@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace app {
+namespace angiopose::app {
 
 // One struct of arguments and one function per command; each returns its exit code.
 
@@ -113,4 +113,4 @@ struct FileArguments {
 int runInfo(const FileArguments& arguments);
 int runValidate(const FileArguments& arguments);
 
-}   // namespace app
+}   // namespace angiopose::app

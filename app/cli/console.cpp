@@ -6,7 +6,7 @@
 #include <csignal>
 #include <cstdio>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 std::atomic<bool> interrupted{false};
@@ -70,4 +70,4 @@ bool isInterrupted()
     return interrupted;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

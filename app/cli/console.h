@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace app {
+namespace angiopose::app {
 
 /// FORMATS §5.
 enum ExitCode : int {
@@ -44,4 +44,4 @@ private:
 void catchInterrupts();
 bool isInterrupted();
 
-}   // namespace app
+}   // namespace angiopose::app

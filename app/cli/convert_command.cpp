@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <filesystem>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -185,4 +185,4 @@ int runConvert(const ConvertArguments& arguments)
     return exitDone;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -84,4 +84,4 @@ nlohmann::ordered_json geometryJson(const core::CArm& cArm, const core::Angiogra
     return json;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

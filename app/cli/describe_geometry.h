@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace app {
+namespace angiopose::app {
 
 nlohmann::ordered_json cameraJson(const core::ProjectionCamera& camera);
 
@@ -12,4 +12,4 @@ nlohmann::ordered_json cameraJson(const core::ProjectionCamera& camera);
 /// geometry element of the image's header.
 nlohmann::ordered_json geometryJson(const core::CArm& cArm, const core::Angiogram& angiogram);
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -162,4 +162,4 @@ core::Result<Json> surfaceJson(const std::string& path)
                 {"warnings", surface.value().warnings}};
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace app {
+namespace angiopose::app {
 
 /// What `info` says about inputs in three dimensions: geometry as the file gives it and what follows from it.
 core::Result<nlohmann::ordered_json> folderJson(const std::string& path);
@@ -14,4 +14,4 @@ core::Result<nlohmann::ordered_json> dicomVolumeJson(const std::string& path);
 core::Result<nlohmann::ordered_json> segmentationJson(const std::string& path);
 core::Result<nlohmann::ordered_json> surfaceJson(const std::string& path);
 
-}   // namespace app
+}   // namespace angiopose::app

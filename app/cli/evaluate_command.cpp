@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <thread>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -142,4 +142,4 @@ int runEvaluate(const EvaluateArguments& arguments)
     return experiment.wasStopped ? exitStopped : exitDone;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 void addFileCommand(CLI::App& app, int& exitCode, const std::string& name, const std::string& help,
@@ -57,4 +57,4 @@ void addValidate(CLI::App& app, int& exitCode)
     addFileCommand(app, exitCode, "validate", "Check a case file and name every problem", runValidate);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -2,11 +2,11 @@
 
 #include <CLI/CLI.hpp>
 
-namespace app {
+namespace angiopose::app {
 
 /// Adds the commands that look at files and angiograms; each sets `exitCode` when it runs.
 void addTraceAngiogram(CLI::App& app, int& exitCode);
 void addInfo(CLI::App& app, int& exitCode);
 void addValidate(CLI::App& app, int& exitCode);
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -18,7 +18,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -224,4 +224,4 @@ int runInfo(const FileArguments& arguments)
     return exitDone;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

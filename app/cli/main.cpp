@@ -10,6 +10,8 @@
 #include <exception>
 #include <iostream>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace app;

@@ -2,7 +2,7 @@
 
 #include "core/registration/registration_options.h"
 
-namespace app {
+namespace angiopose::app {
 
 std::string methodList()
 {
@@ -13,4 +13,4 @@ std::string methodList()
     return text;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -2,9 +2,9 @@
 
 #include <string>
 
-namespace app {
+namespace angiopose::app {
 
 /// For the help of commands: every method id with its summary.
 std::string methodList();
 
-}   // namespace app
+}   // namespace angiopose::app

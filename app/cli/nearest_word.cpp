@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 int distanceBetween(const std::string& a, const std::string& b)
@@ -43,4 +43,4 @@ std::string nearestWord(const std::string& word, const std::vector<std::string>&
     return nearest;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -6,7 +6,7 @@
 
 #include <cstdio>
 
-namespace app {
+namespace angiopose::app {
 
 int runProject(const ProjectArguments& arguments)
 {
@@ -43,4 +43,4 @@ int runProject(const ProjectArguments& arguments)
     return exitDone;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

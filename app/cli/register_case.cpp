@@ -10,7 +10,7 @@
 
 #include <filesystem>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -115,4 +115,4 @@ core::Status writeOutputs(const RegisteredCase& registered, const std::string& f
     return io::writePng(picture.value(), (folder / "overlay.png").string(), provenanceTexts(registrationCase));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

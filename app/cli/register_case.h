@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace app {
+namespace angiopose::app {
 
 /// Overrides what the arguments name; fails when they make no sense (wrong usage).
 core::Status applyArguments(core::RegistrationCase& registrationCase, const RegisterArguments& arguments);
@@ -23,4 +23,4 @@ core::Result<RegisteredCase> registerCase(core::RegistrationCase registrationCas
 /// Writes result.json, pose.tfm and overlay.png; makes the folder.
 core::Status writeOutputs(const RegisteredCase& registered, const std::string& folder);
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <filesystem>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,4 +88,4 @@ int runRegister(const RegisterArguments& arguments)
     return exitCodeOf(result);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -14,7 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -163,4 +163,4 @@ int registerViewsOf(const core::RegistrationCase& first, const RegisterArguments
     return joint.value().trustworthy ? exitDone : exitNotTrustworthy;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -5,10 +5,10 @@
 
 #include <string>
 
-namespace app {
+namespace angiopose::app {
 
 /// Registers a case together with its other views; writes result.json, pose.tfm and overlay.png of each (the first
 /// in the output folder, the others in view-2, view-3, …) and joint.json about all. Returns the exit code.
 int registerViewsOf(const core::RegistrationCase& first, const RegisterArguments& arguments, const std::string& folder);
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-namespace app {
+namespace angiopose::app {
 
 core::Result<core::Shard> shardFrom(const std::string& text)
 {
@@ -20,4 +20,4 @@ core::Result<core::Shard> shardFrom(const std::string& text)
     return core::Error{"--shard needs a part and a number of parts such as 2/4, not '" + text + "'."};
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -5,9 +5,9 @@
 
 #include <string>
 
-namespace app {
+namespace angiopose::app {
 
 /// The part of the work that "I/N" names, I from 1 to N.
 core::Result<core::Shard> shardFrom(const std::string& text);
 
-}   // namespace app
+}   // namespace angiopose::app

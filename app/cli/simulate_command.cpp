@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <memory>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,4 +72,4 @@ int runSimulate(const SimulateArguments& arguments)
     return exitDone;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 std::string protocolList()
@@ -83,4 +83,4 @@ void addEvaluate(CLI::App& app, int& exitCode)
     command->callback([arguments, &exitCode] { exitCode = runEvaluate(*arguments); });
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -2,10 +2,10 @@
 
 #include <CLI/CLI.hpp>
 
-namespace app {
+namespace angiopose::app {
 
 /// Adds the commands whose answers are known; each sets `exitCode` when it runs.
 void addSimulate(CLI::App& app, int& exitCode);
 void addEvaluate(CLI::App& app, int& exitCode);
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -9,7 +9,7 @@
 
 #include <cstdio>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using core::Angiogram;
@@ -112,4 +112,4 @@ int runTraceAngiogram(const TraceAngiogramArguments& arguments)
     return exitDone;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 core::VesselInput vesselInputOf(const TraceVesselArguments& arguments, core::VesselInputKind kind)
@@ -117,4 +117,4 @@ int runTraceVessel(const TraceVesselArguments& arguments)
     return exitDone;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

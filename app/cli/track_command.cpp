@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 core::Result<std::vector<core::FollowedFrame>> followWithProgress(const core::RegistrationCase& registrationCase)
@@ -63,4 +63,4 @@ int runTrack(const TrackArguments& arguments)
     return areAll ? exitDone : exitNotTrustworthy;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

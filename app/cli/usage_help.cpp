@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 std::vector<std::string> commandNames(const CLI::App& app)
@@ -74,4 +74,4 @@ std::string usageHelp(const CLI::App* app, const CLI::Error& error)
     return (unknown.empty() ? error.what() : unknown) + "\nHelp: angiopose-cli " + name + "--help\n";
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-namespace app {
+namespace angiopose::app {
 
 int runValidate(const FileArguments& arguments)
 {
@@ -35,4 +35,4 @@ int runValidate(const FileArguments& arguments)
     return problems.value().empty() ? exitDone : exitInput;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 /// "x,y,z" in patient LPS mm; nothing when it is not that.
@@ -111,4 +111,4 @@ void addConvert(CLI::App& app, int& exitCode)
     command->callback([arguments, &exitCode] { exitCode = runConvert(*arguments); });
 }
 
-}   // namespace app
+}   // namespace angiopose::app

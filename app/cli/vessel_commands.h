@@ -2,10 +2,10 @@
 
 #include <CLI/CLI.hpp>
 
-namespace app {
+namespace angiopose::app {
 
 /// Adds the commands that make and change vessel inputs; each sets `exitCode` when it runs.
 void addTraceVessel(CLI::App& app, int& exitCode);
 void addConvert(CLI::App& app, int& exitCode);
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 
 CaseDocument::CaseDocument(QObject* parent) : QObject(parent)
 {
@@ -101,4 +101,4 @@ void CaseDocument::setLocked(bool locked)
     emit stateChanged();
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <memory>
 
-namespace app {
+namespace angiopose::app {
 
 /// Which case was open, and how far it had been edited, at some moment.
 struct CaseState {
@@ -78,4 +78,4 @@ private:
     int undoFloor_ = 0;   ///< of the running trial; 0: no trial
 };
 
-}   // namespace app
+}   // namespace angiopose::app

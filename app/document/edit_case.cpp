@@ -1,6 +1,6 @@
 #include "app/document/edit_case.h"
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 std::vector<int> thoseIn(const core::VesselTree& tree, std::vector<int> branchIds)
@@ -73,4 +73,4 @@ std::unique_ptr<QUndoCommand> joinInputs(CaseDocument& document, const Registrat
     return std::make_unique<JoinInputs>(document, JoinInputs::valuesOf(wanted), name);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-namespace app {
+namespace angiopose::app {
 
 using core::RegistrationCase;
 
@@ -114,4 +114,4 @@ std::unique_ptr<QUndoCommand> showView(CaseDocument& document, const Registratio
 /// The edit that takes over the inputs of `wanted` and all that hangs on them.
 std::unique_ptr<QUndoCommand> joinInputs(CaseDocument& document, const RegistrationCase& wanted, const ui::Words& name);
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 
 /// Unique numbers for edits that belong together; see SetFields.
 inline constexpr int separateEdit = -1;
@@ -59,4 +59,4 @@ private:
     int burst_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

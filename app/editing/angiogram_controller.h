@@ -5,7 +5,7 @@
 #include "app/editing/subtraction_controller.h"
 #include "app/review/opacification_controller.h"
 
-namespace app {
+namespace angiopose::app {
 
 /// From the stored run to the curves that are registered to: subtraction, tracing, and edits by hand.
 class AngiogramController {
@@ -25,4 +25,4 @@ private:
     OpacificationController opacification_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

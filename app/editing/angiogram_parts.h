@@ -5,7 +5,7 @@
 #include "app/registration/target_provider.h"
 #include "app/review/view_sync.h"
 
-namespace app {
+namespace angiopose::app {
 
 /// What the controllers of the angiogram work on.
 struct AngiogramParts {
@@ -16,4 +16,4 @@ struct AngiogramParts {
     Notices& notices;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

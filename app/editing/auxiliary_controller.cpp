@@ -16,7 +16,7 @@
 #include <numbers>
 #include <set>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr int branchesPerStep = 2;   ///< named per step of the pose
@@ -25,12 +25,12 @@ constexpr double insideShare = 0.5;   ///< of a branch's projection, from which 
 /// Order of core::PoseUncertainty; in the words of the pose panel.
 QString nameOfStep(std::size_t step)
 {
-    static const std::array names{QT_TRANSLATE_NOOP("app::AuxiliaryController", "tilt"),
-                                  QT_TRANSLATE_NOOP("app::AuxiliaryController", "turn"),
-                                  QT_TRANSLATE_NOOP("app::AuxiliaryController", "roll"),
-                                  QT_TRANSLATE_NOOP("app::AuxiliaryController", "sideways"),
-                                  QT_TRANSLATE_NOOP("app::AuxiliaryController", "up–down"),
-                                  QT_TRANSLATE_NOOP("app::AuxiliaryController", "depth")};
+    static const std::array names{QT_TRANSLATE_NOOP("angiopose::app::AuxiliaryController", "tilt"),
+                                  QT_TRANSLATE_NOOP("angiopose::app::AuxiliaryController", "turn"),
+                                  QT_TRANSLATE_NOOP("angiopose::app::AuxiliaryController", "roll"),
+                                  QT_TRANSLATE_NOOP("angiopose::app::AuxiliaryController", "sideways"),
+                                  QT_TRANSLATE_NOOP("angiopose::app::AuxiliaryController", "up–down"),
+                                  QT_TRANSLATE_NOOP("angiopose::app::AuxiliaryController", "depth")};
     return AuxiliaryController::tr(names[step]);
 }
 
@@ -293,4 +293,4 @@ void AuxiliaryController::show()
     dialog_->showAdvice(shown);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

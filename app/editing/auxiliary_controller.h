@@ -13,11 +13,11 @@
 #include <array>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// The choice of auxiliary branches made easy: by lasso, generation and radius, and by what each branch tells about the
 /// pose, with a live account of what the choice would do.
@@ -67,4 +67,4 @@ private:
     bool isWanted_ = false;   ///< again, when the running one is done
 };
 
-}   // namespace app
+}   // namespace angiopose::app

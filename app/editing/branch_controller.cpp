@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 /// The other way round for all: when every one of `ids` is in the set they leave it, otherwise they all join.
@@ -172,4 +172,4 @@ ui::Words BranchController::namesOf(const std::set<int>& branchIds) const
     return branchWords(tree ? *tree : core::VesselTree{}, branchIds);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-namespace app {
+namespace angiopose::app {
 
 /// Which branches are hovered and selected (shared by list and views), and which count for what (part of the case).
 class BranchController : public QObject {
@@ -43,4 +43,4 @@ private:
     ui::BranchMarks marks_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -4,7 +4,7 @@
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tree_view.h"
 
-namespace app {
+namespace angiopose::app {
 
 BranchPicking::BranchPicking(const CaseDocument& document, BranchController& branches, ViewSync& sync,
                              ui::MainWindow& window, QObject* parent)
@@ -66,4 +66,4 @@ void BranchPicking::makeAuxiliaryWhatIsInView()
     branches_.setAuxiliaryInside(extents, window_.angiogramView().visiblePart());
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -5,11 +5,11 @@
 
 #include <QObject>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Brings what the user points at, in the list, in the views or by command, to the branch controller, and its marks
 /// back.
@@ -30,4 +30,4 @@ private:
     ui::MainWindow& window_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -4,11 +4,11 @@
 
 #include <QCoreApplication>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 struct Words {
-    Q_DECLARE_TR_FUNCTIONS(app::BranchWords)
+    Q_DECLARE_TR_FUNCTIONS(angiopose::app::BranchWords)
 };
 
 QString countWords(std::size_t count)
@@ -30,4 +30,4 @@ ui::Words branchWords(const core::VesselTree& tree, const std::set<int>& branchI
     return [named] { return ui::displayName(named); };
 }
 
-}   // namespace app
+}   // namespace angiopose::app

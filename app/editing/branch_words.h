@@ -5,9 +5,9 @@
 
 #include <set>
 
-namespace app {
+namespace angiopose::app {
 
 /// The name of the only branch, or how many they are, in the language spoken when asked.
 ui::Words branchWords(const core::VesselTree& tree, const std::set<int>& branchIds);
 
-}   // namespace app
+}   // namespace angiopose::app

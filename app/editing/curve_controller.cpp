@@ -14,7 +14,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 std::shared_ptr<ui::CurveGround> makeGround(const TraceRequest& request)
@@ -221,4 +221,4 @@ void CurveController::traceAgain()
         [] { return tr("Trace again"); }));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -9,11 +9,11 @@
 #include <memory>
 #include <optional>
 
-namespace ui {
+namespace angiopose::ui {
 class CurveEditBar;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Edits of the traced curves by hand, on the angiogram. Edited curves are the target of their frame until it is traced
 /// again; each edit is one step of undo.
@@ -50,4 +50,4 @@ private:
     QFutureWatcher<std::shared_ptr<ui::CurveGround>> ground_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -4,7 +4,7 @@
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
 
-namespace app {
+namespace angiopose::app {
 
 CurveTracingController::CurveTracingController(const AngiogramParts& parts, QObject* parent)
     : QObject(parent), document_(parts.document), target_(parts.target), window_(parts.window)
@@ -34,4 +34,4 @@ void CurveTracingController::showKeptOut()
     }
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -5,7 +5,7 @@
 
 #include <QObject>
 
-namespace app {
+namespace angiopose::app {
 
 /// The numbers of the tracing, and the regions of the image that it leaves out.
 class CurveTracingController : public QObject {
@@ -23,4 +23,4 @@ private:
     SharedTrace shownTrace_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

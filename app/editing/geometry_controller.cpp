@@ -5,7 +5,7 @@
 #include "app/texts/geometry_state.h"
 #include "ui/main_window.h"
 
-namespace app {
+namespace angiopose::app {
 
 GeometryController::GeometryController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
     : QObject(parent), document_(document), window_(window)
@@ -34,4 +34,4 @@ void GeometryController::dropCameraOverride()
     document_.push(changeGeometry(document_, wanted, [] { return tr("Use distances and spacing"); }));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

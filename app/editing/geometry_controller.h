@@ -5,11 +5,11 @@
 
 #include <QObject>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// The geometry panel: shows the case's values with their origins, turns edits into undoable changes.
 class GeometryController : public QObject {
@@ -27,4 +27,4 @@ private:
     ui::MainWindow& window_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -4,7 +4,7 @@
 #include "ui/main_window.h"
 #include "ui/words/spoken.h"
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 QString nameOf(const QUndoCommand* edit)
@@ -39,4 +39,4 @@ void HistoryController::show()
     window_.strip().showUndoState(canUndo ? undo->text() : QString());
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -6,11 +6,11 @@
 
 class QAction;
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Undo and redo: the commands, and the words they and the strip show.
 class HistoryController : public QObject {
@@ -25,4 +25,4 @@ private:
     ui::MainWindow& window_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

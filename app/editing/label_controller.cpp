@@ -6,7 +6,7 @@
 #include "ui/words/core_texts.h"
 #include "ui/words/spoken.h"
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr double tickedOpacity = 0.75;
@@ -140,4 +140,4 @@ void LabelController::showTicks()
     window_.slices().setLabels(std::move(layer));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -7,12 +7,11 @@
 
 #include <set>
 
-namespace ui {
+namespace angiopose::ui {
 class LabelChoice;
 class MainWindow;
-}   // namespace ui
-
-namespace app {
+}   // namespace angiopose::ui
+namespace angiopose::app {
 
 /// Which labels of a label image are traced. They are listed where the slices are large; the ticks are a draft until a
 /// trace has taken them into the case.
@@ -46,4 +45,4 @@ private:
     bool isEdited_ = false;   ///< they are not those of the case
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -14,7 +14,7 @@
 #include <limits>
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr double nodeReachMm = 4.0;
@@ -249,4 +249,4 @@ void LandmarkController::showState()
     window_.landmarks().showLandmarks(state);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

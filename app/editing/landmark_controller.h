@@ -6,11 +6,11 @@
 
 #include <memory>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Landmarks by clicks: a place on the vessels (3-D view or slice; nodes attract) and one in the image make a pair, in
 /// either order; the pairs are listed, moved, removed, and give the start pose. Every change is one step of undo.
@@ -47,4 +47,4 @@ private:
     std::optional<Eigen::Vector2d> pendingPixel_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

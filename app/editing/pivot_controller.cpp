@@ -7,7 +7,7 @@
 #include "ui/views/tools/bind_tool.h"
 #include "ui/views/tree_view.h"
 
-namespace app {
+namespace angiopose::app {
 
 PivotController::PivotController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
     : QObject(parent), document_(document), window_(window), tool_(new ui::PivotTool(window.angiogramView()))
@@ -71,4 +71,4 @@ void PivotController::followDocument()
     window_.actions()[ui::Command::CentroidPivot]->setEnabled(picked.has_value());
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -6,11 +6,11 @@
 
 #include <QObject>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// The place on the vessels that they turn about by hand: picked in the angiogram, in 3-D or in a slice, marked there
 /// until the centroid is wanted again.
@@ -36,4 +36,4 @@ private:
     std::vector<int> hidden_;   ///< without these branches
 };
 
-}   // namespace app
+}   // namespace angiopose::app

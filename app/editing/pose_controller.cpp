@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr qint64 burstPauseMs = 900;   ///< a longer pause starts a new step of undo
@@ -166,4 +166,4 @@ int PoseController::burstFor(int kind)
     return burst_;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -9,7 +9,7 @@
 
 #include <optional>
 
-namespace app {
+namespace angiopose::app {
 
 /// Edits of the pose by hand: fields, keys, drags. Each burst of the same kind is one step of undo.
 class PoseController : public QObject {
@@ -59,4 +59,4 @@ private:
     bool movesAllViews_ = true;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

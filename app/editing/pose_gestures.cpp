@@ -7,7 +7,7 @@
 #include <QClipboard>
 #include <QGuiApplication>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 /// Four rows of four numbers, as spreadsheets and scripts take them.
@@ -98,4 +98,4 @@ void PoseGestures::copyMatrix()
     on_.notices.showNote(tr("Copied: camera from patient, 4 × 4, mm"));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -9,11 +9,11 @@
 
 #include <QObject>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Moving the tree by hand: the pose panel, nudge mode with keys and drags, and the live preview in all views.
 class PoseGestures : public QObject {
@@ -45,4 +45,4 @@ private:
     ui::NudgeTool* tool_;   ///< owned by the view
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -2,7 +2,7 @@
 
 #include <QtConcurrentRun>
 
-namespace app {
+namespace angiopose::app {
 
 RepairAdvice::RepairAdvice(CaseDocument& document, QObject* parent) : QObject(parent), document_(document)
 {
@@ -31,4 +31,4 @@ void RepairAdvice::followDocument()
     emit changed();
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace app {
+namespace angiopose::app {
 
 /// Into how many pieces the tree is broken, and where it is best mended. Looked for on a worker after each change.
 class RepairAdvice : public QObject {
@@ -37,4 +37,4 @@ private:
     Found found_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -3,7 +3,7 @@
 #include "app/document/edit_case.h"
 #include "ui/main_window.h"
 
-namespace app {
+namespace angiopose::app {
 
 StartPoseController::StartPoseController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
     : QObject(parent), document_(document)
@@ -45,4 +45,4 @@ void StartPoseController::startHere()
     }
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -2,11 +2,11 @@
 
 #include "app/document/case_document.h"
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Where a registration starts from: the angles, or the pose as it has been moved by hand. One step of undo each.
 class StartPoseController : public QObject {
@@ -25,4 +25,4 @@ private:
     CaseDocument& document_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

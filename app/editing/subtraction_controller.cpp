@@ -14,7 +14,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using namespace std::chrono_literals;
@@ -293,4 +293,4 @@ void SubtractionController::showState()
     }
 }
 
-}   // namespace app
+}   // namespace angiopose::app

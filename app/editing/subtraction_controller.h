@@ -13,7 +13,7 @@
 #include <memory>
 #include <optional>
 
-namespace app {
+namespace angiopose::app {
 
 /// Subtraction, composite and meaning of the pixel values: the run is made on a worker, and taken as one step of undo
 /// when it is there. While the mask is moved by hand the frame on screen follows at once, the run when the hand rests.
@@ -71,4 +71,4 @@ private:
     bool isPreviewNew_ = false;   ///< its grey values are not those on screen
 };
 
-}   // namespace app
+}   // namespace angiopose::app

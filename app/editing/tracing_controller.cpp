@@ -12,7 +12,7 @@
 
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 /// Values between which a threshold makes sense: those of the scan, for CT those of blood and bone.
@@ -251,4 +251,4 @@ void TracingController::ended()
     window_.strip().showIdle(tr("Ready"));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -7,11 +7,11 @@
 
 #include <QObject>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Tracing the vessels of a scan by hand-set threshold, seeds and limits. What is set is a draft until a trace has
 /// succeeded: then tree and settings enter the case as one step.
@@ -55,4 +55,4 @@ private:
     QFutureWatcher<std::optional<double>> level_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

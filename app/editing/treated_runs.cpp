@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr std::size_t keptRuns = 3;
@@ -35,4 +35,4 @@ void TreatedRuns::forgetAllBut(const SharedRun& stored)
     }
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -6,7 +6,7 @@
 #include <deque>
 #include <memory>
 
-namespace app {
+namespace angiopose::app {
 
 /// What was made of the open run: the newest are kept, so that switching to and fro costs nothing; older ones are found
 /// as long as somebody else keeps them (the history of undo), so that the same picture never lies in memory twice.
@@ -28,4 +28,4 @@ private:
     std::deque<SharedRun> kept_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

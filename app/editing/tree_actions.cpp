@@ -17,7 +17,7 @@
 #include <array>
 #include <optional>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using ui::Command;
@@ -231,7 +231,7 @@ void TreeActions::openSliceMenu(const Eigen::Vector3d& pointInPatient, const QPo
         menu->addSeparator();
     }
     for (const ui::WindowPreset& preset : ui::windowPresets()) {
-        menu->addAction(QCoreApplication::translate("ui::WindowPreset", preset.name), this,
+        menu->addAction(QCoreApplication::translate("angiopose::ui::WindowPreset", preset.name), this,
                         [this, window = preset.window] { window_.slices().setWindow(window); });
     }
     if (branch) {
@@ -245,4 +245,4 @@ void TreeActions::openSliceMenu(const Eigen::Vector3d& pointInPatient, const QPo
     openMenu(menu, globalPosition);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

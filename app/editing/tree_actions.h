@@ -4,7 +4,7 @@
 #include "app/editing/tracing_controller.h"
 #include "app/editing/tree_controller.h"
 
-namespace app {
+namespace angiopose::app {
 
 /// How the user reaches the edits of the tree: menus, keys, the branch list, and clicks in the 3-D view and the slices.
 class TreeActions : public QObject {
@@ -41,4 +41,4 @@ private:
     RepairAdvice advice_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr double smoothWidthMm = 8.0;   // bends narrower than this are taken out
@@ -228,4 +228,4 @@ void TreeController::mend(const core::TreeGap& gap)
     apply(whole, joinName(gap.fromBranchId, gap.toBranchId));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -10,7 +10,7 @@
 
 #include <optional>
 
-namespace app {
+namespace angiopose::app {
 
 /// Edits of the vessel tree, each one named step of undo. Marks of branches that go, and a result that no longer
 /// belongs to the tree, go with the edit and come back with its undo. The pose stays, unless it is the start pose.
@@ -53,4 +53,4 @@ private:
     std::optional<Eigen::Vector3d> place_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 /// The scan of the case stays beside vessels that come from elsewhere but lie in it.
@@ -131,4 +131,4 @@ core::RegistrationCase withGeometry(core::RegistrationCase base, const core::CAr
     return base;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -3,7 +3,7 @@
 #include "app/jobs/load_job.h"
 #include "core/registration_case.h"
 
-namespace app {
+namespace angiopose::app {
 
 /// `base` with the loaded parts in place of its own: a new image brings its geometry and fullest frame, a new tree
 /// forgets branch choices, and the pose goes to the start pose where one can be had.
@@ -18,4 +18,4 @@ bool makesNewCase(const LoadedInputs& inputs);
 /// The case moved to `cArm`: a pose that still was the start pose follows the new one.
 core::RegistrationCase withGeometry(core::RegistrationCase base, const core::CArm& cArm);
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using namespace std::chrono_literals;
@@ -168,4 +168,4 @@ QString Autosave::keepVessels(const LeftBehind& copy)
     return QFile::rename(copy.path, kept) ? kept : copy.path;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -11,7 +11,7 @@
 #include <memory>
 #include <optional>
 
-namespace app {
+namespace angiopose::app {
 
 /// A case that a session left behind when it ended without closing.
 struct LeftBehind {
@@ -54,4 +54,4 @@ private:
     FileQueue files_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -10,7 +10,7 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 QString folderName()
@@ -87,4 +87,4 @@ void keepCasePictures(const QStringList& casePaths)
     }
 }
 
-}   // namespace app
+}   // namespace angiopose::app

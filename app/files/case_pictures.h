@@ -5,7 +5,7 @@
 #include <QImage>
 #include <QStringList>
 
-namespace app {
+namespace angiopose::app {
 
 /// Small pictures of recent cases in the user's cache folder: vessels over the image without texts, letters that are
 /// part of the image wiped out. They go with the list of recent cases.
@@ -22,4 +22,4 @@ QImage casePicture(const QString& casePath);
 /// Removes the pictures of all other cases.
 void keepCasePictures(const QStringList& casePaths);
 
-}   // namespace app
+}   // namespace angiopose::app

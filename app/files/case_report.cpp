@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr int pictureWidthPx = 900;   // of one of the two
@@ -32,7 +32,7 @@ constexpr std::size_t branchesListed = 12;
 
 /// The words of this file.
 struct Words {
-    Q_DECLARE_TR_FUNCTIONS(app::CaseReport)
+    Q_DECLARE_TR_FUNCTIONS(angiopose::app::CaseReport)
 };
 
 using Rows = std::vector<std::pair<QString, QString>>;
@@ -143,7 +143,7 @@ QString geometryPart(const CaseReport& report)
         }
         const ui::GeometryValueKind& kind = ui::kindOf(value);
         const bool isAngle = kind.format.unit == QStringLiteral("°");   // written close to its number
-        rows.emplace_back(QCoreApplication::translate("ui::GeometryPanel", kind.label),
+        rows.emplace_back(QCoreApplication::translate("angiopose::ui::GeometryPanel", kind.label),
                           ui::numberText(*shown.value, kind.format.decimals) +
                               (isAngle ? QString() : QStringLiteral(" ")) + kind.format.unit +
                               QStringLiteral(" (%1)").arg(ui::coreText(originText(shown.origin))));
@@ -272,4 +272,4 @@ core::Result<QByteArray> reportBytes(const CaseReport& report, ReportKind kind)
     return htmlOf(report, inside, picture.value().size()).toUtf8();
 }
 
-}   // namespace app
+}   // namespace angiopose::app

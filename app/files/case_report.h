@@ -6,7 +6,7 @@
 #include <QByteArray>
 #include <QString>
 
-namespace app {
+namespace angiopose::app {
 
 /// One case on one page or two: the overlay before and after, what it measures and how far it can be trusted, the
 /// geometry with its origins, pose, inputs with hashes, who made it and when. In the language of the window.
@@ -23,4 +23,4 @@ enum class ReportKind { Pdf, Html };
 /// A page for people, HTML with its pictures inside. Fails where no overlay can be drawn.
 core::Result<QByteArray> reportBytes(const CaseReport& report, ReportKind kind);
 
-}   // namespace app
+}   // namespace angiopose::app

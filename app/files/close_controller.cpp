@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 
 CloseController::CloseController(ui::MainWindow& window, CaseDocument& document, SaveController& save,
                                  RegistrationController& registration, QObject* parent)
@@ -106,4 +106,4 @@ void CloseController::closeWindow()
     window_.closeNow();
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Closing loses nothing unasked: neither changes nor a running registration, whose best pose is kept before saving.
 class CloseController : public QObject {
@@ -47,4 +47,4 @@ private:
     Closing closing_ = Closing::No;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -22,7 +22,7 @@
 #include <memory>
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 
 ExportController::ExportController(CaseDocument& document, TargetProvider& target, ui::MainWindow& window,
                                    QObject* parent)
@@ -213,4 +213,4 @@ void ExportController::askVessels(const Then& then)
         then);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

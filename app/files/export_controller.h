@@ -10,11 +10,11 @@
 
 #include <functional>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Writes what leaves the program: overlay picture, result, pose, traced vessels.
 class ExportController : public QObject {
@@ -56,4 +56,4 @@ private:
     FileQueue files_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 /// Where the user has been lately.
@@ -293,4 +293,4 @@ void OpenController::join(const LoadedInputs& inputs, const QStringList& paths)
     emit opened(notesOf(inputs, document_.current()) + notesOnScan(inputs, document_.current()));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -5,7 +5,7 @@
 
 #include <QObject>
 
-namespace app {
+namespace angiopose::app {
 
 /// Opens files into the document: cases, or parts that make a case or join the open one. Reading happens on a worker;
 /// the open case stays as it is until everything has been read.
@@ -84,4 +84,4 @@ private:
     QString copy_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

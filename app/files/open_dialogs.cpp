@@ -18,7 +18,7 @@
 #include <iterator>
 #include <vector>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 struct LengthUnit {
@@ -246,4 +246,4 @@ void OpenDialogs::askToReplace()
     question->open();
 }
 
-}   // namespace app
+}   // namespace angiopose::app

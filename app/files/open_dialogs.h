@@ -9,11 +9,11 @@
 #include <QObject>
 #include <QStringList>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Asks what opening has to know: which files, which series, where moved inputs are, what a further scan or angiogram
 /// is for, the unit of a surface, whether the open case may go.
@@ -43,4 +43,4 @@ private:
     FileQueue files_;   ///< makes the sample case
 };
 
-}   // namespace app
+}   // namespace angiopose::app

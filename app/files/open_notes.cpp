@@ -10,11 +10,11 @@
 #include <QDir>
 #include <QFileInfo>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 struct Words {
-    Q_DECLARE_TR_FUNCTIONS(app::OpenNotes)
+    Q_DECLARE_TR_FUNCTIONS(angiopose::app::OpenNotes)
 };
 
 }   // namespace
@@ -59,4 +59,4 @@ QStringList notesOnScan(const LoadedInputs& inputs, const core::RegistrationCase
                : QStringList();
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -5,7 +5,7 @@
 
 #include <QStringList>
 
-namespace app {
+namespace angiopose::app {
 
 /// "a.dcm, b.vtp"
 QString namesOf(const QStringList& paths);
@@ -16,4 +16,4 @@ QStringList notesOf(const LoadedInputs& inputs, const core::RegistrationCase& op
 /// A scan beside vessels of another origin has to have their axes.
 QStringList notesOnScan(const LoadedInputs& inputs, const core::RegistrationCase& opened);
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -15,7 +15,7 @@
 #include <QPainter>
 #include <QSvgGenerator>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr double pngScale = 3.0;
@@ -112,4 +112,4 @@ void PlotExport::ask(QWidget& plot, Format format)
         });
 }
 
-}   // namespace app
+}   // namespace angiopose::app

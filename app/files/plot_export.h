@@ -6,7 +6,7 @@
 
 class QWidget;
 
-namespace app {
+namespace angiopose::app {
 
 /// A plot as SVG text: lines and letters, sharp at any size.
 QByteArray plotAsSvg(QWidget& plot);
@@ -29,4 +29,4 @@ private:
     ExportController& exporting_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -5,7 +5,7 @@
 
 #include <QFileInfo>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr qsizetype keptCases = 10;
@@ -34,4 +34,4 @@ void forgetRecentCases()
     keepCasePictures({});
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -2,11 +2,11 @@
 
 #include <QStringList>
 
-namespace app {
+namespace angiopose::app {
 
 /// Paths of cases opened or saved lately, newest first.
 QStringList recentCases();
 void rememberCase(const QString& path);
 void forgetRecentCases();   ///< and their pictures
 
-}   // namespace app
+}   // namespace angiopose::app

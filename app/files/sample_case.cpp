@@ -9,7 +9,7 @@
 #include <QDir>
 #include <QStandardPaths>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr std::uint64_t sampleSeed = 7;
@@ -54,4 +54,4 @@ core::Result<QString> writeSampleCase()
     return casePath;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

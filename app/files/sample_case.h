@@ -4,9 +4,9 @@
 
 #include <QString>
 
-namespace app {
+namespace angiopose::app {
 
 /// Generates the sample case (tree, DSA run, case file) in the application's data folder; returns the case file.
 core::Result<QString> writeSampleCase();
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 QString suggestedCasePath(const CaseDocument& document)
@@ -231,4 +231,4 @@ QString SaveController::saveState() const
     return tr("Unsaved changes");
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -11,7 +11,7 @@
 
 class QWidget;
 
-namespace app {
+namespace angiopose::app {
 
 /// Saves the open case, under its name or a new one, and offers what crashed sessions left behind.
 class SaveController : public QObject {
@@ -60,4 +60,4 @@ private:
     std::optional<LeftBehind> recovered_;   ///< open; its copy goes once this session has its own
 };
 
-}   // namespace app
+}   // namespace angiopose::app

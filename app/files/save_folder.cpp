@@ -6,7 +6,7 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 /// The sample case lies among the program's own files, where nobody would look for an export.
@@ -46,4 +46,4 @@ void rememberSaveFolder(const QString& writtenPath)
     settings::saveFolder.write(QFileInfo(writtenPath).absolutePath());
 }
 
-}   // namespace app
+}   // namespace angiopose::app

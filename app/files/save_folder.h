@@ -2,7 +2,7 @@
 
 #include <QString>
 
-namespace app {
+namespace angiopose::app {
 
 /// Where a file that goes with the case is suggested: where the last one was written, beside the case, where files were
 /// last opened, the user's documents; the first of these that can be written to and is not the program's own.
@@ -13,4 +13,4 @@ QString suggestedPath(const QString& casePath, const QString& name);
 
 void rememberSaveFolder(const QString& writtenPath);
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -8,12 +8,12 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 /// The words of this file.
 struct Words {
-    Q_DECLARE_TR_FUNCTIONS(app::SeriesRows)
+    Q_DECLARE_TR_FUNCTIONS(angiopose::app::SeriesRows)
 };
 
 QString numberedName(int number)
@@ -79,4 +79,4 @@ std::vector<ui::SeriesRow> seriesRows(const std::vector<io::DicomSeries>& series
     return rows;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -3,9 +3,9 @@
 #include "io/dicom_series.h"
 #include "ui/dialogs/series_chooser.h"
 
-namespace app {
+namespace angiopose::app {
 
 /// The series of a folder in the words of the chooser.
 std::vector<ui::SeriesRow> seriesRows(const std::vector<io::DicomSeries>& series);
 
-}   // namespace app
+}   // namespace angiopose::app

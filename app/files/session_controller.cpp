@@ -12,7 +12,7 @@
 #include <QFileInfo>
 #include <QMenu>
 
-namespace app {
+namespace angiopose::app {
 
 SessionController::SessionController(ui::MainWindow& window, CaseDocument& document, TargetProvider& target,
                                      RegistrationController& registration, Notices& notices, QObject* parent)
@@ -193,4 +193,4 @@ void SessionController::pictureOpened()
         });
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -13,11 +13,11 @@
 #include <QObject>
 #include <QStringList>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// From the first start to the last window: notice, opening, saving, exporting, recovery and closing.
 class SessionController : public QObject {
@@ -62,4 +62,4 @@ private:
     FileQueue pictures_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

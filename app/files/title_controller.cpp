@@ -3,7 +3,7 @@
 #include "ui/main_window.h"
 #include "ui/words/spoken.h"
 
-namespace app {
+namespace angiopose::app {
 
 using namespace std::chrono_literals;
 
@@ -56,4 +56,4 @@ QString TitleController::studyLine() const
     return parts.join(QStringLiteral(" · "));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -6,11 +6,11 @@
 #include <QObject>
 #include <QTimer>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Says which case is open, of which study, and what of it is saved: title bar, header and strip.
 class TitleController : public QObject {
@@ -29,4 +29,4 @@ private:
     QTimer clock_;   ///< keeps "Autosaved 12 s ago" true
 };
 
-}   // namespace app
+}   // namespace angiopose::app

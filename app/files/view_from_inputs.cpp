@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 /// The case with the image that was opened in place of its own, at its start pose.
@@ -48,4 +48,4 @@ core::Result<core::OtherView> viewFrom(const core::RegistrationCase& registratio
     return core::OtherView{{}, std::make_shared<const core::RegistrationCase>(core::viewOf(view))};
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace app {
+namespace angiopose::app {
 
 /// What was opened as another view of the case's vessels: an angiogram, or the image of a whole case, which `path` then
 /// is. Its pose is where the geometry between the views puts the vessels now; where that is not known, its start pose.
@@ -13,4 +13,4 @@ namespace app {
 core::Result<core::OtherView> viewFrom(const core::RegistrationCase& registrationCase, const LoadedInputs& inputs,
                                        const std::string& path);
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <array>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 struct Choice {
@@ -54,4 +54,4 @@ void ColorController::apply(ui::ColorScheme scheme)
     }
 }
 
-}   // namespace app
+}   // namespace angiopose::app

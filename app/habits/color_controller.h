@@ -2,12 +2,11 @@
 
 #include <QObject>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 enum class ColorScheme;
-}   // namespace ui
-
-namespace app {
+}   // namespace angiopose::ui
+namespace angiopose::app {
 
 /// The menu of colours for vessels and residuals, each readable with any colour vision.
 class ColorController : public QObject {
@@ -21,4 +20,4 @@ private:
     ui::MainWindow& window_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -7,7 +7,7 @@
 #include "app/habits/picture_controller.h"
 #include "app/habits/shortcut_controller.h"
 
-namespace app {
+namespace angiopose::app {
 
 /// How each user likes the program to be: everything here is remembered between sessions, nothing belongs to a case.
 class Habits {
@@ -34,4 +34,4 @@ private:
     PictureController pictures_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

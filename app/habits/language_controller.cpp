@@ -10,7 +10,7 @@
 #include <array>
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 
 LanguageController::LanguageController(ui::MainWindow& window, QObject* parent) : QObject(parent), window_(window)
 {
@@ -38,4 +38,4 @@ void LanguageController::choose(const QString& code)
     ui::speakAgain();
 }
 
-}   // namespace app
+}   // namespace angiopose::app

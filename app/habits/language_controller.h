@@ -2,11 +2,11 @@
 
 #include <QObject>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// The language menu: a choice is remembered, and the window speaks it from then on.
 class LanguageController : public QObject {
@@ -20,4 +20,4 @@ private:
     ui::MainWindow& window_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -9,7 +9,7 @@
 
 #include <initializer_list>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using enum ui::Command;
@@ -65,4 +65,4 @@ void MenuController::showTreeMenu(const QPoint& globalPosition, std::optional<in
     menu->popup(globalPosition);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -7,11 +7,11 @@
 class QMenu;
 class QPoint;
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 class BranchController;
 
@@ -30,4 +30,4 @@ private:
     ui::MainWindow& window_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

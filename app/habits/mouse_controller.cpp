@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 struct Choice {
@@ -47,4 +47,4 @@ MouseController::MouseController(ui::MainWindow& window, QObject* parent) : QObj
     window.angiogramView().setMousePreset(chosen().preset);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -4,11 +4,11 @@
 
 #include <QObject>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// The preset that the user chose.
 ui::MousePreset chosenMouse();
@@ -20,4 +20,4 @@ public:
     explicit MouseController(ui::MainWindow& window, QObject* parent = nullptr);
 };
 
-}   // namespace app
+}   // namespace angiopose::app

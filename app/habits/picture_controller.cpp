@@ -10,7 +10,7 @@
 #include <QGuiApplication>
 #include <QPixmap>
 
-namespace app {
+namespace angiopose::app {
 
 PictureController::PictureController(ui::MainWindow& window, QObject* parent) : QObject(parent), window_(window)
 {
@@ -51,4 +51,4 @@ void PictureController::askFileFor(const QPixmap& picture)
     dialog->open();
 }
 
-}   // namespace app
+}   // namespace angiopose::app

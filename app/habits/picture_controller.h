@@ -4,11 +4,11 @@
 
 class QPixmap;
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Pictures of the whole window, as it is: to the clipboard, or into a file.
 class PictureController : public QObject {
@@ -24,4 +24,4 @@ private:
     ui::MainWindow& window_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

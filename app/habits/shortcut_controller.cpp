@@ -9,7 +9,7 @@
 
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 /// Settings group of the keys; each command under its object name.
@@ -101,4 +101,4 @@ void ShortcutController::refresh()
     }
 }
 
-}   // namespace app
+}   // namespace angiopose::app

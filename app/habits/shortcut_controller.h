@@ -11,11 +11,10 @@
 
 class QAction;
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
-}   // namespace ui
-
-namespace app {
+}   // namespace angiopose::ui
+namespace angiopose::app {
 
 /// The key sheet, and the keys that the user chose in it: kept between sessions, each command at most one user's key.
 class ShortcutController : public QObject {
@@ -38,4 +37,4 @@ private:
     bool areNew_ = false;   ///< since the sheet was opened
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -9,7 +9,7 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr std::uint64_t exampleSeed = 11;
@@ -88,4 +88,4 @@ core::Result<QString> fitExamplePicture(ui::FitExample example)
     return path;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

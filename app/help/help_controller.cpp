@@ -13,7 +13,7 @@
 #include <QCursor>
 #include <QImage>
 
-namespace app {
+namespace angiopose::app {
 
 HelpController::HelpController(ui::MainWindow& window, QObject* parent) : QObject(parent), window_(window)
 {
@@ -107,4 +107,4 @@ void HelpController::showAbout()
                             &window_);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

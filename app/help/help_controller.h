@@ -5,13 +5,12 @@
 #include <QObject>
 #include <QPointer>
 
-namespace ui {
+namespace angiopose::ui {
 class GoodFit;
 class MainWindow;
 class Tour;
-}   // namespace ui
-
-namespace app {
+}   // namespace angiopose::ui
+namespace angiopose::app {
 
 /// Help on what the mouse points at, the tour, and the page of good and bad fits.
 class HelpController : public QObject {
@@ -34,4 +33,4 @@ private:
     FileQueue pictures_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

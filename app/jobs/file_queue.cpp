@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 
 FileQueue::FileQueue(QObject* parent) : QObject(parent)
 {
@@ -51,4 +51,4 @@ void FileQueue::publish()
     }
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -9,7 +9,7 @@
 #include <deque>
 #include <functional>
 
-namespace app {
+namespace angiopose::app {
 
 /// Writes files off the GUI thread, one after the other in the order of asking. Work gets what it needs by value and
 /// returns the path it wrote. A destroyed queue finishes its work first, so that nothing asked for is lost.
@@ -38,4 +38,4 @@ private:
     bool running_ = false;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

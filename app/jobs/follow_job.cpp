@@ -8,7 +8,7 @@
 
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 
 FollowJob::FollowJob(QObject* parent) : QObject(parent)
 {
@@ -43,4 +43,4 @@ void FollowJob::publish()
     publishOutcome(*this, takeResult(watcher_));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -8,7 +8,7 @@
 #include <atomic>
 #include <vector>
 
-namespace app {
+namespace angiopose::app {
 
 /// Follows the vessels through the frames of a run off the GUI thread. Every signal arrives on the job's own thread.
 class FollowJob : public QObject {
@@ -35,4 +35,4 @@ private:
     bool running_ = false;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

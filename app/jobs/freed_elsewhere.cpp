@@ -1,6 +1,6 @@
 #include "app/jobs/freed_elsewhere.h"
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 core::RegistrationCase freedElsewhere(core::RegistrationCase read)
@@ -30,4 +30,4 @@ LoadedInputs freedElsewhere(LoadedInputs inputs)
     return inputs;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 
 /// The same thing, for the window: whoever lets go of it last, a worker gives its memory back. The system takes the
 /// pages of a run or a scan back one by one, and the window would stand still meanwhile.
@@ -26,4 +26,4 @@ std::shared_ptr<const T> freedElsewhere(std::shared_ptr<const T> shared)
 /// Likewise the runs and scans in what was read.
 LoadedInputs freedElsewhere(LoadedInputs inputs);
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -3,7 +3,7 @@
 #include <QFuture>
 #include <QFutureWatcher>
 
-namespace app {
+namespace angiopose::app {
 
 /// What finished work found, once: a future that kept it would keep closed cases alive. From then on the future is
 /// neither running nor finished.
@@ -22,4 +22,4 @@ void waitFor(QFutureWatcher<T>& watcher)
     }
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -5,7 +5,7 @@
 #include <exception>
 #include <new>
 
-namespace app {
+namespace angiopose::app {
 
 /// Runs `work` and turns whatever a library throws into an error for the user: the only place where a job catches.
 template <class T, class Work>
@@ -20,4 +20,4 @@ core::Result<T> guarded(const Work& work)
     }
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -9,12 +9,12 @@
 #include <QFileInfo>
 #include <QSet>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 /// The words of this file.
 struct Words {
-    Q_DECLARE_TR_FUNCTIONS(app::InputKind)
+    Q_DECLARE_TR_FUNCTIONS(angiopose::app::InputKind)
 };
 
 constexpr qint64 headSize = 4096;
@@ -136,4 +136,4 @@ QStringList openFilters()
             Words::tr("All files (*)")};
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -4,7 +4,7 @@
 
 #include <QString>
 
-namespace app {
+namespace angiopose::app {
 
 /// `Vessels`: a scan, segmentation or surface that is traced; `Folder`: DICOM files to choose from.
 enum class InputKind { Case, Centerline, Vessels, Folder, Image, Target };
@@ -16,4 +16,4 @@ core::Result<InputKind> inputKindOf(const QString& path);
 /// Name filters of the open dialog, all kinds first.
 QStringList openFilters();
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -10,7 +10,7 @@
 #include <chrono>
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -95,4 +95,4 @@ void JointJob::publish()
     publishOutcome(*this, takeResult(watcher_));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

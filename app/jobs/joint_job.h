@@ -9,7 +9,7 @@
 #include <atomic>
 #include <vector>
 
-namespace app {
+namespace angiopose::app {
 
 /// Registers all views of a case together off the GUI thread; the other views' vessels are traced first. Every signal
 /// arrives on the job's own thread.
@@ -37,4 +37,4 @@ private:
     QFutureWatcher<Outcome> watcher_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -8,7 +8,7 @@
 
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 core::Result<SharedJudgement> judge(const JudgeRequest& request)
@@ -72,4 +72,4 @@ void JudgeJob::publish()
     }
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -11,7 +11,7 @@
 #include <memory>
 #include <optional>
 
-namespace app {
+namespace angiopose::app {
 
 /// A pose to judge: everything by value or shared and constant.
 struct JudgeRequest {
@@ -50,4 +50,4 @@ private:
     bool cancelled_ = false;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -5,7 +5,7 @@
 
 #include <QtConcurrentRun>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 core::Result<LabelOverview> readOverview(const std::string& path, const io::ReadObserver& observe)
@@ -61,4 +61,4 @@ void LabelJob::drop()
     }
 }
 
-}   // namespace app
+}   // namespace angiopose::app

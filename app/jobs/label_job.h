@@ -10,7 +10,7 @@
 #include <memory>
 #include <set>
 
-namespace app {
+namespace angiopose::app {
 
 /// What there is to choose from in a label image.
 struct LabelOverview {
@@ -39,4 +39,4 @@ private:
     std::shared_ptr<std::atomic<bool>> isDropped_;   ///< of the running read; null without one
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -7,7 +7,7 @@
 
 #include <QtConcurrentRun>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr int pollMs = 60;
@@ -69,4 +69,4 @@ void LoadJob::publish()
     publishOutcome(*this, takeResult(watcher_));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

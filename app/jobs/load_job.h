@@ -10,7 +10,7 @@
 #include <atomic>
 #include <memory>
 
-namespace app {
+namespace angiopose::app {
 
 /// Reads files off the GUI thread. A job that is abandoned or destroyed stops its reading and drops what was read.
 class LoadJob : public QObject {
@@ -46,4 +46,4 @@ private:
     bool running_ = false;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

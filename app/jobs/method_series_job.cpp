@@ -7,7 +7,7 @@
 #include <chrono>
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -78,4 +78,4 @@ void MethodSeriesJob::solveOne(const core::RegistrationInput& input, const core:
     }
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace app {
+namespace angiopose::app {
 
 /// Runs several methods one after the other off the GUI thread, each from the same input with its default or given
 /// options. Every signal arrives on the job's own thread.
@@ -40,4 +40,4 @@ private:
     bool running_ = false;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -4,7 +4,7 @@
 
 #include <QString>
 
-namespace app {
+namespace angiopose::app {
 
 /// How a job ends: `finished` with what was found, or `failed` with the reason.
 template <class Job, class Found>
@@ -17,4 +17,4 @@ void publishOutcome(Job& job, const core::Result<Found>& outcome)
     }
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -8,7 +8,7 @@
 
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 
 RadiographJob::RadiographJob(QObject* parent) : QObject(parent)
 {
@@ -74,4 +74,4 @@ void RadiographJob::publish()
     }
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-namespace app {
+namespace angiopose::app {
 
 class RadiographSource;
 
@@ -42,4 +42,4 @@ private:
     bool cancelled_ = false;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

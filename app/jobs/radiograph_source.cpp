@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 
 RadiographSource::RadiographSource(core::RegistrationInput input, core::RegistrationOptions options)
     : input_(std::move(input)), options_(std::move(options))
@@ -22,4 +22,4 @@ core::Result<core::ImageF> RadiographSource::from(const core::RigidTransform& ca
     return radiograph_->from(cameraFromPatient);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

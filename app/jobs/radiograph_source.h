@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-namespace app {
+namespace angiopose::app {
 
 /// The vessels of a case, X-rayed from any pose; made ready with the first. Used by one worker at a time.
 class RadiographSource {
@@ -23,4 +23,4 @@ private:
     std::optional<core::Radiograph> radiograph_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -15,7 +15,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 /// The inputs of a case that are not in their place: what the hints know of them, and what a search finds.
@@ -325,4 +325,4 @@ core::Result<LoadedInputs> readInputs(const QStringList& paths, const OpenHints&
     return inputs;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

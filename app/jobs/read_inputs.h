@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace app {
+namespace angiopose::app {
 
 /// What a set of files turned out to be: a whole case, or parts of one.
 struct LoadedInputs {
@@ -60,4 +60,4 @@ struct OpenHints {
 core::Result<LoadedInputs> readInputs(const QStringList& paths, const OpenHints& hints = {},
                                       const io::ReadObserver& observe = {});
 
-}   // namespace app
+}   // namespace angiopose::app

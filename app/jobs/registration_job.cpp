@@ -9,7 +9,7 @@
 #include <chrono>
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 /// Lets through what the eye can follow; a fast solver would flood the event queue.
@@ -67,4 +67,4 @@ void RegistrationJob::publish()
     publishOutcome(*this, takeResult(watcher_));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -7,7 +7,7 @@
 
 #include <atomic>
 
-namespace app {
+namespace angiopose::app {
 
 /// Runs one registration off the GUI thread. Every signal arrives on the job's own thread.
 class RegistrationJob : public QObject {
@@ -34,4 +34,4 @@ private:
     bool publishPending_ = false;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

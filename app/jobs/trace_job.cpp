@@ -9,7 +9,7 @@
 
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 core::Result<SharedTrace> trace(const TraceRequest& request)
@@ -45,4 +45,4 @@ void TraceJob::publish()
     publishOutcome(*this, takeResult(watcher_));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace app {
+namespace angiopose::app {
 
 /// One frame to trace, by value; the run itself is shared and never changes.
 struct TraceRequest {
@@ -52,4 +52,4 @@ private:
     bool running_ = false;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

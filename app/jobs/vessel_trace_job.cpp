@@ -7,7 +7,7 @@
 
 #include <QtConcurrentRun>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr int pollMs = 60;
@@ -100,4 +100,4 @@ void VesselTraceJob::publish()
     }
 }
 
-}   // namespace app
+}   // namespace angiopose::app

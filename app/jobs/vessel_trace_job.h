@@ -10,7 +10,7 @@
 #include <atomic>
 #include <memory>
 
-namespace app {
+namespace angiopose::app {
 
 /// What to trace a vessel tree from. The scan is taken as it lies in memory; other inputs are read again.
 struct VesselTraceRequest {
@@ -59,4 +59,4 @@ private:
     bool running_ = false;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

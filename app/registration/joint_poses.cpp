@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 core::RegistrationCase withResult(core::RegistrationCase view, const core::RegistrationResult& result)
@@ -44,4 +44,4 @@ JointPoses jointPosesOf(const core::RegistrationCase& registrationCase, const co
     return poses;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

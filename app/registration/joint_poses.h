@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace app {
+namespace angiopose::app {
 
 /// A case after a run over all its views.
 struct JointPoses {
@@ -16,4 +16,4 @@ struct JointPoses {
 /// `joint` must be of core::casesOfViews(registrationCase).
 JointPoses jointPosesOf(const core::RegistrationCase& registrationCase, const core::MultiViewResult& joint);
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -7,7 +7,7 @@
 #include "ui/panels/snapshot_panel.h"
 #include "ui/words/core_texts.h"
 
-namespace app {
+namespace angiopose::app {
 
 RegistrationController::RegistrationController(CaseDocument& document, TargetProvider& target, QObject* parent)
     : QObject(parent), document_(document), target_(target)
@@ -138,4 +138,4 @@ void RegistrationController::end()
     emit runningChanged(false);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -7,7 +7,7 @@
 
 #include <QObject>
 
-namespace app {
+namespace angiopose::app {
 
 /// Runs the registration of the open case: traced vessels first, then the solver with a live pose; Stop keeps the
 /// best pose. The result is one step of undo.
@@ -47,4 +47,4 @@ private:
     Phase phase_ = Phase::Idle;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -5,7 +5,7 @@
 #include "ui/words/core_texts.h"
 #include "ui/words/number.h"
 
-namespace app {
+namespace angiopose::app {
 
 RunController::RunController(const Parts& parts, QObject* parent) : QObject(parent), on_(parts)
 {
@@ -103,4 +103,4 @@ void RunController::showFinished(const core::RegistrationResult& result)
                              : tr("Registered: median %1 mm").arg(ui::numberText(result.metrics.medianMm, 2)));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -10,11 +10,11 @@
 
 #include <QObject>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Register and Stop, the method's options, and what the window shows while a registration runs and when it ends.
 class RunController : public QObject {
@@ -48,4 +48,4 @@ private:
     Parts on_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr std::size_t rememberedBytes = 16U << 20U;   // of masks, the largest part: 64 frames of 512 × 512
@@ -114,4 +114,4 @@ void TargetProvider::settle(const SharedCenterline& target, const SharedTrace& t
     emit changed();
 }
 
-}   // namespace app
+}   // namespace angiopose::app

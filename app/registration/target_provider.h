@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-namespace app {
+namespace angiopose::app {
 
 /// The traced vessels of the case's frame: the given 2-D centreline, or tracing on a worker, remembered per frame and
 /// options. Only the newest wish is answered.
@@ -51,4 +51,4 @@ private:
     QString problem_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <array>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 /// What would tell how good a pose is, show another one, or take the trial's state out of the program.
@@ -204,4 +204,4 @@ void BlindTrialController::keep(const core::RegistrationResult& judged)
         [] { return tr("Keep a blind trial"); }));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

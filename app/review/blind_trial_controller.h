@@ -10,11 +10,11 @@
 #include <QElapsedTimer>
 #include <QObject>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Observer studies: the vessels start at random, whatever could tell how good a pose is stays out of sight, and time
 /// and pose are logged. The case itself comes back unchanged, with the observer's pose among the snapshots.
@@ -55,4 +55,4 @@ private:
     FileQueue files_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -6,7 +6,7 @@
 
 #include <QCryptographicHash>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using namespace std::chrono_literals;
@@ -84,4 +84,4 @@ void BrightnessMemory::remember(double window, double level)
     storing_.start();
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -8,11 +8,11 @@
 
 #include <memory>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Remembers window and level per series: the next time it is opened it looks as it was left. Other images start with
 /// automatic brightness.
@@ -35,4 +35,4 @@ private:
     QTimer storing_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 bool isSame(const core::RigidTransform& a, const core::RigidTransform& b)
@@ -161,4 +161,4 @@ void FollowController::exportPoses()
         [frames = frames_](const QString& path) { return io::writePoseTable(frames, path.toStdString()); });
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-namespace app {
+namespace angiopose::app {
 
 /// Follows the vessels through the frames of the run from the frame and pose that are shown, then shows each frame with
 /// its own pose. The poses hold until something else moves the vessels.
@@ -52,4 +52,4 @@ private:
     std::vector<core::FollowedFrame> frames_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 std::vector<double> residualsMm(const core::RegistrationCase& current, const Judgement& judgement,
@@ -119,4 +119,4 @@ bool JudgementController::isFollowed() const
     return followed && followed->matrix() == current.cameraFromPatient.matrix();
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -12,11 +12,11 @@
 
 #include <QObject>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Judges the pose that is shown, off the window's thread, and shows the verdict: numbers, sentences, residual colours.
 class JudgementController : public QObject {
@@ -58,4 +58,4 @@ private:
     std::function<std::optional<core::RigidTransform>(int frame)> followedPoseOf_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr double opacityStep = 0.1;
@@ -188,4 +188,4 @@ void LookController::showNextWorst()
                                    .arg(ui::numberText(branch.medianPx * millimetresPerPixel_, 2)));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

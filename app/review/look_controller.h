@@ -10,11 +10,11 @@
 
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// How the overlay lies on the angiogram: style, opacity, depth cue, swipe and lens, brightness, and the way to the
 /// branch that fits worst. Nothing here changes the case.
@@ -57,4 +57,4 @@ private:
     std::size_t nextWorst_ = 0;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -6,7 +6,7 @@
 #include <QDialog>
 #include <QVBoxLayout>
 
-namespace app {
+namespace angiopose::app {
 
 OpacificationController::OpacificationController(const AngiogramParts& parts, QObject* parent)
     : QObject(parent), document_(parts.document), sync_(parts.sync), window_(parts.window)
@@ -53,4 +53,4 @@ void OpacificationController::show()
     plot_->showCurrent(sync_.shownFrame());
 }
 
-}   // namespace app
+}   // namespace angiopose::app

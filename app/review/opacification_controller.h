@@ -5,11 +5,11 @@
 #include <QObject>
 #include <QPointer>
 
-namespace ui {
+namespace angiopose::ui {
 class OpacificationPlot;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Opens the large plot of opacification over time, and keeps it up to date while it is open.
 class OpacificationController : public QObject {
@@ -27,4 +27,4 @@ private:
     QPointer<ui::OpacificationPlot> plot_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

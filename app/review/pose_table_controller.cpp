@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr int seriesBursts = 1 << 22;   ///< keeps burst numbers of series apart from those of poses and frames
@@ -205,4 +205,4 @@ void PoseTableController::exportTable()
         });
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -12,7 +12,7 @@
 
 #include <vector>
 
-namespace app {
+namespace angiopose::app {
 
 /// The comparison table: kept poses, runs and the pose as it is side by side; runs several methods to fill it.
 class PoseTableController : public QObject {
@@ -61,4 +61,4 @@ private:
     int referenceId_ = 0;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

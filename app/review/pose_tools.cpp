@@ -4,7 +4,7 @@
 
 #include <QFileInfo>
 
-namespace app {
+namespace angiopose::app {
 
 PoseTools::PoseTools(const Parts& on, QObject* parent)
     : QObject(parent),
@@ -52,4 +52,4 @@ void PoseTools::connectTrial(const Parts& on)
             [notices](const QString& reason) { notices->showProblem(tr("Blind trial"), reason); });
 }
 
-}   // namespace app
+}   // namespace angiopose::app

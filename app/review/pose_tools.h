@@ -14,7 +14,7 @@
 
 #include <QObject>
 
-namespace app {
+namespace angiopose::app {
 
 /// What can be done with poses beside moving them: solutions, snapshots, comparison, blind trials, advice on branches.
 /// Owns and wires these.
@@ -54,4 +54,4 @@ private:
     PlotExport plots_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -4,7 +4,7 @@
 #include "ui/views/angiogram_view.h"
 #include "ui/words/core_texts.h"
 
-namespace app {
+namespace angiopose::app {
 RadiographController::RadiographController(const Parts& parts, QObject* parent) : QObject(parent), on_(parts)
 {
     connect(&on_.look, &LookController::radiographWanted, this, &RadiographController::setWanted);
@@ -79,4 +79,4 @@ void RadiographController::show(const core::ImageF& picture)
     on_.window.angiogramView().update();
 }
 
-}   // namespace app
+}   // namespace angiopose::app

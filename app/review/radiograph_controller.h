@@ -7,7 +7,7 @@
 
 #include <QObject>
 
-namespace app {
+namespace angiopose::app {
 
 /// The vessels as X-rays would show them, over the angiogram: a radiograph made anew wherever the pose moves.
 class RadiographController : public QObject {
@@ -39,4 +39,4 @@ private:
     std::vector<int> excluded_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

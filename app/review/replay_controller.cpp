@@ -13,7 +13,7 @@
 #include <numbers>
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using namespace std::chrono_literals;
@@ -35,10 +35,12 @@ double spreadMm(const core::VesselTree& tree, const Eigen::Vector3d& centroid)
 
 QString nameOfAxis(Eigen::Index axis)
 {
-    static const std::array names{
-        QT_TRANSLATE_NOOP("app::ReplayController", "tilt"),    QT_TRANSLATE_NOOP("app::ReplayController", "turn"),
-        QT_TRANSLATE_NOOP("app::ReplayController", "roll"),    QT_TRANSLATE_NOOP("app::ReplayController", "sideways"),
-        QT_TRANSLATE_NOOP("app::ReplayController", "up–down"), QT_TRANSLATE_NOOP("app::ReplayController", "depth")};
+    static const std::array names{QT_TRANSLATE_NOOP("angiopose::app::ReplayController", "tilt"),
+                                  QT_TRANSLATE_NOOP("angiopose::app::ReplayController", "turn"),
+                                  QT_TRANSLATE_NOOP("angiopose::app::ReplayController", "roll"),
+                                  QT_TRANSLATE_NOOP("angiopose::app::ReplayController", "sideways"),
+                                  QT_TRANSLATE_NOOP("angiopose::app::ReplayController", "up–down"),
+                                  QT_TRANSLATE_NOOP("angiopose::app::ReplayController", "depth")};
     return ReplayController::tr(names[static_cast<std::size_t>(axis)]);
 }
 
@@ -210,4 +212,4 @@ void ReplayController::takeSolution()
                                               [number = solution_ + 1] { return tr("Take solution %1").arg(number); }));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

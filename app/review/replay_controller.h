@@ -8,11 +8,11 @@
 
 #include <optional>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Poses in motion, shown but never written: how the last run converged, the swing along the direction that the image
 /// tells worst, and the other solutions of the last run. Any change of the case ends them.
@@ -56,4 +56,4 @@ private:
     std::size_t solution_ = 0;   ///< 0: the pose itself, k: the k-th other solution
 };
 
-}   // namespace app
+}   // namespace angiopose::app

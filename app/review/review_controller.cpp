@@ -14,7 +14,7 @@
 #include <array>
 #include <climits>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using namespace std::chrono_literals;
@@ -174,4 +174,4 @@ void ReviewController::applyTheme(const QString& name)
     window_.treeView().setTheme(ui::activeTheme());
 }
 
-}   // namespace app
+}   // namespace angiopose::app

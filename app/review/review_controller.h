@@ -10,11 +10,11 @@
 #include <optional>
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// How the user looks at the case: flicker, frames, theme. Nothing here changes the case but the frame.
 class ReviewController : public QObject {
@@ -49,4 +49,4 @@ private:
     qint64 lastFrameMs_ = 0;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -6,7 +6,7 @@
 #include "ui/slices/slices_page.h"
 #include "ui/views/tree_view.h"
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 std::optional<core::BodyPlane> planeOf(int setting)
@@ -121,4 +121,4 @@ void SliceController::goToBranch(int branchId)
     window_.slices().setCrosshair(branch->pointsInPatient[branch->pointsInPatient.size() / 2]);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

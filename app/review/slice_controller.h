@@ -5,12 +5,11 @@
 
 #include <QObject>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 class SliceView;
-}   // namespace ui
-
-namespace app {
+}   // namespace angiopose::ui
+namespace angiopose::app {
 
 /// The slices of the scan: which scan, tree and place they show, and where in the window.
 class SliceController : public QObject {
@@ -34,4 +33,4 @@ private:
     core::InputFile shownLabels_;   ///< the label image the vessels come from
 };
 
-}   // namespace app
+}   // namespace angiopose::app

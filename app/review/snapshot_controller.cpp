@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 bool isSame(const core::RigidTransform& a, const core::RigidTransform& b)
@@ -231,4 +231,4 @@ void SnapshotController::showMarks()
     window_.snapshots().showMarks(marks_);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

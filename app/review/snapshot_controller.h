@@ -10,11 +10,11 @@
 
 #include <set>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Poses as things: keep, look at, restore, rename, delete, and go between two with one key. Looking changes nothing;
 /// the rest are steps of undo.
@@ -58,4 +58,4 @@ private:
     std::vector<std::string> listed_;   ///< what the panel shows, to fill it only when that changed
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -5,7 +5,7 @@
 
 #include <QDateTime>
 
-namespace app {
+namespace angiopose::app {
 
 QString observerName()
 {
@@ -33,4 +33,4 @@ core::PoseSnapshot snapshotOfRun(const core::RegistrationResult& result, int fra
     return snapshot;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -4,7 +4,7 @@
 
 #include <QString>
 
-namespace app {
+namespace angiopose::app {
 
 /// Who sits here: as set for observer studies, or the login name.
 QString observerName();
@@ -15,4 +15,4 @@ std::string timeNow();
 /// What a run leaves behind, named after its method and the time.
 core::PoseSnapshot snapshotOfRun(const core::RegistrationResult& result, int frame);
 
-}   // namespace app
+}   // namespace angiopose::app

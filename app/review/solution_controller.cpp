@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr std::size_t mostSolutions = 9;
@@ -135,4 +135,4 @@ void SolutionController::draw(const std::vector<core::RigidTransform>& poses)
         }));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

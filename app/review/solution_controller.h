@@ -11,11 +11,11 @@
 #include <optional>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// The solutions of the last run as a strip of small pictures: the pose itself first, then the others by their score,
 /// each with how far it lies from the pose. Pictures are drawn on a worker.
@@ -43,4 +43,4 @@ private:
     QFutureWatcher<Pictures> pictures_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

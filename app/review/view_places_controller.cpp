@@ -5,7 +5,7 @@
 #include "ui/slices/slices_page.h"
 #include "ui/views/angiogram_view.h"
 
-namespace app {
+namespace angiopose::app {
 
 using ui::Command;
 using ui::MovableView;
@@ -70,4 +70,4 @@ void ViewPlacesController::setAlone(MovableView view, bool on)
     window_.showAlone(on ? std::optional(view) : std::nullopt);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

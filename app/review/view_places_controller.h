@@ -4,7 +4,7 @@
 
 #include <QObject>
 
-namespace app {
+namespace angiopose::app {
 
 /// Views that take the whole window, or leave it for a window of their own, on another screen where there is one.
 class ViewPlacesController : public QObject {
@@ -21,4 +21,4 @@ private:
     ui::MainWindow& window_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

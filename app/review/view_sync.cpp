@@ -19,7 +19,7 @@
 #include <numbers>
 #include <utility>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 double sourceToDetectorMm(const core::RegistrationCase& current)
@@ -285,4 +285,4 @@ void ViewSync::publishMeasured()
     emit runMeasured();
 }
 
-}   // namespace app
+}   // namespace angiopose::app

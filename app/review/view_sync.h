@@ -11,11 +11,11 @@
 
 #include <optional>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Whether residual colours hold for a pose that is shown for a while: a drag is judged as it moves, a look at another
 /// pose is not, and colours of one pose on another would lie.
@@ -78,4 +78,4 @@ private:
     QFutureWatcher<Measured> opacification_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 void addLine(std::vector<std::string>& lines, std::string text)
@@ -124,4 +124,4 @@ ui::CornerTexts cornerTexts(const core::RegistrationCase& registrationCase, Iden
     return texts;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

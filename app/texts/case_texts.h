@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace app {
+namespace angiopose::app {
 
 enum class Identity { Shown, Hidden };
 
@@ -22,4 +22,4 @@ ui::CornerTexts cornerTexts(const core::RegistrationCase& registrationCase, Iden
 /// "0.391 mm/px detector (header)", with the scale at the vessel where the depth is known.
 std::string pixelScaleText(const core::RegistrationCase& registrationCase);
 
-}   // namespace app
+}   // namespace angiopose::app

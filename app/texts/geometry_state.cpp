@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 /// Everything that is missing, one line each; what a given camera or start pose replaces is not missed.
@@ -57,4 +57,4 @@ ui::GeometryState geometryState(const core::RegistrationCase& current)
     return state;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

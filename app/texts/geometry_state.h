@@ -3,9 +3,9 @@
 #include "core/registration_case.h"
 #include "ui/panels/geometry_values.h"
 
-namespace app {
+namespace angiopose::app {
 
 /// What the geometry panel says about a case.
 ui::GeometryState geometryState(const core::RegistrationCase& current);
 
-}   // namespace app
+}   // namespace angiopose::app

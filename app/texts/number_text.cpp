@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace app {
+namespace angiopose::app {
 
 std::string fixedText(double value, int decimals)
 {
@@ -29,4 +29,4 @@ std::string secondaryAngleText(double secondaryAngleDeg)
     return (secondaryAngleDeg < 0.0 ? "CAU " : "CRA ") + fixedText(std::abs(secondaryAngleDeg), 1);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

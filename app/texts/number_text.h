@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace app {
+namespace angiopose::app {
 
 /// "12.34": fixed decimals, '.' in every locale. "n/a" when not finite.
 std::string fixedText(double value, int decimals);
@@ -11,4 +11,4 @@ std::string fixedText(double value, int decimals);
 std::string primaryAngleText(double primaryAngleDeg);
 std::string secondaryAngleText(double secondaryAngleDeg);
 
-}   // namespace app
+}   // namespace angiopose::app

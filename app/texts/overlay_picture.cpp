@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr double residualScaleMaximumMm = 2.0;
@@ -223,4 +223,4 @@ std::map<std::string, std::string> provenanceTexts(const core::RegistrationCase&
     return texts;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -12,7 +12,7 @@
 #include <optional>
 #include <string>
 
-namespace app {
+namespace angiopose::app {
 
 enum class OverlayColoring { Residuals, Branches };
 enum class PictureLanguage { English, Window };   ///< of the texts burned in; the command line knows English only
@@ -47,4 +47,4 @@ std::map<std::string, std::string> provenanceTexts(const core::RegistrationCase&
 /// The residual, in px, at which the colour ramp ends: 2 mm at the vessels.
 double residualScaleMaximumPx(const core::ProjectionCamera& camera, double depthMm);
 
-}   // namespace app
+}   // namespace angiopose::app

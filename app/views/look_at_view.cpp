@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 std::shared_ptr<const core::Centerline2d> knownTarget(const std::vector<ViewLook>& known,
@@ -74,4 +74,4 @@ std::vector<ViewLook> lookAtViews(const core::RegistrationCase& registrationCase
     return looks;
 }
 
-}   // namespace app
+}   // namespace angiopose::app

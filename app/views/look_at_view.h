@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace app {
+namespace angiopose::app {
 
 /// One view of the case, small: its picture with the tree, and how its pose agrees with its own image.
 struct ViewLook {
@@ -25,4 +25,4 @@ std::vector<ViewLook> lookAtViews(const core::RegistrationCase& registrationCase
                                   const std::shared_ptr<const core::Centerline2d>& ownTarget,
                                   const std::vector<ViewLook>& known, int widthPx);
 
-}   // namespace app
+}   // namespace angiopose::app

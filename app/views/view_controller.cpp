@@ -19,7 +19,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using namespace std::chrono_literals;
@@ -239,4 +239,4 @@ void ViewController::remove(int line)
     document_.push(showView(document_, wanted, [] { return tr("Take a view out"); }));
 }
 
-}   // namespace app
+}   // namespace angiopose::app

@@ -11,11 +11,11 @@
 #include <cstddef>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace app {
+namespace angiopose::app {
 
 /// Several angiograms of the same vessels: the strip of views with how each agrees, which of them is shown, taking one
 /// out. Showing another view is a step of undo.
@@ -65,4 +65,4 @@ private:
     QFutureWatcher<std::vector<ViewLook>> looking_;
 };
 
-}   // namespace app
+}   // namespace angiopose::app

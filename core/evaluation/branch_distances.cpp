@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double targetSpacingPx = 0.5;   // nearest samples then stand for nearest curve points
@@ -41,4 +41,4 @@ std::map<int, std::vector<double>> branchDistances(const VesselTree& tree, const
     return distances;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Distance in px of every projected tree point to the nearest traced point, per branch id, in the branch's order.
 /// Infinite for points at or behind the source. Empty when nothing was traced.
@@ -16,4 +16,4 @@ std::map<int, std::vector<double>> branchDistances(const VesselTree& tree, const
                                                    const ProjectionCamera& camera,
                                                    const RigidTransform& cameraFromPatient);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 const std::string ownMethod = "angiopose";
@@ -131,4 +131,4 @@ RegistrationOptions optionsFor(const Contestant& contestant, bool targetIsExact)
     return options;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// A method in an experiment, with its settings.
 struct Contestant {
@@ -27,4 +27,4 @@ Result<std::vector<Contestant>> contestantsFrom(const std::string& requests);
 /// exist; all else is resampled.
 RegistrationOptions optionsFor(const Contestant& contestant, bool targetIsExact);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 using PixelJacobian = Eigen::Matrix<double, 2, 6>;
@@ -58,4 +58,4 @@ double rmsProjectionPx(const VesselTree& tree, const ProjectionCamera& camera, c
     return std::sqrt(squares / static_cast<double>(tree.pointCount()));
 }
 
-}   // namespace core
+}   // namespace angiopose::core

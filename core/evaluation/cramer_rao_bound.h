@@ -5,7 +5,7 @@
 #include "core/vessel/centerline2d.h"
 #include "core/vessel/vessel_tree.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// Noise of traced points, each coordinate alike, points 1 px apart along the curves.
 struct TracingNoise {
@@ -23,4 +23,4 @@ Matrix6d cramerRaoBound(const VesselTree& tree, const VesselTree& visible, const
 double rmsProjectionPx(const VesselTree& tree, const ProjectionCamera& camera, const RigidTransform& cameraFromPatient,
                        const Matrix6d& covariance);
 
-}   // namespace core
+}   // namespace angiopose::core

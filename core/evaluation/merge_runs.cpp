@@ -4,7 +4,7 @@
 #include <map>
 #include <tuple>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// Where a run belongs: condition in the protocol's order, trial, method in the order of appearance.
@@ -86,4 +86,4 @@ Result<RunSet> merged(const std::vector<RunSet>& parts)
     return RunSet{parts.front().protocol, parts.front().seed, merger.takeRuns()};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double degreesPerRadian = 180.0 / std::numbers::pi;
@@ -132,4 +132,4 @@ double normalizedErrorSquared(const Vector6d& error, const Matrix6d& covariance)
     return error.dot(covariance.ldlt().solve(error));
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// A pose to be judged and the true one, both cameraFromPatient.
 struct PosePair {
@@ -60,4 +60,4 @@ Vector6d errorAboutCentroid(const Eigen::Vector3d& centroidInPatient, const Pose
 /// eᵀΣ⁻¹e, about χ² with 6 degrees of freedom when the covariance is honest.
 double normalizedErrorSquared(const Vector6d& error, const Matrix6d& covariance);
 
-}   // namespace core
+}   // namespace angiopose::core

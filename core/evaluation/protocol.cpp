@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace core {
+namespace angiopose::core {
 
 std::span<const Protocol> protocols()
 {
@@ -48,4 +48,4 @@ Result<std::vector<std::size_t>> conditionsFrom(const Protocol& protocol, const 
     return chosen;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

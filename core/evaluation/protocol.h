@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// One setting of an experiment: a block of its tables.
 struct Condition {
@@ -44,4 +44,4 @@ const Protocol* findProtocol(std::string_view id);
 /// "clean-0-1", …); the standard ones when the list is empty. Fails naming what no condition is called.
 Result<std::vector<std::size_t>> conditionsFrom(const Protocol& protocol, const std::string& requests);
 
-}   // namespace core
+}   // namespace angiopose::core

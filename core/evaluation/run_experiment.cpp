@@ -7,7 +7,7 @@
 #include <mutex>
 #include <thread>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::uint64_t trialsWithHistory = 48;   ///< of each condition; enough for a median curve
@@ -112,4 +112,4 @@ Experiment runExperiment(const ExperimentPlan& plan, const ExperimentObserver& o
     return pool.takeOutcome();
 }
 
-}   // namespace core
+}   // namespace angiopose::core

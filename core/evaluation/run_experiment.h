@@ -4,7 +4,7 @@
 #include "core/evaluation/protocol.h"
 #include "core/evaluation/run_record.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// A part of the work that another machine may share: trials whose number leaves `index` when divided by `count`.
 struct Shard {
@@ -37,4 +37,4 @@ Experiment runExperiment(const ExperimentPlan& plan, const ExperimentObserver& o
 /// or conditions that ran apart. Fails when they do not belong together or two disagree about one run.
 Result<RunSet> merged(const std::vector<RunSet>& parts);
 
-}   // namespace core
+}   // namespace angiopose::core

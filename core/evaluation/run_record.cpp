@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace core {
+namespace angiopose::core {
 
 std::span<const RunField> runFields()
 {
@@ -46,4 +46,4 @@ std::span<const RunField> runFields()
     return fields;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

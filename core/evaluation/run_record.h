@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 inline constexpr double unknownMeasure = std::numeric_limits<double>::quiet_NaN();
 
@@ -66,4 +66,4 @@ struct RunSet {
     std::vector<RunRecord> runs;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double grossPx = 5.0;
@@ -114,4 +114,4 @@ std::optional<RunRecord> runTrial(const Trial& trial, const Contestant& contesta
     return record;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

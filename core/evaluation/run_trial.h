@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-namespace core {
+namespace angiopose::core {
 
 enum class KeepHistory { No, Yes };
 
@@ -16,4 +16,4 @@ enum class KeepHistory { No, Yes };
 std::optional<RunRecord> runTrial(const Trial& trial, const Contestant& contestant, KeepHistory keepHistory,
                                   const std::function<bool()>& isStopped);
 
-}   // namespace core
+}   // namespace angiopose::core

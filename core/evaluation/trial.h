@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-namespace core {
+namespace angiopose::core {
 
 /// One registration of an experiment: what the methods get, and what only the judge knows.
 struct Trial {
@@ -18,4 +18,4 @@ struct Trial {
     std::optional<double> traceMs;   ///< to get the target from the image, where there was one
 };
 
-}   // namespace core
+}   // namespace angiopose::core

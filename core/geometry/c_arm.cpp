@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 double radians(double degrees)
@@ -97,4 +97,4 @@ CArm turnedBy(CArm cArm, const Eigen::Vector2d& incrementsDeg)
     return cArm;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace core {
+namespace angiopose::core {
 
 /// Where a geometry value comes from; shown beside it wherever it is shown.
 enum class Origin { Missing, Header, Derived, User, Assumed };
@@ -48,4 +48,4 @@ Result<RigidTransform> cameraFromPatient(const CArm& cArm, const Eigen::Vector3d
 /// Unit vector from isocentre to detector in patient LPS for the given angles: LAO 90° points to the patient's left.
 Eigen::Vector3d detectorDirection(double primaryAngleDeg, double secondaryAngleDeg);
 
-}   // namespace core
+}   // namespace angiopose::core

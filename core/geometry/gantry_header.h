@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// A header element as it is written, for people to read.
 struct HeaderTag {
@@ -29,4 +29,4 @@ struct GantryHeader {
     std::vector<HeaderTag> tags;   ///< every element about geometry that is there, in the order of the tags
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 // What C-arms are like: outside, a value is a misprint, another unit, or of another machine.
@@ -208,4 +208,4 @@ std::vector<std::string> findMissing(const CArm& cArm)
     return missing;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Values that contradict each other, the header or physics, each in a sentence that says what to check
 /// (ALGORITHMS §5.2, §5.6): distances, magnification, pixel spacing against field of view, intensifier, detector and
@@ -18,4 +18,4 @@ std::vector<std::string> findContradictions(const CArm& cArm, const GantryHeader
 /// What the geometry still lacks for a camera and a start pose, one sentence each with how to supply it.
 std::vector<std::string> findMissing(const CArm& cArm);
 
-}   // namespace core
+}   // namespace angiopose::core

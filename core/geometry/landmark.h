@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <string>
 
-namespace core {
+namespace angiopose::core {
 
 /// A place that was pointed at twice: on the vessels and in the image.
 struct Landmark {
@@ -14,4 +14,4 @@ struct Landmark {
     bool operator==(const Landmark&) const = default;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

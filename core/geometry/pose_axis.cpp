@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::array<std::string_view, poseAxes.size()> ids{"right", "up", "along-ray", "roll", "lao-rao", "cra-cau"};
@@ -59,4 +59,4 @@ std::string poseAxisIds()
     return text;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace core {
+namespace angiopose::core {
 
 /// The six degrees of freedom of a PoseOffset, in the order of the pose panel.
 enum class PoseAxis { Right, Up, AlongRay, Roll, LaoRao, CraCau };
@@ -34,4 +34,4 @@ std::optional<PoseAxis> poseAxisFrom(std::string_view id);
 /// Every id in order, separated by commas; for messages.
 std::string poseAxisIds();
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 
 PoseDifference differenceBetween(const RigidTransform& a, const RigidTransform& b,
                                  const Eigen::Vector3d& pivotInPatient)
@@ -11,4 +11,4 @@ PoseDifference differenceBetween(const RigidTransform& a, const RigidTransform& 
     return {shift.head<2>().norm(), shift.z(), angleBetween(a.rotation, b.rotation) * 180.0 / std::numbers::pi};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

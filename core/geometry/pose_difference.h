@@ -2,7 +2,7 @@
 
 #include "core/geometry/rigid_transform.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// How far apart two poses put the vessels, about a pivot (the tree's centroid).
 struct PoseDifference {
@@ -14,4 +14,4 @@ struct PoseDifference {
 PoseDifference differenceBetween(const RigidTransform& a, const RigidTransform& b,
                                  const Eigen::Vector3d& pivotInPatient);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double degPerRad = 180.0 / std::numbers::pi;
@@ -66,4 +66,4 @@ PoseOffset offsetBetween(const RigidTransform& reference, const RigidTransform& 
     return offset;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

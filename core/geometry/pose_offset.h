@@ -3,7 +3,7 @@
 #include "core/geometry/projection_camera.h"
 #include "core/geometry/rigid_transform.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// A pose edit in the terms of a radiographer, relative to a reference pose and about a pivot (the tree's centroid).
 /// Shifts are screen directions at the pivot; angles turn the vessels about the pivot, in camera axes.
@@ -26,4 +26,4 @@ RigidTransform applyOffset(const RigidTransform& reference, const PoseOffset& of
 PoseOffset offsetBetween(const RigidTransform& reference, const RigidTransform& pose,
                          const Eigen::Vector3d& pivotInPatient, const ProjectionCamera& camera);
 
-}   // namespace core
+}   // namespace angiopose::core

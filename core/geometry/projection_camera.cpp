@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 
 std::optional<Eigen::Vector2d> project(const ProjectionCamera& camera, const Eigen::Vector3d& pointInCamera)
 {
@@ -48,4 +48,4 @@ std::string findProblem(const ProjectionCamera& camera)
     return {};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace core {
+namespace angiopose::core {
 
 /// Pin-hole model of the X-ray source and detector (FORMATS §1): `u = fx X/Z + cx`, `v = fy Y/Z + cy`.
 /// Pixels: u to the right (column), v down (row), (0, 0) is the centre of the first pixel.
@@ -38,4 +38,4 @@ double millimetresPerPixel(const ProjectionCamera& camera, double depthMm);
 /// What makes this camera unusable, in words for the user; empty when it is fine.
 std::string findProblem(const ProjectionCamera& camera);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double smallAngle = 1e-5;
@@ -168,4 +168,4 @@ bool isRigid(const RigidTransform& transform, double tolerance)
            (r * r.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < tolerance && r.determinant() > 0.0;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

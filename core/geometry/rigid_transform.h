@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-namespace core {
+namespace angiopose::core {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
@@ -53,4 +53,4 @@ double angleBetween(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b);
 /// True when all entries are finite and the rotation is orthonormal with determinant +1 within `tolerance`.
 bool isRigid(const RigidTransform& transform, double tolerance = 1e-4);
 
-}   // namespace core
+}   // namespace angiopose::core

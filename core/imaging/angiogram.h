@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 enum class Polarity { VesselsDark, VesselsBright };
 
@@ -46,4 +46,4 @@ struct Angiogram {
     int frameCount() const { return static_cast<int>(frames.size()); }
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double borderShare = 0.02;   // an extreme value that fills more of the frame than this is border or shutter
@@ -88,4 +88,4 @@ DisplayRange vesselRange(const ImageF& frame, Polarity polarity)
                                                       : DisplayRange{background, quantile(exposed, 0.995)});
 }
 
-}   // namespace core
+}   // namespace angiopose::core

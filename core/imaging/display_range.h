@@ -3,7 +3,7 @@
 #include "core/imaging/angiogram.h"
 #include "core/imaging/image2d.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// Grey values that are shown black and white.
 struct DisplayRange {
@@ -23,4 +23,4 @@ DisplayRange displayRange(const ImageF& frame);
 /// becomes white behind dark vessels and black behind bright ones. Never empty.
 DisplayRange vesselRange(const ImageF& frame, Polarity polarity);
 
-}   // namespace core
+}   // namespace angiopose::core

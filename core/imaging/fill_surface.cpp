@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double usualVoxels = 5e7;
@@ -211,4 +211,4 @@ Result<VoxelMask> fillSurface(const SurfaceMesh& mesh, double spacingMm)
     return votes;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

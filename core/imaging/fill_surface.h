@@ -4,7 +4,7 @@
 #include "core/support/result.h"
 #include "core/vessel/surface_mesh.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// A voxel size that resolves the mesh within some fifty million voxels, some five of them inside, never below 0.1 mm.
 double usualSpacingMm(const SurfaceMesh& mesh);
@@ -14,4 +14,4 @@ double usualSpacingMm(const SurfaceMesh& mesh);
 /// the three axes, which closes the open ends of tubes. Fails on a mesh without extent, or too fine a spacing.
 Result<VoxelMask> fillSurface(const SurfaceMesh& mesh, double spacingMm);
 
-}   // namespace core
+}   // namespace angiopose::core

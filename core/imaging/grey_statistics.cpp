@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cstddef>
 
-namespace core {
+namespace angiopose::core {
 
 float otsuThreshold(const std::vector<float>& values)
 {
@@ -72,4 +72,4 @@ std::vector<float> rankedAt(std::vector<float> values, const std::vector<double>
     return found;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

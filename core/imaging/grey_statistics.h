@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// The threshold that best separates values ≥ 0 into two classes (Otsu 1979), over 256 bins from 0 to the largest.
 /// 0 when there is nothing to separate.
@@ -18,4 +18,4 @@ float ranked(std::vector<float> values, double share);
 /// The same for several shares, ascending.
 std::vector<float> rankedAt(std::vector<float> values, const std::vector<double>& shares);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Plain row-major pixel array; (0, 0) is the top left pixel.
 template <class T>
@@ -39,4 +39,4 @@ struct ColorImage {
     std::vector<std::uint8_t> rgb;   ///< 3 bytes per pixel, row-major, top row first
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,7 +7,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// Half of a symmetric kernel: weight at distance 0, 1, 2, …; the whole sums to one.
@@ -198,4 +198,4 @@ float sampled(const ImageF& image, double x, double y)
     return upper + fy * (lower - upper);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include "core/imaging/image2d.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// Gaussian smoothing; the image goes on as its edge pixels. `sigmaPx` ≤ 0 returns the image itself.
 /// The same for any number of threads.
@@ -20,4 +20,4 @@ ImageF enlarged(const ImageF& image, int factor, int width, int height);
 /// Bilinear sample at (x, y) px; outside, the nearest edge value. The image must not be empty.
 float sampled(const ImageF& image, double x, double y);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-namespace core {
+namespace angiopose::core {
 
 /// Linear interpolation between the eight voxels around a point; beyond the rim the last voxels go on.
 /// `pointMm` is in mm along the axes of the grid from its first voxel; `valueAt(Eigen::Vector3i)` gives a voxel's
@@ -25,4 +25,4 @@ double interpolated(const VolumeGeometry& grid, const Eigen::Vector3d& pointMm, 
     return sum;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::uint8_t lastRow = 255;
@@ -60,4 +60,4 @@ LabelRows labelRows(const LabelVolume& image, const std::vector<int>& labels)
     return result;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// A label image as it is looked at, in half the memory.
 struct LabelRows {
@@ -15,4 +15,4 @@ struct LabelRows {
 /// Numbers the labels of an image by their places in `labels`, which holds every label once; others become background.
 LabelRows labelRows(const LabelVolume& image, const std::vector<int>& labels);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 struct Step {
@@ -166,4 +166,4 @@ std::vector<std::vector<std::size_t>> componentsOf(const Mask2d& mask)
     return components;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Erosion and dilation by a square of side 2·`radiusPx` + 1; beyond the image the mask goes on as its edge pixels.
 Mask2d eroded(const Mask2d& mask, int radiusPx);
@@ -20,4 +20,4 @@ Mask2d withHolesFilled(Mask2d mask, int maxAreaPx);
 /// 8-connected components as lists of pixel indices, in order of their first pixel.
 std::vector<std::vector<std::size_t>> componentsOf(const Mask2d& mask);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// Letters and digits in lower case: "DOE^JOHN " and "Doe^John" are one name.
@@ -61,4 +61,4 @@ std::string findMismatch(const StudyIdentity& scan, const StudyIdentity& run)
     return patient.empty() || side.empty() ? patient + side : patient + " " + side;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace core {
+namespace angiopose::core {
 
 /// What speaks against two images being of the same patient, without naming anybody: differing number, name, birth
 /// date or sex, where both give one. Empty when nothing does.
@@ -16,4 +16,4 @@ std::string findSideMismatch(const StudyIdentity& scan, const StudyIdentity& run
 /// Both together.
 std::string findMismatch(const StudyIdentity& scan, const StudyIdentity& run);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -9,7 +9,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t sampleSize = 100000;
@@ -185,4 +185,4 @@ ImageF opacifiedComposite(const std::vector<ImageF>& frames, Polarity polarity)
     return composite;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

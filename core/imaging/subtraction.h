@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// How stored values relate to the X-ray intensity, DICOM (0028,1040): LIN or LOG.
 enum class PixelRelation { Linear, Logarithmic };
@@ -27,4 +27,4 @@ ImageF subtracted(const ImageF& frame, const ImageF& mask, const Eigen::Vector2d
 /// Frames of another size than the first are left out; empty without frames.
 ImageF opacifiedComposite(const std::vector<ImageF>& frames, Polarity polarity);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Where the voxels of a volume lie in the patient. Voxel indices are continuous, (0, 0, 0) is the centre of the first.
 struct VolumeGeometry {
@@ -73,4 +73,4 @@ struct Volume : VoxelGrid<std::int16_t> {
     double value(std::size_t voxel) const { return slope * voxels[voxel] + intercept; }
 };
 
-}   // namespace core
+}   // namespace angiopose::core

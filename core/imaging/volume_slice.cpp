@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int largestSidePx = 4096;
@@ -283,4 +283,4 @@ Eigen::Vector3d centreOf(const VolumeGeometry& geometry)
     return geometry.patientFromVoxel() * (0.5 * (geometry.size.cast<double>() - Eigen::Vector3d::Ones()));
 }
 
-}   // namespace core
+}   // namespace angiopose::core

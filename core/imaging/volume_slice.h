@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 enum class BodyPlane { Axial, Coronal, Sagittal };
 
@@ -70,4 +70,4 @@ std::optional<double> valueAt(const Volume& volume, const Eigen::Vector3d& point
 Eigen::Vector3d clampedTo(const VolumeGeometry& geometry, const Eigen::Vector3d& pointInPatient);
 Eigen::Vector3d centreOf(const VolumeGeometry& geometry);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 
 ImageF widelyBlurred(const ImageF& image, double sigmaPx)
 {
@@ -24,4 +24,4 @@ ImageF widelyBlurred(const ImageF& image, double sigmaPx)
     return enlarged(blurred(reduced, leftSigmaPx), factor, image.width, image.height);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

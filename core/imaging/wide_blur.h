@@ -2,9 +2,9 @@
 
 #include "core/imaging/image2d.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// `blurred` for any σ in nearly constant time: above σ = 8 px it works on a reduced image.
 ImageF widelyBlurred(const ImageF& image, double sigmaPx);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -1,6 +1,6 @@
 #include "core/registration/judging/judge_pose.h"
 
-namespace core {
+namespace angiopose::core {
 
 Result<RegistrationResult> evaluatePose(const RegistrationInput& input, const RigidTransform& cameraFromPatient)
 {
@@ -20,4 +20,4 @@ Result<RegistrationResult> evaluatePose(const RegistrationInput& input, const Ri
     return judgePose(problem.value(), options, solution);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,7 +7,7 @@
 #include <memory>
 #include <span>
 
-namespace core {
+namespace angiopose::core {
 
 /// What a method hands back; registerVessels judges the pose.
 struct MethodSolution {
@@ -39,4 +39,4 @@ std::span<const Method> methods();
 /// The method with this id, or null.
 const Method* findMethod(std::string_view id);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// A new method is one more row, the default first.
@@ -98,4 +98,4 @@ std::span<const MethodInfo> methodInfos()
     return infos;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <type_traits>
 
 // How the rows of the option table are written down.
-namespace core::option_fields {
+namespace angiopose::core::option_fields {
 
 using Options = RegistrationOptions;
 
@@ -62,4 +62,4 @@ inline OptionField onlyFor(std::vector<std::string_view> methods, OptionField fi
     return field;
 }
 
-}   // namespace core::option_fields
+}   // namespace angiopose::core::option_fields

@@ -1,6 +1,6 @@
 #include "core/registration/option_field_makers.h"
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 using namespace option_fields;
@@ -277,4 +277,4 @@ const std::vector<OptionField>& optionFields()
     return fields;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
-namespace core {
+namespace angiopose::core {
 
 Result<double> optionValue(const OptionField& field, const std::string& text)
 {
@@ -43,4 +43,4 @@ Status setOption(RegistrationOptions& options, const std::string& assignment)
     return Error{"Option '" + key + "' is unknown. See the options in: angiopose-cli register --help"};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

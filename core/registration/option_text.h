@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace core {
+namespace angiopose::core {
 
 /// Value of an option given as text: a number in its range, or one of its choices by name.
 Result<double> optionValue(const OptionField& field, const std::string& text);
@@ -13,4 +13,4 @@ Result<double> optionValue(const OptionField& field, const std::string& text);
 /// Sets one option from "key=value"; fails naming the unknown key or the impossible value.
 Status setOption(RegistrationOptions& options, const std::string& assignment);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace core {
+namespace angiopose::core {
 
 SnapshotMetrics metricsOf(const RegistrationResult& result)
 {
@@ -32,4 +32,4 @@ const PoseSnapshot* findSnapshot(const std::vector<PoseSnapshot>& snapshots, int
     return found == snapshots.end() ? nullptr : &*found;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

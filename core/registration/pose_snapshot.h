@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Whether a user kept the pose, or a run left it behind.
 enum class SnapshotKind { Kept, Run };
@@ -47,4 +47,4 @@ std::vector<PoseSnapshot> withSnapshot(std::vector<PoseSnapshot> snapshots, Pose
 /// The snapshot with this id, or null.
 const PoseSnapshot* findSnapshot(const std::vector<PoseSnapshot>& snapshots, int id);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t usualReports = 256;
@@ -26,4 +26,4 @@ Verdict ProgressLog::report(IterationReport report)
     return isStopped_ ? Verdict::Stop : Verdict::Continue;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

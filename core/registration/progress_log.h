@@ -3,7 +3,7 @@
 #include "core/registration/pose/tree_shift.h"
 #include "core/registration/registration_problem.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// Carries the reports of a method to the observer and keeps them for the convergence plot.
 class ProgressLog {
@@ -31,4 +31,4 @@ private:
     bool isStopped_ = false;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -1,7 +1,7 @@
 #include "core/registration/judging/judge_pose.h"
 #include "core/support/stopwatch.h"
 
-namespace core {
+namespace angiopose::core {
 
 Result<RegistrationResult> registerVessels(const RegistrationInput& input, const RegistrationOptions& options,
                                            const IterationObserver& observe)
@@ -39,4 +39,4 @@ std::string_view toText(StopReason reason)
     return "";
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double startScalePx = 12.0;
@@ -297,4 +297,4 @@ Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
     return result;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 
 #include <span>
 
-namespace core {
+namespace angiopose::core {
 
 /// How well the geometry between two views is known: their headers are rounded, the gantries sag (ALGORITHMS §5.5).
 struct MultiViewOptions {
@@ -31,4 +31,4 @@ Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
                                       const RegistrationOptions& options = {}, const MultiViewOptions& multiView = {},
                                       const IterationObserver& observe = {});
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 struct Volume;
 
@@ -120,4 +120,4 @@ Result<RegistrationResult> evaluatePose(const RegistrationInput& input, const Ri
 /// "converged", "iteration limit", "no improvement", "stopped by the user".
 std::string_view toText(StopReason reason);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <locale>
 #include <sstream>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// "0.2", not "0.200000", in any locale.
@@ -52,4 +52,4 @@ std::string findProblem(const RegistrationOptions& options)
     return findProblem(options.locks, *findMethod(options.method));
 }
 
-}   // namespace core
+}   // namespace angiopose::core

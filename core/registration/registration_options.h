@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// How the prior of the seed is weighed against the data (ALGORITHMS §2, decision 17).
 enum class PriorPreset { SeedSum, SeedMean, SeedMetric, NoPrior };
@@ -132,4 +132,4 @@ std::span<const MethodInfo> methodInfos();
 /// The first setting that makes no sense, in words for the user; empty when all do.
 std::string findProblem(const RegistrationOptions& options);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 // Skeletons step from pixel to pixel: directions settle only over several points.
@@ -193,4 +193,4 @@ TargetSamples sampledTarget(const Centerline2d& target, const RegistrationOption
     return samplesOf(options.resample != 0.0 ? resampled(target, options.targetSpacingPx) : target);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace core {
+namespace angiopose::core {
 
 /// The tree as methods see it: evenly spaced points of all used branches, one after the other.
 struct TreeSamples {
@@ -55,4 +55,4 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
 /// A target that is free of problems, as methods see it; for the next frame of a run.
 TargetSamples sampledTarget(const Centerline2d& target, const RegistrationOptions& options);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include "core/support/quantile.h"
 #include "core/support/stopwatch.h"
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t usedPoints = 250;
@@ -99,4 +99,4 @@ void FrameTracker::learnFrom(const TrackedFrame& frame, const CentroidPose& pose
     }
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 
 #include <deque>
 
-namespace core {
+namespace angiopose::core {
 
 /// One frame of a run.
 struct TrackedFrame {
@@ -42,4 +42,4 @@ private:
     std::deque<double> scores_;   ///< of frames that fitted, newest last
 };
 
-}   // namespace core
+}   // namespace angiopose::core

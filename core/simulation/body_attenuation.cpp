@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// Smooth random field with standard deviation `amplitude` and grain `sigmaPx`.
@@ -100,4 +100,4 @@ ImageF bodyAttenuation(int width, int height, CounterRandom& random)
     return body;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double thinRadiusMm = 1.2;   ///< branches below are missing twice as often
@@ -45,4 +45,4 @@ std::vector<bool> drawFilledBranches(const GrownTree& grown, double missingShare
     return filled;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

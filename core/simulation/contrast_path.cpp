@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double splatSpacingMm = 0.25;
@@ -56,4 +56,4 @@ ImageF contrastThicknessMm(const std::vector<ContrastPath>& paths, const Bolus& 
     return thicknessMm;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

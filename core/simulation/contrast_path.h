@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// A short piece of lumen that contrast medium reaches.
 struct ContrastPoint {
@@ -35,4 +35,4 @@ struct Bolus {
 ImageF contrastThicknessMm(const std::vector<ContrastPath>& paths, const Bolus& bolus, double timeS,
                            const ProjectionCamera& camera, const RigidTransform& cameraFromPatient);
 
-}   // namespace core
+}   // namespace angiopose::core

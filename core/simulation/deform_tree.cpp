@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double correlationMm = 40.0;
@@ -46,4 +46,4 @@ VesselTree deformed(const VesselTree& tree, double standardDeviationMm, CounterR
     return result;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double missingShare = 0.2;
@@ -76,4 +76,4 @@ Centerline2d degraded(const Centerline2d& exact, const ProjectionCamera& camera,
     return result;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

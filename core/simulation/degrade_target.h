@@ -4,7 +4,7 @@
 #include "core/support/random.h"
 #include "core/vessel/centerline2d.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// What tracing would make of an exact target (ALGORITHMS §4.4, "oracle + noise"): a fifth of the branches missing,
 /// jitter of σ 0.7 px correlated over about five points, whole pixels, and one stray curve of about 500 px (id −1).
@@ -14,4 +14,4 @@ Centerline2d degraded(const Centerline2d& exact, const ProjectionCamera& camera,
 inline constexpr double degradedJitterPx = 0.7;
 inline constexpr double degradedCorrelationPoints = 5.0;   ///< points are 1 px apart
 
-}   // namespace core
+}   // namespace angiopose::core

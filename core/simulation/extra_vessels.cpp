@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double catheterRadiusMm = 0.8;
@@ -55,4 +55,4 @@ VesselBranch layCatheter(const VesselBranch& trunk, CounterRandom& random)
     return catheter;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace core {
+namespace angiopose::core {
 
 /// A side branch that leaves `parent` at its point `takeoff` and is thinner; id and name are the caller's.
 VesselBranch growSideBranch(const VesselBranch& parent, std::size_t takeoff, CounterRandom& random);
@@ -13,4 +13,4 @@ VesselBranch growSideBranch(const VesselBranch& parent, std::size_t takeoff, Cou
 /// A catheter that comes from outside the field and ends where the trunk begins.
 VesselBranch layCatheter(const VesselBranch& trunk, CounterRandom& random);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double mixingMm = 12.0;   ///< way over which a child takes on its own opacity
@@ -143,4 +143,4 @@ FilledVessels fillVessels(const GrownTree& grown, const DsaOptions& options, Cou
     return vessels;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Which part of a tree the contrast medium shows, and what it shows besides.
 struct FilledVessels {
@@ -19,4 +19,4 @@ struct FilledVessels {
 /// Chooses missing branches (thin ones twice as often), opacities, extra vessels and the catheter (ALGORITHMS §4.4).
 FilledVessels fillVessels(const GrownTree& grown, const DsaOptions& options, CounterRandom& random);
 
-}   // namespace core
+}   // namespace angiopose::core

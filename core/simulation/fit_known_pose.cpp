@@ -3,7 +3,7 @@
 #include <Eigen/Cholesky>
 #include <cassert>
 
-namespace core {
+namespace angiopose::core {
 
 RigidTransform fitKnownPose(const std::vector<Eigen::Vector3d>& pointsInPatient,
                             const std::vector<Eigen::Vector2d>& pixels, const ProjectionCamera& camera,
@@ -42,4 +42,4 @@ RigidTransform fitKnownPose(const std::vector<Eigen::Vector3d>& pointsInPatient,
     return pose;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,11 +5,11 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// The pose near `start` that projects `pointsInPatient` closest to their known `pixels` (least squares).
 RigidTransform fitKnownPose(const std::vector<Eigen::Vector3d>& pointsInPatient,
                             const std::vector<Eigen::Vector2d>& pixels, const ProjectionCamera& camera,
                             const RigidTransform& start);
 
-}   // namespace core
+}   // namespace angiopose::core

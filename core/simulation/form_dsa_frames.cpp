@@ -9,7 +9,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double runS = 3.6;   ///< first frame to last: the bolus comes and goes
@@ -172,4 +172,4 @@ DsaRun formDsaFrames(const DsaScene& scene, const DsaOptions& options, const Cou
     return run;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// What stands before the detector.
 struct DsaScene {
@@ -28,4 +28,4 @@ struct DsaRun {
 /// longer fits exactly.
 DsaRun formDsaFrames(const DsaScene& scene, const DsaOptions& options, const CounterRandom& random);
 
-}   // namespace core
+}   // namespace angiopose::core

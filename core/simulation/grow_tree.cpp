@@ -10,7 +10,7 @@
 #include <limits>
 #include <string>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 // Vessels grow at one size and are scaled to the asked extent in the end.
@@ -250,4 +250,4 @@ VesselTree simulateTree(std::uint64_t seed, const TreeOptions& options)
     return growTree(seed, options).tree;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Where a branch leaves its parent; both indices into the tree that holds them.
 struct Takeoff {
@@ -22,4 +22,4 @@ struct GrownTree {
 /// Grows a trunk, then lets branch after branch reach for the emptiest part of an ellipsoid; radii follow Murray's law.
 GrownTree growTree(std::uint64_t seed, const TreeOptions& options);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double shareFedAtTip = 0.35;   ///< of a branch's own flow; the rest leaves evenly along its way
@@ -58,4 +58,4 @@ void assignMurrayRadii(GrownTree& grown, double rootRadiusMm)
     }
 }
 
-}   // namespace core
+}   // namespace angiopose::core

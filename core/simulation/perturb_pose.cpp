@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 Eigen::Vector3d normalVector(double standardDeviation, CounterRandom& random)
@@ -60,4 +60,4 @@ RigidTransform perturbedAboutSource(const RigidTransform& cameraFromPatient, dou
     return expSe3(twist) * cameraFromPatient;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include "core/geometry/c_arm.h"
 #include "core/simulation/simulated_case.h"
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double depthMm = 800.0;
@@ -48,4 +48,4 @@ Phantom makePhantom(std::uint64_t seed, int pointCount, int imageSizePx)
     return phantom;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

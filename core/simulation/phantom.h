@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-namespace core {
+namespace angiopose::core {
 
 /// One generated tree before the camera of the published experiments: f = 1877 px, centroid 800 mm from the source,
 /// clinical angles.
@@ -21,4 +21,4 @@ struct Phantom {
 /// The tree of this seed with about `pointCount` points, seen on a square image of `imageSizePx`.
 Phantom makePhantom(std::uint64_t seed, int pointCount, int imageSizePx = 512);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -1,6 +1,6 @@
 #include "core/simulation/simulated_case.h"
 
-namespace core {
+namespace angiopose::core {
 
 Centerline2d projectTree(const VesselTree& tree, const ProjectionCamera& camera,
                          const RigidTransform& cameraFromPatient)
@@ -27,4 +27,4 @@ Centerline2d projectTree(const VesselTree& tree, const ProjectionCamera& camera,
     return target;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include <map>
 
-namespace core {
+namespace angiopose::core {
 
 std::vector<int> leafBranchIds(const VesselTree& tree)
 {
@@ -38,4 +38,4 @@ VesselTree pruned(const VesselTree& tree, int count, CounterRandom& random)
     return without(tree, removed);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include "core/support/random.h"
 #include "core/vessel/vessel_tree.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// Ids of the branches that end freely and that no other branch leaves: one bifurcation, one tip.
 std::vector<int> leafBranchIds(const VesselTree& tree);
@@ -11,4 +11,4 @@ std::vector<int> leafBranchIds(const VesselTree& tree);
 /// The tree without `count` random leaves (all of them when it has fewer).
 VesselTree pruned(const VesselTree& tree, int count, CounterRandom& random);
 
-}   // namespace core
+}   // namespace angiopose::core

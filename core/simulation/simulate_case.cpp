@@ -9,7 +9,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// Streams of the case's generator: what one part draws never shifts another's draws.
@@ -167,4 +167,4 @@ SimulatedCase simulateView(std::uint64_t treeSeed, std::uint64_t viewSeed, const
     return result;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

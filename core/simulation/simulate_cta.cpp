@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double airHu = -1000.0;
@@ -291,4 +291,4 @@ SimulatedCta simulateCta(std::uint64_t seed, const TreeOptions& tree, const CtaO
     return result;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

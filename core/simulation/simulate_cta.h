@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace core {
+namespace angiopose::core {
 
 /// A CT angiogram as a scanner would give it, in HU.
 struct CtaOptions {
@@ -27,4 +27,4 @@ struct SimulatedCta {
 /// noise. The tree fills about three quarters of the scan; bone lies close to it. Same seed, same bits.
 SimulatedCta simulateCta(std::uint64_t seed, const TreeOptions& tree = {}, const CtaOptions& cta = {});
 
-}   // namespace core
+}   // namespace angiopose::core

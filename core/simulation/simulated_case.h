@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-namespace core {
+namespace angiopose::core {
 
 /// Shape of a generated tree; lengths mm.
 struct TreeOptions {
@@ -72,4 +72,4 @@ RigidTransform uniformlyDisplaced(const RigidTransform& cameraFromPatient, const
 Centerline2d projectTree(const VesselTree& tree, const ProjectionCamera& camera,
                          const RigidTransform& cameraFromPatient);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double pathSpacingMm = 1.0;
@@ -70,4 +70,4 @@ std::vector<Eigen::Vector3d> smoothPath(const PathPlan& plan, CounterRandom& ran
     return interpolate(points, evenStations<3>(points, pathSpacingMm));
 }
 
-}   // namespace core
+}   // namespace angiopose::core

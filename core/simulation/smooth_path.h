@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Where a vessel starts and ends, and how it winds in between.
 struct PathPlan {
@@ -19,4 +19,4 @@ struct PathPlan {
 /// A smooth curve (mm) that leaves as planned, swaying to both sides; points about 1 mm apart.
 std::vector<Eigen::Vector3d> smoothPath(const PathPlan& plan, CounterRandom& random);
 
-}   // namespace core
+}   // namespace angiopose::core

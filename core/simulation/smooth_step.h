@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 
 /// 0 below 0, 1 above 1, a cubic with level ends between.
 inline double smoothStep(double t)
@@ -11,4 +11,4 @@ inline double smoothStep(double t)
     return x * x * (3.0 - 2.0 * x);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

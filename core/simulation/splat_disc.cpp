@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// Pixels that a disc may touch.
@@ -44,4 +44,4 @@ void splatDisc(ImageF& image, const Eigen::Vector2d& centrePx, double radiusPx, 
     }
 }
 
-}   // namespace core
+}   // namespace angiopose::core

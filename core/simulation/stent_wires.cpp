@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 VesselTree stentWires(const VesselBranch& branch, const StentOptions& options)
 {
@@ -43,4 +43,4 @@ VesselTree stentWires(const VesselBranch& branch, const StentOptions& options)
     return wires;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include "core/vessel/vessel_tree.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// A stent of crossing helices that lies on a vessel's wall.
 struct StentOptions {
@@ -16,4 +16,4 @@ struct StentOptions {
 /// Its wires, each as a branch. None for a branch of fewer than two points.
 VesselTree stentWires(const VesselBranch& branch, const StentOptions& options = {});
 
-}   // namespace core
+}   // namespace angiopose::core

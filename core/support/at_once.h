@@ -2,7 +2,7 @@
 
 #include <thread>
 
-namespace core {
+namespace angiopose::core {
 
 /// Does both pieces of work at the same time, the first on this thread; neither may read what the other writes.
 template <class First, class Second>
@@ -17,4 +17,4 @@ void atOnce(const First& first, const Second& second)
     first();
 }
 
-}   // namespace core
+}   // namespace angiopose::core

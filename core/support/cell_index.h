@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace core {
+namespace angiopose::core {
 
 /// Number of a cell in a grid that is stored row by row.
 constexpr std::size_t cellIndex(int row, int columns, int column)
@@ -10,4 +10,4 @@ constexpr std::size_t cellIndex(int row, int columns, int column)
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

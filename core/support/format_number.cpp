@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double smallestPlain = 1e-3;
@@ -37,4 +37,4 @@ std::string plainText(double value)
     return printed(value, std::chars_format::general, 6);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

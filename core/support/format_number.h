@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace core {
+namespace angiopose::core {
 
 /// `value` with so many decimals and `.` in every locale; "–" when it is not finite.
 std::string fixedText(double value, int decimals);
@@ -13,4 +13,4 @@ std::string significantText(double value);
 /// Up to six significant digits and no more than needed: "4", "0.2", "1e+06".
 std::string plainText(double value);
 
-}   // namespace core
+}   // namespace angiopose::core

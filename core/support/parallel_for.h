@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// `asked`, or as many threads as the processor has when it is 0.
 inline int threadCount(int asked)
@@ -41,4 +41,4 @@ bool parallelFor(std::size_t count, int threads, const Work& work, const Meanwhi
     return !stopped;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

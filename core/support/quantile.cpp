@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 
 std::vector<double> quantiles(std::vector<double> values, const std::vector<double>& fractions)
 {
@@ -49,4 +49,4 @@ double medianOf(std::vector<double> values)
     return *middle;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

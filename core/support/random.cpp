@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 std::uint64_t mix(std::uint64_t z)
@@ -62,4 +62,4 @@ CounterRandom CounterRandom::fork(std::uint64_t stream) const
     return CounterRandom(mix(seed_ ^ mix(stream + goldenGamma)));
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace core {
+namespace angiopose::core {
 
 /// Seeded counter-based generator (SplitMix64): the n-th draw depends only on seed and n, on every platform.
 /// Satisfies UniformRandomBitGenerator.
@@ -30,4 +30,4 @@ private:
     std::uint64_t counter_ = 0;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

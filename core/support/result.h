@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-namespace core {
+namespace angiopose::core {
 
 /// What went wrong, in one sentence the user can act on: which file or value, the problem, the remedy.
 struct Error {
@@ -31,4 +31,4 @@ private:
 struct Done {};
 using Status = Result<Done>;
 
-}   // namespace core
+}   // namespace angiopose::core

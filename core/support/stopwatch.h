@@ -3,7 +3,7 @@
 #include <chrono>
 #include <ctime>
 
-namespace core {
+namespace angiopose::core {
 
 /// Wall time since it was made or last read.
 class Stopwatch {
@@ -36,4 +36,4 @@ private:
     double startMs_ = nowMs();
 };
 
-}   // namespace core
+}   // namespace angiopose::core

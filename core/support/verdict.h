@@ -1,8 +1,8 @@
 #pragma once
 
-namespace core {
+namespace angiopose::core {
 
 /// What an observer of long work wants next.
 enum class Verdict { Continue, Stop };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// Points about their mean, one per row.
@@ -40,4 +40,4 @@ double deviationFromArc(const std::vector<Eigen::Vector2d>& pointsPx)
     return std::sqrt((distances - radius).square().mean());
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <optional>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double aheadCosine = 0.7;   // within 45° of the direction in which the vessel ends
@@ -117,4 +117,4 @@ Mask2d withGapsBridged(const Mask2d& mask, const ImageF& ridges, double reachPx,
     return bridged;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double extremeShare = 0.02;   // of the range: as good as the extreme value, after lossy compression
@@ -135,4 +135,4 @@ Mask2d burnedInText(const ImageF& frame)
     return text;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

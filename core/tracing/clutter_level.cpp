@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double rank = 0.9;   // above most noise, below what the flanks of vessels add to the far tail
@@ -128,4 +128,4 @@ double Clutter::level(const ImageF& ridges) const
     return std::min<double>(levels[0], levels[1] / tailRatio);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// How strong ridges get that are no vessels: seen in the ridges of the other sign. Contrast medium only ever darkens,
 /// noise and background do both, so bright ridges show what dark ones would be without vessels. Large images are
@@ -31,4 +31,4 @@ private:
     ImageF inverted_;   ///< weighted ridges of the other sign in all bands; -1 elsewhere
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double profileMarginPx = 3.0;
@@ -154,4 +154,4 @@ Curve2d centredCurve(const std::vector<Eigen::Vector2d>& pathPx, int id, const I
     return curve;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// A skeleton path as a smooth curve with points about 1 px apart.
 Curve2d smoothCurve(const std::vector<Eigen::Vector2d>& pathPx, int id);
@@ -16,4 +16,4 @@ Curve2d smoothCurve(const std::vector<Eigen::Vector2d>& pathPx, int id);
 /// the ends of the vessel. `maxRadiusPx` bounds the profile.
 Curve2d centredCurve(const std::vector<Eigen::Vector2d>& pathPx, int id, const ImageF& opacity, double maxRadiusPx);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <functional>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t sampleSize = 200000;
@@ -44,4 +44,4 @@ DrawingGround drawingGround(const ImageF& frame, Polarity polarity, const TraceO
     return ground;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include "core/imaging/image2d.h"
 #include "core/tracing/trace_angiogram.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// What a hand that draws curves on a frame leans on: `LiveWire` follows the vesselness, `withDrawn` centres on the
 /// opacity. Unlike tracing it needs no vessel to be found.
@@ -17,4 +17,4 @@ struct DrawingGround {
 /// Everything is empty for an empty frame and one with values that are not finite.
 DrawingGround drawingGround(const ImageF& frame, Polarity polarity, const TraceOptions& options = {});
 
-}   // namespace core
+}   // namespace angiopose::core

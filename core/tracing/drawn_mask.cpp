@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr float edgeShare = 0.1F;   // of the range: this near to one of the levels
@@ -34,4 +34,4 @@ std::optional<Mask2d> drawnMask(const ImageF& picture)
     return mask;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

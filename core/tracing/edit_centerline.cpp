@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 using KeepsPoint = std::function<bool(const Eigen::Vector2d&)>;
@@ -165,4 +165,4 @@ int curveAt(const Centerline2d& centerline, const Eigen::Vector2d& pointPx, doub
     return place ? centerline.curves[place->curve].id : -1;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

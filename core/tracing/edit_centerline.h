@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 // Edits of a traced centreline, each giving a new one: undo is to keep the old. A curve that falls apart leaves its id
 // to its first part; further parts, and drawn curves, get ids above all others. Parts of a single point are dropped.
@@ -34,4 +34,4 @@ Centerline2d withDrawn(const Centerline2d& centerline, const std::vector<Eigen::
 /// Id of the curve nearest to `pointPx`; -1 if none is within reach.
 int curveAt(const Centerline2d& centerline, const Eigen::Vector2d& pointPx, double reachPx = 10.0);
 
-}   // namespace core
+}   // namespace angiopose::core

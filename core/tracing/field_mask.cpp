@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 // A shutter edge rises over a few pixels; the borders of heart and diaphragm rise over many. In parts of the grey
@@ -124,4 +124,4 @@ Mask2d findField(const ImageF& vesselsDark, double widestVesselPx)
     return field;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

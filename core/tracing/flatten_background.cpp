@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 // The same contrast agent darkens by a share of the background (Beer-Lambert), of which display curves leave a part: 0
@@ -98,4 +98,4 @@ ImageF flattenBackground(const ImageF& vesselsDark, const Mask2d& field, double 
     return opacity;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

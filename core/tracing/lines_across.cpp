@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double leastShareOfSide = 0.5;   // shorter ones may cut a corner
@@ -38,4 +38,4 @@ bool runsStraightAcross(const std::vector<Eigen::Vector2d>& pathPx, const Mask2d
            isAtRim(pathPx.back(), field);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

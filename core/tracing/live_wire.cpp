@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int snapReachPx = 4;
@@ -156,4 +156,4 @@ void LiveWire::settle(Pixel pixel)
     }
 }
 
-}   // namespace core
+}   // namespace angiopose::core

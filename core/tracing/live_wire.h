@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Draws along vessels by hand (intelligent scissors, Mortensen & Barrett 1998): from an anchor, the path of least cost
 /// to wherever the pointer is, cheap on vessels. The search from the anchor goes on from call to call, as far as each
@@ -45,4 +45,4 @@ private:
     bool hasAnchor_ = false;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

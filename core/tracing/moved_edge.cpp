@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t leastPoints = 10;   // of shorter ones noise decides
@@ -49,4 +49,4 @@ bool isMovedEdge(const std::vector<Eigen::Vector2d>& pathPx, const ImageF& opaci
     return false;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

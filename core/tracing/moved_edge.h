@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Whether a dark path (pixel by pixel, px) is one side of an edge or line of the mask image that moved: subtraction
 /// leaves it twice, dark and bright, side by side, the bright side no weaker. Contrast medium leaves nothing brighter
@@ -13,4 +13,4 @@ namespace core {
 /// it.
 bool isMovedEdge(const std::vector<Eigen::Vector2d>& pathPx, const ImageF& opacity);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 // Two arms continue each other when the turn from one to the other is below about 45°, at a crossing below 35°.
@@ -187,4 +187,4 @@ std::vector<std::vector<Eigen::Vector2d>> orderedCurves(const SkeletonGraph& gra
     return curves;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 // Finer lines are mostly noise; ground wider than what these see is seen as such by the filters for wide vessels too.
@@ -47,4 +47,4 @@ Mask2d groundBetweenNeighbours(const Mask2d& vessels, const ImageF& evidence, co
     return ground;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

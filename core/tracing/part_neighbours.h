@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// The bright ground between two vessels that run side by side, which wide filters take for one vessel twice as wide:
 /// bright lines in `vessels` that stand out at least as clearly as a vessel would, are not weak against what is beside
@@ -14,4 +14,4 @@ namespace core {
 Mask2d groundBetweenNeighbours(const Mask2d& vessels, const ImageF& evidence, const ImageF& opacity,
                                const std::vector<RidgeScale>& scales, double clearRidge);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 std::vector<int> degreesOf(const SkeletonGraph& graph)
@@ -124,4 +124,4 @@ SkeletonGraph withoutSmallPieces(SkeletonGraph graph, const EdgeMeasure& size, d
     return graph;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-namespace core {
+namespace angiopose::core {
 
 /// Some size or worth of an edge: its length, the evidence along it, …
 using EdgeMeasure = std::function<double(const SkeletonEdge&)>;
@@ -16,4 +16,4 @@ SkeletonGraph withoutSpurs(SkeletonGraph graph, const EdgeMeasure& worth, double
 /// Without the pieces (connected parts) whose edges sum up to less than `least`.
 SkeletonGraph withoutSmallPieces(SkeletonGraph graph, const EdgeMeasure& size, double least);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// Walks the skeleton pixel by pixel; `nodeAt` tells the node of junction and end pixels, -1 elsewhere.
@@ -160,4 +160,4 @@ SkeletonGraph skeletonGraph(const Mask2d& skeleton)
     return SkeletonWalker(skeleton).run();
 }
 
-}   // namespace core
+}   // namespace angiopose::core

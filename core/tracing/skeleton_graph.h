@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// A stretch of skeleton between two nodes; its points begin and end at them.
 struct SkeletonEdge {
@@ -27,4 +27,4 @@ SkeletonGraph skeletonGraph(const Mask2d& skeleton);
 /// crossing vessels give two curves. A crossing that thinning split in two junctions up to `crossingPx` apart is one.
 std::vector<std::vector<Eigen::Vector2d>> orderedCurves(const SkeletonGraph& graph, double crossingPx);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -1,6 +1,6 @@
 #include "core/tracing/smoothing_spline.h"
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// A symmetric matrix with two side diagonals, made to solve for one right-hand side in place.
@@ -90,4 +90,4 @@ std::vector<double> smoothed(const std::vector<double>& values, const std::vecto
     return smoothedValues(values, weights, lambda);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Penalised least squares, min Σ wᵢ|xᵢ − yᵢ|² + λ Σ |second difference of x|²: the smoothing spline on even points
 /// (Whittaker 1923; Eilers 2003). `weights` one per point; keeps straight lines as they are.
@@ -13,4 +13,4 @@ std::vector<Eigen::Vector3d> smoothed(const std::vector<Eigen::Vector3d>& points
                                       double lambda);
 std::vector<double> smoothed(const std::vector<double>& values, const std::vector<double>& weights, double lambda);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int reachFrames = 4;
@@ -132,4 +132,4 @@ ImageF steadyFrame(const std::vector<ImageF>& frames, int index)
     return std::move(sum.values);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

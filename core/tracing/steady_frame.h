@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// The frame with less noise where the run stands still: the mean with the frames up to four before and after it, as
 /// far as nothing but noise tells them from it (a phantom, a late phase under breath-hold). A frame in which more than
@@ -12,4 +12,4 @@ namespace core {
 /// Pixels that have changed take no part. `index` must exist.
 ImageF steadyFrame(const std::vector<ImageF>& frames, int index);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t mostMaskFrames = 8;
@@ -152,4 +152,4 @@ Result<Angiogram> treatedRun(const Angiogram& stored, const RunTreatment& treatm
     return run;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 using StopCheck = std::function<bool()>;   ///< true: give up, the result is not wanted any more
 
@@ -69,4 +69,4 @@ Result<SubtractedFrame> subtractFrame(const std::vector<ImageF>& frames, Polarit
 Result<Angiogram> treatedRun(const Angiogram& stored, const RunTreatment& treatment,
                              const StopCheck& isStopWished = {});
 
-}   // namespace core
+}   // namespace angiopose::core

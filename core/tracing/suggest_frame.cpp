@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 // Filling is judged on a coarse copy of each frame: where a vessel is does not matter here, only how much there is.
@@ -104,4 +104,4 @@ int suggestFrame(const std::vector<ImageF>& frames, Polarity polarity)
     return full[(full.size() - 1) / 2];
 }
 
-}   // namespace core
+}   // namespace angiopose::core

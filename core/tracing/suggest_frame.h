@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// How much of the field each frame shows filled with contrast, 0…1: the share of pixels in ridges above a threshold
 /// common to all frames. 0 for frames that cannot be traced (empty, another size, not finite, of one colour).
@@ -13,4 +13,4 @@ std::vector<double> opacificationCurve(const std::vector<ImageF>& frames, Polari
 /// The fullest frame: the middle one of those with nearly the most opacification; 0 when there are no frames.
 int suggestFrame(const std::vector<ImageF>& frames, Polarity polarity);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double leastShareOfSide = 0.15;
@@ -43,4 +43,4 @@ std::vector<int> suspectCurves(const Centerline2d& centerline, int imageSidePx)
     return suspects;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

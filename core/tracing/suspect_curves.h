@@ -4,11 +4,11 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Ids of long curves that bend evenly (one arc, or straight) and keep their width, as catheters, wires and edges of
 /// bones do and vessels seldom. They stay in the centreline: whether they count is for the user to say.
 /// `imageSidePx` is the longer side of the frame; curves without radii are judged by their course alone.
 std::vector<int> suspectCurves(const Centerline2d& centerline, int imageSidePx);
 
-}   // namespace core
+}   // namespace angiopose::core

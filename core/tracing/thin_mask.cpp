@@ -6,7 +6,7 @@
 #include <array>
 #include <bit>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// For each 3×3 neighbourhood (bit k: neighbour k is set, counter-clockwise from east): may the centre go?
@@ -132,4 +132,4 @@ Mask2d thinned(const Mask2d& mask)
     return mask.isEmpty() ? mask : Peeler(mask).run();
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -25,7 +25,7 @@
 #include <bit>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double surroundingsInRadii = 3.0;
@@ -230,4 +230,4 @@ Result<Centerline2d> traceMask(const Mask2d& mask, const TraceOptions& options)
     return centerline;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

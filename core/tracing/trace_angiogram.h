@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// One set of defaults for every image; lengths in px of a frame of usual size (see `WorkingSize`): in frames twice as
 /// large they are twice as long.
@@ -42,4 +42,4 @@ Result<AngiogramTrace> traceFrame(const Angiogram& run, int frame, const TraceOp
 /// Curves of a drawn mask (e.g. a PNG): thinning and ordering only.
 Result<Centerline2d> traceMask(const Mask2d& mask, const TraceOptions& options = {});
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 // A side branch must be long or strong: √length times what its weak parts have above half of the evidence.
@@ -86,4 +86,4 @@ SkeletonGraph drawnBranches(const Mask2d& vessels, const TraceOptions& options)
     return withoutSmallPieces(std::move(graph), lengthOf, options.minComponentLengthPx);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include "core/tracing/skeleton_graph.h"
 #include "core/tracing/trace_angiogram.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// The graph of a vessel mask with only what looks like vessels: no stretches along the rim of the field, no short or
 /// weak side branches, no short or weak pieces.
@@ -14,4 +14,4 @@ SkeletonGraph vesselBranches(const Mask2d& vessels, const ImageF& evidence, cons
 /// The same by length alone, for masks that somebody drew.
 SkeletonGraph drawnBranches(const Mask2d& vessels, const TraceOptions& options);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr float lowEvidence = 0.9F;
@@ -80,4 +80,4 @@ Mask2d vesselPixels(const ImageF& evidence)
     return vessels;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

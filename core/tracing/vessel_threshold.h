@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Ridges no stronger than this may be noise: in noise alone Otsu finds two classes as well, but most of any frame
 /// shows no vessel, so the middle ridge strength is that of noise.
@@ -25,4 +25,4 @@ ImageF withoutStars(ImageF ridges, const ImageF& opacity);
 /// flank of something much stronger close by.
 Mask2d vesselPixels(const ImageF& evidence);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double profileStepPx = 0.5;
@@ -121,4 +121,4 @@ std::vector<std::optional<VesselWalls>> findWalls(const std::vector<Eigen::Vecto
     return plausible(wallsAlong(profilesAcross(points, normals, opacity, half)));
 }
 
-}   // namespace core
+}   // namespace angiopose::core

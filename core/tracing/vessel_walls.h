@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// The two walls of a vessel across one point of its curve, along the normal there.
 struct VesselWalls {
@@ -20,4 +20,4 @@ std::vector<std::optional<VesselWalls>> findWalls(const std::vector<Eigen::Vecto
                                                   const std::vector<Eigen::Vector2d>& normals, const ImageF& opacity,
                                                   double reachPx);
 
-}   // namespace core
+}   // namespace angiopose::core

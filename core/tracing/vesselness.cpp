@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int directionCount = 12;
@@ -261,4 +261,4 @@ ImageF ridgeStrength(const ImageF& opacity, const std::vector<RidgeScale>& scale
     return std::move(levels.front());
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// One size of filter.
 struct RidgeScale {
@@ -24,4 +24,4 @@ ImageF ridgeStrength(const ImageF& opacity, const std::vector<RidgeScale>& scale
 /// The same at all scales of these radii.
 ImageF ridgeStrength(const ImageF& opacity, double minRadiusPx, double maxRadiusPx);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int leastSidePx = 176;
@@ -76,4 +76,4 @@ std::vector<Eigen::Vector2d> fromWorkingSize(std::vector<Eigen::Vector2d> points
     return pointsPx;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

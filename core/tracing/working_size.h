@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Vessels are a few pixels wide in frames of usual size: larger frames are halved until they have it, smaller ones
 /// doubled. The same vessels are then traced alike, whatever the detector's or an export's matrix.
@@ -24,4 +24,4 @@ ImageF fromWorkingSize(const ImageF& image, const WorkingSize& size, int width, 
 Mask2d fromWorkingSize(const Mask2d& mask, const WorkingSize& size, int width, int height);
 std::vector<Eigen::Vector2d> fromWorkingSize(std::vector<Eigen::Vector2d> pointsPx, const WorkingSize& size);
 
-}   // namespace core
+}   // namespace angiopose::core

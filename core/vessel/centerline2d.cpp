@@ -2,7 +2,7 @@
 
 #include "core/vessel/polyline.h"
 
-namespace core {
+namespace angiopose::core {
 
 double Curve2d::lengthPx() const
 {
@@ -54,4 +54,4 @@ std::string findProblem(const Centerline2d& centerline)
     return {};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// One traced vessel of an angiogram: an ordered curve in px.
 struct Curve2d {
@@ -31,4 +31,4 @@ Centerline2d resampled(const Centerline2d& centerline, double spacingPx);
 /// What makes this centreline unusable (no points, NaN), in words for the user; empty when it is fine.
 std::string findProblem(const Centerline2d& centerline);
 
-}   // namespace core
+}   // namespace angiopose::core

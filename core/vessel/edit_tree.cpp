@@ -11,7 +11,7 @@
 #include <optional>
 #include <set>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 Error noSuchBranch(int branchId)
@@ -295,4 +295,4 @@ Result<VesselTree> withGeneration(const VesselTree& tree, int branchId, int gene
     return result;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

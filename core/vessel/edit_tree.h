@@ -9,7 +9,7 @@
 // Edits of a vessel tree: each takes a tree and gives the edited one, ids of untouched branches unchanged. A branch
 // that does not exist, or an edit that would leave nothing, is an error in words for the user.
 
-namespace core {
+namespace angiopose::core {
 
 /// How near two branches must come to be connected, mm; as for `findNodes`.
 inline constexpr double touchingMm = 1.5;
@@ -51,4 +51,4 @@ Result<VesselTree> renamed(const VesselTree& tree, int branchId, const std::stri
 /// The branch counted as of a generation; −1: unknown.
 Result<VesselTree> withGeneration(const VesselTree& tree, int branchId, int generation);
 
-}   // namespace core
+}   // namespace angiopose::core

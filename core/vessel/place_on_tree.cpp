@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// 0 … 1 from a to b: where the segment comes nearest to a point.
@@ -65,4 +65,4 @@ std::optional<Eigen::Vector3d> placeUnderPixel(const VesselTree& tree, const Tre
     return nearest.distance <= reachPx ? std::optional(nearest.pointInPatient) : std::nullopt;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

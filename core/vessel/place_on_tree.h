@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace core {
+namespace angiopose::core {
 
 /// The place on the tree nearest to a point in space; nothing on an empty tree.
 std::optional<Eigen::Vector3d> nearestOnTree(const VesselTree& tree, const Eigen::Vector3d& pointInPatient);
@@ -21,4 +21,4 @@ struct TreeSight {
 std::optional<Eigen::Vector3d> placeUnderPixel(const VesselTree& tree, const TreeSight& sight,
                                                const Eigen::Vector2d& pixel, double reachPx);
 
-}   // namespace core
+}   // namespace angiopose::core

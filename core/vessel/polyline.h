@@ -8,7 +8,7 @@
 
 // Arc length on ordered points, in 2-D (px) and 3-D (mm) alike.
 
-namespace core {
+namespace angiopose::core {
 
 template <int Dim>
 using Polyline = std::vector<Eigen::Matrix<double, Dim, 1>>;
@@ -95,4 +95,4 @@ std::vector<Value> interpolate(const std::vector<Value>& values, const std::vect
     return result;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

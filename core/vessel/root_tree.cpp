@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t stretch = 5;   ///< points that tell how thick an end is
@@ -162,4 +162,4 @@ VesselTree rootedAt(const VesselTree& tree, const Eigen::Vector3d& rootInPatient
     return walker.result();
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include "core/vessel/vessel_tree.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// The tree seen from the branch end that is nearest to `rootInPatient`: every branch runs away from the root, its
 /// generation counts the branches on the way there, and parents come before their children. Ids and names stay; where
@@ -10,4 +10,4 @@ namespace core {
 /// Pieces that do not connect (within `touchingMm`) follow, each from its own thickest end.
 VesselTree rootedAt(const VesselTree& tree, const Eigen::Vector3d& rootInPatient);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// Undirected edge, and whether the triangle runs along it upwards.
@@ -75,4 +75,4 @@ SurfaceMesh welded(const SurfaceMesh& mesh)
     return result;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

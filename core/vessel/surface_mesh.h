@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// The wall of vessels as triangles, patient LPS mm.
 struct SurfaceMesh {
@@ -27,4 +27,4 @@ MeshCheck checkMesh(const SurfaceMesh& mesh);
 /// The same mesh with points at exactly the same place merged, and triangles without area left out.
 SurfaceMesh welded(const SurfaceMesh& mesh);
 
-}   // namespace core
+}   // namespace angiopose::core

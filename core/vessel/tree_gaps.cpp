@@ -8,7 +8,7 @@
 #include <optional>
 #include <set>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t stretch = 5;   ///< points that tell an end's direction
@@ -156,4 +156,4 @@ Result<VesselTree> mended(const VesselTree& tree, const TreeGap& gap)
                        : extendedTo(tree, from, gap.toInPatient);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

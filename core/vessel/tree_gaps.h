@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// A place where two pieces of a tree probably belong together.
 struct TreeGap {
@@ -29,4 +29,4 @@ int pieceCount(const VesselTree& tree);
 /// on to the other's side.
 Result<VesselTree> mended(const VesselTree& tree, const TreeGap& gap);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// What the vessel tree of a case comes from (FORMATS §2).
 enum class VesselInputKind { Centerline, Segmentation, Surface, Volume };
@@ -21,4 +21,4 @@ struct VesselInput {
     bool operator==(const VesselInput&) const = default;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

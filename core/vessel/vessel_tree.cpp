@@ -8,7 +8,7 @@
 #include <iterator>
 #include <set>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 struct BranchEnd {
@@ -217,4 +217,4 @@ std::string findProblem(const VesselTree& tree)
     return {};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// One branch of a vessel tree: an ordered centreline in patient LPS, mm.
 struct VesselBranch {
@@ -61,4 +61,4 @@ bool isUsualSize(const VesselTree& tree);
 /// What makes this tree unusable (no branch, one point, NaN, …), in words for the user; empty when it is fine.
 std::string findProblem(const VesselTree& tree);
 
-}   // namespace core
+}   // namespace angiopose::core

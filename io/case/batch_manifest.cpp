@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <set>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::size_t rowDigits = 4;   ///< folders then sort as rows do
@@ -85,4 +85,4 @@ core::Result<std::vector<BatchEntry>> readManifest(const std::string& path)
     return entries;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

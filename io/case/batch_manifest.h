@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// One registration of a batch.
 struct BatchEntry {
@@ -22,4 +22,4 @@ struct BatchEntry {
 /// Fails naming the line: no such column, no rows, an empty path, a name twice or with a slash, a frame that is none.
 core::Result<std::vector<BatchEntry>> readManifest(const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

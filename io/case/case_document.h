@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// What a case says about subtraction; the rest is as the image's header has it.
 struct SubtractionKeys {
@@ -36,4 +36,4 @@ CaseDocument parseCaseDocument(std::string_view json);
 /// The case as JSON, paths relative to `folder`, unknown keys included.
 std::string caseDocumentText(const core::RegistrationCase& registrationCase, const std::filesystem::path& folder);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using Json = nlohmann::json;
@@ -321,4 +321,4 @@ CaseDocument parseCaseDocument(std::string_view json)
     return document;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using core::Origin;
@@ -292,4 +292,4 @@ std::string caseDocumentText(const core::RegistrationCase& registrationCase, con
         withExtraKeys(withExtraKeys(root.dump(), registrationCase.viewExtraKeys), registrationCase.extraKeys));
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -141,4 +141,4 @@ core::Result<RegistrationCase> loadInputs(CaseDocument document, const std::stri
     return std::move(document.values);
 }
 
-}   // namespace io
+}   // namespace angiopose::io

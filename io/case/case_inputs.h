@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// Every file that the case refers to: vessels, scan, image, target, other views and theirs.
 std::vector<core::InputFile*> inputsOf(CaseDocument& document);
@@ -20,4 +20,4 @@ void makePathsAbsolute(CaseDocument& document, const std::string& casePath);
 core::Result<core::RegistrationCase> loadInputs(CaseDocument document, const std::string& casePath,
                                                 std::vector<std::string>& warnings, const ReadObserver& observe);
 
-}   // namespace io
+}   // namespace angiopose::io

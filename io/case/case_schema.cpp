@@ -9,7 +9,7 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::size_t maxProblems = 20;
@@ -89,4 +89,4 @@ std::vector<std::string> findSchemaProblems(std::string_view json)
     return problems;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

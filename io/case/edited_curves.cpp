@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,4 +76,4 @@ core::Result<core::InputFile> keepEditedCurves(const core::RegistrationCase& reg
     return hash ? core::Result<core::InputFile>(core::InputFile{path, std::move(hash).value()}) : hash.error();
 }
 
-}   // namespace io
+}   // namespace angiopose::io

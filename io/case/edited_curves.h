@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 /// The file of the case's edited 2-D curves, with its hash: each case has its own, `<case>.curves.csv` beside it.
 /// Written unless it is there already; the file of an earlier save of the same case is replaced, any other of that name
@@ -17,4 +17,4 @@ core::Result<core::InputFile> keepEditedCurves(const core::RegistrationCase& reg
                                                const std::string& casePath,
                                                std::optional<std::size_t> otherView = std::nullopt);
 
-}   // namespace io
+}   // namespace angiopose::io

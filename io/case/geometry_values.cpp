@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using core::Origin;
@@ -90,4 +90,4 @@ void readGeometry(const std::string& json, CaseDocument& document)
     readCamera(geometry.value("camera", Json()), document);
 }
 
-}   // namespace io
+}   // namespace angiopose::io

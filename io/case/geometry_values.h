@@ -4,10 +4,10 @@
 
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 /// The values of the JSON under `geometry`, each with its origin, and `geometry.camera` into the case; what makes no
 /// sense into the problems. The schema has been checked.
 void readGeometry(const std::string& json, CaseDocument& document);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using Json = nlohmann::json;
@@ -71,4 +71,4 @@ std::string knownViewKeys()
     return keys.dump();
 }
 
-}   // namespace io
+}   // namespace angiopose::io

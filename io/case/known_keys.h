@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 /// Every key this version reads and writes, as a JSON object; an empty string marks a value, an object its members.
 std::string knownCaseKeys(core::VesselInputKind vesselKind);
@@ -12,4 +12,4 @@ std::string knownCaseKeys(core::VesselInputKind vesselKind);
 /// Likewise of a view that stands in the case.
 std::string knownViewKeys();
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace io {
+namespace angiopose::io {
 
 std::string optionsJson(const core::RegistrationOptions& options)
 {
@@ -45,4 +45,4 @@ std::string setOption(core::RegistrationOptions& options, const core::OptionFiel
     return "options." + std::string(field.key) + ": give " + remedy + ".";
 }
 
-}   // namespace io
+}   // namespace angiopose::io

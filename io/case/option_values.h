@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 /// `{"key": value, …}` over the option table; choices by their text.
 std::string optionsJson(const core::RegistrationOptions& options);
@@ -15,4 +15,4 @@ std::string optionsJson(const core::RegistrationOptions& options);
 std::string setOption(core::RegistrationOptions& options, const core::OptionField& field, std::optional<double> number,
                       std::string_view text);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-namespace io {
+namespace angiopose::io {
 
 using core::RegistrationCase;
 
@@ -65,4 +65,4 @@ core::Status completeFiles(RegistrationCase& hashed, const std::string& path)
     return core::Done{};
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using core::PoseSnapshot;
@@ -100,4 +100,4 @@ std::vector<PoseSnapshot> snapshotsFromJson(std::string_view json, std::vector<s
     return snapshots;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

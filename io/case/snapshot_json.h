@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// The array under `snapshots` of a case file.
 std::string snapshotsJson(const std::vector<core::PoseSnapshot>& snapshots);
@@ -15,4 +15,4 @@ std::string snapshotsJson(const std::vector<core::PoseSnapshot>& snapshots);
 /// sense.
 std::vector<core::PoseSnapshot> snapshotsFromJson(std::string_view json, std::vector<std::string>& problems);
 
-}   // namespace io
+}   // namespace angiopose::io

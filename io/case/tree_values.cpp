@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -76,4 +76,4 @@ core::Result<core::VesselTree> treeFromJson(std::string_view json)
     return tree;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

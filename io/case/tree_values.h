@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 /// A vessel tree as the JSON that a case keeps under `vessel.editedTree`, exact to the last bit.
 std::string treeJson(const core::VesselTree& tree);
@@ -14,4 +14,4 @@ std::string treeJson(const core::VesselTree& tree);
 /// The tree of such a JSON; fails, saying why, when it is none that can be worked with.
 core::Result<core::VesselTree> treeFromJson(std::string_view json);
 
-}   // namespace io
+}   // namespace angiopose::io

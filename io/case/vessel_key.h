@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace io {
+namespace angiopose::io {
 
 /// In the order in which a case with several of them is read.
 inline constexpr std::array vesselInputKinds = {core::VesselInputKind::Centerline, core::VesselInputKind::Segmentation,
@@ -17,4 +17,4 @@ constexpr const char* vesselKey(core::VesselInputKind kind)
     return keys[static_cast<std::size_t>(kind)];
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using core::RegistrationCase;
@@ -188,4 +188,4 @@ RegistrationCase loadOtherView(CaseDocument document, const RegistrationCase& fi
     return core::viewOf(values);
 }
 
-}   // namespace io
+}   // namespace angiopose::io

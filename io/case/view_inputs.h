@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// Reads what a view consists of: image, given centreline and subtraction; completes frame, geometry and pose. The
 /// vessels are there already. Fails naming the file.
@@ -22,4 +22,4 @@ void fillFromHeader(core::CArm& cArm, const core::CArm& header);
 /// Notes the hash of what was read; warns where the case expected something else.
 core::Status checkHash(core::InputFile& file, core::Result<std::string> hash, std::vector<std::string>& warnings);
 
-}   // namespace io
+}   // namespace angiopose::io

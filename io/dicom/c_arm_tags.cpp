@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using core::CArm;
@@ -229,4 +229,4 @@ bool isAboutMissingSpacing(std::string_view warning)
     return warning.find("imager") != std::string_view::npos && warning.find("spacing") != std::string_view::npos;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// C-arm geometry of an XA header (ALGORITHMS §5.1, §5.2), each value with its origin. What the header does not give
 /// stays missing unless other tags determine it; then it is derived, and a warning says so.
@@ -21,4 +21,4 @@ DicomDataset withFunctionalGroups(const DicomDataset& data);
 /// otherwise.
 bool isAboutMissingSpacing(std::string_view warning);
 
-}   // namespace io
+}   // namespace angiopose::io

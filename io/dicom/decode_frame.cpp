@@ -13,7 +13,7 @@
 #include <cmath>
 #include <exception>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::string_view rleSyntax = "1.2.840.10008.1.2.5";
@@ -126,4 +126,4 @@ std::optional<std::vector<char>> decodeFrame(std::string_view compressed, const 
     }
 }
 
-}   // namespace io
+}   // namespace angiopose::io

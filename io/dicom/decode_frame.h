@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// Raw bytes of one compressed frame (JPEG, JPEG-LS, JPEG 2000, RLE) in the layout's native form, little endian.
 /// `layout` is adjusted where the compressed stream knows better. Nothing when it cannot be decoded whole.
@@ -24,4 +24,4 @@ struct StreamHead {
 };
 std::optional<StreamHead> streamHeadOf(std::string_view stream);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::size_t headerSize = 64;
@@ -62,4 +62,4 @@ std::optional<std::vector<char>> decodeRle(std::string_view compressed, const Pi
     return bytes;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

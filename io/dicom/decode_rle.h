@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// One RLE frame (PS3.5 annex G) as interleaved little-endian samples; nothing when a segment is damaged or short.
 std::optional<std::vector<char>> decodeRle(std::string_view compressed, const PixelLayout& layout);
 
-}   // namespace io
+}   // namespace angiopose::io

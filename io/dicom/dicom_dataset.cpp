@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 bool isVr(const DicomElement& element, std::string_view vr)
@@ -202,4 +202,4 @@ std::optional<std::vector<std::string_view>> fragmentsOf(const DicomElement& pix
     return fragments;   // without a delimiter: whole fragments up to the end of the file
 }
 
-}   // namespace io
+}   // namespace angiopose::io

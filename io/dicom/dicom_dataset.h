@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 using DicomTag = std::uint32_t;   ///< group in the upper half: 0x00281053
 
@@ -54,4 +54,4 @@ std::optional<std::vector<std::string_view>> fragmentsOf(const DicomElement& pix
 std::uint16_t readUint16(std::string_view bytes, DicomEncoding encoding);
 std::uint32_t readUint32(std::string_view bytes, DicomEncoding encoding);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr int maxDepth = 32;
@@ -121,4 +121,4 @@ std::optional<std::size_t> undefinedItemSize(std::string_view bytes, DicomEncodi
     return std::nullopt;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -2,7 +2,7 @@
 
 #include "io/dicom/dicom_dataset.h"
 
-namespace io {
+namespace angiopose::io {
 
 inline constexpr DicomTag itemTag = 0xfffee000;
 inline constexpr DicomTag itemEndTag = 0xfffee00d;
@@ -27,4 +27,4 @@ std::optional<std::size_t> undefinedValueSize(std::string_view bytes, DicomEncod
 /// The same for an item of undefined length.
 std::optional<std::size_t> undefinedItemSize(std::string_view bytes, DicomEncoding encoding, int depth = 0);
 
-}   // namespace io
+}   // namespace angiopose::io

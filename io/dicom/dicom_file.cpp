@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::size_t preambleSize = 128;
@@ -104,4 +104,4 @@ core::Result<DicomFile> parseDicom(std::string_view content, const std::string& 
     return file;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

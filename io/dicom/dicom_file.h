@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 /// A parsed DICOM file. Values point into the bytes it was parsed from, or into `unpacked` for deflated files.
 struct DicomFile {
@@ -22,4 +22,4 @@ bool looksLikeDicom(std::string_view content);
 /// Own parser: it never trusts a declared length beyond the file's size, which the libraries do.
 core::Result<DicomFile> parseDicom(std::string_view content, const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

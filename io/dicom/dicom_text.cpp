@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 struct CharacterSet {
@@ -117,4 +117,4 @@ core::StudyIdentity identityOf(const DicomDataset& data)
     return identity;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 /// Bytes in the data set's own character set (0008,0005) as UTF-8; what cannot be converted becomes "?".
 std::string utf8Text(const DicomDataset& data, DicomTag tag);
@@ -13,4 +13,4 @@ std::string utf8Text(const DicomDataset& data, DicomTag tag);
 /// Who and when, for the corners of the window.
 core::StudyIdentity identityOf(const DicomDataset& data);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -8,7 +8,7 @@
 #include <bit>
 #include <cmath>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using core::ImageF;
@@ -200,4 +200,4 @@ core::Result<std::vector<ImageF>> readFrames(const DicomFile& file, const PixelL
     return frames;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// Decodes the frames of a DICOM file one at a time, as stored values (colour as luminance). The file must outlive it.
 class FrameReader {
@@ -35,4 +35,4 @@ private:
 core::Result<std::vector<core::ImageF>> readFrames(const DicomFile& file, const PixelLayout& layout,
                                                    const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

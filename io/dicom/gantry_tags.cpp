@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using core::GantryHeader;
@@ -235,4 +235,4 @@ GantryHeader gantryHeaderOf(const DicomDataset& data, int frameCount, std::vecto
     return header;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -4,7 +4,7 @@
 #include "io/support/file_error.h"
 #include "io/support/inflate.h"
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::size_t maxUnpackedBytes = std::size_t{256} << 20;
@@ -34,4 +34,4 @@ bool isDicomFile(const std::string& path)
     return static_cast<bool>(openDicom(path));
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 /// Opens a DICOM file, also one inside a gzip archive. Fails as `openInput` does, and on content that is not DICOM.
 core::Result<InputBytes> openDicom(const std::string& path);
@@ -13,4 +13,4 @@ core::Result<InputBytes> openDicom(const std::string& path);
 /// True for what `openDicom` opens.
 bool isDicomFile(const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

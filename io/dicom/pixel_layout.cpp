@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr DicomTag floatPixelDataTag = 0x7fe00008;
@@ -90,4 +90,4 @@ core::Result<PixelLayout> pixelLayoutOf(const DicomFile& file, const std::string
     return layout;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 /// How the pixels are stored (Image Pixel Module, PS3.3 C.7.6.3), checked for values that can be.
 struct PixelLayout {
@@ -32,4 +32,4 @@ inline constexpr std::size_t maxFramePixels = std::size_t{8192} * 8192;
 core::Result<PixelLayout> pixelLayoutOf(const DicomFile& file, const std::string& path,
                                         std::size_t maxPixels = maxRunPixels);
 
-}   // namespace io
+}   // namespace angiopose::io

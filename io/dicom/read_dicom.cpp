@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using core::Angiogram;
@@ -143,4 +143,4 @@ core::Result<core::Angiogram> readDicomAngiogram(std::string_view content, const
     return angiogram;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 /// Angiogram from the bytes of a DICOM file. Other modalities load with a warning and without geometry.
 core::Result<core::Angiogram> readDicomAngiogram(std::string_view content, const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

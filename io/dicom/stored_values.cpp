@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr float maxStored = 65535.0F;
@@ -58,4 +58,4 @@ StoredValues storedValuesOf(const std::vector<core::ImageF>& frames)
     return stored;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// Frames as 16-bit stored values: `value = slope * stored + intercept`, the two exactly as the texts say.
 struct StoredValues {
@@ -21,4 +21,4 @@ StoredValues storedValuesOf(const std::vector<core::ImageF>& frames);
 /// A number as DICOM text of at most 16 characters (VR DS), as exact as that allows.
 std::string decimalString(double value);
 
-}   // namespace io
+}   // namespace angiopose::io

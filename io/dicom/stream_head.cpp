@@ -2,7 +2,7 @@
 
 #include "io/dicom/dicom_dataset.h"
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr DicomEncoding bigEndian{true, true};
@@ -55,4 +55,4 @@ std::optional<StreamHead> streamHeadOf(std::string_view stream)
     return std::nullopt;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

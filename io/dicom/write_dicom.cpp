@@ -14,7 +14,7 @@
 #include <numbers>
 #include <sstream>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using core::Angiogram;
@@ -236,4 +236,4 @@ core::Result<std::string> dicomText(const Angiogram& angiogram)
     }
 }
 
-}   // namespace io
+}   // namespace angiopose::io

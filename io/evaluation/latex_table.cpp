@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 struct Replacement {
@@ -79,4 +79,4 @@ std::string toLatex(const core::ResultTable& table)
     return text + "\\end{table}\n";
 }
 
-}   // namespace io
+}   // namespace angiopose::io

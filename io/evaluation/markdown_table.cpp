@@ -1,6 +1,6 @@
 #include "io/evaluation/table_text.h"
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 std::string escaped(const std::string& text)
@@ -39,4 +39,4 @@ std::string toMarkdown(const core::ResultTable& table)
     return text;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 /// Characters on screen; UTF-8 continuation bytes take no room.
@@ -52,4 +52,4 @@ std::string toPlainText(const core::ResultTable& table)
     return text;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

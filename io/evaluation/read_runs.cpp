@@ -9,7 +9,7 @@
 #include <map>
 #include <tuple>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using Key = std::tuple<std::string, std::string, std::uint64_t>;   ///< condition, method, trial
@@ -239,4 +239,4 @@ core::Result<core::RunSet> readRuns(const std::string& folder)
     return runs;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 /// Writes runs.csv (the same bytes for any number of threads), times.csv and histories.csv into an existing folder.
 core::Status writeRuns(const core::RunSet& runs, const std::string& folder);
@@ -13,4 +13,4 @@ core::Status writeRuns(const core::RunSet& runs, const std::string& folder);
 /// Reads them back, every number as it was; times and histories may be missing. Fails naming file and line.
 core::Result<core::RunSet> readRuns(const std::string& folder);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// Title, table and notes as Markdown (GitHub's tables); published rows in italics.
 std::string toMarkdown(const core::ResultTable& table);
@@ -16,4 +16,4 @@ std::string toLatex(const core::ResultTable& table);
 /// The same for a terminal, columns aligned.
 std::string toPlainText(const core::ResultTable& table);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 std::string cell(double value)
@@ -80,4 +80,4 @@ core::Status writeRuns(const core::RunSet& runs, const std::string& folder)
     return writeAtomically((path / "histories.csv").string(), historiesText(runs));
 }
 
-}   // namespace io
+}   // namespace angiopose::io

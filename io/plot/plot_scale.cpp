@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr double mostTicks = 8.0;
@@ -69,4 +69,4 @@ std::vector<PlotTick> PlotScale::ticks() const
     return axis_.isLogarithmic ? logarithmicTicks(axis_) : linearTicks(axis_);
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 struct PlotTick {
     double value = 0.0;
@@ -29,4 +29,4 @@ private:
     double to_;
 };
 
-}   // namespace io
+}   // namespace angiopose::io

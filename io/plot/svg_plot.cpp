@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr double plotLeft = 74.0;
@@ -182,4 +182,4 @@ std::string toSvg(const core::Plot& plot)
     return SvgPlot(plot).draw();
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -4,9 +4,9 @@
 
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 /// The plot as a stand-alone SVG picture: thin grid, one colour and dash per line, bands behind, legend beside.
 std::string toSvg(const core::Plot& plot);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 /// What an ITK text file says about its transform.
@@ -141,4 +141,4 @@ std::string itkText(const core::RigidTransform& cameraFromPatient)
     return text + "\nFixedParameters: 0 0 0\n";
 }
 
-}   // namespace io
+}   // namespace angiopose::io

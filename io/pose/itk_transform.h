@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 /// The one transform of an ITK text file: affine (if rigid), Euler3D or VersorRigid3D, about its centre. The message
 /// of a failure does not name the file.
@@ -15,4 +15,4 @@ core::Result<core::RigidTransform> poseFromItkText(std::string_view text);
 /// The pose as an ITK text file that maps patient points (LPS) to camera points, mm.
 std::string itkText(const core::RigidTransform& cameraFromPatient);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -3,7 +3,7 @@
 #include <zlib.h>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::size_t maxKeyword = 79;   // PNG §11.3.4
@@ -75,4 +75,4 @@ std::string encodedPng(const PngPixels& pixels, const std::map<std::string, std:
     return png;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

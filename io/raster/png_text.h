@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// Pixels of an 8-bit PNG: one byte (grey) or three (sRGB) per pixel, row-major.
 struct PngPixels {
@@ -18,4 +18,4 @@ struct PngPixels {
 /// A PNG file with the texts as iTXt chunks (UTF-8).
 std::string encodedPng(const PngPixels& pixels, const std::map<std::string, std::string>& texts);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -4,7 +4,7 @@
 
 #include <zlib.h>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::string_view pngSignature = "\x89PNG\r\n\x1a\n";
@@ -50,4 +50,4 @@ std::string findRasterDamage(std::string_view content)
     return {};
 }
 
-}   // namespace io
+}   // namespace angiopose::io

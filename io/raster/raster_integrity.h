@@ -3,10 +3,10 @@
 #include <string>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 /// What shows that a PNG or JPEG is damaged or cut short, in words; empty when it is whole. The libraries would fill
 /// what is missing with grey.
 std::string findRasterDamage(std::string_view content);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -4,7 +4,7 @@
 #include <csetjmp>
 #include <cstdio>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::size_t maxPixels = 100'000'000;
@@ -95,4 +95,4 @@ std::optional<Raster> readJpeg(std::string_view content)
     return result;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

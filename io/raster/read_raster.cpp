@@ -13,7 +13,7 @@
 #include <exception>
 #include <optional>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::size_t maxBytes = std::size_t{800} << 20;   // decoded samples and their float copy together
@@ -153,4 +153,4 @@ core::Result<Raster> readRaster(std::string_view content, const std::string& pat
     }
 }
 
-}   // namespace io
+}   // namespace angiopose::io

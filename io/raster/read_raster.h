@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// Frames of a PNG, JPEG or (multi-page) TIFF as grey values.
 struct Raster {
@@ -22,4 +22,4 @@ bool looksLikeRaster(std::string_view content);
 /// `content` is what `path` holds; the libraries read the path itself.
 core::Result<Raster> readRaster(std::string_view content, const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

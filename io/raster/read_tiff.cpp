@@ -4,7 +4,7 @@
 #include <cstring>
 #include <memory>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::size_t maxRunPixels = 100'000'000;
@@ -120,4 +120,4 @@ std::optional<Raster> readTiff(const std::string& path)
     return raster.frames.empty() ? std::nullopt : std::optional(std::move(raster));
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::string_view segmentationClass = "1.2.840.10008.5.1.4.1.1.66.4";
@@ -243,4 +243,4 @@ core::Result<core::LabelVolume> readDicomSegmentation(const std::string& path, c
                               : byteLabels(segmentation.value(), path, observe);
 }
 
-}   // namespace io
+}   // namespace angiopose::io

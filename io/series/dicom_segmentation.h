@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// One segment of a DICOM segmentation; its number is its label.
 struct DicomSegment {
@@ -30,4 +30,4 @@ core::Result<std::vector<DicomSegment>> listSegments(const std::string& path);
 /// empty are empty. Fails when frames do not lie on one regular grid, or are compressed bits.
 core::Result<core::LabelVolume> readDicomSegmentation(const std::string& path, const ReadObserver& observe = {});
 
-}   // namespace io
+}   // namespace angiopose::io

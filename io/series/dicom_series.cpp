@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -122,4 +122,4 @@ core::Result<std::string> sha256OfSeries(const DicomSeries& series)
     return sha256OfText(hashes);
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -9,7 +9,7 @@
 #include <set>
 #include <tuple>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 bool isProjection(const DicomImages& file)
@@ -220,4 +220,4 @@ std::vector<DicomSeries> groupSlices(std::vector<DicomImages> files)
     return result;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

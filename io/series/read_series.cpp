@@ -10,7 +10,7 @@
 #include <deque>
 #include <memory>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::size_t maxSeriesPixels = std::size_t{1} << 31;
@@ -268,4 +268,4 @@ core::Result<core::Volume> readSeries(const DicomSeries& series, const ReadObser
     return volume;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr DicomTag sharedGroupsTag = 0x52009229;
@@ -93,4 +93,4 @@ core::Result<SegmentationGrid> segmentationGrid(const std::vector<SliceRecord>& 
     return grid;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// The grid on which the frames of a segmentation lie. Several frames may share a layer; layers without any are empty.
 struct SegmentationGrid {
@@ -20,4 +20,4 @@ struct SegmentationGrid {
 core::Result<SegmentationGrid> segmentationGrid(const std::vector<SliceRecord>& frames, const DicomDataset& data,
                                                 const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

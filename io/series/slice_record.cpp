@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr DicomTag sharedGroupsTag = 0x52009229;
@@ -175,4 +175,4 @@ core::Result<DicomImages> readSliceRecords(const std::string& path)
     return images;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

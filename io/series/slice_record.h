@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// What may tell apart images of one series that lie at the same place: acquisition, temporal position, cardiac phase,
 /// trigger time, echo, stack.
@@ -48,4 +48,4 @@ struct DicomImages {
 /// and on files that are not DICOM.
 core::Result<DicomImages> readSliceRecords(const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr double slantToleranceMm = 0.05;   // less than this is rounding in the header
@@ -199,4 +199,4 @@ SliceStack stackOf(const std::vector<SliceRecord>& slices)
     return stack;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// How one layer of the volume is made: from a slice, or between two of them.
 struct StackLayer {
@@ -32,4 +32,4 @@ SliceStack stackOf(const std::vector<SliceRecord>& slices);
 /// Unit normal of a slice's plane; slices are stacked along it.
 Eigen::Vector3d normalOf(const SliceRecord& slice);
 
-}   // namespace io
+}   // namespace angiopose::io

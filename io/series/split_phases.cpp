@@ -7,7 +7,7 @@
 #include <map>
 #include <tuple>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr double samePlaceMm = 0.01;
@@ -91,4 +91,4 @@ std::vector<Slices> splitVolumes(const Slices& sorted)
     return {sorted};
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 using Slices = std::vector<SliceRecord>;
 
@@ -18,4 +18,4 @@ void sortAlongNormal(Slices& slices);
 /// recorded. Slices that neither tells apart stay together.
 std::vector<Slices> splitVolumes(const Slices& sorted);
 
-}   // namespace io
+}   // namespace angiopose::io

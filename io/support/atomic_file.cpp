@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 core::Error writeError(const std::string& path)
@@ -137,4 +137,4 @@ core::Status writeAtomically(const std::string& path, std::string_view content)
     return file.commit();
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 /// Writes a large file piece by piece so that it is either the old or the new one, whole: a temporary file beside it
 /// that `commit` flushes and renames; without a commit nothing is left behind.
@@ -31,4 +31,4 @@ private:
 /// Writes a file so that it is either the old or the new one, whole: temporary file beside it, flush, rename.
 core::Status writeAtomically(const std::string& path, std::string_view content);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -2,7 +2,7 @@
 
 #include <unistd.h>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::size_t mostKept = 4096;
@@ -45,4 +45,4 @@ std::string CapturedStderr::text()
     return text;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -4,7 +4,7 @@
 #include <mutex>
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 /// Keeps what a library prints to the terminal, for the few that cannot be told not to: while one lives, stderr of the
 /// whole process goes there. One at a time; others wait. Where it cannot be had, stderr stays as it is.
@@ -23,4 +23,4 @@ private:
     int stderr_ = -1;   ///< a second way to where it went before
 };
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
@@ -119,4 +119,4 @@ core::Result<int> branchAt(const CsvTable& table, std::size_t row, std::size_t c
                                      ": the branch must be a whole number. Correct the line.");
 }
 
-}   // namespace io
+}   // namespace angiopose::io

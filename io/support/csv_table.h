@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// A comma-separated table with a header row (lower-cased names). Every row has as many cells as the header.
 struct CsvTable {
@@ -32,4 +32,4 @@ core::Result<double> numberAt(const CsvTable& table, std::size_t row, std::size_
 /// The branch number in a cell; fails naming the line.
 core::Result<int> branchAt(const CsvTable& table, std::size_t row, std::size_t column);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 /// The one shape of every message about a file: which file, the problem, the remedy.
 inline core::Error fileError(std::string_view path, std::string_view problemAndRemedy)
@@ -13,4 +13,4 @@ inline core::Error fileError(std::string_view path, std::string_view problemAndR
     return {std::string(path) + ": " + std::string(problemAndRemedy)};
 }
 
-}   // namespace io
+}   // namespace angiopose::io

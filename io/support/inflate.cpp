@@ -3,7 +3,7 @@
 #include <zlib.h>
 #include <array>
 
-namespace io {
+namespace angiopose::io {
 
 std::optional<std::string> inflated(std::string_view packed, Packing packing, std::size_t maxBytes)
 {
@@ -30,4 +30,4 @@ std::optional<std::string> inflated(std::string_view packed, Packing packing, st
     return content;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -4,11 +4,11 @@
 #include <string>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 enum class Packing { Gzip, RawDeflate };
 
 /// Unpacked content; nothing when it is damaged, cut short or grows beyond `maxBytes`.
 std::optional<std::string> inflated(std::string_view packed, Packing packing, std::size_t maxBytes);
 
-}   // namespace io
+}   // namespace angiopose::io

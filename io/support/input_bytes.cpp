@@ -13,7 +13,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 /// Closes the descriptor on every way out.
@@ -157,4 +157,4 @@ std::string_view describeContent(std::string_view content)
     return {};
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 /// Content of a whole file, read-only: mapped from disk, or owned when it had to be unpacked.
 class InputBytes {
@@ -35,4 +35,4 @@ std::string extensionOf(const std::string& path);
 /// A known format by its first bytes ("a NIfTI volume", "a gzip archive", …); empty when not recognised.
 std::string_view describeContent(std::string_view content);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -130,4 +130,4 @@ std::string withExtraKeys(std::string_view json, std::string_view extra)
     return merged.dump();
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 /// The same JSON, indented, with arrays of numbers on one line; doubles restore to the last bit.
 std::string prettyJson(std::string_view json);
@@ -19,4 +19,4 @@ std::string unknownKeys(std::string_view json, std::string_view known);
 /// `json` with the keys of `extra` that it does not have itself, at every level.
 std::string withExtraKeys(std::string_view json, std::string_view extra);
 
-}   // namespace io
+}   // namespace angiopose::io

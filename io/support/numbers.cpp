@@ -3,7 +3,7 @@
 #include <array>
 #include <charconv>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::string_view blanks(" \t\r\n\v\f\0", 7);   // DICOM pads with a zero byte
@@ -51,4 +51,4 @@ std::string toText(double value)
     return {buffer.data(), end};
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 /// A number written with `.` in any locale, surrounding blanks allowed; nothing unless all of `text` is the number.
 /// "nan" and "inf" are numbers here: the caller decides what they mean.
@@ -16,4 +16,4 @@ std::string toText(double value);
 
 std::string_view trimmed(std::string_view text);
 
-}   // namespace io
+}   // namespace angiopose::io

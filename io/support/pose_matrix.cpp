@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr double exactTolerance = 1e-12;
@@ -61,4 +61,4 @@ MatrixRows rowsOf(const core::RigidTransform& pose)
     return rows;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

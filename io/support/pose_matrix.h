@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 using MatrixRows = std::vector<std::vector<double>>;
 
@@ -16,4 +16,4 @@ core::Result<core::RigidTransform> poseFromRows(const MatrixRows& rows);
 
 MatrixRows rowsOf(const core::RigidTransform& pose);
 
-}   // namespace io
+}   // namespace angiopose::io

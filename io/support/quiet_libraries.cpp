@@ -10,7 +10,7 @@
 #include <vtkOutputWindow.h>
 #include <mutex>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 /// Swallows what VTK would print.
@@ -39,4 +39,4 @@ void quietLibraries()
     });
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -1,8 +1,8 @@
 #pragma once
 
-namespace io {
+namespace angiopose::io {
 
 /// Stops VTK, ITK and GDCM from printing to the terminal: what matters comes back as a message. Cheap to repeat.
 void quietLibraries();
 
-}   // namespace io
+}   // namespace angiopose::io

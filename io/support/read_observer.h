@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 /// Called several times a second while a large input is read, with the fraction done (0…1, never decreasing).
 /// Its Stop ends the reading; what was read is dropped.
@@ -33,4 +33,4 @@ inline ReadObserver partOf(const ReadObserver& observe, double first, double las
     return [observe, first, last](double fraction) { return observe(first + fraction * (last - first)); };
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 /// Takes a text apart into its trimmed lines, leaving out empty ones and comments (`#`), and counts all of them.
 ///   for (TextLines lines(text); lines.next();) use(lines.line(), lines.number());
@@ -36,4 +36,4 @@ private:
     int number_ = 0;
 };
 
-}   // namespace io
+}   // namespace angiopose::io

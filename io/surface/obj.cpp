@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 std::vector<std::string_view> wordsOf(std::string_view line)
@@ -60,4 +60,4 @@ core::Result<PolygonSet> parseObj(std::string_view content, const std::string& p
     return set;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

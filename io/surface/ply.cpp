@@ -10,7 +10,7 @@
 #include <optional>
 #include <sstream>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 enum class Coding { Text, LittleEndian, BigEndian };
@@ -234,4 +234,4 @@ core::Result<PolygonSet> parsePly(std::string_view content, const std::string& p
     return set;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <optional>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::size_t headSize = 84;
@@ -90,4 +90,4 @@ core::Result<PolygonSet> parseStl(std::string_view content, const std::string& p
                : fileError(path, "its triangles are damaged or cut short. Copy or export it again.");
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// Points and polygons as a file has them; indices are checked later.
 struct PolygonSet {
@@ -24,4 +24,4 @@ core::Result<PolygonSet> parseObj(std::string_view content, const std::string& p
 /// True for a binary STL file: its length follows from the number of triangles it declares.
 bool looksLikeBinaryStl(std::string_view content);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using Segment = std::pair<std::size_t, std::size_t>;
@@ -88,4 +88,4 @@ LineSet chainSegments(LineSet set)
     return set;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

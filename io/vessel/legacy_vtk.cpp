@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 std::string upper(std::string_view text)
@@ -294,4 +294,4 @@ core::Result<VtkLines> parseLegacyVtk(std::string_view content, const std::strin
     return lines;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr int vtkLineType = 3;
@@ -61,4 +61,4 @@ void addCells(LegacyVtkCells cells, VtkLines& lines)
     lines.polygons = std::move(cells.polygons);
 }
 
-}   // namespace io
+}   // namespace angiopose::io

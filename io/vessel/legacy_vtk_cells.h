@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// Point ids of each cell.
 using VtkCells = std::vector<std::vector<std::size_t>>;
@@ -23,4 +23,4 @@ struct LegacyVtkCells {
 /// Puts poly-lines (with the cell that each is) and polygons into `lines`.
 void addCells(LegacyVtkCells cells, VtkLines& lines);
 
-}   // namespace io
+}   // namespace angiopose::io

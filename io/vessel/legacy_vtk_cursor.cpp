@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n\v\f";
@@ -180,4 +180,4 @@ void LegacyVtkCursor::skipParagraph()
     }
 }
 
-}   // namespace io
+}   // namespace angiopose::io

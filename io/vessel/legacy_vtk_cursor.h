@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// Walks through the tokens and number blocks of a legacy VTK file. Nothing is allocated for values that the rest of
 /// the file cannot hold.
@@ -39,4 +39,4 @@ private:
     bool isBinary_ = false;
 };
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// Poly-lines as files hold them, before they become branches.
 struct LineSet {
@@ -32,4 +32,4 @@ core::Result<core::VesselTree> treeFromLines(LineSet set, const std::string& pat
 /// Lines of different ids are never joined.
 LineSet chainSegments(LineSet set);
 
-}   // namespace io
+}   // namespace angiopose::io

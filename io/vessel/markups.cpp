@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using Json = nlohmann::json;
@@ -89,4 +89,4 @@ std::string markupsText(const core::VesselTree& tree)
     return prettyJson(root.dump(-1, ' ', false, Ordered::error_handler_t::replace));
 }
 
-}   // namespace io
+}   // namespace angiopose::io

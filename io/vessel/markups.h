@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 /// Curves of a Slicer markups file (`.mrk.json`), one line each, turned to LPS.
 core::Result<LineSet> parseMarkups(std::string_view json, const std::string& path);
@@ -13,4 +13,4 @@ core::Result<LineSet> parseMarkups(std::string_view json, const std::string& pat
 /// The tree as Slicer markups, one open curve per branch, LPS; radii have no place there.
 std::string markupsText(const core::VesselTree& tree);
 
-}   // namespace io
+}   // namespace angiopose::io

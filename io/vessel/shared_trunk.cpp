@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr double sharedDistanceMm = 0.1;
@@ -203,4 +203,4 @@ std::vector<VesselBranch> withoutSharedTrunks(const std::vector<VesselBranch>& l
     return pieces;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -9,7 +9,7 @@
 #include <limits>
 #include <unordered_map>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 /// id, type, x, y, z, radius, parent.
@@ -156,4 +156,4 @@ std::string swcText(const core::VesselTree& tree)
     return SwcWriter(tree).run();
 }
 
-}   // namespace io
+}   // namespace angiopose::io

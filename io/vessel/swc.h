@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 /// SWC rows `id type x y z radius parent` as segments between points; lengths times `unitMm`.
 core::Result<LineSet> parseSwc(std::string_view text, double unitMm, const std::string& path);
@@ -15,4 +15,4 @@ core::Result<LineSet> parseSwc(std::string_view text, double unitMm, const std::
 /// 0.
 std::string swcText(const core::VesselTree& tree);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using core::VesselBranch;
@@ -110,4 +110,4 @@ core::Result<core::VesselTree> treeFromLines(LineSet set, const std::string& pat
     return tree;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 struct TreeColumns {
@@ -181,4 +181,4 @@ std::string treeTable(const core::VesselTree& tree)
     return text;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 /// CSV `x,y,z[,radius][,branch][,label]` (mm, LPS), columns in any order; three bare columns of numbers are x, y, z.
 /// Rows of one branch follow each other along it; a leap of more than 5 mm and ten usual steps starts a new branch.
@@ -17,4 +17,4 @@ bool isTreeTable(std::string_view head);
 /// CSV `x,y,z,radius,branch`; `nan` radius where unknown, the column left out when none is known.
 std::string treeTable(const core::VesselTree& tree);
 
-}   // namespace io
+}   // namespace angiopose::io

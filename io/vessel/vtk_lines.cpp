@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::array radiusNames = {"Radius", "MaximumInscribedSphereRadius", "radius"};
@@ -50,4 +50,4 @@ LineSet lineSetOf(VtkLines lines)
     return set;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

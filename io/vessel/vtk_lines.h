@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// What a VTK file says about lines, before radius and ids are picked from its arrays.
 struct VtkLines {
@@ -29,4 +29,4 @@ core::Result<VtkLines> parseXmlVtk(std::string_view content, const std::string& 
 /// Picks radius and ids: `Radius`, `MaximumInscribedSphereRadius`; `GroupIds`, `CenterlineIds`, `branch`.
 LineSet lineSetOf(VtkLines lines);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 void addPointsAndLines(const core::VesselTree& tree, vtkPolyData* data)
@@ -78,4 +78,4 @@ std::string vtpText(const core::VesselTree& tree)
     return writer->GetOutputString();
 }
 
-}   // namespace io
+}   // namespace angiopose::io

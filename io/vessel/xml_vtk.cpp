@@ -18,7 +18,7 @@
 #include <array>
 #include <new>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr int maxDeclared = 20'000'000;
@@ -231,4 +231,4 @@ core::Result<VtkLines> parseXmlVtk(std::string_view content, const std::string& 
     }
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::size_t blockSize = std::size_t{256} << 10;
@@ -137,4 +137,4 @@ std::uint64_t ByteStream::fileSize() const
     return state_->fileSize;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

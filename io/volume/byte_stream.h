@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// Bytes of a file from an offset on, unpacked on the way: a few hundred kilobytes are in memory at any time.
 class ByteStream {
@@ -31,4 +31,4 @@ private:
     std::unique_ptr<State> state_;
 };
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::uint64_t longestHead = 1U << 20U;   ///< a table of some thousand labels
@@ -84,4 +84,4 @@ LabelNames labelNamesOf(const StoredVolume& stored)
     return input ? slicerSegments(input.value().view()) : LabelNames();
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 using LabelNames = std::map<int, std::string>;
 
@@ -13,4 +13,4 @@ using LabelNames = std::map<int, std::string>;
 /// Workbench in NIfTI (as TotalSegmentator writes it). Empty where nothing is named.
 LabelNames labelNamesOf(const StoredVolume& stored);
 
-}   // namespace io
+}   // namespace angiopose::io

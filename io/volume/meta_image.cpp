@@ -10,7 +10,7 @@
 #include <optional>
 #include <sstream>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 using Fields = std::map<std::string, std::string, std::less<>>;
@@ -175,4 +175,4 @@ core::Result<StoredVolume> parseMetaImage(std::string_view content, const std::s
     return stored;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

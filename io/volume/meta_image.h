@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 /// Header of a MetaImage volume (.mha, or .mhd with its voxels beside it), raw or packed with zlib; patient LPS.
 core::Result<StoredVolume> parseMetaImage(std::string_view content, const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr int labelIntent = 1002;
@@ -212,4 +212,4 @@ core::Result<StoredVolume> parseNifti(std::string_view head, StreamPacking packi
     return stored;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 /// True for the first bytes of a NIfTI-1, NIfTI-2 or Analyze header (unpacked).
 bool looksLikeNifti(std::string_view head);
@@ -18,4 +18,4 @@ inline constexpr std::size_t niftiHeadSize = 544;
 /// The scanner's coordinates win where the file knows several; a volume without any says so in a warning.
 core::Result<StoredVolume> parseNifti(std::string_view head, StreamPacking packing, const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

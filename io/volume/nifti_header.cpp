@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 /// Numbers at byte offsets of a header in either byte order.
@@ -124,4 +124,4 @@ std::optional<NiftiHeader> niftiHeaderOf(std::string_view head)
     return header;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

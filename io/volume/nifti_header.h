@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 enum class NiftiVersion { None, Analyze, One, Two };
 
@@ -36,4 +36,4 @@ NiftiVersion niftiVersionOf(std::string_view head);
 /// The fields of a NIfTI-1 or NIfTI-2 header; nothing for Analyze and other content.
 std::optional<NiftiHeader> niftiHeaderOf(std::string_view head);
 
-}   // namespace io
+}   // namespace angiopose::io

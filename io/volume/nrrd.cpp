@@ -10,7 +10,7 @@
 #include <map>
 #include <optional>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 /// Signs that turn the space's axes into LPS; nothing for spaces that are not of the patient.
@@ -217,4 +217,4 @@ core::Result<StoredVolume> parseNrrd(std::string_view content, const std::string
     return stored;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 /// Header of an NRRD volume (`content`: the whole file, or its first bytes), data attached or in one file beside it,
 /// raw or gzip; any anatomical `space` turned to LPS. A volume without orientation says so in a warning.
 core::Result<StoredVolume> parseNrrd(std::string_view content, const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

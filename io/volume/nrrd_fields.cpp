@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace io {
+namespace angiopose::io {
 
 std::string lowered(std::string_view text)
 {
@@ -132,4 +132,4 @@ std::string field(const NrrdFields& fields, const char* key)
     return found == fields.end() ? std::string() : found->second;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// Header fields by lower-case name.
 using NrrdFields = std::map<std::string, std::string>;
@@ -29,4 +29,4 @@ std::optional<std::vector<std::optional<Eigen::Vector3d>>> vectorsOf(const std::
 /// The voxel type of a lower-case NRRD type name.
 std::optional<VoxelType> nrrdTypeOf(const std::string& name);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -7,7 +7,7 @@
 #include "io/volume/nifti.h"
 #include "io/volume/nrrd.h"
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 /// The first bytes of a file, unpacked where it is packed.
@@ -90,4 +90,4 @@ core::Result<StoredVolume> openStored(const std::string& path)
     }
 }
 
-}   // namespace io
+}   // namespace angiopose::io

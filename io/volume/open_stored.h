@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 enum class VolumeFormat { Nifti, Nrrd, MetaImage };
 
@@ -18,4 +18,4 @@ std::optional<VolumeFormat> volumeFormatOf(const std::string& path);
 /// and name neither the line nor the remedy of what is wrong.
 core::Result<StoredVolume> openStored(const std::string& path);
 
-}   // namespace io
+}   // namespace angiopose::io

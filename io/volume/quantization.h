@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 inline constexpr double lowestStored = -32768.0;
 inline constexpr double storedLevels = 65535.0;
@@ -65,4 +65,4 @@ inline std::string roundingNote(double step, const std::string& type)
     return "The " + type + " voxels are rounded to 16 bit, in steps of " + text.data() + ".";
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -15,7 +15,7 @@
 #include <filesystem>
 #include <limits>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::size_t chunkVoxels = std::size_t{1} << 18;
@@ -294,4 +294,4 @@ core::Result<core::LabelVolume> readLabelVoxels(const StoredVolume& stored, cons
     return withType(stored.type, [&](auto kind) { return labelsAs<decltype(kind)>(stored, observe); });
 }
 
-}   // namespace io
+}   // namespace angiopose::io

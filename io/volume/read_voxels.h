@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 /// Fails when the file is too short for its voxels, or they do not fit in memory; reads none of them.
 core::Status checkVoxels(const StoredVolume& stored);
@@ -21,4 +21,4 @@ core::Result<core::Volume> readVoxels(const StoredVolume& stored, const ReadObse
 /// Voxels of a stored label image; fails on values that are no labels (fractions, negative, above 65535).
 core::Result<core::LabelVolume> readLabelVoxels(const StoredVolume& stored, const ReadObserver& observe);
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace io {
+namespace angiopose::io {
 
 enum class VoxelType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Int64, Uint64, Float32, Float64 };
 
@@ -61,4 +61,4 @@ struct StoredVolume {
     std::vector<std::string> warnings;
 };
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr double exactCosine = 1e-7;   // below: as good as perpendicular
@@ -69,4 +69,4 @@ AxesResult geometryFromSteps(const Eigen::Vector3i& size, const Eigen::Matrix3d&
     return result;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

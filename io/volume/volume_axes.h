@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <string>
 
-namespace io {
+namespace angiopose::io {
 
 /// Larger volumes than this are refused: 4 GiB of 16-bit voxels.
 inline constexpr std::size_t maxVoxels = std::size_t{1} << 31;
@@ -33,4 +33,4 @@ inline Eigen::Vector3d lpsFromRas(Eigen::Vector3d point)
     return point;
 }
 
-}   // namespace io
+}   // namespace angiopose::io

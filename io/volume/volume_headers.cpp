@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr int labelIntent = 1002;
@@ -105,4 +105,4 @@ std::string metaImageHeader(const core::VolumeGeometry& geometry, std::string_vi
     return header + "\nElementType = " + std::string(type) + "\nElementDataFile = LOCAL\n";
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace io {
+namespace angiopose::io {
 
 /// A NIfTI-1 header of 352 bytes for 16-bit voxels (`isLabel`: unsigned).
 std::string niftiHeader(const core::VolumeGeometry& geometry, double slope, double intercept, bool isLabel);
@@ -17,4 +17,4 @@ std::string nrrdHeader(const core::VolumeGeometry& geometry, std::string_view ty
 /// A MetaImage header for local voxels packed into `packedBytes`. `type`: "MET_SHORT", "MET_USHORT", "MET_FLOAT".
 std::string metaImageHeader(const core::VolumeGeometry& geometry, std::string_view type, std::size_t packedBytes);
 
-}   // namespace io
+}   // namespace angiopose::io

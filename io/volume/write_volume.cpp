@@ -11,7 +11,7 @@
 #include <limits>
 #include <optional>
 
-namespace io {
+namespace angiopose::io {
 namespace {
 
 constexpr std::size_t chunkVoxels = std::size_t{1} << 18;
@@ -212,4 +212,4 @@ core::Status writeLabels(const core::LabelVolume& labels, const std::string& pat
                  niftiHeader(labels.geometry, 1.0, 0.0, true), bytesOf(labels.voxels), path);
 }
 
-}   // namespace io
+}   // namespace angiopose::io

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
-    <name>app::AuxiliaryController</name>
+    <name>angiopose::app::AuxiliaryController</name>
     <message>
         <source>tilt</source>
         <translation>Kippung</translation>
@@ -57,7 +57,7 @@
     </message>
 </context>
 <context>
-    <name>app::BlindTrialController</name>
+    <name>angiopose::app::BlindTrialController</name>
     <message>
         <source>A trial needs vessels, an angiogram and a start pose, and no registration running.</source>
         <translation>Ein Versuch braucht Gefäße, Angiogramm und Startlage, und keine laufende Registrierung.</translation>
@@ -80,7 +80,7 @@
     </message>
 </context>
 <context>
-    <name>app::BranchController</name>
+    <name>angiopose::app::BranchController</name>
     <message>
         <source>Select a branch first: click it in the list or in a view.</source>
         <translation>Zuerst einen Ast wählen: in der Liste oder in einer Ansicht anklicken.</translation>
@@ -115,14 +115,14 @@
     </message>
 </context>
 <context>
-    <name>app::BranchWords</name>
+    <name>angiopose::app::BranchWords</name>
     <message>
         <source>%1 branches</source>
         <translation>%1 Äste</translation>
     </message>
 </context>
 <context>
-    <name>app::CaseController</name>
+    <name>angiopose::app::CaseController</name>
     <message>
         <source>A registration is running. Stop it to edit.</source>
         <translation>Eine Registrierung läuft. Zum Bearbeiten anhalten.</translation>
@@ -133,7 +133,7 @@
     </message>
 </context>
 <context>
-    <name>app::CaseReport</name>
+    <name>angiopose::app::CaseReport</name>
     <message>
         <source>Median distance</source>
         <translation>Median des Abstands</translation>
@@ -212,7 +212,7 @@
     </message>
 </context>
 <context>
-    <name>app::CloseController</name>
+    <name>angiopose::app::CloseController</name>
     <message>
         <source>A registration is running</source>
         <translation>Eine Registrierung läuft</translation>
@@ -271,7 +271,7 @@
     </message>
 </context>
 <context>
-    <name>app::CurveController</name>
+    <name>angiopose::app::CurveController</name>
     <message>
         <source>At least one curve must stay: there would be nothing to register to.</source>
         <translation>Mindestens eine Kurve muss bleiben: sonst gäbe es nichts zum Registrieren.</translation>
@@ -302,7 +302,7 @@
     </message>
 </context>
 <context>
-    <name>app::ExportController</name>
+    <name>angiopose::app::ExportController</name>
     <message>
         <source>There is nothing to export yet. Open a vessel tree and an angiogram first.</source>
         <translation>Noch nichts zu exportieren. Zuerst Gefäßbaum und Angiogramm öffnen.</translation>
@@ -373,7 +373,7 @@
     </message>
 </context>
 <context>
-    <name>app::FollowController</name>
+    <name>angiopose::app::FollowController</name>
     <message>
         <source>Following the vessels through the run: %1 %</source>
         <translation>Gefäße werden durch die Serie verfolgt: %1 %</translation>
@@ -420,7 +420,7 @@
     </message>
 </context>
 <context>
-    <name>app::GeometryController</name>
+    <name>angiopose::app::GeometryController</name>
     <message>
         <source>Change %1</source>
         <translation>%1 ändern</translation>
@@ -431,7 +431,7 @@
     </message>
 </context>
 <context>
-    <name>app::HelpController</name>
+    <name>angiopose::app::HelpController</name>
     <message>
         <source>AngioPose %1</source>
         <translation>AngioPose %1</translation>
@@ -510,7 +510,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::HistoryController</name>
+    <name>angiopose::app::HistoryController</name>
     <message>
         <source>Undo: %1</source>
         <translation>Rückgängig: %1</translation>
@@ -529,7 +529,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::InputKind</name>
+    <name>angiopose::app::InputKind</name>
     <message>
         <source>Cases, vessels and angiograms (%1)</source>
         <translation>Fälle, Gefäße und Angiogramme (%1)</translation>
@@ -556,14 +556,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::JudgementController</name>
+    <name>angiopose::app::JudgementController</name>
     <message>
         <source>nothing to judge yet</source>
         <translation>noch nichts zu beurteilen</translation>
     </message>
 </context>
 <context>
-    <name>app::LandmarkController</name>
+    <name>angiopose::app::LandmarkController</name>
     <message>
         <source>bifurcation %1</source>
         <translation>Verzweigung %1</translation>
@@ -610,7 +610,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::LookController</name>
+    <name>angiopose::app::LookController</name>
     <message>
         <source>Near vessels bright, far ones dim</source>
         <translation>Nahe Gefäße hell, ferne dunkel</translation>
@@ -673,7 +673,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::Notices</name>
+    <name>angiopose::app::Notices</name>
     <message>
         <source>Ready</source>
         <translation>Bereit</translation>
@@ -684,14 +684,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::OpacificationController</name>
+    <name>angiopose::app::OpacificationController</name>
     <message>
         <source>Opacification over time</source>
         <translation>Kontrastfüllung über die Zeit</translation>
     </message>
 </context>
 <context>
-    <name>app::OpenController</name>
+    <name>angiopose::app::OpenController</name>
     <message>
         <source>A registration is running. Stop it before opening another file.</source>
         <translation>Eine Registrierung läuft. Vor dem Öffnen einer anderen Datei anhalten.</translation>
@@ -726,7 +726,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::OpenDialogs</name>
+    <name>angiopose::app::OpenDialogs</name>
     <message>
         <source>Open</source>
         <translation>Öffnen</translation>
@@ -837,7 +837,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::OpenNotes</name>
+    <name>angiopose::app::OpenNotes</name>
     <message>
         <source>The vessels do not lie in this scan: it may be another one, or have other axes.</source>
         <translation>Die Gefäße liegen nicht in diesem Scan: er kann ein anderer sein oder andere Achsen haben.</translation>
@@ -852,7 +852,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::PictureController</name>
+    <name>angiopose::app::PictureController</name>
     <message>
         <source>The window is in the clipboard as a picture</source>
         <translation>Das Fenster liegt als Bild in der Zwischenablage</translation>
@@ -879,7 +879,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::PivotController</name>
+    <name>angiopose::app::PivotController</name>
     <message>
         <source>Pick the pivot</source>
         <translation>Drehpunkt wählen</translation>
@@ -898,7 +898,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::PlotExport</name>
+    <name>angiopose::app::PlotExport</name>
     <message>
         <source>Copy picture</source>
         <translation>Bild kopieren</translation>
@@ -925,7 +925,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::PoseController</name>
+    <name>angiopose::app::PoseController</name>
     <message>
         <source>Move vessels</source>
         <translation>Gefäße verschieben</translation>
@@ -952,7 +952,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::PoseGestures</name>
+    <name>angiopose::app::PoseGestures</name>
     <message>
         <source>Nudge mode: arrows move, drag moves or rolls, N ends</source>
         <translation>Justiermodus: Pfeile schieben, Ziehen schiebt oder dreht, N beendet</translation>
@@ -967,7 +967,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::PoseTableController</name>
+    <name>angiopose::app::PoseTableController</name>
     <message>
         <source>There are no poses to compare yet.</source>
         <translation>Noch keine Lagen zu vergleichen.</translation>
@@ -1014,7 +1014,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::PoseTools</name>
+    <name>angiopose::app::PoseTools</name>
     <message>
         <source>Logged: %1</source>
         <translation>Protokolliert: %1</translation>
@@ -1025,7 +1025,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::RegistrationController</name>
+    <name>angiopose::app::RegistrationController</name>
     <message>
         <source>Open a vessel centreline first.</source>
         <translation>Zuerst eine Gefäß-Mittellinie öffnen.</translation>
@@ -1048,7 +1048,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::ReplayController</name>
+    <name>angiopose::app::ReplayController</name>
     <message>
         <source>tilt</source>
         <translation>Kippung</translation>
@@ -1119,7 +1119,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::ReviewController</name>
+    <name>angiopose::app::ReviewController</name>
     <message>
         <source>Choose another frame</source>
         <translation>Anderes Bild wählen</translation>
@@ -1134,7 +1134,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::RunController</name>
+    <name>angiopose::app::RunController</name>
     <message>
         <source>Ready</source>
         <translation>Bereit</translation>
@@ -1165,7 +1165,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::SaveController</name>
+    <name>angiopose::app::SaveController</name>
     <message>
         <source>Save case</source>
         <translation>Fall speichern</translation>
@@ -1224,14 +1224,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::SeriesRows</name>
+    <name>angiopose::app::SeriesRows</name>
     <message>
         <source>Series %1</source>
         <translation>Serie %1</translation>
     </message>
 </context>
 <context>
-    <name>app::SessionController</name>
+    <name>angiopose::app::SessionController</name>
     <message>
         <source>Not for clinical use</source>
         <translation>Nicht für den klinischen Einsatz</translation>
@@ -1298,7 +1298,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::SnapshotController</name>
+    <name>angiopose::app::SnapshotController</name>
     <message>
         <source>Pose %1</source>
         <translation>Lage %1</translation>
@@ -1349,7 +1349,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::SolutionController</name>
+    <name>angiopose::app::SolutionController</name>
     <message>
         <source>found</source>
         <translation>gefunden</translation>
@@ -1368,7 +1368,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::StartPoseController</name>
+    <name>angiopose::app::StartPoseController</name>
     <message>
         <source>Start pose from angles</source>
         <translation>Startlage aus Winkeln</translation>
@@ -1391,7 +1391,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::StepStates</name>
+    <name>angiopose::app::StepStates</name>
     <message>
         <source>1 branch</source>
         <translation>1 Ast</translation>
@@ -1526,7 +1526,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::SubtractionController</name>
+    <name>angiopose::app::SubtractionController</name>
     <message>
         <source>Subtract mask</source>
         <translation>Maske abziehen</translation>
@@ -1561,7 +1561,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::TitleController</name>
+    <name>angiopose::app::TitleController</name>
     <message>
         <source>%1 frames</source>
         <translation>%1 Bilder</translation>
@@ -1584,7 +1584,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::TracingController</name>
+    <name>angiopose::app::TracingController</name>
     <message>
         <source>Tracing the vessels of the scan … %1 %</source>
         <translation>Gefäße des CT werden erfasst … %1 %</translation>
@@ -1627,7 +1627,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::TreeActions</name>
+    <name>angiopose::app::TreeActions</name>
     <message>
         <source>Select one branch: click it in the list or in a view.</source>
         <translation>Einen Ast wählen: in der Liste oder einer Ansicht anklicken.</translation>
@@ -1654,7 +1654,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::TreeController</name>
+    <name>angiopose::app::TreeController</name>
     <message>
         <source>Select a branch first: click it in the list or in a view.</source>
         <translation>Zuerst einen Ast wählen: in der Liste oder in einer Ansicht anklicken.</translation>
@@ -1733,7 +1733,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::ViewController</name>
+    <name>angiopose::app::ViewController</name>
     <message>
         <source>Show this view</source>
         <translation>Diese Ansicht zeigen</translation>
@@ -1772,7 +1772,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>app::ViewSync</name>
+    <name>angiopose::app::ViewSync</name>
     <message>
         <source>Single frame</source>
         <translation>Einzelbild</translation>
@@ -4353,14 +4353,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>ui::AngiogramAnnotations</name>
+    <name>angiopose::ui::AngiogramAnnotations</name>
     <message>
         <source>%1 mm at vessel</source>
         <translation>%1 mm am Gefäß</translation>
     </message>
 </context>
 <context>
-    <name>ui::AngiogramPanel</name>
+    <name>angiopose::ui::AngiogramPanel</name>
     <message>
         <source>%1 frames before each</source>
         <translation>%1 Bilder vor jedem</translation>
@@ -4599,7 +4599,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>ui::AngiogramView</name>
+    <name>angiopose::ui::AngiogramView</name>
     <message>
         <source>Angiogram with the projected vessel tree</source>
         <translation>Angiogramm mit projiziertem Gefäßbaum</translation>
@@ -4630,7 +4630,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>ui::AuxiliaryDialog</name>
+    <name>angiopose::ui::AuxiliaryDialog</name>
     <message>
         <source>mm</source>
         <translation>mm</translation>
@@ -4737,7 +4737,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>ui::BlindTrialDialog</name>
+    <name>angiopose::ui::BlindTrialDialog</name>
     <message>
         <source>Seed</source>
         <translation>Startwert</translation>
@@ -4800,7 +4800,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>ui::BottomStrip</name>
+    <name>angiopose::ui::BottomStrip</name>
     <message>
         <source>Stop</source>
         <translation>Stopp</translation>
@@ -4819,7 +4819,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>ui::BranchDelegate</name>
+    <name>angiopose::ui::BranchDelegate</name>
     <message>
         <source>aux</source>
         <translation>Hilfs</translation>
@@ -4842,7 +4842,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>ui::BranchModel</name>
+    <name>angiopose::ui::BranchModel</name>
     <message>
         <source>%1, %2 mm long</source>
         <translation>%1, %2 mm lang</translation>
@@ -4873,7 +4873,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>ui::BranchPanel</name>
+    <name>angiopose::ui::BranchPanel</name>
     <message>
         <source>Branches</source>
         <translation>Äste</translation>
@@ -4960,7 +4960,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>ui::CommandTable</name>
+    <name>angiopose::ui::CommandTable</name>
     <message>
         <source>Open …</source>
         <translation>Öffnen …</translation>
@@ -5467,7 +5467,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>ui::ConvergencePlot</name>
+    <name>angiopose::ui::ConvergencePlot</name>
     <message>
         <source>Convergence</source>
         <translation>Konvergenz</translation>
@@ -5496,7 +5496,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::CornerViews</name>
+    <name>angiopose::ui::CornerViews</name>
     <message>
         <source>3-D</source>
         <translation>3-D</translation>
@@ -5519,7 +5519,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::CurveEditBar</name>
+    <name>angiopose::ui::CurveEditBar</name>
     <message>
         <source>Not a vessel</source>
         <translation>Kein Gefäß</translation>
@@ -5590,7 +5590,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::EditCurvesTool</name>
+    <name>angiopose::ui::EditCurvesTool</name>
     <message>
         <source>Mark as not a vessel</source>
         <translation>Als Nicht-Gefäß markieren</translation>
@@ -5649,7 +5649,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::ExportDialog</name>
+    <name>angiopose::ui::ExportDialog</name>
     <message>
         <source>Width</source>
         <translation>Breite</translation>
@@ -5720,7 +5720,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::FrameBars</name>
+    <name>angiopose::ui::FrameBars</name>
     <message>
         <source>Frames by opacification</source>
         <translation>Bilder nach Kontrastfüllung</translation>
@@ -5747,7 +5747,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::GeometryPanel</name>
+    <name>angiopose::ui::GeometryPanel</name>
     <message>
         <source>SID</source>
         <translation>SID</translation>
@@ -5954,7 +5954,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::GoodFit</name>
+    <name>angiopose::ui::GoodFit</name>
     <message>
         <source>Good: vessels have moved</source>
         <translation>Gut: Gefäße haben sich bewegt</translation>
@@ -6021,7 +6021,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::HeaderBar</name>
+    <name>angiopose::ui::HeaderBar</name>
     <message>
         <source>Not for clinical use</source>
         <translation>Nicht für den klinischen Einsatz</translation>
@@ -6036,14 +6036,14 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::HelpPage</name>
+    <name>angiopose::ui::HelpPage</name>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
 </context>
 <context>
-    <name>ui::HistogramPlot</name>
+    <name>angiopose::ui::HistogramPlot</name>
     <message>
         <source>Histogram of residuals</source>
         <translation>Histogramm der Abweichungen</translation>
@@ -6058,7 +6058,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::KeyNotes</name>
+    <name>angiopose::ui::KeyNotes</name>
     <message>
         <source>← → ↑ ↓</source>
         <translation>← → ↑ ↓</translation>
@@ -6357,7 +6357,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::KeySheet</name>
+    <name>angiopose::ui::KeySheet</name>
     <message>
         <source>Keys</source>
         <translation>Tasten</translation>
@@ -6420,7 +6420,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::LabelChoice</name>
+    <name>angiopose::ui::LabelChoice</name>
     <message>
         <source>%1 ml</source>
         <translation>%1 ml</translation>
@@ -6475,7 +6475,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::LandmarkPanel</name>
+    <name>angiopose::ui::LandmarkPanel</name>
     <message>
         <source>Landmarks</source>
         <translation>Landmarken</translation>
@@ -6526,7 +6526,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::LandmarkTool</name>
+    <name>angiopose::ui::LandmarkTool</name>
     <message>
         <source>Landmarks: now click the same place in the image</source>
         <translation>Landmarken: jetzt dieselbe Stelle im Bild anklicken</translation>
@@ -6541,14 +6541,14 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::LassoTool</name>
+    <name>angiopose::ui::LassoTool</name>
     <message>
         <source>Lasso: draw around the auxiliary branches, Shift adds, Ctrl removes, Esc ends</source>
         <translation>Lasso: Hilfsäste umfahren, Umschalt fügt hinzu, Strg entfernt, Esc beendet</translation>
     </message>
 </context>
 <context>
-    <name>ui::MainWindow</name>
+    <name>angiopose::ui::MainWindow</name>
     <message>
         <source>AngioPose: angiogram</source>
         <translation>AngioPose: Angiogramm</translation>
@@ -6563,14 +6563,14 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::MaskShiftTool</name>
+    <name>angiopose::ui::MaskShiftTool</name>
     <message>
         <source>Mask: arrows or drag move it, Shift 1 px, Ctrl 0.05 px, Esc ends · right %1, down %2 px</source>
         <translation>Maske: Pfeile oder Ziehen, Umschalt 1 px, Strg 0,05 px, Esc beendet · rechts %1, unten %2 px</translation>
     </message>
 </context>
 <context>
-    <name>ui::MessageDialog</name>
+    <name>angiopose::ui::MessageDialog</name>
     <message>
         <source>Details</source>
         <translation>Einzelheiten</translation>
@@ -6585,7 +6585,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::MissingInputs</name>
+    <name>angiopose::ui::MissingInputs</name>
     <message>
         <source>Open</source>
         <translation>Öffnen</translation>
@@ -6640,7 +6640,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::MotionPlot</name>
+    <name>angiopose::ui::MotionPlot</name>
     <message>
         <source>Motion of the vessels by frame</source>
         <translation>Bewegung der Gefäße je Bild</translation>
@@ -6663,14 +6663,14 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::NudgeTool</name>
+    <name>angiopose::ui::NudgeTool</name>
     <message>
         <source>Nudge: drag shifts, ring rolls, arcs turn, slide is depth, Ctrl is fine, Esc takes back</source>
         <translation>Justieren: Ziehen schiebt, Ring rollt, Bögen drehen, Pfeil links Tiefe, Strg fein, Esc zurück</translation>
     </message>
 </context>
 <context>
-    <name>ui::OpacificationPlot</name>
+    <name>angiopose::ui::OpacificationPlot</name>
     <message>
         <source>Opacification over the frames</source>
         <translation>Kontrastfüllung über die Bilder</translation>
@@ -6685,21 +6685,21 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::PivotMark</name>
+    <name>angiopose::ui::PivotMark</name>
     <message>
         <source>pivot</source>
         <translation>Drehpunkt</translation>
     </message>
 </context>
 <context>
-    <name>ui::PivotTool</name>
+    <name>angiopose::ui::PivotTool</name>
     <message>
         <source>Pivot: click the vessels, here or in 3-D · ← → and Enter: bifurcations · Del: centroid</source>
         <translation>Drehpunkt: Gefäße anklicken, hier oder in 3-D · ← → und Eingabe: Verzweigungen · Entf: Schwerpunkt</translation>
     </message>
 </context>
 <context>
-    <name>ui::PoseAxis</name>
+    <name>angiopose::ui::PoseAxis</name>
     <message>
         <source>right</source>
         <translation>rechts</translation>
@@ -6750,7 +6750,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::PosePanel</name>
+    <name>angiopose::ui::PosePanel</name>
     <message>
         <source>Pose</source>
         <translation>Lage</translation>
@@ -6789,7 +6789,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::PoseTable</name>
+    <name>angiopose::ui::PoseTable</name>
     <message>
         <source>Run</source>
         <translation>Starten</translation>
@@ -6916,7 +6916,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::PruneDialog</name>
+    <name>angiopose::ui::PruneDialog</name>
     <message>
         <source>mm</source>
         <translation>mm</translation>
@@ -6959,7 +6959,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::RecoveryDialog</name>
+    <name>angiopose::ui::RecoveryDialog</name>
     <message>
         <source>Recover</source>
         <translation>Wiederherstellen</translation>
@@ -7002,7 +7002,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::RegistrationPanel</name>
+    <name>angiopose::ui::RegistrationPanel</name>
     <message>
         <source>Registration</source>
         <translation>Registrierung</translation>
@@ -7081,7 +7081,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::ResultPanel</name>
+    <name>angiopose::ui::ResultPanel</name>
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
@@ -7184,7 +7184,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::ResultSentences</name>
+    <name>angiopose::ui::ResultSentences</name>
     <message>
         <source>%1 of %2 branches agree within %3 mm.</source>
         <translation>%1 von %2 Ästen stimmen auf %3 mm überein.</translation>
@@ -7231,14 +7231,14 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::Section</name>
+    <name>angiopose::ui::Section</name>
     <message>
         <source>Fold %1</source>
         <translation>%1 ein- oder ausklappen</translation>
     </message>
 </context>
 <context>
-    <name>ui::SeriesChooser</name>
+    <name>angiopose::ui::SeriesChooser</name>
     <message>
         <source>Open</source>
         <translation>Öffnen</translation>
@@ -7292,7 +7292,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::SliceModel</name>
+    <name>angiopose::ui::SliceModel</name>
     <message>
         <source>Axial</source>
         <translation>Axial</translation>
@@ -7307,7 +7307,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::SliceView</name>
+    <name>angiopose::ui::SliceView</name>
     <message>
         <source>x %1  y %2  z %3 mm</source>
         <translation>x %1  y %2  z %3 mm</translation>
@@ -7334,7 +7334,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::SnapshotPanel</name>
+    <name>angiopose::ui::SnapshotPanel</name>
     <message>
         <source>median %1 mm, 95 % %2 mm, covered %3 %</source>
         <translation>Median %1 mm, 95 % %2 mm, abgedeckt %3 %</translation>
@@ -7413,7 +7413,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::SolutionStrip</name>
+    <name>angiopose::ui::SolutionStrip</name>
     <message>
         <source>Solutions</source>
         <translation>Lösungen</translation>
@@ -7428,7 +7428,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::StepBar</name>
+    <name>angiopose::ui::StepBar</name>
     <message>
         <source>Vessels</source>
         <translation>Gefäße</translation>
@@ -7459,7 +7459,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::StepButton</name>
+    <name>angiopose::ui::StepButton</name>
     <message>
         <source>done</source>
         <translation>erledigt</translation>
@@ -7478,7 +7478,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::Tour</name>
+    <name>angiopose::ui::Tour</name>
     <message>
         <source>Back</source>
         <translation>Zurück</translation>
@@ -7501,7 +7501,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::TracingPanel</name>
+    <name>angiopose::ui::TracingPanel</name>
     <message>
         <source>%1  %2  %3  %4</source>
         <translation>%1  %2  %3  %4</translation>
@@ -7604,14 +7604,14 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::TreeView</name>
+    <name>angiopose::ui::TreeView</name>
     <message>
         <source>3-D view of vessel tree, X-ray source and detector</source>
         <translation>3-D-Ansicht von Gefäßbaum, Röntgenfokus und Detektor</translation>
     </message>
 </context>
 <context>
-    <name>ui::TrialBar</name>
+    <name>angiopose::ui::TrialBar</name>
     <message>
         <source>Abandon</source>
         <translation>Abbrechen</translation>
@@ -7634,7 +7634,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::ViewFrame</name>
+    <name>angiopose::ui::ViewFrame</name>
     <message>
         <source>In a window of its own</source>
         <translation>In einem eigenen Fenster</translation>
@@ -7645,7 +7645,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::ViewStrip</name>
+    <name>angiopose::ui::ViewStrip</name>
     <message>
         <source>Views of the case</source>
         <translation>Ansichten des Falls</translation>
@@ -7660,14 +7660,14 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::VtkView</name>
+    <name>angiopose::ui::VtkView</name>
     <message>
         <source>The 3-D view needs OpenGL 3.2, which this display does not offer. Everything else works. Try LIBGL_ALWAYS_SOFTWARE=1, or install libgl1-mesa-dri.</source>
         <translation>Die 3-D-Ansicht braucht OpenGL 3.2, das diese Anzeige nicht bietet. Alles andere geht. LIBGL_ALWAYS_SOFTWARE=1 versuchen oder libgl1-mesa-dri installieren.</translation>
     </message>
 </context>
 <context>
-    <name>ui::WelcomePage</name>
+    <name>angiopose::ui::WelcomePage</name>
     <message>
         <source>Lay a vessel tree onto its angiogram</source>
         <translation>Einen Gefäßbaum auf sein Angiogramm legen</translation>
@@ -7702,7 +7702,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::WindowActions</name>
+    <name>angiopose::ui::WindowActions</name>
     <message>
         <source>Open recent</source>
         <translation>Zuletzt geöffnet</translation>
@@ -7713,7 +7713,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::WindowBar</name>
+    <name>angiopose::ui::WindowBar</name>
     <message>
         <source>Window</source>
         <translation>Fenster</translation>
@@ -7744,7 +7744,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>ui::WindowPreset</name>
+    <name>angiopose::ui::WindowPreset</name>
     <message>
         <source>CTA</source>
         <translation>CTA</translation>

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
-    <name>app::AuxiliaryController</name>
+    <name>angiopose::app::AuxiliaryController</name>
     <message>
         <source>tilt</source>
         <translation>倾斜</translation>
@@ -57,7 +57,7 @@
     </message>
 </context>
 <context>
-    <name>app::BlindTrialController</name>
+    <name>angiopose::app::BlindTrialController</name>
     <message>
         <source>A trial needs vessels, an angiogram and a start pose, and no registration running.</source>
         <translation>试验需要血管、造影图像和初始位姿，且没有正在进行的配准。</translation>
@@ -80,7 +80,7 @@
     </message>
 </context>
 <context>
-    <name>app::BranchController</name>
+    <name>angiopose::app::BranchController</name>
     <message>
         <source>Select a branch first: click it in the list or in a view.</source>
         <translation>请先选择一个分支：在列表或视图中单击。</translation>
@@ -115,14 +115,14 @@
     </message>
 </context>
 <context>
-    <name>app::BranchWords</name>
+    <name>angiopose::app::BranchWords</name>
     <message>
         <source>%1 branches</source>
         <translation>%1 个分支</translation>
     </message>
 </context>
 <context>
-    <name>app::CaseController</name>
+    <name>angiopose::app::CaseController</name>
     <message>
         <source>A registration is running. Stop it to edit.</source>
         <translation>配准正在进行。请先停止再编辑。</translation>
@@ -133,7 +133,7 @@
     </message>
 </context>
 <context>
-    <name>app::CaseReport</name>
+    <name>angiopose::app::CaseReport</name>
     <message>
         <source>Median distance</source>
         <translation>中位距离</translation>
@@ -212,7 +212,7 @@
     </message>
 </context>
 <context>
-    <name>app::CloseController</name>
+    <name>angiopose::app::CloseController</name>
     <message>
         <source>A registration is running</source>
         <translation>配准正在进行</translation>
@@ -271,7 +271,7 @@
     </message>
 </context>
 <context>
-    <name>app::CurveController</name>
+    <name>angiopose::app::CurveController</name>
     <message>
         <source>At least one curve must stay: there would be nothing to register to.</source>
         <translation>至少保留一条曲线：否则无从配准。</translation>
@@ -302,7 +302,7 @@
     </message>
 </context>
 <context>
-    <name>app::ExportController</name>
+    <name>angiopose::app::ExportController</name>
     <message>
         <source>There is nothing to export yet. Open a vessel tree and an angiogram first.</source>
         <translation>尚无可导出内容。请先打开血管树和造影图像。</translation>
@@ -373,7 +373,7 @@
     </message>
 </context>
 <context>
-    <name>app::FollowController</name>
+    <name>angiopose::app::FollowController</name>
     <message>
         <source>Following the vessels through the run: %1 %</source>
         <translation>正在序列中跟踪血管：%1 %</translation>
@@ -420,7 +420,7 @@
     </message>
 </context>
 <context>
-    <name>app::GeometryController</name>
+    <name>angiopose::app::GeometryController</name>
     <message>
         <source>Change %1</source>
         <translation>更改 %1</translation>
@@ -431,7 +431,7 @@
     </message>
 </context>
 <context>
-    <name>app::HelpController</name>
+    <name>angiopose::app::HelpController</name>
     <message>
         <source>AngioPose %1</source>
         <translation>AngioPose %1</translation>
@@ -510,7 +510,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::HistoryController</name>
+    <name>angiopose::app::HistoryController</name>
     <message>
         <source>Undo: %1</source>
         <translation>撤销：%1</translation>
@@ -529,7 +529,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::InputKind</name>
+    <name>angiopose::app::InputKind</name>
     <message>
         <source>Cases, vessels and angiograms (%1)</source>
         <translation>病例、血管和造影图像 (%1)</translation>
@@ -556,14 +556,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::JudgementController</name>
+    <name>angiopose::app::JudgementController</name>
     <message>
         <source>nothing to judge yet</source>
         <translation>尚无可评估内容</translation>
     </message>
 </context>
 <context>
-    <name>app::LandmarkController</name>
+    <name>angiopose::app::LandmarkController</name>
     <message>
         <source>bifurcation %1</source>
         <translation>分叉 %1</translation>
@@ -610,7 +610,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::LookController</name>
+    <name>angiopose::app::LookController</name>
     <message>
         <source>Near vessels bright, far ones dim</source>
         <translation>近处血管亮、远处血管暗</translation>
@@ -673,7 +673,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::Notices</name>
+    <name>angiopose::app::Notices</name>
     <message>
         <source>Ready</source>
         <translation>就绪</translation>
@@ -684,14 +684,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::OpacificationController</name>
+    <name>angiopose::app::OpacificationController</name>
     <message>
         <source>Opacification over time</source>
         <translation>充盈随时间变化</translation>
     </message>
 </context>
 <context>
-    <name>app::OpenController</name>
+    <name>angiopose::app::OpenController</name>
     <message>
         <source>A registration is running. Stop it before opening another file.</source>
         <translation>配准正在进行。打开其他文件前请先停止。</translation>
@@ -726,7 +726,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::OpenDialogs</name>
+    <name>angiopose::app::OpenDialogs</name>
     <message>
         <source>Open</source>
         <translation>打开</translation>
@@ -837,7 +837,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::OpenNotes</name>
+    <name>angiopose::app::OpenNotes</name>
     <message>
         <source>The vessels do not lie in this scan: it may be another one, or have other axes.</source>
         <translation>血管不在此扫描内：可能是其他扫描，或坐标轴不同。</translation>
@@ -852,7 +852,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::PictureController</name>
+    <name>angiopose::app::PictureController</name>
     <message>
         <source>The window is in the clipboard as a picture</source>
         <translation>窗口图片已复制到剪贴板</translation>
@@ -879,7 +879,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::PivotController</name>
+    <name>angiopose::app::PivotController</name>
     <message>
         <source>Pick the pivot</source>
         <translation>选取旋转中心</translation>
@@ -898,7 +898,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::PlotExport</name>
+    <name>angiopose::app::PlotExport</name>
     <message>
         <source>Copy picture</source>
         <translation>复制图片</translation>
@@ -925,7 +925,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::PoseController</name>
+    <name>angiopose::app::PoseController</name>
     <message>
         <source>Move vessels</source>
         <translation>移动血管</translation>
@@ -952,7 +952,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::PoseGestures</name>
+    <name>angiopose::app::PoseGestures</name>
     <message>
         <source>Nudge mode: arrows move, drag moves or rolls, N ends</source>
         <translation>微调模式：方向键平移，拖动平移或旋转，N 结束</translation>
@@ -967,7 +967,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::PoseTableController</name>
+    <name>angiopose::app::PoseTableController</name>
     <message>
         <source>There are no poses to compare yet.</source>
         <translation>尚无可比较的位姿。</translation>
@@ -1014,7 +1014,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::PoseTools</name>
+    <name>angiopose::app::PoseTools</name>
     <message>
         <source>Logged: %1</source>
         <translation>已记录：%1</translation>
@@ -1025,7 +1025,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::RegistrationController</name>
+    <name>angiopose::app::RegistrationController</name>
     <message>
         <source>Open a vessel centreline first.</source>
         <translation>请先打开血管中心线。</translation>
@@ -1048,7 +1048,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::ReplayController</name>
+    <name>angiopose::app::ReplayController</name>
     <message>
         <source>tilt</source>
         <translation>倾斜</translation>
@@ -1119,7 +1119,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::ReviewController</name>
+    <name>angiopose::app::ReviewController</name>
     <message>
         <source>Choose another frame</source>
         <translation>选择另一帧</translation>
@@ -1134,7 +1134,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::RunController</name>
+    <name>angiopose::app::RunController</name>
     <message>
         <source>Ready</source>
         <translation>就绪</translation>
@@ -1165,7 +1165,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::SaveController</name>
+    <name>angiopose::app::SaveController</name>
     <message>
         <source>Save case</source>
         <translation>保存病例</translation>
@@ -1224,14 +1224,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::SeriesRows</name>
+    <name>angiopose::app::SeriesRows</name>
     <message>
         <source>Series %1</source>
         <translation>序列 %1</translation>
     </message>
 </context>
 <context>
-    <name>app::SessionController</name>
+    <name>angiopose::app::SessionController</name>
     <message>
         <source>Not for clinical use</source>
         <translation>不得用于临床</translation>
@@ -1298,7 +1298,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::SnapshotController</name>
+    <name>angiopose::app::SnapshotController</name>
     <message>
         <source>Pose %1</source>
         <translation>位姿 %1</translation>
@@ -1349,7 +1349,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::SolutionController</name>
+    <name>angiopose::app::SolutionController</name>
     <message>
         <source>found</source>
         <translation>所求</translation>
@@ -1368,7 +1368,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::StartPoseController</name>
+    <name>angiopose::app::StartPoseController</name>
     <message>
         <source>Start pose from angles</source>
         <translation>由角度得初始位姿</translation>
@@ -1391,7 +1391,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::StepStates</name>
+    <name>angiopose::app::StepStates</name>
     <message>
         <source>1 branch</source>
         <translation>1 个分支</translation>
@@ -1526,7 +1526,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::SubtractionController</name>
+    <name>angiopose::app::SubtractionController</name>
     <message>
         <source>Subtract mask</source>
         <translation>减去蒙片</translation>
@@ -1561,7 +1561,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::TitleController</name>
+    <name>angiopose::app::TitleController</name>
     <message>
         <source>%1 frames</source>
         <translation>%1 帧</translation>
@@ -1584,7 +1584,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::TracingController</name>
+    <name>angiopose::app::TracingController</name>
     <message>
         <source>Tracing the vessels of the scan … %1 %</source>
         <translation>正在提取扫描的血管…… %1 %</translation>
@@ -1627,7 +1627,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::TreeActions</name>
+    <name>angiopose::app::TreeActions</name>
     <message>
         <source>Select one branch: click it in the list or in a view.</source>
         <translation>请选择一个分支：在列表或视图中单击。</translation>
@@ -1654,7 +1654,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::TreeController</name>
+    <name>angiopose::app::TreeController</name>
     <message>
         <source>Select a branch first: click it in the list or in a view.</source>
         <translation>请先选择一个分支：在列表或视图中单击。</translation>
@@ -1733,7 +1733,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::ViewController</name>
+    <name>angiopose::app::ViewController</name>
     <message>
         <source>Show this view</source>
         <translation>显示此视图</translation>
@@ -1772,7 +1772,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>app::ViewSync</name>
+    <name>angiopose::app::ViewSync</name>
     <message>
         <source>Single frame</source>
         <translation>单帧</translation>
@@ -4353,14 +4353,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>ui::AngiogramAnnotations</name>
+    <name>angiopose::ui::AngiogramAnnotations</name>
     <message>
         <source>%1 mm at vessel</source>
         <translation>血管处 %1 mm</translation>
     </message>
 </context>
 <context>
-    <name>ui::AngiogramPanel</name>
+    <name>angiopose::ui::AngiogramPanel</name>
     <message>
         <source>%1 frames before each</source>
         <translation>每帧之前 %1 帧</translation>
@@ -4599,7 +4599,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>ui::AngiogramView</name>
+    <name>angiopose::ui::AngiogramView</name>
     <message>
         <source>Angiogram with the projected vessel tree</source>
         <translation>叠加投影血管树的造影图像</translation>
@@ -4630,7 +4630,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>ui::AuxiliaryDialog</name>
+    <name>angiopose::ui::AuxiliaryDialog</name>
     <message>
         <source>mm</source>
         <translation>mm</translation>
@@ -4737,7 +4737,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>ui::BlindTrialDialog</name>
+    <name>angiopose::ui::BlindTrialDialog</name>
     <message>
         <source>Seed</source>
         <translation>种子</translation>
@@ -4800,7 +4800,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>ui::BottomStrip</name>
+    <name>angiopose::ui::BottomStrip</name>
     <message>
         <source>Stop</source>
         <translation>停止</translation>
@@ -4819,7 +4819,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>ui::BranchDelegate</name>
+    <name>angiopose::ui::BranchDelegate</name>
     <message>
         <source>aux</source>
         <translation>辅助</translation>
@@ -4842,7 +4842,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>ui::BranchModel</name>
+    <name>angiopose::ui::BranchModel</name>
     <message>
         <source>%1, %2 mm long</source>
         <translation>%1，长 %2 mm</translation>
@@ -4873,7 +4873,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>ui::BranchPanel</name>
+    <name>angiopose::ui::BranchPanel</name>
     <message>
         <source>Branches</source>
         <translation>分支</translation>
@@ -4960,7 +4960,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>ui::CommandTable</name>
+    <name>angiopose::ui::CommandTable</name>
     <message>
         <source>Open …</source>
         <translation>打开……</translation>
@@ -5467,7 +5467,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>ui::ConvergencePlot</name>
+    <name>angiopose::ui::ConvergencePlot</name>
     <message>
         <source>Convergence</source>
         <translation>收敛</translation>
@@ -5496,7 +5496,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::CornerViews</name>
+    <name>angiopose::ui::CornerViews</name>
     <message>
         <source>3-D</source>
         <translation>三维</translation>
@@ -5519,7 +5519,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::CurveEditBar</name>
+    <name>angiopose::ui::CurveEditBar</name>
     <message>
         <source>Not a vessel</source>
         <translation>非血管</translation>
@@ -5590,7 +5590,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::EditCurvesTool</name>
+    <name>angiopose::ui::EditCurvesTool</name>
     <message>
         <source>Mark as not a vessel</source>
         <translation>标为非血管</translation>
@@ -5649,7 +5649,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::ExportDialog</name>
+    <name>angiopose::ui::ExportDialog</name>
     <message>
         <source>Width</source>
         <translation>宽度</translation>
@@ -5720,7 +5720,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::FrameBars</name>
+    <name>angiopose::ui::FrameBars</name>
     <message>
         <source>Frames by opacification</source>
         <translation>各帧充盈度</translation>
@@ -5747,7 +5747,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::GeometryPanel</name>
+    <name>angiopose::ui::GeometryPanel</name>
     <message>
         <source>SID</source>
         <translation>SID</translation>
@@ -5954,7 +5954,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::GoodFit</name>
+    <name>angiopose::ui::GoodFit</name>
     <message>
         <source>Good: vessels have moved</source>
         <translation>好：血管有移动</translation>
@@ -6021,7 +6021,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::HeaderBar</name>
+    <name>angiopose::ui::HeaderBar</name>
     <message>
         <source>Not for clinical use</source>
         <translation>不得用于临床</translation>
@@ -6036,14 +6036,14 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::HelpPage</name>
+    <name>angiopose::ui::HelpPage</name>
     <message>
         <source>Close</source>
         <translation>关闭</translation>
     </message>
 </context>
 <context>
-    <name>ui::HistogramPlot</name>
+    <name>angiopose::ui::HistogramPlot</name>
     <message>
         <source>Histogram of residuals</source>
         <translation>残差直方图</translation>
@@ -6058,7 +6058,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::KeyNotes</name>
+    <name>angiopose::ui::KeyNotes</name>
     <message>
         <source>← → ↑ ↓</source>
         <translation>← → ↑ ↓</translation>
@@ -6357,7 +6357,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::KeySheet</name>
+    <name>angiopose::ui::KeySheet</name>
     <message>
         <source>Keys</source>
         <translation>快捷键</translation>
@@ -6420,7 +6420,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::LabelChoice</name>
+    <name>angiopose::ui::LabelChoice</name>
     <message>
         <source>%1 ml</source>
         <translation>%1 ml</translation>
@@ -6475,7 +6475,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::LandmarkPanel</name>
+    <name>angiopose::ui::LandmarkPanel</name>
     <message>
         <source>Landmarks</source>
         <translation>标志点</translation>
@@ -6526,7 +6526,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::LandmarkTool</name>
+    <name>angiopose::ui::LandmarkTool</name>
     <message>
         <source>Landmarks: now click the same place in the image</source>
         <translation>标志点：请在图像中单击同一位置</translation>
@@ -6541,14 +6541,14 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::LassoTool</name>
+    <name>angiopose::ui::LassoTool</name>
     <message>
         <source>Lasso: draw around the auxiliary branches, Shift adds, Ctrl removes, Esc ends</source>
         <translation>套索：圈选辅助分支，Shift 追加，Ctrl 移除，Esc 结束</translation>
     </message>
 </context>
 <context>
-    <name>ui::MainWindow</name>
+    <name>angiopose::ui::MainWindow</name>
     <message>
         <source>AngioPose: angiogram</source>
         <translation>AngioPose：血管造影</translation>
@@ -6563,14 +6563,14 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::MaskShiftTool</name>
+    <name>angiopose::ui::MaskShiftTool</name>
     <message>
         <source>Mask: arrows or drag move it, Shift 1 px, Ctrl 0.05 px, Esc ends · right %1, down %2 px</source>
         <translation>蒙片：方向键或拖动，Shift 1 px，Ctrl 0.05 px，Esc 结束 · 右 %1，下 %2 px</translation>
     </message>
 </context>
 <context>
-    <name>ui::MessageDialog</name>
+    <name>angiopose::ui::MessageDialog</name>
     <message>
         <source>Details</source>
         <translation>详细信息</translation>
@@ -6585,7 +6585,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::MissingInputs</name>
+    <name>angiopose::ui::MissingInputs</name>
     <message>
         <source>Open</source>
         <translation>打开</translation>
@@ -6640,7 +6640,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::MotionPlot</name>
+    <name>angiopose::ui::MotionPlot</name>
     <message>
         <source>Motion of the vessels by frame</source>
         <translation>血管逐帧运动</translation>
@@ -6663,14 +6663,14 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::NudgeTool</name>
+    <name>angiopose::ui::NudgeTool</name>
     <message>
         <source>Nudge: drag shifts, ring rolls, arcs turn, slide is depth, Ctrl is fine, Esc takes back</source>
         <translation>微调：拖动平移，圆环滚转，弧线转动，左侧箭头调深度，Ctrl 精细，Esc 撤回</translation>
     </message>
 </context>
 <context>
-    <name>ui::OpacificationPlot</name>
+    <name>angiopose::ui::OpacificationPlot</name>
     <message>
         <source>Opacification over the frames</source>
         <translation>各帧充盈曲线</translation>
@@ -6685,21 +6685,21 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::PivotMark</name>
+    <name>angiopose::ui::PivotMark</name>
     <message>
         <source>pivot</source>
         <translation>旋转中心</translation>
     </message>
 </context>
 <context>
-    <name>ui::PivotTool</name>
+    <name>angiopose::ui::PivotTool</name>
     <message>
         <source>Pivot: click the vessels, here or in 3-D · ← → and Enter: bifurcations · Del: centroid</source>
         <translation>旋转中心：在此处或三维视图中点击血管 · ← → 和回车：分叉 · Delete：质心</translation>
     </message>
 </context>
 <context>
-    <name>ui::PoseAxis</name>
+    <name>angiopose::ui::PoseAxis</name>
     <message>
         <source>right</source>
         <translation>右</translation>
@@ -6750,7 +6750,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::PosePanel</name>
+    <name>angiopose::ui::PosePanel</name>
     <message>
         <source>Pose</source>
         <translation>位姿</translation>
@@ -6789,7 +6789,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::PoseTable</name>
+    <name>angiopose::ui::PoseTable</name>
     <message>
         <source>Run</source>
         <translation>运行</translation>
@@ -6916,7 +6916,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::PruneDialog</name>
+    <name>angiopose::ui::PruneDialog</name>
     <message>
         <source>mm</source>
         <translation>mm</translation>
@@ -6959,7 +6959,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::RecoveryDialog</name>
+    <name>angiopose::ui::RecoveryDialog</name>
     <message>
         <source>Recover</source>
         <translation>恢复</translation>
@@ -7002,7 +7002,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::RegistrationPanel</name>
+    <name>angiopose::ui::RegistrationPanel</name>
     <message>
         <source>Registration</source>
         <translation>配准</translation>
@@ -7081,7 +7081,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::ResultPanel</name>
+    <name>angiopose::ui::ResultPanel</name>
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
@@ -7184,7 +7184,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::ResultSentences</name>
+    <name>angiopose::ui::ResultSentences</name>
     <message>
         <source>%1 of %2 branches agree within %3 mm.</source>
         <translation>%2 个分支中有 %1 个在 %3 mm 内吻合。</translation>
@@ -7231,14 +7231,14 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::Section</name>
+    <name>angiopose::ui::Section</name>
     <message>
         <source>Fold %1</source>
         <translation>折叠 %1</translation>
     </message>
 </context>
 <context>
-    <name>ui::SeriesChooser</name>
+    <name>angiopose::ui::SeriesChooser</name>
     <message>
         <source>Open</source>
         <translation>打开</translation>
@@ -7291,7 +7291,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::SliceModel</name>
+    <name>angiopose::ui::SliceModel</name>
     <message>
         <source>Axial</source>
         <translation>轴位</translation>
@@ -7306,7 +7306,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::SliceView</name>
+    <name>angiopose::ui::SliceView</name>
     <message>
         <source>x %1  y %2  z %3 mm</source>
         <translation>x %1  y %2  z %3 mm</translation>
@@ -7333,7 +7333,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::SnapshotPanel</name>
+    <name>angiopose::ui::SnapshotPanel</name>
     <message>
         <source>median %1 mm, 95 % %2 mm, covered %3 %</source>
         <translation>中位数 %1 mm，95 % %2 mm，覆盖 %3 %</translation>
@@ -7412,7 +7412,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::SolutionStrip</name>
+    <name>angiopose::ui::SolutionStrip</name>
     <message>
         <source>Solutions</source>
         <translation>解</translation>
@@ -7427,7 +7427,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::StepBar</name>
+    <name>angiopose::ui::StepBar</name>
     <message>
         <source>Vessels</source>
         <translation>血管</translation>
@@ -7458,7 +7458,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::StepButton</name>
+    <name>angiopose::ui::StepButton</name>
     <message>
         <source>done</source>
         <translation>完成</translation>
@@ -7477,7 +7477,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::Tour</name>
+    <name>angiopose::ui::Tour</name>
     <message>
         <source>Back</source>
         <translation>上一步</translation>
@@ -7500,7 +7500,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::TracingPanel</name>
+    <name>angiopose::ui::TracingPanel</name>
     <message>
         <source>%1  %2  %3  %4</source>
         <translation>%1  %2  %3  %4</translation>
@@ -7603,14 +7603,14 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::TreeView</name>
+    <name>angiopose::ui::TreeView</name>
     <message>
         <source>3-D view of vessel tree, X-ray source and detector</source>
         <translation>血管树、X 射线源和探测器的三维视图</translation>
     </message>
 </context>
 <context>
-    <name>ui::TrialBar</name>
+    <name>angiopose::ui::TrialBar</name>
     <message>
         <source>Abandon</source>
         <translation>放弃</translation>
@@ -7633,7 +7633,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::ViewFrame</name>
+    <name>angiopose::ui::ViewFrame</name>
     <message>
         <source>In a window of its own</source>
         <translation>在独立窗口中</translation>
@@ -7644,7 +7644,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::ViewStrip</name>
+    <name>angiopose::ui::ViewStrip</name>
     <message>
         <source>Views of the case</source>
         <translation>病例的视图</translation>
@@ -7659,14 +7659,14 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::VtkView</name>
+    <name>angiopose::ui::VtkView</name>
     <message>
         <source>The 3-D view needs OpenGL 3.2, which this display does not offer. Everything else works. Try LIBGL_ALWAYS_SOFTWARE=1, or install libgl1-mesa-dri.</source>
         <translation>三维视图需要 OpenGL 3.2，此显示环境不支持。其他功能正常。可尝试 LIBGL_ALWAYS_SOFTWARE=1，或安装 libgl1-mesa-dri。</translation>
     </message>
 </context>
 <context>
-    <name>ui::WelcomePage</name>
+    <name>angiopose::ui::WelcomePage</name>
     <message>
         <source>Lay a vessel tree onto its angiogram</source>
         <translation>将血管树对准造影图像</translation>
@@ -7701,7 +7701,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::WindowActions</name>
+    <name>angiopose::ui::WindowActions</name>
     <message>
         <source>Open recent</source>
         <translation>最近打开</translation>
@@ -7712,7 +7712,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::WindowBar</name>
+    <name>angiopose::ui::WindowBar</name>
     <message>
         <source>Window</source>
         <translation>窗宽</translation>
@@ -7743,7 +7743,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>ui::WindowPreset</name>
+    <name>angiopose::ui::WindowPreset</name>
     <message>
         <source>CTA</source>
         <translation>CTA</translation>

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <QSignalSpy>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 std::unique_ptr<QUndoCommand> showFrame(CaseDocument& document, int frame, int burst = separateEdit)
@@ -96,4 +96,4 @@ TEST(CaseDocument, DoesNotTakeTheNameOfACaseThatIsNoLongerOpen)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

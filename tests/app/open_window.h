@@ -19,7 +19,7 @@
 #include <QPushButton>
 #include <QTest>
 
-namespace test {
+namespace angiopose::test {
 
 #ifdef __SANITIZE_ADDRESS__
 inline constexpr int patienceMs = 300000;
@@ -135,4 +135,4 @@ inline double distance(const core::RigidTransform& a, const core::RigidTransform
     return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff();
 }
 
-}   // namespace test
+}   // namespace angiopose::test

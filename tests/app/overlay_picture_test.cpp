@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <cstdlib>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 class OverlayPicture : public ::testing::Test {
@@ -155,4 +155,4 @@ TEST_F(OverlayPicture, NeedsAStartPoseForBeforeAndAfter)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 /// Drawn shapes, whichever element they became.
@@ -79,4 +79,4 @@ TEST(LogLane, SpansWhatCanBeSeenAndNoMore)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -5,7 +5,7 @@
 
 #include <QTemporaryDir>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 // The long version, with times and memory, is tests/benchmark/random_session.
@@ -30,4 +30,4 @@ TEST(RandomSession, EndsWithACaseThatReopensAsItWas)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -6,7 +6,7 @@
 #include <QDir>
 #include <QTemporaryDir>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 class SaveFolder : public ::testing::Test {
@@ -53,4 +53,4 @@ TEST_F(SaveFolder, IsNotAmongTheProgramsOwnFiles)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -8,7 +8,7 @@
 #include <QTemporaryDir>
 #include <QWheelEvent>
 
-namespace test {
+namespace angiopose::test {
 
 using core::BodyPlane;
 
@@ -70,4 +70,4 @@ protected:
     OpenWindow w;
 };
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <QTest>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr int patienceMs = 60000;
@@ -48,4 +48,4 @@ TEST(TargetProvider, RemembersTracesButKeepsNoRunAlive)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using SharedRun = TreatedRuns::SharedRun;
@@ -65,4 +65,4 @@ TEST(TreatedRuns, LetsGoOfAnotherCase)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -14,7 +14,7 @@
 
 #include <set>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -119,4 +119,4 @@ TEST(WindowAccess, FocusIsSeenOnEveryKindOfControl)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

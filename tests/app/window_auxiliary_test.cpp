@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -99,4 +99,4 @@ TEST(WindowAuxiliary, ChoosesByGenerationAndRadius)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

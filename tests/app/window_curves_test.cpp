@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -210,4 +210,4 @@ TEST_F(WindowCurves, ButtonsChooseTheEdit)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -5,7 +5,7 @@
 
 #include <QListView>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -205,4 +205,4 @@ TEST(WindowBranches, ArePickedInTheAngiogram)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

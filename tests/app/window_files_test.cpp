@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -230,4 +230,4 @@ INSTANTIATE_TEST_SUITE_P(Exotic, WindowBadFiles,
                                            "exotic-nrrd"));
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -127,4 +127,4 @@ TEST(WindowFollow, OneFrameIsNothingToFollow)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -6,7 +6,7 @@
 
 #include <QListWidget>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -218,4 +218,4 @@ TEST(WindowSides, TheMirroredViewMovesWithTheHand)
     EXPECT_NEAR(w.current().cameraFromPatient.rotation.determinant(), 1.0, 1e-12);
 }
 
-}   // namespace app
+}   // namespace angiopose::app

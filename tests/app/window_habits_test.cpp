@@ -9,7 +9,7 @@
 #include <QMenu>
 #include <QTreeWidget>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -188,4 +188,4 @@ TEST_F(WindowHabits, TheWindowGoesToTheClipboardAsAPicture)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -12,7 +12,7 @@
 
 #include <set>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -113,4 +113,4 @@ TEST(WindowHelp, BadExamplesMissMoreThanGoodOnes)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

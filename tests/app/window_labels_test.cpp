@@ -9,7 +9,7 @@
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using core::BodyPlane;
@@ -171,4 +171,4 @@ TEST_F(WindowLabels, AreGoneWithTheLabelImage)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

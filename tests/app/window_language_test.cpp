@@ -16,7 +16,7 @@
 
 #include <tuple>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 /// A window with the sample case, and English again when the test is over.
@@ -217,4 +217,4 @@ TEST_F(WindowLanguage, ButtonsNameTheKeyThatTheUserChose)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -2,7 +2,7 @@
 
 #include <QSplitter>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -64,4 +64,4 @@ TEST(WindowLayout, RemembersTheBrightnessOfASeries)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -2,7 +2,7 @@
 #include "tests/app/open_window.h"
 #include "ui/theme/theme.h"
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -105,4 +105,4 @@ TEST(WindowLook, RemembersTheColoursOfVesselsAndResiduals)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

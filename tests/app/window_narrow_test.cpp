@@ -8,7 +8,7 @@
 #include <QMenu>
 #include <QScrollArea>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using core::BodyPlane;
@@ -95,4 +95,4 @@ TEST_F(WindowNarrow, ThePanelLiesBelowTheSlicesWhereItHasNoRoomBesideThem)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

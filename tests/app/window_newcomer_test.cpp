@@ -10,7 +10,7 @@
 #include <QFileDialog>
 #include <QTemporaryDir>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -138,4 +138,4 @@ TEST_F(Newcomer, IsAskedForWhatAStepLacks)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

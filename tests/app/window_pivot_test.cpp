@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -129,4 +129,4 @@ TEST(WindowPivot, IsSeenInBothViewsAndNotOnlyByColour)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -5,7 +5,7 @@
 
 #include <QSplitter>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -165,4 +165,4 @@ TEST(WindowPlaces, AnEmptyWindowShowsWhereToStart)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -157,4 +157,4 @@ TEST(WindowPoses, SurviveSavingAndReopening)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -8,7 +8,7 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -146,4 +146,4 @@ TEST(WindowRecent, LettersInTheImageAreNotInThePicture)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -11,7 +11,7 @@
 
 #include <filesystem>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -162,4 +162,4 @@ TEST(WindowRecovery, AsksWhereInputsAreThatNobodyFinds)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -5,7 +5,7 @@
 #include <QImage>
 #include <QTemporaryDir>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -72,4 +72,4 @@ TEST_F(WindowReport, NamesThePatientOnlyWhereTheWindowDoes)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -189,4 +189,4 @@ TEST(WindowReview, ChoosesAuxiliaryBranchesByViewAndWidth)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -2,7 +2,7 @@
 
 #include "app/document/edit_case.h"
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -137,4 +137,4 @@ TEST(WindowRun, SurvivesDestructionWhileRunning)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -10,7 +10,7 @@
 #include <QSlider>
 #include <QTemporaryDir>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -152,4 +152,4 @@ TEST(WindowScanWithoutVessels, LeavesOtherVesselsAlone)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

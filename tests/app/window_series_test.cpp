@@ -4,7 +4,7 @@
 
 #include <QTreeWidget>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -66,4 +66,4 @@ TEST(WindowSeries, CancellingTheChoiceLeavesTheCaseAsItWas)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using core::BodyPlane;
@@ -147,4 +147,4 @@ TEST_F(WindowSlices, ShowTheLandmarksWhileTheseAreClicked)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -8,7 +8,7 @@
 #include <QComboBox>
 #include <QWheelEvent>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -218,4 +218,4 @@ TEST_F(WindowSubtraction, ThePlotShowsFramesAndChoosesThem)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

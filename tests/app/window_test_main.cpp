@@ -6,6 +6,8 @@
 #include <QTemporaryDir>
 #include <QThreadPool>
 
+using namespace angiopose;
+
 namespace {
 
 /// What a test has chosen does not outlive it: neither settings nor the colours, which a program has only once.

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using core::BodyPlane;
@@ -105,4 +105,4 @@ TEST_F(WindowTracing, ShowLabelsOfTheSameScan)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -259,4 +259,4 @@ TEST_F(WindowTree, EditsSurviveSavingAndReopening)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -5,7 +5,7 @@
 #include <QFile>
 #include <QLabel>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -133,4 +133,4 @@ TEST(WindowTrial, CannotBeSavedNorReplacedUnderWay)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

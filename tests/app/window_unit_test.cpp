@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -122,4 +122,4 @@ TEST(WindowUnit, BareTablesInMillimetresOpenAtOnce)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -9,7 +9,7 @@
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -136,4 +136,4 @@ TEST_F(WindowVesselsAlone, AreRecoveredAfterACrash)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -8,7 +8,7 @@
 #include <QListWidget>
 #include <QTemporaryDir>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
@@ -242,4 +242,4 @@ TEST(WindowViews, DeleteTakesTheShownOneOutAndShowsTheNext)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

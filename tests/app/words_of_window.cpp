@@ -11,7 +11,7 @@
 #include <QListWidget>
 #include <QMenu>
 
-namespace test {
+namespace angiopose::test {
 namespace {
 
 /// Notes and times are of the session, recent cases of the settings.
@@ -68,4 +68,4 @@ QStringList wordsOf(const QWidget& window)
     return words;
 }
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -53,11 +53,11 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept
     std::free(memory);
 }
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 
 std::uint64_t allocationsOfThisThread()
 {
     return allocations;
 }
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

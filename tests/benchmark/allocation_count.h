@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 
 /// Calls of `operator new` by this thread so far; the program that links this counts them.
 std::uint64_t allocationsOfThisThread();
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

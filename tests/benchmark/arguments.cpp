@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <sstream>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 
 Arguments::Arguments(int argc, char** argv, const std::string& usage) : usage_(usage)
 {
@@ -71,4 +71,4 @@ void Arguments::fail(const std::string& problem) const
     std::exit(2);
 }
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 
 /// Command line of a table: `--name value` pairs, `--name` alone for switches, anything else is positional.
 class Arguments {
@@ -26,4 +26,4 @@ private:
     std::vector<std::string> positional_;
 };
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 namespace {
 
 constexpr double framesPerBreath = 60.0;
@@ -47,4 +47,4 @@ BreathingRun breathingRun(const core::Trial& trial, std::size_t frames)
     return run;
 }
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

@@ -3,7 +3,7 @@
 #include "core/evaluation/trial.h"
 #include "core/registration/track_frames.h"
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 
 /// A run in which the tree of a trial breathes, 10 mm up and down and 3° of tilt, seen with jittered points.
 struct BreathingRun {
@@ -18,4 +18,4 @@ struct BreathingRun {
 
 BreathingRun breathingRun(const core::Trial& trial, std::size_t frames);
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

@@ -14,6 +14,8 @@
 #include <cstdio>
 #include <numeric>
 
+using namespace angiopose;
+
 namespace {
 
 using core::fixedText;

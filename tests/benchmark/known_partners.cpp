@@ -3,7 +3,7 @@
 #include <cmath>
 #include <opencv2/calib3d.hpp>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 
 KnownPartners knownPartners(const core::Trial& trial)
 {
@@ -54,4 +54,4 @@ double meanDistancePx(const KnownPartners& partners, const FoundPose& pose)
     return sum / static_cast<double>(found.size());
 }
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

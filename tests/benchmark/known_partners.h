@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 
 /// Tree points with their true pixels, and the start pose: what a solver needs that is told the correspondences, the
 /// floor for all that must find them. The image is not mirrored, because OpenCV wants positive focal lengths.
@@ -30,4 +30,4 @@ FoundPose sqpnp(const KnownPartners& partners);   ///< solvePnP with SQPNP, whic
 /// Mean projection distance to the true pixels.
 double meanDistancePx(const KnownPartners& partners, const FoundPose& pose);
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <string>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 namespace {
 
 /// The most memory that the program has held since `forgetPeak`, MB.
@@ -100,4 +100,4 @@ void printLargeScan()
     printStops(cta.volume, {.seedsInPatient = {cta.tree.branches.front().pointsInPatient[5]}}, "one seed");
 }
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 
 /// The usual print, remembering each benchmark's median processor time, which other programs disturb least.
 class MedianReporter : public benchmark::ConsoleReporter {
@@ -32,4 +32,4 @@ private:
     std::map<std::string, double> mediansMs_;
 };
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <numbers>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 namespace {
 
 using core::fixedText;
@@ -160,4 +160,4 @@ void printFloor(const std::vector<PhantomView>& views, int trials, std::uint64_t
         trials, io::toPlainText(table).c_str());
 }
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

@@ -2,7 +2,7 @@
 
 #include "tests/benchmark/phantom_views.h"
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 
 /// The rotations of views registered from where they stand, and the mean of their median distances; none where one
 /// fails.
@@ -13,4 +13,4 @@ std::vector<Eigen::Matrix3d> rotationsOf(const std::vector<core::RegistrationInp
 /// ones show, at the poses found there.
 void printFloor(const std::vector<PhantomView>& views, int trials, std::uint64_t seed);
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

@@ -13,6 +13,8 @@
 #include <cmath>
 #include <cstdio>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace benchmarks;

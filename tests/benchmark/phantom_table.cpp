@@ -11,6 +11,8 @@
 #include <cmath>
 #include <cstdio>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace benchmarks;

@@ -8,7 +8,7 @@
 #include <chrono>
 #include <numbers>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 namespace {
 
 double milliseconds(std::chrono::steady_clock::time_point begin)
@@ -134,4 +134,4 @@ double largestDifferenceDeg(const std::vector<PhantomPair>& pairs)
     return core::quantile(differencesOf(pairs), 1.0);
 }
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

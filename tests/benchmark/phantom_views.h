@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 
 /// One real view of the coronary phantom, registered.
 struct PhantomView {
@@ -50,4 +50,4 @@ std::vector<PhantomPair> pairsOf(const std::vector<Eigen::Matrix3d>& rotations,
 double medianDifferenceDeg(const std::vector<PhantomPair>& pairs);
 double largestDifferenceDeg(const std::vector<PhantomPair>& pairs);
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

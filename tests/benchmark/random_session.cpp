@@ -23,6 +23,8 @@
 #include <utility>
 #include <vector>
 
+using namespace angiopose;
+
 namespace {
 
 constexpr double leakLimitMiB = 20.0;

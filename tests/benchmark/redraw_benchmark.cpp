@@ -16,6 +16,8 @@
 #include <cstdio>
 #include <ctime>
 
+using namespace angiopose;
+
 namespace {
 
 constexpr int editCount = 100;

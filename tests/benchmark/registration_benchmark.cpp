@@ -13,6 +13,8 @@
 #include <array>
 #include <cstdio>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace benchmarks;

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <string_view>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace benchmarks;

@@ -14,6 +14,8 @@
 #include <cstdlib>
 #include <ctime>
 
+using namespace angiopose;
+
 namespace {
 
 constexpr int eventCount = 60;

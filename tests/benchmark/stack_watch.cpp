@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <memory>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 namespace {
 
 constexpr int deepest = 96;
@@ -78,4 +78,4 @@ std::vector<std::string> StackWatch::end() const
     return names;
 }
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 
 /// Notes where the calling thread was after so much processor time, to name what made an event handler slow.
 class StackWatch {
@@ -27,4 +27,4 @@ private:
     timer_t timer_{};
 };
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

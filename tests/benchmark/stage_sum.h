@@ -6,7 +6,7 @@
 #include <benchmark/benchmark.h>
 #include <algorithm>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 
 /// Stage times of a benchmark's registrations, as processor time: results carry wall time, which other programs
 /// stretch evenly over the stages.
@@ -35,4 +35,4 @@ private:
     core::ThreadStopwatch processor_;
 };
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 namespace {
 
 constexpr double sampleMm = 0.5;
@@ -180,4 +180,4 @@ Course courseOf(const core::VesselTree& tree, const ThoracicScan& thorax, const 
     return course;
 }
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 
 /// What the masks can say about a stretch of a branch outside them.
 enum class OutsideKind {
@@ -44,4 +44,4 @@ struct Course {
 /// Axes outside `seen` (if given) do not count as to be covered.
 Course courseOf(const core::VesselTree& tree, const ThoracicScan& thorax, const core::VolumeGeometry* seen = nullptr);
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

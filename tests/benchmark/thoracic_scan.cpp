@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 namespace {
 
 constexpr std::uint64_t placesSeed = 5;
@@ -156,4 +156,4 @@ std::vector<Eigen::Vector3d> placesInAorta(const ThoracicScan& thorax, int count
     return places;
 }
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

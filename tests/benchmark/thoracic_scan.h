@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 
 /// A scan below ../shared/data; empty, with the reason on stdout, where it cannot be read.
 core::Volume readScan(const std::string& relative);
@@ -39,4 +39,4 @@ Eigen::Vector3d rootOf(const ThoracicScan& thorax);
 /// Places at least 3 voxels within the aorta, drawn with a seed.
 std::vector<Eigen::Vector3d> placesInAorta(const ThoracicScan& thorax, int count);
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

@@ -9,7 +9,7 @@
 #include <functional>
 #include <utility>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 namespace {
 
 double threadMs()
@@ -39,10 +39,7 @@ void printStack(const std::vector<std::string>& stack)
 {
     constexpr std::size_t mostCalled = 3;
     constexpr std::size_t mostOwn = 5;
-    const auto isOwn = [](const std::string& name) {
-        return name.starts_with("ui::") || name.starts_with("app::") || name.starts_with("core::") ||
-               name.starts_with("io::");
-    };
+    const auto isOwn = [](const std::string& name) { return name.starts_with("angiopose::"); };
     std::vector<std::string> told(stack.begin(), std::ranges::find_if(stack, isOwn));
     told.resize(std::min(told.size(), mostCalled));
     std::size_t own = 0;
@@ -138,4 +135,4 @@ void TimedApplication::printSlow() const
     }
 }
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

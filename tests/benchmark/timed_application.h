@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 
 /// Measures the processor time of every event the loop delivers; events sent from within one count as part of it, and
 /// are told apart in what a slow one consisted of. What a loop inside it delivers (an open menu runs one) are handlers
@@ -50,4 +50,4 @@ private:
     StackWatch stackWatch_{lookAtStackMs};
 };
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

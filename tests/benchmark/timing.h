@@ -3,7 +3,7 @@
 #include <chrono>
 #include <ctime>
 
-namespace benchmarks {
+namespace angiopose::benchmarks {
 
 /// Wall and processor time of one piece of work, s.
 struct Timing {
@@ -21,4 +21,4 @@ Timing timed(const Work& work)
             static_cast<double>(std::clock() - used) / CLOCKS_PER_SEC};
 }
 
-}   // namespace benchmarks
+}   // namespace angiopose::benchmarks

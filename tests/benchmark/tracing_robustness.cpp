@@ -19,6 +19,8 @@
 #include <numeric>
 #include <optional>
 
+using namespace angiopose;
+
 namespace {
 
 using core::fixedText;

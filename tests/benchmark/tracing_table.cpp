@@ -20,6 +20,8 @@
 #include <numeric>
 #include <vector>
 
+using namespace angiopose;
+
 namespace {
 
 using core::fixedText;

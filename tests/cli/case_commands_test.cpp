@@ -10,6 +10,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+using namespace angiopose;
+
 namespace {
 
 namespace fs = std::filesystem;

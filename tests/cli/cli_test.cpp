@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+using namespace angiopose;
+
 namespace {
 
 using test::runCli;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
+using namespace angiopose;
+
 namespace {
 
 namespace fs = std::filesystem;

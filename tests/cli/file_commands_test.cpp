@@ -14,6 +14,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+using namespace angiopose;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -12,7 +12,7 @@
 #include <sstream>
 #include <thread>
 
-namespace test {
+namespace angiopose::test {
 namespace {
 
 std::string contentOf(const std::string& path)
@@ -76,4 +76,4 @@ ProgramOutcome runCli(const std::vector<std::string>& arguments, double interrup
     return outcome;
 }
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace test {
+namespace angiopose::test {
 
 /// What a finished program left behind.
 struct ProgramOutcome {
@@ -17,4 +17,4 @@ struct ProgramOutcome {
 /// Runs angiopose-cli with the arguments and waits for its end. `interruptAfterSeconds` > 0 sends SIGINT then.
 ProgramOutcome runCli(const std::vector<std::string>& arguments, double interruptAfterSeconds = 0.0);
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+using namespace angiopose;
+
 namespace {
 
 namespace fs = std::filesystem;

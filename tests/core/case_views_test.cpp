@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 std::shared_ptr<const Angiogram> angiogramOf(int frames)
@@ -110,4 +110,4 @@ TEST(CaseViews, EachGoesBackToItsOwnStartPose)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

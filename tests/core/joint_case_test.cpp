@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 VesselTree smallTree()
@@ -106,4 +106,4 @@ TEST(WithFrame, LeavesThePoseAloneWhereTheGantryStood)
     EXPECT_EQ(withFrame(run, 2).frame, 2);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

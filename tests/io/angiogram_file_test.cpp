@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+using namespace angiopose;
+
 namespace {
 
 core::Angiogram phantomView(int view)

@@ -4,6 +4,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+using namespace angiopose;
+
 namespace {
 
 ino_t placeOfStderr()

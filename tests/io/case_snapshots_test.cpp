@@ -7,6 +7,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+using namespace angiopose;
+
 namespace {
 
 std::string phantomPath()

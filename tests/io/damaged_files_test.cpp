@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+using namespace angiopose;
+
 // Good small files, cut short and with flipped bytes: whatever comes back is sound, and nothing crashes.
 
 namespace {

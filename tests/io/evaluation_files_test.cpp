@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <limits>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace core;

@@ -10,6 +10,8 @@
 #include <sys/resource.h>
 #include <algorithm>
 
+using namespace angiopose;
+
 // Odd, malformed and truncated files of other projects, and files of the wrong kind: each reader loads what makes sense
 // or says in one message which file, what is wrong and what to do.
 

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+using namespace angiopose;
+
 TEST(WritePng, IsReadBackPixelByPixel)
 {
     const test::TemporaryFolder folder;

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+using namespace angiopose;
+
 namespace {
 
 using io::ListedLabel;

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
+using namespace angiopose;
+
 namespace {
 
 namespace fs = std::filesystem;

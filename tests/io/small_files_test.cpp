@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+using namespace angiopose;
+
 namespace {
 
 core::RigidTransform oddPose()

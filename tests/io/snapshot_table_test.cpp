@@ -8,6 +8,8 @@
 #include <fstream>
 #include <sstream>
 
+using namespace angiopose;
+
 namespace {
 
 core::PoseSnapshot snapshotAt(const std::string& name, double right)

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <fstream>
 
+using namespace angiopose;
+
 namespace {
 
 std::string littleEndian(std::uint32_t value, int bytes)

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+using namespace angiopose;
+
 TEST(ReadVesselTree, ReadsThePhantomTree)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/tree/Centerlines.vtk");

@@ -7,6 +7,8 @@
 #include <bit>
 #include <cstdint>
 
+using namespace angiopose;
+
 namespace {
 
 core::VesselTree oddTree()

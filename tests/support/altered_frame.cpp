@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace test {
+namespace angiopose::test {
 namespace {
 
 using core::ImageF;
@@ -181,4 +181,4 @@ std::vector<FrameChange> frameChanges()
     };
 }
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace test {
+namespace angiopose::test {
 
 /// An angiogram frame with the grey picture of its drawn vessels.
 struct DrawnFrame {
@@ -25,4 +25,4 @@ struct FrameChange {
 /// Sizes, grey values, noise, compression, cuts and turns; "as it is" comes first. Seeded: the same at every call.
 std::vector<FrameChange> frameChanges();
 
-}   // namespace test
+}   // namespace angiopose::test

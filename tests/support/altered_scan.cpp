@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test {
+namespace angiopose::test {
 namespace {
 
 using core::Volume;
@@ -163,4 +163,4 @@ std::vector<ScanChange> scanChanges()
     };
 }
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace test {
+namespace angiopose::test {
 
 /// Another scan of the same patient, as another device, protocol or export would have left it; what was at a place in
 /// the patient stays there.
@@ -18,4 +18,4 @@ struct ScanChange {
 /// Axis orders, spacings, parts, values and noise; "as it is" comes first. Seeded: the same at every call.
 std::vector<ScanChange> scanChanges();
 
-}   // namespace test
+}   // namespace angiopose::test

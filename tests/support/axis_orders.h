@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace test {
+namespace angiopose::test {
 
 /// One of the 48 ways to store the same voxels: axis `source[k]` of the original runs along axis k, reversed or not.
 struct AxisOrder {
@@ -114,4 +114,4 @@ inline double largestDisplacement(const core::Volume& a, const core::Volume& b)
     return largest;
 }
 
-}   // namespace test
+}   // namespace angiopose::test

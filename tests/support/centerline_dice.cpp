@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test {
+namespace angiopose::test {
 namespace {
 
 constexpr double leastRadiusPx = 1.5;
@@ -67,4 +67,4 @@ core::Mask2d whitePixels(const core::ImageF& picture)
     return mask;
 }
 
-}   // namespace test
+}   // namespace angiopose::test

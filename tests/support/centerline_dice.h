@@ -3,7 +3,7 @@
 #include "core/imaging/image2d.h"
 #include "core/vessel/centerline2d.h"
 
-namespace test {
+namespace angiopose::test {
 
 /// Centreline Dice (Shit et al. 2021): how curves and a drawn mask of the vessels agree, each 0…1.
 struct CenterlineDice {
@@ -18,4 +18,4 @@ CenterlineDice centerlineDice(const core::Centerline2d& traced, const core::Mask
 /// Pixels of a grey picture above half of white.
 core::Mask2d whitePixels(const core::ImageF& picture);
 
-}   // namespace test
+}   // namespace angiopose::test

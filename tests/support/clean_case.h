@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace test {
+namespace angiopose::test {
 
 /// A simulated tree 800 mm from the source and its exact projections, partners known only to the test.
 struct CleanCase {
@@ -35,4 +35,4 @@ struct CleanCase {
     core::Centerline2d target;
 };
 
-}   // namespace test
+}   // namespace angiopose::test

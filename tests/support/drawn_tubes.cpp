@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace test {
+namespace angiopose::test {
 
 core::VolumeGeometry gridAround(const Eigen::Vector3d& centreMm, const Eigen::Vector3i& size,
                                 const Eigen::Vector3d& spacingMm)
@@ -78,4 +78,4 @@ core::Volume tubesInTissue(const core::VolumeGeometry& grid, const std::vector<T
     return volume;
 }
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace test {
+namespace angiopose::test {
 
 /// A straight stretch of vessel in the patient, with round ends.
 struct Tube {
@@ -33,4 +33,4 @@ core::VoxelMask drawnMask(const core::VolumeGeometry& grid, const std::vector<Tu
 /// Tubes of blood in soft tissue beside air, in HU, without noise; the walls are one millimetre wide.
 core::Volume tubesInTissue(const core::VolumeGeometry& grid, const std::vector<Tube>& tubes);
 
-}   // namespace test
+}   // namespace angiopose::test

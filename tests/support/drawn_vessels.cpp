@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace test {
+namespace angiopose::test {
 
 Path line(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
 {
@@ -69,4 +69,4 @@ void addNoise(core::ImageF& image, double sigma, std::uint64_t seed)
     }
 }
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace test {
+namespace angiopose::test {
 
 /// Grey values of a drawn frame.
 struct FrameLook {
@@ -30,4 +30,4 @@ void addNoise(core::ImageF& image, double sigma, std::uint64_t seed);
 /// Distance from a point to the nearest point of the path, linearly between its points.
 double distanceTo(const Path& path, const Eigen::Vector2d& point);
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test {
+namespace angiopose::test {
 
 /// Distance (mm) to the axis of a vessel that runs up from (0, 0, 0) and forks at z = 40 into two, up to z = 80.
 inline double distanceToFork(const Eigen::Vector3d& point)
@@ -69,4 +69,4 @@ inline long endsOf(const core::VesselTree& tree)
     return std::count_if(nodes.begin(), nodes.end(), [](const auto& node) { return !node.isBifurcation(); });
 }
 
-}   // namespace test
+}   // namespace angiopose::test

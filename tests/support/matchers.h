@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-namespace test {
+namespace angiopose::test {
 
 /// Poses agree within an angle and, at the given pivot (patient frame), within a distance.
 inline ::testing::AssertionResult nearPose(const core::RigidTransform& actual, const core::RigidTransform& expected,
@@ -20,4 +20,4 @@ inline ::testing::AssertionResult nearPose(const core::RigidTransform& actual, c
     return ::testing::AssertionFailure() << "poses differ by " << angleDeg << " deg and " << distanceMm << " mm";
 }
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <string>
 
-namespace test {
+namespace angiopose::test {
 
 inline void writeText(const std::filesystem::path& path, const std::string& text)
 {
@@ -49,4 +49,4 @@ private:
     std::filesystem::path path_;
 };
 
-}   // namespace test
+}   // namespace angiopose::test

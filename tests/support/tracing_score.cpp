@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace test {
+namespace angiopose::test {
 namespace {
 
 using core::Centerline2d;
@@ -169,4 +169,4 @@ TracingScore scoreTracing(const core::SimulatedCase& simulated, const core::Angi
     return score;
 }
 
-}   // namespace test
+}   // namespace angiopose::test

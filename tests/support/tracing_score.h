@@ -3,7 +3,7 @@
 #include "core/simulation/simulated_case.h"
 #include "core/tracing/trace_angiogram.h"
 
-namespace test {
+namespace angiopose::test {
 
 /// How a traced frame of a simulated run agrees with what is known of it; lengths in px.
 ///
@@ -28,4 +28,4 @@ struct TracingScore {
 
 TracingScore scoreTracing(const core::SimulatedCase& simulated, const core::AngiogramTrace& trace);
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace test {
+namespace angiopose::test {
 namespace {
 
 constexpr double stentTipShare = 0.02;   ///< of the branch, at both ends of its stent
@@ -118,4 +118,4 @@ double shareNear(const core::VesselTree& tree, const core::VesselTree& other, do
     return near / static_cast<double>(tree.pointCount());
 }
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace test {
+namespace angiopose::test {
 
 /// How a traced tree agrees with the true one.
 struct TreeAgreement {
@@ -28,4 +28,4 @@ double distanceTo(const core::VesselTree& tree, const Eigen::Vector3d& point);
 /// Share of `tree`'s points within `reachMm` of `other`.
 double shareNear(const core::VesselTree& tree, const core::VesselTree& other, double reachMm);
 
-}   // namespace test
+}   // namespace angiopose::test

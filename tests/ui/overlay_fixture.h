@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-namespace test {
+namespace angiopose::test {
 
 enum class Mirror { SeenFromDetector, SeenFromSource };
 
@@ -63,4 +63,4 @@ inline Eigen::Vector2d centreOfLight(const std::function<double(int, int)>& brig
     return weight > 0.0 ? Eigen::Vector2d(sum / weight) : Eigen::Vector2d(1e9, 1e9);
 }
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Everything the window can be asked to do, in the order of the menus.
 enum class Command {
@@ -133,4 +133,4 @@ enum class Command {
     About
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace ui {
+namespace angiopose::ui {
 
 QString CommandRow::name() const
 {
@@ -246,4 +246,4 @@ std::span<const MenuRows> CommandTable::menus()
     return table;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace ui {
+namespace angiopose::ui {
 
 enum class Menu {
     File,
@@ -43,7 +43,7 @@ struct MenuRows {
 
 /// The one list of all commands: menus, keys and the key sheet are made from it.
 class CommandTable {
-    Q_DECLARE_TR_FUNCTIONS(ui::CommandTable)
+    Q_DECLARE_TR_FUNCTIONS(angiopose::ui::CommandTable)
 public:
     enum Trait : unsigned {
         Switch = 1,   ///< stays on until called again
@@ -71,4 +71,4 @@ private:
     static std::span<const CommandRow> helpCommands();
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

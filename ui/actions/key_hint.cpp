@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 std::map<Command, QString> usualKeys()
@@ -52,4 +52,4 @@ QString tipWithKey(const QString& sentence, Command command)
     return key.isEmpty() ? sentence : sentence + QStringLiteral(" (%1)").arg(key);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -6,7 +6,7 @@
 
 #include <map>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// The keys the user chose, as people write them ("" for none); the others have those of the command table. Like theme
 /// and language one choice for the whole program: see `speakAgain`.
@@ -20,4 +20,4 @@ QString withKey(const QString& words, Command command);
 /// "Finds the pose. (R)": the key behind the sentence of a tool tip.
 QString tipWithKey(const QString& sentence, Command command);
 
-}   // namespace ui
+}   // namespace angiopose::ui

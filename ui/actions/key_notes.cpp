@@ -4,11 +4,11 @@
 
 #include <initializer_list>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 struct KeyNotes {
-    Q_DECLARE_TR_FUNCTIONS(ui::KeyNotes)
+    Q_DECLARE_TR_FUNCTIONS(angiopose::ui::KeyNotes)
 public:
     static void addModes(std::vector<KeyLine>& lines);
     static void addAngiogram(std::vector<KeyLine>& lines, const MousePreset& mouse);
@@ -117,4 +117,4 @@ std::vector<KeyLine> keyNotes(const MousePreset& mouse)
     return lines;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -5,9 +5,9 @@
 
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// The keys that are fixed, mode by mode and view by view, and what the mouse does.
 std::vector<KeyLine> keyNotes(const MousePreset& mouse);
 
-}   // namespace ui
+}   // namespace angiopose::ui

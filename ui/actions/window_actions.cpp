@@ -11,7 +11,7 @@
 #include <array>
 #include <iterator>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr std::array choices{Menu::Colors, Menu::Theme, Menu::Language, Menu::Mouse};   ///< one of each is on
@@ -93,4 +93,4 @@ std::vector<KeyLine> WindowActions::keySheet(const MousePreset& mouse) const
     return lines;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

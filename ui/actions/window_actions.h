@@ -14,7 +14,7 @@ class QMenu;
 class QMenuBar;
 class QWidget;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// The window's named actions with their keys, made from the table that also feeds menus and key sheet.
 class WindowActions : public QObject {
@@ -35,4 +35,4 @@ private:
     QMenu* recent_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

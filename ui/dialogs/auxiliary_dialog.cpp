@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int dialogWidth = 560;
@@ -153,4 +153,4 @@ void AuxiliaryDialog::showAdvice(const AuxiliaryAdvice& advice)
     }
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -10,7 +10,7 @@ class QGridLayout;
 class QLabel;
 class QPushButton;
 
-namespace ui {
+namespace angiopose::ui {
 
 class NumberField;
 
@@ -63,4 +63,4 @@ private:
     QPushButton* take_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -7,7 +7,7 @@
 #include <QFormLayout>
 #include <QPushButton>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int dialogWidth = 560;
@@ -126,4 +126,4 @@ void BlindTrialDialog::updateButton()
     start_->setToolTip(isComplete ? QString() : tr("Observer and log are needed."));
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -9,7 +9,7 @@ class QFormLayout;
 class QHBoxLayout;
 class QPushButton;
 
-namespace ui {
+namespace angiopose::ui {
 
 class NumberField;
 
@@ -48,4 +48,4 @@ private:
     QPushButton* start_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -13,7 +13,7 @@
 
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 enum SizeEntry { ViewSize, Size1024, Size2048, CustomSize };
@@ -141,4 +141,4 @@ void ExportDialog::showSize()
     resulting_->setText(startBeside_->isChecked() ? tr("twice %1").arg(size) : size);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -9,7 +9,7 @@ class QFormLayout;
 class QHBoxLayout;
 class QLabel;
 
-namespace ui {
+namespace angiopose::ui {
 
 class NumberField;
 
@@ -57,4 +57,4 @@ private:
     QCheckBox* startBeside_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -8,7 +8,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int picturePx = 250;
@@ -127,4 +127,4 @@ void GoodFit::showProblem(const QString& reason)
     }
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

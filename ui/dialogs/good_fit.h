@@ -7,7 +7,7 @@
 class QImage;
 class QLabel;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// What can be wrong with a fit, and what only looks wrong: the examples of the page, good ones first.
 enum class FitExample { Right, Unfilled, Deformed, Shifted, Turned, Tilted };
@@ -29,4 +29,4 @@ private:
     std::array<QLabel*, fitExampleCount> pictures_{};
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

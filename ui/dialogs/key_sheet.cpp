@@ -15,7 +15,7 @@
 #include <array>
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int lineRole = Qt::UserRole;
@@ -218,4 +218,4 @@ void KeySheet::take(const QKeySequence& key)
     stopListening(key.isEmpty() ? tr("No key any more.") : tr("The key is “%1” now.").arg(name));
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

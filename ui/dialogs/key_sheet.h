@@ -11,7 +11,7 @@ class QLineEdit;
 class QTreeWidget;
 class QTreeWidgetItem;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// One line of the key sheet.
 struct KeyLine {
@@ -54,4 +54,4 @@ private:
     QKeySequence warnedOf_;   ///< pressed once although another line has it
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -9,7 +9,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int dialogWidth = 460;
@@ -100,4 +100,4 @@ QuestionDialog::QuestionDialog(const Message& message, const QStringList& verbs,
             [this](int code) { emit answered(code == 0 ? meantByClosing_ : code - 1); });
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

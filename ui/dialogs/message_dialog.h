@@ -2,7 +2,7 @@
 
 #include <QDialog>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// What went wrong or what to know: a heading, one sentence on problem and remedy, details to copy.
 struct Message {
@@ -36,4 +36,4 @@ private:
     int meantByClosing_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -6,7 +6,7 @@
 #include <QFileInfo>
 #include <QPushButton>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int dialogWidth = 620;
@@ -126,4 +126,4 @@ void MissingInputs::searchFolder()
     dialog->open();
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

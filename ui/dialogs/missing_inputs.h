@@ -8,7 +8,7 @@
 class QLabel;
 class QPushButton;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// A case names files that are not there: asks where each lies now, or which folder to search.
 class MissingInputs : public QDialog {
@@ -41,4 +41,4 @@ private:
     QPushButton* without_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

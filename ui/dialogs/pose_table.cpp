@@ -15,7 +15,7 @@
 
 #include <algorithm>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int dialogWidth = 1240;
@@ -300,4 +300,4 @@ std::vector<std::string> PoseTable::chosenMethods() const
     return ids;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -17,7 +17,7 @@ class QPushButton;
 class QTreeWidget;
 class QTreeWidgetItem;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// One row of the comparison: a snapshot (or the pose as it is, id 0) and how far it lies from the reference.
 struct PoseRow {
@@ -72,4 +72,4 @@ private:
     bool running_ = false;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

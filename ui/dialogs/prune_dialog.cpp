@@ -8,7 +8,7 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 /// What is typed so far, or the number before while it is none.
@@ -77,4 +77,4 @@ void PruneDialog::showCount()
     prune_->setEnabled(gone > 0);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -7,7 +7,7 @@
 class QLabel;
 class QPushButton;
 
-namespace ui {
+namespace angiopose::ui {
 
 class NumberField;
 
@@ -37,4 +37,4 @@ private:
     QPushButton* prune_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -6,7 +6,7 @@
 #include <QPushButton>
 #include <QTreeWidget>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int dialogWidth = 640;
@@ -115,4 +115,4 @@ void RecoveryDialog::updateButtons()
     discard_->setEnabled(count > 0);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -8,7 +8,7 @@
 class QPushButton;
 class QTreeWidget;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// What a session that ended without closing left behind.
 struct RecoveryRow {
@@ -40,4 +40,4 @@ private:
     QPushButton* discard_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

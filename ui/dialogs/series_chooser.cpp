@@ -10,7 +10,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int dialogWidth = 860;
@@ -113,4 +113,4 @@ void SeriesChooser::choose()
     accept();
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -9,7 +9,7 @@ class QLabel;
 class QPushButton;
 class QTreeWidget;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// One series of a DICOM folder, as the user sees it.
 struct SeriesRow {
@@ -45,4 +45,4 @@ private:
     QPushButton* open_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

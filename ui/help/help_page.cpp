@@ -18,10 +18,10 @@ static void loadPages()
     Q_INIT_RESOURCE(help);
 }
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
-/// "ui::PosePanel" → "panels/pose_panel", as its source file is called.
+/// "angiopose::ui::PosePanel" → "panels/pose_panel", as its source file is called.
 QString pageOfClass(const QWidget& widget)
 {
     static const QRegularExpression wordStart(QStringLiteral("(?<=[a-z0-9])(?=[A-Z])"));
@@ -102,4 +102,4 @@ QString HelpPage::pageAbout(const QWidget* widget)
     return QStringLiteral("panels/overview");
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -4,7 +4,7 @@
 
 class QWidget;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// A page of the help that is built into the program, in the language of the window. Deletes itself when closed.
 class HelpPage : public QDialog {
@@ -21,4 +21,4 @@ public:
     static QString pageAbout(const QWidget* widget);
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -13,7 +13,7 @@
 #include <array>
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int bubbleWidth = 360;
@@ -178,4 +178,4 @@ void Tour::end()
     close();
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -8,7 +8,7 @@
 class QLabel;
 class QPushButton;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// One thing the tour points at.
 struct TourStop {
@@ -53,4 +53,4 @@ private:
     QPointer<QWidget> frame_;   ///< around the target
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 QPushButton* quietButton(const Words& text, const Words& help)
@@ -316,4 +316,4 @@ void AngiogramPanel::showTracing(const core::TraceOptions& options)
     defaults_->setEnabled(!(options == core::TraceOptions{}));
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

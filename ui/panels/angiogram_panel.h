@@ -11,7 +11,7 @@ class QComboBox;
 class QGridLayout;
 class QPushButton;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// What the panel shows of the run.
 struct RunState {
@@ -72,4 +72,4 @@ private:
     QPushButton* defaults_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -8,7 +8,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int progressSteps = 1000;
@@ -135,4 +135,4 @@ void BottomStrip::showIdle(const QString& text)
     stop_->hide();
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -8,7 +8,7 @@
 class QProgressBar;
 class QPushButton;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// The low strip below the image: autosave and undo on the left, frames in the middle, the running task on the right.
 class BottomStrip : public QWidget {
@@ -43,4 +43,4 @@ private:
     QPushButton* stop_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int margin = 14;
@@ -208,4 +208,4 @@ bool BranchDelegate::editorEvent(QEvent* event, QAbstractItemModel*, const QStyl
     return onPill || onCross;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

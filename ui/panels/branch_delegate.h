@@ -2,7 +2,7 @@
 
 #include <QStyledItemDelegate>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Paints a branch row (chip, name, generation, length, auxiliary pill, exclude cross, residual) and takes clicks on
 /// its switches.
@@ -30,4 +30,4 @@ protected:
                      const QModelIndex& index) override;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

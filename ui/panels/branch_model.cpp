@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 double meanRadiusMm(const core::VesselBranch& branch)
@@ -141,4 +141,4 @@ QString BranchModel::description(const Row& row) const
     return joinedNames(parts);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

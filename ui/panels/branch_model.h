@@ -7,7 +7,7 @@
 
 #include <map>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// The branches of a tree with their marks and residuals, one row each.
 class BranchModel : public QAbstractListModel {
@@ -62,4 +62,4 @@ private:
     double scaleMaximumMm_ = 0.0;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

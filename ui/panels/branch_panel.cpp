@@ -19,7 +19,7 @@
 
 #include <array>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int largestGenerationOffered = 6;
@@ -32,12 +32,15 @@ struct Order {
 
 /// What the list can be sorted by; long, wide and ill-fitting branches come first.
 constexpr std::array orders{
-    Order{QT_TRANSLATE_NOOP("ui::BranchPanel", "as in the tree"), BranchModel::OrderRole, Qt::AscendingOrder},
-    Order{QT_TRANSLATE_NOOP("ui::BranchPanel", "by name"), BranchModel::NameRole, Qt::AscendingOrder},
-    Order{QT_TRANSLATE_NOOP("ui::BranchPanel", "by length"), BranchModel::LengthRole, Qt::DescendingOrder},
-    Order{QT_TRANSLATE_NOOP("ui::BranchPanel", "by radius"), BranchModel::RadiusRole, Qt::DescendingOrder},
-    Order{QT_TRANSLATE_NOOP("ui::BranchPanel", "by generation"), BranchModel::GenerationRole, Qt::AscendingOrder},
-    Order{QT_TRANSLATE_NOOP("ui::BranchPanel", "by residual"), BranchModel::ResidualRole, Qt::DescendingOrder}};
+    Order{QT_TRANSLATE_NOOP("angiopose::ui::BranchPanel", "as in the tree"), BranchModel::OrderRole,
+          Qt::AscendingOrder},
+    Order{QT_TRANSLATE_NOOP("angiopose::ui::BranchPanel", "by name"), BranchModel::NameRole, Qt::AscendingOrder},
+    Order{QT_TRANSLATE_NOOP("angiopose::ui::BranchPanel", "by length"), BranchModel::LengthRole, Qt::DescendingOrder},
+    Order{QT_TRANSLATE_NOOP("angiopose::ui::BranchPanel", "by radius"), BranchModel::RadiusRole, Qt::DescendingOrder},
+    Order{QT_TRANSLATE_NOOP("angiopose::ui::BranchPanel", "by generation"), BranchModel::GenerationRole,
+          Qt::AscendingOrder},
+    Order{QT_TRANSLATE_NOOP("angiopose::ui::BranchPanel", "by residual"), BranchModel::ResidualRole,
+          Qt::DescendingOrder}};
 
 int idAt(const QModelIndex& index)
 {
@@ -300,4 +303,4 @@ void BranchPanel::reportSelection()
     }
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -15,7 +15,7 @@ class QListView;
 class QPushButton;
 class QSortFilterProxyModel;
 
-namespace ui {
+namespace angiopose::ui {
 
 class BranchModel;
 
@@ -79,4 +79,4 @@ private:
     bool showing_ = false;   ///< true while the owner, not the user, changes the selection
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -9,7 +9,7 @@
 
 #include <array>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 struct EditRow {
@@ -20,18 +20,18 @@ struct EditRow {
 };
 
 constexpr std::array editRows{
-    EditRow{CurveEdit::Remove, QT_TRANSLATE_NOOP("ui::CurveEditBar", "Not a vessel"), "X",
-            QT_TRANSLATE_NOOP("ui::CurveEditBar", "Click a curve to leave it out")},
-    EditRow{CurveEdit::Erase, QT_TRANSLATE_NOOP("ui::CurveEditBar", "Erase"), "E",
-            QT_TRANSLATE_NOOP("ui::CurveEditBar", "Brush over parts of curves")},
-    EditRow{CurveEdit::Draw, QT_TRANSLATE_NOOP("ui::CurveEditBar", "Draw"), "D",
-            QT_TRANSLATE_NOOP("ui::CurveEditBar", "Click along a vessel: the line follows it")},
-    EditRow{CurveEdit::Cut, QT_TRANSLATE_NOOP("ui::CurveEditBar", "Cut"), "C",
-            QT_TRANSLATE_NOOP("ui::CurveEditBar", "Click where a curve is to fall in two")},
-    EditRow{CurveEdit::Box, QT_TRANSLATE_NOOP("ui::CurveEditBar", "Box"), "B",
-            QT_TRANSLATE_NOOP("ui::CurveEditBar", "Keep what lies in a box; Ctrl: leave it out")},
-    EditRow{CurveEdit::Lasso, QT_TRANSLATE_NOOP("ui::CurveEditBar", "Lasso"), "L",
-            QT_TRANSLATE_NOOP("ui::CurveEditBar", "Keep what lies in a lasso; Ctrl: leave it out")},
+    EditRow{CurveEdit::Remove, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Not a vessel"), "X",
+            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Click a curve to leave it out")},
+    EditRow{CurveEdit::Erase, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Erase"), "E",
+            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Brush over parts of curves")},
+    EditRow{CurveEdit::Draw, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Draw"), "D",
+            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Click along a vessel: the line follows it")},
+    EditRow{CurveEdit::Cut, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Cut"), "C",
+            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Click where a curve is to fall in two")},
+    EditRow{CurveEdit::Box, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Box"), "B",
+            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Keep what lies in a box; Ctrl: leave it out")},
+    EditRow{CurveEdit::Lasso, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Lasso"), "L",
+            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Keep what lies in a lasso; Ctrl: leave it out")},
 };
 
 QString withKey(const QString& text, const QString& key)
@@ -111,4 +111,4 @@ void CurveEditBar::setEdited(bool edited)
     traceAgain_->setEnabled(edited);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -11,7 +11,7 @@ class QLabel;
 class QPushButton;
 class QToolButton;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// The edits of the traced curves as buttons, at the bottom of the angiogram while that mode is on.
 class CurveEditBar : public QFrame {
@@ -37,4 +37,4 @@ private:
     QPushButton* traceAgain_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

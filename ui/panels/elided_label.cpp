@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <QStyle>
 
-namespace ui {
+namespace angiopose::ui {
 
 ElidedLabel::ElidedLabel(const char* role, QWidget* parent) : QLabel(parent)
 {
@@ -30,4 +30,4 @@ void ElidedLabel::paintEvent(QPaintEvent*)
                           shown, foregroundRole());
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

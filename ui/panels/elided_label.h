@@ -2,7 +2,7 @@
 
 #include <QLabel>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// A line of text that yields: what does not fit ends in "…" and stands whole in the tool tip.
 class ElidedLabel : public QLabel {
@@ -17,4 +17,4 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -6,7 +6,7 @@
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 QString originWord(core::Origin origin)
@@ -291,4 +291,4 @@ void GeometryPanel::assumeMissing()
     emit edited(assumed.cArm, [] { return tr("missing values"); });
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

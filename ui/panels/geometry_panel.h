@@ -11,7 +11,7 @@
 class QComboBox;
 class QGridLayout;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Distances, spacing, angles, roll, beam centre, isocentre and mirror of the C-arm, each with where it comes from, and
 /// what the header says. What the image did not bring can be typed; every edit is reported as a whole C-arm.
@@ -59,4 +59,4 @@ private:
     bool wasComplete_ = true;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -2,7 +2,7 @@
 
 #include <QCoreApplication>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 using core::Origin;
@@ -26,40 +26,48 @@ NumberFormat pixels()
 const std::array<GeometryValueKind, geometryValueCount>& kinds()
 {
     static const std::array<GeometryValueKind, geometryValueCount> table{
-        {{QT_TRANSLATE_NOOP("ui::GeometryPanel", "SID"),
-          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Source to detector distance"), millimetres(100.0, 3000.0, 1, 1.0),
-          1000.0, true},
-         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "SOD"),
-          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Source to isocentre distance"), millimetres(100.0, 3000.0, 1, 1.0),
-          750.0, true},
-         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "pixel"),
-          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Pixel pitch on the detector. Enter confirms a derived one."),
+        {{QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "SID"),
+          QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "Source to detector distance"),
+          millimetres(100.0, 3000.0, 1, 1.0), 1000.0, true},
+         {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "SOD"),
+          QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "Source to isocentre distance"),
+          millimetres(100.0, 3000.0, 1, 1.0), 750.0, true},
+         {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "pixel"),
+          QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel",
+                            "Pixel pitch on the detector. Enter confirms a derived one."),
           millimetres(0.01, 5.0, 4, 0.01), 0.3, true},
-         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "field width"),
-          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Width of the image on the detector: gives the pixel pitch"),
+         {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "field width"),
+          QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel",
+                            "Width of the image on the detector: gives the pixel pitch"),
           millimetres(10.0, 1000.0, 1, 1.0), 0.0, false},
-         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "LAO / RAO"),
-          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Primary angle: LAO positive, RAO negative"), degrees(180.0), 0.0,
-          true},
-         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "CRA / CAU"),
-          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Secondary angle: CRA positive, CAU negative"), degrees(90.0), 0.0,
-          true},
-         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "roll"),
-          QT_TRANSLATE_NOOP("ui::GeometryPanel", "The image is turned clockwise by this"), degrees(180.0), 0.0, false},
-         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "centre right"),
-          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Column that the beam axis meets; 0 is the middle of the first"),
+         {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "LAO / RAO"),
+          QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "Primary angle: LAO positive, RAO negative"),
+          degrees(180.0), 0.0, true},
+         {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "CRA / CAU"),
+          QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "Secondary angle: CRA positive, CAU negative"),
+          degrees(90.0), 0.0, true},
+         {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "roll"),
+          QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "The image is turned clockwise by this"), degrees(180.0),
+          0.0, false},
+         {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "centre right"),
+          QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel",
+                            "Column that the beam axis meets; 0 is the middle of the first"),
           pixels(), 0.0, false},
-         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "centre down"),
-          QT_TRANSLATE_NOOP("ui::GeometryPanel", "Row that the beam axis meets; 0 is the middle of the first"),
+         {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "centre down"),
+          QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel",
+                            "Row that the beam axis meets; 0 is the middle of the first"),
           pixels(), 0.0, false},
-         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "isocentre L"),
-          QT_TRANSLATE_NOOP("ui::GeometryPanel", "What the gantry turns about, in the vessels' coordinates: left"),
+         {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "isocentre L"),
+          QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel",
+                            "What the gantry turns about, in the vessels' coordinates: left"),
           millimetres(-100000.0, 100000.0, 1, 1.0), 0.0, false},
-         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "isocentre P"),
-          QT_TRANSLATE_NOOP("ui::GeometryPanel", "What the gantry turns about, in the vessels' coordinates: posterior"),
+         {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "isocentre P"),
+          QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel",
+                            "What the gantry turns about, in the vessels' coordinates: posterior"),
           millimetres(-100000.0, 100000.0, 1, 1.0), 0.0, false},
-         {QT_TRANSLATE_NOOP("ui::GeometryPanel", "isocentre H"),
-          QT_TRANSLATE_NOOP("ui::GeometryPanel", "What the gantry turns about, in the vessels' coordinates: head"),
+         {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "isocentre H"),
+          QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel",
+                            "What the gantry turns about, in the vessels' coordinates: head"),
           millimetres(-100000.0, 100000.0, 1, 1.0), 0.0, false}}};
     return table;
 }
@@ -191,4 +199,4 @@ core::CArm withValue(const GeometryState& state, GeometryValue value, double num
     return cArm;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

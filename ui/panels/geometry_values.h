@@ -9,7 +9,7 @@
 #include <array>
 #include <optional>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// What the geometry panel shows.
 struct GeometryState {
@@ -59,4 +59,4 @@ core::Sourced<double> shownValue(const GeometryState& state, GeometryValue value
 core::CArm withValue(const GeometryState& state, GeometryValue value, double number, core::Origin origin,
                      const std::string& basis);
 
-}   // namespace ui
+}   // namespace angiopose::ui

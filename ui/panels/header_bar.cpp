@@ -6,7 +6,7 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 /// The button that stands for menus without room: Qt's own sign for it is drawn for light windows only.
@@ -54,4 +54,4 @@ void HeaderBar::showStudy(const QString& study)
     study_->showText(study);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -5,7 +5,7 @@
 #include <QMenuBar>
 #include <QWidget>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Top row of the window: case title, study, menus and the notice that is always there.
 class HeaderBar : public QWidget {
@@ -23,4 +23,4 @@ private:
     QMenuBar* menuBar_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int shownRows = 6;
@@ -120,4 +120,4 @@ bool LandmarkPanel::eventFilter(QObject* watched, QEvent* event)
     return Section::eventFilter(watched, event);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

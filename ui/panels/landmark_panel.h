@@ -10,7 +10,7 @@
 class QAction;
 class QListWidget;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// What the landmark panel shows.
 struct LandmarkState {
@@ -49,4 +49,4 @@ private:
     std::size_t count_ = 0;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -4,7 +4,7 @@
 
 #include <QPainter>
 
-namespace ui {
+namespace angiopose::ui {
 
 LockDot::LockDot(QWidget* parent) : QAbstractButton(parent)
 {
@@ -30,4 +30,4 @@ void LockDot::paintEvent(QPaintEvent*)
     }
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

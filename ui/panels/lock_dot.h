@@ -2,7 +2,7 @@
 
 #include <QAbstractButton>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Round switch beside a degree of freedom: an open ring is free, a filled amber dot is locked.
 class LockDot : public QAbstractButton {
@@ -15,4 +15,4 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

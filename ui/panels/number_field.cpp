@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr QChar minusSign{0x2212};
@@ -171,4 +171,4 @@ QString NumberField::textOf(std::optional<double> value) const
     return format_.sign == NumberSign::Always && !isZero ? QLatin1Char('+') + digits : digits;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace ui {
+namespace angiopose::ui {
 
 enum class NumberSign { WhenNegative, Always };
 
@@ -52,4 +52,4 @@ private:
     std::optional<double> value_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

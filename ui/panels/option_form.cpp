@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 QString fromView(std::string_view text)
@@ -121,4 +121,4 @@ void OptionForm::write(const core::OptionField& field, double value)
     emit edited(options_, [&field] { return coreText(field.label); });   // the table of options stays
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -10,7 +10,7 @@
 
 class QFormLayout;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Fields for the options of the chosen method, made from core::optionFields().
 class OptionForm : public QWidget {
@@ -34,4 +34,4 @@ private:
     std::vector<std::function<void()>> refreshers_;   ///< one per editor: shows the option's value
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -7,7 +7,7 @@
 #include <QGridLayout>
 #include <QPushButton>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 NumberFormat formatOf(PoseAxis axis)
@@ -129,4 +129,4 @@ void PosePanel::toggleLock(PoseAxis axis)
     showLocks(locks_);   // as they are now: the edit may have been refused
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

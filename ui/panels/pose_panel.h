@@ -6,7 +6,7 @@
 
 #include <QAbstractButton>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// The pose relative to the start pose, in mm and degrees, with a lock per degree of freedom.
 /// Shows what it is told, reports what the user wants; decides nothing.
@@ -44,4 +44,4 @@ private:
     QAbstractButton* reset_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

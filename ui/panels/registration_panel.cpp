@@ -14,7 +14,7 @@
 
 #include <algorithm>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 QString fromView(std::string_view text)
@@ -174,4 +174,4 @@ void RegistrationPanel::updateButtons()
     allViews_->setEnabled(!running_);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -9,7 +9,7 @@ class QComboBox;
 class QHBoxLayout;
 class QPushButton;
 
-namespace ui {
+namespace angiopose::ui {
 
 class OptionForm;
 
@@ -54,4 +54,4 @@ private:
     bool running_ = false;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

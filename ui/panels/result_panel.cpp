@@ -10,7 +10,7 @@
 
 #include <QHBoxLayout>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 QLabel* sentenceBox(const char* role)
@@ -188,4 +188,4 @@ void ResultPanel::showHistory(const std::vector<core::IterationReport>& history)
                                      .arg(history.size()));
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

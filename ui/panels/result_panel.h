@@ -6,7 +6,7 @@
 #include "ui/panels/solution_strip.h"
 #include "ui/plots/motion_plot.h"
 
-namespace ui {
+namespace angiopose::ui {
 
 class ConvergencePlot;
 class HistogramPlot;
@@ -57,4 +57,4 @@ private:
     MotionPlot* motion_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double agreeingMm = 0.5;   ///< branches with a median below this agree
@@ -17,7 +17,7 @@ constexpr double disagreeingMm = 1.0;   ///< branches with a median above this a
 
 /// The words of this file.
 struct Words {
-    Q_DECLARE_TR_FUNCTIONS(ui::ResultSentences)
+    Q_DECLARE_TR_FUNCTIONS(angiopose::ui::ResultSentences)
 };
 
 QString number(double value)
@@ -126,4 +126,4 @@ QString displayName(const core::VesselBranch& branch)
     return branch.name.empty() ? Words::tr("Branch %1").arg(branch.id) : QString::fromStdString(branch.name);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -5,7 +5,7 @@
 
 #include <QStringList>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// What the judgement of a pose means, in a clinician's words.
 struct ResultSentences {
@@ -19,4 +19,4 @@ ResultSentences sentencesOf(const core::RegistrationResult& result, const core::
 /// "LAD", or "Branch 3" where the tree has no names.
 QString displayName(const core::VesselBranch& branch);
 
-}   // namespace ui
+}   // namespace angiopose::ui

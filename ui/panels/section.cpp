@@ -4,7 +4,7 @@
 #include <QHBoxLayout>
 #include <QStyle>
 
-namespace ui {
+namespace angiopose::ui {
 
 Section::Section(const char* name, const Words& title, Folding folding, QWidget* parent)
     : QWidget(parent),
@@ -83,4 +83,4 @@ void setRole(QWidget* widget, const char* role)
     widget->style()->polish(widget);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 #include <QWidget>
 
-namespace ui {
+namespace angiopose::ui {
 
 enum class Folding { Fixed, Foldable };
 
@@ -45,4 +45,4 @@ QLabel* roleLabel(const char* role, const QString& text = {}, QWidget* parent = 
 /// Changes the role of a widget and restyles it at once.
 void setRole(QWidget* widget, const char* role);
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -16,7 +16,7 @@
 
 #include <algorithm>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int idRole = Qt::UserRole;
@@ -311,4 +311,4 @@ QString methodWords(const std::string& methodId)
     return toQt(methodId);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -11,7 +11,7 @@ class QPushButton;
 class QTreeWidget;
 class QTreeWidgetItem;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Which snapshots the key for A and B goes between, and which one is on screen now. Nothing for `a` means the pose as
 /// it is.
@@ -72,4 +72,4 @@ QString shortTime(const std::string& isoTime);
 /// The method's name for users, or "by hand".
 QString methodWords(const std::string& methodId);
 
-}   // namespace ui
+}   // namespace angiopose::ui

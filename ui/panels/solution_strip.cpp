@@ -6,7 +6,7 @@
 #include <QListWidget>
 #include <QScopedValueRollback>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int pictureSize = 84;
@@ -86,4 +86,4 @@ void SolutionStrip::showCurrent(int index)
     list_->setCurrentRow(index);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -7,7 +7,7 @@
 
 class QListWidget;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// One pose that explains the image: what to say of it in a line, and more.
 struct SolutionLine {
@@ -37,4 +37,4 @@ private:
     bool showing_ = false;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

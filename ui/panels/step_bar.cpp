@@ -7,13 +7,14 @@
 
 #include <array>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
-constexpr std::array names{QT_TRANSLATE_NOOP("ui::StepBar", "Vessels"),  QT_TRANSLATE_NOOP("ui::StepBar", "Angiogram"),
-                           QT_TRANSLATE_NOOP("ui::StepBar", "Geometry"), QT_TRANSLATE_NOOP("ui::StepBar", "Start pose"),
-                           QT_TRANSLATE_NOOP("ui::StepBar", "Register"), QT_TRANSLATE_NOOP("ui::StepBar", "Review"),
-                           QT_TRANSLATE_NOOP("ui::StepBar", "Export")};
+constexpr std::array names{
+    QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Vessels"),  QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Angiogram"),
+    QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Geometry"), QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Start pose"),
+    QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Register"), QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Review"),
+    QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Export")};
 
 }   // namespace
 
@@ -72,4 +73,4 @@ void StepBar::fitHints()
     }
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -6,7 +6,7 @@
 
 class QHBoxLayout;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// The way through a case, in order.
 enum class Step { Vessels, Angiogram, Geometry, StartPose, Register, Review, Export };
@@ -46,4 +46,4 @@ private:
     std::array<StepButton*, stepCount> buttons_{};
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -4,7 +4,7 @@
 
 #include <QPainter>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int sideMargin = 14;
@@ -127,4 +127,4 @@ void StepButton::paintEvent(QPaintEvent*)
     }
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

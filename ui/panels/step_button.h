@@ -5,7 +5,7 @@
 
 #include <QAbstractButton>
 
-namespace ui {
+namespace angiopose::ui {
 
 enum class HintRoom { Shown, Dropped };
 
@@ -30,4 +30,4 @@ private:
     bool current_ = false;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

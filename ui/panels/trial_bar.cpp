@@ -7,7 +7,7 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 
-namespace ui {
+namespace angiopose::ui {
 
 TrialBar::TrialBar(QWidget* parent) : QWidget(parent), words_(roleLabel("attention"))
 {
@@ -45,4 +45,4 @@ void TrialBar::sayWhoseTrial()
         tr("Blind trial of %1: lay the vessels onto the image. Numbers come back when you are done.").arg(observer_));
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

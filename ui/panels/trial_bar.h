@@ -3,7 +3,7 @@
 #include <QLabel>
 #include <QWidget>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Says that a blind trial is on, and how to end it. Hidden otherwise.
 class TrialBar : public QWidget {
@@ -25,4 +25,4 @@ private:
     QString observer_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

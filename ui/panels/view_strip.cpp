@@ -8,7 +8,7 @@
 #include <QScopedValueRollback>
 #include <QToolButton>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int pictureSize = 52;
@@ -119,4 +119,4 @@ void ViewStrip::showPicture(int index, const core::ColorImage& picture)
     item->setIcon(icon);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -8,7 +8,7 @@
 
 class QListWidget;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// One view in the strip.
 struct ViewLine {
@@ -41,4 +41,4 @@ private:
     bool showing_ = false;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

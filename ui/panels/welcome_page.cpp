@@ -17,7 +17,7 @@
 #include <cmath>
 #include <span>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr std::size_t shownRecent = 5;
@@ -130,4 +130,4 @@ void WelcomePage::showRecent(const std::vector<RecentCase>& cases)
     recent_->addWidget(clear, 0, Qt::AlignHCenter);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

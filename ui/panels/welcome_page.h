@@ -8,7 +8,7 @@
 class QPushButton;
 class QVBoxLayout;
 
-namespace ui {
+namespace angiopose::ui {
 
 struct RecentCase {
     QString path;
@@ -35,4 +35,4 @@ private:
     QVBoxLayout* recent_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -6,7 +6,7 @@
 #include <QEvent>
 #include <QSlider>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 /// The box whose value a wheel over the widget would change.
@@ -39,4 +39,4 @@ bool WheelGuard::eventFilter(QObject* watched, QEvent* event)
     return false;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -2,7 +2,7 @@
 
 #include <QObject>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// The wheel turns a number or a choice only while that has the keys, and else scrolls what lies around it: nobody
 /// changes a case in passing. Holds for every box of the application, those of dialogs too.
@@ -15,4 +15,4 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -8,7 +8,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-namespace ui {
+namespace angiopose::ui {
 
 ViewFrame::ViewFrame(QWidget& view, const Words& title, QWidget* parent)
     : QStackedWidget(parent), view_(&view), home_(new QWidget), absence_(makeAbsence()), title_(title)
@@ -95,4 +95,4 @@ QByteArray ViewFrame::windowPlace() const
     return window_ ? window_->saveGeometry() : place_;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

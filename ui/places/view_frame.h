@@ -5,7 +5,7 @@
 #include <QByteArray>
 #include <QStackedWidget>
 
-namespace ui {
+namespace angiopose::ui {
 
 class ViewWindow;
 
@@ -41,4 +41,4 @@ private:
     bool isOut_ = false;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -5,7 +5,7 @@
 #include <QScreen>
 #include <QVBoxLayout>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr QSize usualSize(900, 760);
@@ -46,4 +46,4 @@ void ViewWindow::closeEvent(QCloseEvent* event)
     emit closeRequested();
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

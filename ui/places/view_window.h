@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// A window of its own for a view that left the main window; on another screen where there is one. The main window's
 /// keys act in it too. Closing it only asks for the view to go back.
@@ -23,4 +23,4 @@ protected:
     void closeEvent(QCloseEvent* event) override;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

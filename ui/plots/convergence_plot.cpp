@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double axisHeight = 15.0;
@@ -86,4 +86,4 @@ void ConvergencePlot::paintEvent(QPaintEvent*)
               iterations_.back());
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// A run step by step, one lane above the other: the median distance of the tree to the traced vessels, and how far
 /// the step moved the tree. Both logarithmic, each on a scale of its own.
@@ -27,4 +27,4 @@ private:
     std::vector<double> medianPx_, stepMm_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

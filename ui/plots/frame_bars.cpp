@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 
 QString describeFrame(const FrameCurve& curve, const std::vector<int>& masks, int frame)
 {
@@ -201,4 +201,4 @@ void FrameBars::keyPressEvent(QKeyEvent* event)
     }
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

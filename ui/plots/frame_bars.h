@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// What is known of a run's frames.
 struct FrameCurve {
@@ -56,4 +56,4 @@ private:
     int current_ = 0;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int binCount = 22;
@@ -73,4 +73,4 @@ std::vector<int> binned(const std::vector<double>& values, double maximum, int b
     return counts;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Residuals of all points as bars in the colours of the overlay's ramp; the last bar holds all that lies above.
 class HistogramPlot : public QWidget {
@@ -26,4 +26,4 @@ private:
 /// Counts in `binCount` equal bins up to `maximum`, and one more for what lies above.
 std::vector<int> binned(const std::vector<double>& values, double maximum, int binCount);
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double captionHeight = 17.0;
@@ -86,4 +86,4 @@ void paintLane(QPainter& painter, const QRectF& area, const LogLane& lane)
     painter.setRenderHint(QPainter::Antialiasing, false);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

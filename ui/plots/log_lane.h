@@ -8,7 +8,7 @@
 
 class QPainter;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// One curve of a plot over the run: its caption with a sample of its line above, decades behind it.
 struct LogLane {
@@ -27,4 +27,4 @@ LogSpan spanOf(std::span<const double> values);
 
 void paintLane(QPainter& painter, const QRectF& area, const LogLane& lane);
 
-}   // namespace ui
+}   // namespace angiopose::ui

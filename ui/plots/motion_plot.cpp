@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int labelHeight = 18;
@@ -157,4 +157,4 @@ void MotionPlot::keyPressEvent(QKeyEvent* event)
     request(event->key() == Qt::Key_Right ? index + 1 : index - (index > 0 ? 1 : 0));
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// How far the vessels are in one frame from where they were found.
 struct FrameMotion {
@@ -47,4 +47,4 @@ private:
     int current_ = 0;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double leftMargin = 46.0;
@@ -186,4 +186,4 @@ void OpacificationPlot::keyPressEvent(QKeyEvent* event)
     emit frameRequested(std::clamp(current_ + step, 0, lastFrame()));
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -2,7 +2,7 @@
 
 #include "ui/plots/frame_bars.h"
 
-namespace ui {
+namespace angiopose::ui {
 
 /// The opacification of a run over its frames, large: mask frames and the fullest one marked, frame and time under the
 /// mouse. A click or ← → shows another frame.
@@ -41,4 +41,4 @@ private:
     std::optional<int> hovered_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 /// The parts of a line that can be seen. A view that is zoomed in has lines many thousands of px long.
@@ -77,4 +77,4 @@ void addBeamStrokes(StrokeMesh& mesh, const Beam& beam, const ScreenFromPatient&
     addDot(mesh, {source, look.tones.attention}, 3.5 * scale, 1.0);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// The X-ray source and its detector in patient space.
 struct Beam {
@@ -34,4 +34,4 @@ struct BeamLook {
 /// Source dot, dashed beam edges, border of the detector; of lines only what passes through the picture.
 void addBeamStrokes(StrokeMesh& mesh, const Beam& beam, const ScreenFromPatient& toScreen, const BeamLook& look);
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -1,6 +1,6 @@
 #include "ui/scenes/branch_style.h"
 
-namespace ui {
+namespace angiopose::ui {
 
 BranchStyle branchStyle(int branchId, const BranchMarks& marks, const Palette& tones)
 {
@@ -28,4 +28,4 @@ BranchStyle branchStyle(int branchId, const BranchMarks& marks, const Palette& t
     return style;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -3,7 +3,7 @@
 #include "ui/scenes/overlay_scene.h"
 #include "ui/theme/theme.h"
 
-namespace ui {
+namespace angiopose::ui {
 
 enum class LinePattern { Solid, Dashed };
 enum class Glow { None, Faint, Strong };
@@ -23,4 +23,4 @@ struct BranchStyle {
 /// `tones` are those of the ground the branch lies on; images lie on black in every theme.
 BranchStyle branchStyle(int branchId, const BranchMarks& marks, const Palette& tones = palette(ThemeMode::Dark));
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <string>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 void blend(core::ColorImage& picture, int x, int y, const Color& color, double share)
@@ -113,4 +113,4 @@ void burnScale(core::ColorImage& picture, const BurnScale& scale, const BurnSize
     drawLabel(picture, "0", right, bar.top + bar.height - sizes.textPx / 2);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -3,7 +3,7 @@
 #include "core/imaging/image2d.h"
 #include "ui/scenes/render_offscreen.h"
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Size of everything that is burned into a picture, in px.
 struct BurnSizes {
@@ -26,4 +26,4 @@ struct BurnScale {
 /// Residual ramp with its end values at the right edge.
 void burnScale(core::ColorImage& picture, const BurnScale& scale, const BurnSizes& sizes);
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Pixels somebody else owns, 0xFFRRGGBB, row by row without gaps, the top row first.
 struct Canvas {
@@ -27,4 +27,4 @@ constexpr std::uint32_t packed(const Color& color)
     return packed(color.red, color.green, color.blue);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 struct Span {
@@ -52,4 +52,4 @@ void applyCutout(const Cutout& cutout, const ViewRect& rect, const std::vector<s
     }
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

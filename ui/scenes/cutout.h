@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// A part of the picture where the overlay steps aside, so that the angiogram can be compared with it.
 struct Cutout {
@@ -24,4 +24,4 @@ struct Cutout {
 void applyCutout(const Cutout& cutout, const ViewRect& rect, const std::vector<std::uint32_t>& bare, Canvas canvas,
                  const Rows& rows);
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 /// A vertex on the canvas: y down, pixel k covers k … k + 1.
@@ -160,4 +160,4 @@ void fillStrokes(const StrokeMesh& mesh, double topOfMesh, Canvas canvas, const 
     }
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

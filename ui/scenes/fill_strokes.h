@@ -4,7 +4,7 @@
 #include "ui/scenes/row_bands.h"
 #include "ui/scenes/stroke_mesh.h"
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Blends the triangles of a mesh onto the canvas, in their order. `topOfMesh` is the mesh's y at the canvas's upper
 /// edge (the canvas's height when they cover the same area). Triangles that share an edge neither overlap nor gap: a
@@ -14,4 +14,4 @@ void fillStrokes(const StrokeMesh& mesh, double topOfMesh, Canvas canvas);
 /// The same for some rows of the canvas only.
 void fillStrokes(const StrokeMesh& mesh, double topOfMesh, Canvas canvas, const Rows& rows);
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 using Grey = core::Image2d<std::uint8_t>;
@@ -135,4 +135,4 @@ void FrameQuad::fitRectangle(int width, int height, int halvings)
     rectangle_->SetPoints(points);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -9,7 +9,7 @@
 #include <vtkPolyData.h>
 #include <vtkTexture.h>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// The frame as a textured rectangle from −0.5 to size − 0.5: pixel centres lie on integers. Whatever the frame and the
 /// zoom, OpenGL is asked for the same kind of texture: in software, every other kind means a program that takes longer
@@ -33,4 +33,4 @@ private:
     int shownHalvings_ = 0;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

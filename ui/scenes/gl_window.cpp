@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 // Debian builds GLEW for GLX. On an EGL context it loads every entry point and only then fails to find a GLX display.
@@ -73,4 +73,4 @@ void GlWindow::letGoOfOldBuffers()
     }
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

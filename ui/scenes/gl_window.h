@@ -4,7 +4,7 @@
 
 #include <vtkGenericOpenGLRenderWindow.h>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Render window on a context that somebody else owns, GLX or EGL alike.
 class GlWindow : public vtkGenericOpenGLRenderWindow {
@@ -29,4 +29,4 @@ protected:
     GlWindow();
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 
 void GreyFrame::setPixels(const core::ImageF& pixels)
 {
@@ -47,4 +47,4 @@ const core::Image2d<std::uint8_t>& GreyFrame::grey() const
     return grey_;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// A frame brought to 8-bit grey by window and level; work happens only when somebody looks.
 class GreyFrame {
@@ -29,4 +29,4 @@ private:
     mutable core::Image2d<std::uint8_t> grey_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -2,7 +2,7 @@
 
 #include <fontconfig/fontconfig.h>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 /// The best match; takes the pattern over.
@@ -50,4 +50,4 @@ FontFace fontWith(const std::vector<char32_t>& signs)
     return faceFor(wanted);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// A font in its file, which may hold several.
 struct FontFace {
@@ -17,4 +17,4 @@ const FontFace& interfaceFont();
 /// One that has the signs the interface font lacks, e.g. Chinese ones; none where nothing on the system has them.
 FontFace fontWith(const std::vector<char32_t>& signs);
 
-}   // namespace ui
+}   // namespace angiopose::ui

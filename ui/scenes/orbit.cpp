@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double tiltRad = 33.0 * std::numbers::pi / 180.0;   // between line of sight and beam
@@ -107,4 +107,4 @@ std::array<double, 6> sceneBounds(const Beam& beam, const core::VesselTree& tree
     return {a.x(), b.x(), a.y(), b.y(), a.z(), b.z()};
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -7,7 +7,7 @@
 
 class vtkCamera;
 
-namespace ui {
+namespace angiopose::ui {
 
 struct Beam;
 
@@ -41,4 +41,4 @@ void pan(vtkCamera& camera, int heightPx, double rightPx, double upPx);
 /// Bounds as VTK wants them: x min, x max, y min, …
 std::array<double, 6> sceneBounds(const Beam& beam, const core::VesselTree& tree);
 
-}   // namespace ui
+}   // namespace angiopose::ui

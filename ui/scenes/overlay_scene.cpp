@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 /// The angiogram as the canvas shows it, kept until another part, size or grey is asked for.
@@ -303,4 +303,4 @@ bool OverlayScene::treePasses(const ViewRect& part) const
     return parts_->content.mode != OverlayMode::Hidden && passesThrough(parts_->content.tree, part);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -16,7 +16,7 @@
 #include <set>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// How branches are shown, the same in every view.
 struct BranchMarks {
@@ -109,4 +109,4 @@ private:
     std::unique_ptr<Parts> parts_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double thinningStepPx = 0.75;   // finer detail does not show
@@ -294,4 +294,4 @@ StrokeMesh overlayStrokes(const OverlayContent& content, const DeviceFromImage& 
     return mesh;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// From image pixels (v down) to device pixels of a picture (y up) that shows `rect`.
 struct DeviceFromImage {
@@ -45,4 +45,4 @@ struct OverlayContent {
 /// Lines of the whole overlay, lowest first.
 StrokeMesh overlayStrokes(const OverlayContent& content, const DeviceFromImage& deviceFromImage);
 
-}   // namespace ui
+}   // namespace angiopose::ui

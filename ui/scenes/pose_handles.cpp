@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double crossArm = 0.32;   // of the ring's radius
@@ -140,4 +140,4 @@ StrokeMesh poseHandleStrokes(const PoseHandleLook& look)
     return mesh;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

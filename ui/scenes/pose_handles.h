@@ -2,7 +2,7 @@
 
 #include "ui/scenes/stroke_mesh.h"
 
-namespace ui {
+namespace angiopose::ui {
 
 enum class PoseHandle { None, Shift, Roll, LaoRao, CraCau, Depth };
 
@@ -25,4 +25,4 @@ struct PoseHandleLook {
 /// Cross, ring, arcs and slide by which the pose is grasped on the image.
 StrokeMesh poseHandleStrokes(const PoseHandleLook& look);
 
-}   // namespace ui
+}   // namespace angiopose::ui

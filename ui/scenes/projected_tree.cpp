@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 double distanceToSegment(const Eigen::Vector2d& point, const Eigen::Vector2d& a, const Eigen::Vector2d& b)
@@ -101,4 +101,4 @@ bool passesThrough(const ProjectedTree& tree, const ViewRect& part)
     });
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

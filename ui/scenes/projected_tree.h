@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 
 struct ProjectedPoint {
     Eigen::Vector2d px;
@@ -35,4 +35,4 @@ std::optional<ViewRect> extentOf(const ProjectedTree& tree, int branchId);
 
 bool passesThrough(const ProjectedTree& tree, const ViewRect& part);
 
-}   // namespace ui
+}   // namespace angiopose::ui

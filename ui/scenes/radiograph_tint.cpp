@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double deepest = 0.75;   // the angiogram shows through the strongest vessel
@@ -86,4 +86,4 @@ void RadiographTint::blend(const Place& place, double opacity, Canvas canvas, co
     }
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -5,7 +5,7 @@
 #include "ui/scenes/row_bands.h"
 #include "ui/scenes/view_rect.h"
 
-namespace ui {
+namespace angiopose::ui {
 
 /// A radiograph of the vessels over the angiogram: a tint in the colour of what is chosen, deepest at the strongest
 /// vessel.
@@ -26,4 +26,4 @@ private:
     core::ImageF share_;   ///< of the tint, 0 … 1
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

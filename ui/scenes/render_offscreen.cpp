@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int largestPicturePx = 16384;
@@ -78,4 +78,4 @@ core::Result<core::ColorImage> renderOffscreen(OverlayScene& scene, int width, i
     return picture;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

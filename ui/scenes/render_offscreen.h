@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Text burned into an exported overlay, one list per corner.
 struct CornerTexts {
@@ -21,4 +21,4 @@ core::Result<core::ColorImage> renderOffscreen(OverlayScene& scene, int width, i
                                                const CornerTexts& texts = {}, double scaleMaximumPx = 0.0,
                                                double scaleMaximumMm = 0.0);
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 /// Which source pixels make one target pixel, and with what share. Along one axis.
@@ -108,4 +108,4 @@ void resampleFrame(const core::Image2d<std::uint8_t>& grey, const ViewRect& rect
     });
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Smooth blends between pixels; Nearest shows every pixel as it is.
 enum class Interpolation { Smooth, Nearest };
@@ -16,4 +16,4 @@ enum class Interpolation { Smooth, Nearest };
 void resampleFrame(const core::Image2d<std::uint8_t>& grey, const ViewRect& rect, Interpolation interpolation,
                    const Color& around, Canvas canvas);
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 
 int residualScaleDecimals(double maximum)
 {
@@ -12,4 +12,4 @@ int residualScaleDecimals(double maximum)
     return isExact ? fewest : fewest + 1;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

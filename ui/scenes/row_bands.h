@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Rows `from` … `to` − 1 of a canvas.
 struct Rows {
@@ -29,4 +29,4 @@ void forBands(int height, const Draw& draw)
                       [](double) { return true; });
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 template <class Array, class Value>
@@ -53,4 +53,4 @@ void StrokeActor::show(const StrokeMesh& mesh)
     actor_->SetVisibility(triangleCount > 0);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -6,7 +6,7 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Draws a stroke mesh over everything else of its renderer, pixel by pixel.
 class StrokeActor {
@@ -20,4 +20,4 @@ private:
     vtkNew<vtkActor2D> actor_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

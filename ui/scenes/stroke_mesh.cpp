@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double sharpTurnCosine = 0.5;   // sharper turns than 60° get a round joint instead of a mitre
@@ -253,4 +253,4 @@ StrokeLine thinned(const StrokeLine& line, double minimumStepPx)
     return result;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

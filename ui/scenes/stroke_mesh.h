@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Triangles of smooth-edged lines and dots, in device px, y up. Edges fade over one pixel: no multisampling needed.
 struct StrokeMesh {
@@ -53,4 +53,4 @@ std::vector<StrokeLine> dashed(const StrokeLine& line, const DashPattern& patter
 /// The same line without points nearer than `minimumStepPx` to their predecessor; both ends stay.
 StrokeLine thinned(const StrokeLine& line, double minimumStepPx);
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <memory>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 struct FreeFace {
@@ -144,4 +144,4 @@ core::Mask2d textMask(const std::vector<std::string>& lines, int sizePx, TextAli
     return mask;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

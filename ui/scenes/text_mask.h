@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 
 enum class TextAlign { Left, Right };
 
 /// Coverage (0…255) of lines of UTF-8 text in the interface font; empty when there is no text or no font.
 core::Mask2d textMask(const std::vector<std::string>& lines, int sizePx, TextAlign align);
 
-}   // namespace ui
+}   // namespace angiopose::ui

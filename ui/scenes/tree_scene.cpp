@@ -20,7 +20,7 @@
 #include <cmath>
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double signArmPx = 19.0;   // orientation sign, at pixel scale 1
@@ -311,4 +311,4 @@ std::vector<OrientationLetter> TreeScene::orientationLetters() const
     return letters;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -13,7 +13,7 @@
 
 class vtkRenderWindow;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// A letter of the orientation sign (L, R, A, P, H, F) and where its centre goes, device px from the bottom left.
 struct OrientationLetter {
@@ -61,4 +61,4 @@ private:
     std::unique_ptr<Parts> parts_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -14,7 +14,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr const char* radiusName = "radius";
@@ -127,4 +127,4 @@ void TreeTubes::show(const core::VesselTree& tree, const BranchMarks& marks, con
     actor_->SetVisibility(lines.points->GetNumberOfPoints() > 0);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

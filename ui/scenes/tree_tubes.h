@@ -8,7 +8,7 @@
 #include <vtkPolyData.h>
 #include <vtkTubeFilter.h>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// The tree as shaded tubes in patient space. Excluded branches are thin and dashed, selected ones thick.
 class TreeTubes {
@@ -23,4 +23,4 @@ private:
     vtkNew<vtkActor> actor_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Visible part of the image in pixel coordinates (pixel centres at integers, v down).
 struct ViewRect {
@@ -11,4 +11,4 @@ struct ViewRect {
     bool operator==(const ViewRect&) const = default;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

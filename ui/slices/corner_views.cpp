@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-namespace ui {
+namespace angiopose::ui {
 
 CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
     : QWidget(parent),
@@ -131,4 +131,4 @@ void CornerViews::followScan()
     showPlane(wanted_);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -12,7 +12,7 @@
 class QStackedWidget;
 class QToolButton;
 
-namespace ui {
+namespace angiopose::ui {
 
 class TreeView;
 
@@ -51,4 +51,4 @@ private:
     std::optional<core::BodyPlane> wanted_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

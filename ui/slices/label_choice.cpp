@@ -16,7 +16,7 @@
 
 #include <algorithm>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int mostRows = 10;   // seen at a time
@@ -292,4 +292,4 @@ void LabelChoice::sayTexts()
                       : tr("%1 of %2 ticked, %3").arg(count).arg(rows_.size()).arg(volumeText(volumeMl)));
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -15,7 +15,7 @@ class QPushButton;
 class QTreeWidget;
 class QTreeWidgetItem;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// One label of a label image, as the list shows it.
 struct LabelRow {
@@ -75,4 +75,4 @@ private:
     QLabel* sum_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double farthestMm = 3.0;
@@ -210,4 +210,4 @@ CornerRoom paintTexts(QPainter& painter, const QRectF& area, const QStringList& 
             metrics.boundingRect(inner, Qt::AlignLeft | Qt::AlignBottom, bottom.join(QLatin1Char('\n')))};
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

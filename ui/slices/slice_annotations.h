@@ -10,7 +10,7 @@
 
 class QPainter;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// What is drawn over the picture of a slice, and where patient points lie in the widget.
 struct SliceOverlay {
@@ -40,4 +40,4 @@ CornerRoom paintTexts(QPainter& painter, const QRectF& area, const QStringList& 
 /// Letters of the patient's sides at the middle of the edges, clear of the corner texts.
 void paintSides(QPainter& painter, const SliceOverlay& overlay, const CornerRoom& taken);
 
-}   // namespace ui
+}   // namespace angiopose::ui

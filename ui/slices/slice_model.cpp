@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr std::size_t sampledVoxels = 40000;
@@ -28,10 +28,10 @@ std::vector<double> sampledValues(const core::Volume& volume)
 const std::vector<WindowPreset>& windowPresets()
 {
     static const std::vector<WindowPreset> presets{
-        {QT_TRANSLATE_NOOP("ui::WindowPreset", "CTA"), {600.0, 200.0}},
-        {QT_TRANSLATE_NOOP("ui::WindowPreset", "Bone"), {2000.0, 500.0}},
-        {QT_TRANSLATE_NOOP("ui::WindowPreset", "Soft tissue"), {400.0, 40.0}},
-        {QT_TRANSLATE_NOOP("ui::WindowPreset", "Lung"), {1500.0, -600.0}},
+        {QT_TRANSLATE_NOOP("angiopose::ui::WindowPreset", "CTA"), {600.0, 200.0}},
+        {QT_TRANSLATE_NOOP("angiopose::ui::WindowPreset", "Bone"), {2000.0, 500.0}},
+        {QT_TRANSLATE_NOOP("angiopose::ui::WindowPreset", "Soft tissue"), {400.0, 40.0}},
+        {QT_TRANSLATE_NOOP("angiopose::ui::WindowPreset", "Lung"), {1500.0, -600.0}},
     };
     return presets;
 }
@@ -165,4 +165,4 @@ const core::VolumeGeometry* SliceModel::geometry() const
     return volume_ ? &volume_->geometry : lumen_ ? &lumen_->geometry : nullptr;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

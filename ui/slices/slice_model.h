@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 
 enum class SliceMarkKind { Seed, Avoid, Landmark };
 
@@ -98,4 +98,4 @@ const std::vector<WindowPreset>& windowPresets();
 /// The window that shows most of a scan's values.
 GreyWindow windowOfValues(const core::Volume& volume);
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int bandRows = 64;   // painted at a time, several at the same time
@@ -177,4 +177,4 @@ QImage slicePicture(const SliceContent& content, const GreyWindow& window, const
     return picture;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Which values of a scan are grey: below the lower end black, above the upper white. In the scan's values (HU).
 struct GreyWindow {
@@ -47,4 +47,4 @@ double unitMmOf(const core::SliceGrid& grid);
 QImage slicePicture(const SliceContent& content, const GreyWindow& window, const SliceTints& tints,
                     const ImageViewport& viewport, const QSize& deviceSize, double devicePxPerPx);
 
-}   // namespace ui
+}   // namespace angiopose::ui

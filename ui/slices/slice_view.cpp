@@ -11,7 +11,7 @@
 #include <cmath>
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double aloneOpacity = 0.6;   // of tints without a scan below them
@@ -202,4 +202,4 @@ Eigen::Vector3d SliceView::patientFromWidget(const QPointF& position) const
     return grid.pointAt({at.x() * unitMm / grid.columnStep.norm(), at.y() * unitMm / grid.rowStep.norm()});
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// One plane of the scan with mask, centrelines and cross-hair. Left sets the cross-hair, middle drag moves, right drag
 /// changes window and level, wheel and ↑ ↓ go through the slices, Ctrl+wheel zooms, Ctrl+arrows move the cross-hair,
@@ -73,4 +73,4 @@ private:
     std::optional<int> hovered_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -12,7 +12,7 @@
 
 // Mouse and keys in a slice.
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double zoomPerWheelStep = 1.15;
@@ -228,4 +228,4 @@ void SliceView::hover(const std::optional<QPointF>& position)
     }
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

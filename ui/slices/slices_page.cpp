@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int gapPx = 2;   // between the slices: tone, not lines
@@ -92,4 +92,4 @@ void SlicesPage::placePanel()
     panelArea_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -9,7 +9,7 @@
 class QBoxLayout;
 class QScrollArea;
 
-namespace ui {
+namespace angiopose::ui {
 
 class WindowBar;
 
@@ -43,4 +43,4 @@ private:
     QScrollArea* panelArea_ = nullptr;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int listHeight = 96;
@@ -326,4 +326,4 @@ void TracingPanel::updateButtons()
                                       : tr("The traced vessels replace the tree; undo brings it back."));
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -10,7 +10,7 @@ class QListWidget;
 class QPushButton;
 class QSlider;
 
-namespace ui {
+namespace angiopose::ui {
 
 class LabelChoice;
 class NumberField;
@@ -80,4 +80,4 @@ private:
     QLabel* note_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -10,7 +10,7 @@
 #include <QMenu>
 #include <QPushButton>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int marginPx = 10;
@@ -66,7 +66,7 @@ void WindowBar::fillPresets()
         connect(withTip(withText(menu_->addAction(QString()), name), tip), &QAction::triggered, this, choose);
     };
     for (const WindowPreset& preset : windowPresets()) {
-        add([name = preset.name] { return QCoreApplication::translate("ui::WindowPreset", name); },
+        add([name = preset.name] { return QCoreApplication::translate("angiopose::ui::WindowPreset", name); },
             [window = preset.window] {
                 return tr("W %1 L %2 HU").arg(numberText(window.width, 0)).arg(numberText(window.level, 0));
             },
@@ -115,4 +115,4 @@ void WindowBar::fold()
     folded_->setVisible(isNarrow);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

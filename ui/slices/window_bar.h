@@ -8,7 +8,7 @@ class QBoxLayout;
 class QMenu;
 class QPushButton;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Window presets of the slices, one button each; where these have no room, in a menu.
 class WindowBar : public QWidget {
@@ -40,4 +40,4 @@ private:
     QPushButton* back_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

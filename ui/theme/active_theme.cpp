@@ -7,7 +7,7 @@
 #include <QPalette>
 #include <QStyleFactory>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 ThemeMode current = ThemeMode::Dark;
@@ -85,4 +85,4 @@ QColor toQColor(const Color& color, double opacity)
     return result;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

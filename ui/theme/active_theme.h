@@ -5,7 +5,7 @@
 #include <QApplication>
 #include <QColor>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// The theme in use; widgets that paint themselves ask here on every paint.
 ThemeMode activeTheme();
@@ -20,4 +20,4 @@ ThemeMode systemTheme(const QApplication& application);
 QColor toQColor(const Color& color);
 QColor toQColor(const Color& color, double opacity);
 
-}   // namespace ui
+}   // namespace angiopose::ui

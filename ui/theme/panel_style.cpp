@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 /// `@name@` stands for a tone of the palette or a mixture of two.
@@ -103,4 +103,4 @@ std::string panelStyleSheet(const Palette& tones)
     return sheet;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

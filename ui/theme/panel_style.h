@@ -4,9 +4,9 @@
 
 #include <string>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Style sheet of the panels: tones by the `role` property of labels, buttons and fields.
 std::string panelStyleSheet(const Palette& tones);
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 /// `@name@` stands for a tone. Lengths are device-independent px: Qt scales them with the screen.
@@ -154,4 +154,4 @@ std::string styleSheet(const Palette& palette)
     return sheet;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

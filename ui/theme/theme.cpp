@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr Palette dark{.title = {0x0f, 0x11, 0x14},
@@ -138,4 +138,4 @@ Color residualColorAboveScale()
     return activeRamp().above;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

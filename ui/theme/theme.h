@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// An sRGB colour, used by Qt and VTK alike.
 struct Color {
@@ -62,4 +62,4 @@ Color labelColor(std::size_t place);
 /// Style sheet of the whole application for a palette.
 std::string styleSheet(const Palette& palette);
 
-}   // namespace ui
+}   // namespace angiopose::ui

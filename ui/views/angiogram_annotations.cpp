@@ -15,12 +15,12 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 /// The words of this file.
 struct Words {
-    Q_DECLARE_TR_FUNCTIONS(ui::AngiogramAnnotations)
+    Q_DECLARE_TR_FUNCTIONS(angiopose::ui::AngiogramAnnotations)
 };
 
 QString number(double value)
@@ -234,4 +234,4 @@ void paintAnnotations(QPainter& painter, const QSizeF& size, const AngiogramAnno
     }
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -15,7 +15,7 @@
 
 class QPainter;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// What the mouse does at the moment, where that is not the usual.
 struct ModeLabel {
@@ -44,4 +44,4 @@ struct AngiogramAnnotations {
 void paintAnnotations(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations,
                       const ImageViewport& viewport, const OverlayScene& scene);
 
-}   // namespace ui
+}   // namespace angiopose::ui

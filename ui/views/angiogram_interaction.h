@@ -8,7 +8,7 @@
 #include <QPointF>
 #include <QPointer>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// What an angiogram view remembers between events.
 struct AngiogramView::Interaction {
@@ -43,4 +43,4 @@ struct AngiogramView::Interaction {
     double mmPerImagePx() const;   ///< at the pivot; 0 when unknown
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 ToolPoint AngiogramView::Interaction::toolPoint(const QPointF& position, Qt::KeyboardModifiers modifiers) const
 {
     return {position, viewport.imageFromWidget({position.x(), position.y()}), modifiers};
@@ -228,4 +228,4 @@ QPointF AngiogramView::widgetFromImage(const Eigen::Vector2d& imagePoint) const
     return {position.x(), position.y()};
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -13,7 +13,7 @@
 
 class QPainter;
 
-namespace ui {
+namespace angiopose::ui {
 
 class ImageTool;
 
@@ -131,4 +131,4 @@ private:
     Cutout::Shape cutout_ = Cutout::Shape::None;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double zoomPerDragPx = 1.008;
@@ -74,4 +74,4 @@ bool AngiogramView::cancelDrag()
     return true;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double pickTolerancePx = 7.0;
@@ -247,4 +247,4 @@ void AngiogramView::hideEvent(QHideEvent* event)
     QWidget::hideEvent(event);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 /// Faint stripes where the mask is 0.
@@ -161,4 +161,4 @@ void AngiogramView::paintEvent(QPaintEvent*)
     }
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

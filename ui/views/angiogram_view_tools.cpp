@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 
 void AngiogramView::setTool(ImageTool* tool)
 {
@@ -91,4 +91,4 @@ bool AngiogramView::event(QEvent* event)
     return QWidget::event(event);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

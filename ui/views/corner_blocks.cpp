@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double lineSpacing = 1.32;
@@ -88,4 +88,4 @@ QRectF paintCorner(QPainter& painter, const QSizeF& size, Corner corner, const Q
     return {};
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

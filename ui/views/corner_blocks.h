@@ -11,7 +11,7 @@
 
 class QPainter;
 
-namespace ui {
+namespace angiopose::ui {
 
 enum class Corner { TopLeft, TopRight, BottomLeft, BottomRight };
 
@@ -55,4 +55,4 @@ private:
 QRectF paintCorner(QPainter& painter, const QSizeF& size, Corner corner, const QStringList& lines, const Ground& ground,
                    const QRectF& taken = {});
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -4,7 +4,7 @@
 
 #include <QPainter>
 
-namespace ui {
+namespace angiopose::ui {
 
 QPainterPath cutoutPath(const Cutout& cutout, const ImageViewport& viewport, const QSizeF& size)
 {
@@ -35,4 +35,4 @@ void paintCutoutEdge(QPainter& painter, const QPainterPath& path)
     painter.drawPath(path);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -8,7 +8,7 @@
 
 class QPainter;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// What the cutout keeps bare of a widget of this size, in widget px; empty without a cutout.
 QPainterPath cutoutPath(const Cutout& cutout, const ImageViewport& viewport, const QSizeF& size);
@@ -16,4 +16,4 @@ QPainterPath cutoutPath(const Cutout& cutout, const ImageViewport& viewport, con
 /// The swipe's line or the lens's ring, so that the eye sees where the overlay ends.
 void paintCutoutEdge(QPainter& painter, const QPainterPath& path);
 
-}   // namespace ui
+}   // namespace angiopose::ui

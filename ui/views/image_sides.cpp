@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 std::string lettersOf(const Eigen::Vector3d& directionInPatient)
@@ -39,4 +39,4 @@ ImageSides imageSides(const core::ProjectionCamera& camera, const core::RigidTra
     return {lettersOf(-right), lettersOf(right), lettersOf(-down), lettersOf(down)};
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

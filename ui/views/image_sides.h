@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// The patient's side that each edge of the image shows: L, R, A, P, H (head), F (feet), or two of them, the stronger
 /// first, where the image lies askew.
@@ -16,4 +16,4 @@ struct ImageSides {
 /// Patient coordinates are LPS; a mirrored image (negative focal length) has its letters swapped.
 ImageSides imageSides(const core::ProjectionCamera& camera, const core::RigidTransform& cameraFromPatient);
 
-}   // namespace ui
+}   // namespace angiopose::ui

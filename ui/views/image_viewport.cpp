@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double smallestZoom = 0.02;
@@ -85,4 +85,4 @@ Eigen::Vector2d ImageViewport::widgetFromImage(const Eigen::Vector2d& imagePoint
     return 0.5 * widgetSize_ + turned(imagePoint - centre_) * zoom_;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -2,7 +2,7 @@
 
 #include "ui/scenes/overlay_scene.h"
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Which part of an image a widget shows. Widget positions are device-independent px from the top left.
 class ImageViewport {
@@ -36,4 +36,4 @@ private:
     Eigen::Vector2d turned(const Eigen::Vector2d& way) const { return {mirrored_ ? -way.x() : way.x(), way.y()}; }
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -2,7 +2,7 @@
 
 #include <Qt>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// What dragging on the angiogram does when no tool takes the drag.
 enum class DragAction { None, WindowLevel, Pan, Zoom, Frames };
@@ -36,4 +36,4 @@ inline constexpr MousePreset slicerMouse{DragAction::None, DragAction::Pan, Drag
 /// As IHE's Basic Image Review starts: left runs through the frames, Shift+left pans.
 inline constexpr MousePreset scrollMouse{DragAction::Frames, DragAction::Pan, DragAction::Pan, DragAction::Zoom};
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -2,7 +2,7 @@
 
 #include <QSurfaceFormat>
 
-namespace ui {
+namespace angiopose::ui {
 
 bool OffscreenContext::create()
 {
@@ -21,4 +21,4 @@ bool OffscreenContext::create()
     return isUsable;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

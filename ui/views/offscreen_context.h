@@ -3,7 +3,7 @@
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// An OpenGL 3.2 core context that draws into no window. Belongs to the thread of the user interface.
 class OffscreenContext {
@@ -19,4 +19,4 @@ private:
     QOpenGLContext context_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -5,7 +5,7 @@
 #include <QCoreApplication>
 #include <QPainter>
 
-namespace ui {
+namespace angiopose::ui {
 
 void paintPivotMark(QPainter& painter, const QPointF& at, const Palette& tones)
 {
@@ -23,7 +23,7 @@ void paintPivotMark(QPainter& painter, const QPointF& at, const Palette& tones)
     QFont small = painter.font();
     small.setPixelSize(11);
     painter.setFont(small);
-    const QString word = QCoreApplication::translate("ui::PivotMark", "pivot");
+    const QString word = QCoreApplication::translate("angiopose::ui::PivotMark", "pivot");
     const QPointF place = at + QPointF(ringPx + 4.0, -ringPx);
     painter.setPen(toQColor(tones.panel));
     painter.drawText(place + QPointF(1.0, 1.0), word);
@@ -32,4 +32,4 @@ void paintPivotMark(QPainter& painter, const QPointF& at, const Palette& tones)
     painter.restore();
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -6,9 +6,9 @@
 
 class QPainter;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Ring, dot and word where the picked pivot is, the same in every view; legible on vessels and on panels.
 void paintPivotMark(QPainter& painter, const QPointF& at, const Palette& tones);
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -6,7 +6,7 @@
 #include <QPainterPath>
 #include <QPixmap>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr int sizePx = 26;
@@ -46,4 +46,4 @@ QCursor rollCursor()
     return QCursor(picture, sizePx / 2, sizePx / 2);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

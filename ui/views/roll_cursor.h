@@ -2,9 +2,9 @@
 
 #include <QCursor>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Curved double arrow: dragging here rolls.
 QCursor rollCursor();
 
-}   // namespace ui
+}   // namespace angiopose::ui

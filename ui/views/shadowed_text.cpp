@@ -1,6 +1,6 @@
 #include "ui/views/shadowed_text.h"
 
-namespace ui {
+namespace angiopose::ui {
 
 QColor colorOf(const Color& color, double opacity)
 {
@@ -30,4 +30,4 @@ void drawShadowedText(QPainter& painter, const QRectF& box, int flags, const QSt
     painter.drawText(box, flags, text);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -6,7 +6,7 @@
 #include <QFont>
 #include <QPainter>
 
-namespace ui {
+namespace angiopose::ui {
 
 inline constexpr double annotationMarginPx = 12.0;   ///< between the edges of the picture and what is written on it
 
@@ -20,4 +20,4 @@ QFont sized(QFont font, int px);
 /// Text that stays readable on bright and dark ground; `flags` as QPainter::drawText takes them.
 void drawShadowedText(QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& color);
 
-}   // namespace ui
+}   // namespace angiopose::ui

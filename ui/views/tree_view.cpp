@@ -13,7 +13,7 @@
 
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double turnDegPerPx = 0.5;
@@ -260,4 +260,4 @@ void TreeView::hover(std::optional<int> branchId)
     }
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -6,7 +6,7 @@
 #include <QPointF>
 #include <optional>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// The 3-D situation: tree, X-ray source, detector with the image, beam edges, orientation letters. Left drag turns,
 /// middle drag moves, right drag and wheel zoom, double click asks for room. Arrows turn, + and − zoom.
@@ -66,4 +66,4 @@ private:
     std::optional<Eigen::Vector3d> pickedPivot_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

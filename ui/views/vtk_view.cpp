@@ -15,7 +15,7 @@
 #include <array>
 #include <chrono>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 using namespace std::chrono_literals;
@@ -239,4 +239,4 @@ void VtkView::showEvent(QShowEvent* event)
     requestRender();
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

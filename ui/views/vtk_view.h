@@ -10,7 +10,7 @@
 class QPainter;
 class vtkRenderWindow;
 
-namespace ui {
+namespace angiopose::ui {
 
 /// A VTK render window shown by a plain widget: VTK draws off screen, the widget paints the picture. A window without
 /// any OpenGL widget needs no composition of its own, which costs a frame's whole time without a graphics card.
@@ -58,4 +58,4 @@ private:
     int renderCount_ = 0;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

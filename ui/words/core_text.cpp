@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 QString translated(const char* source)
@@ -173,4 +173,4 @@ QString coreText(const QString& text)
     return translatedBracket(text).value_or(withDecimalSign(text));
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

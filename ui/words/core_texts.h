@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// All that the layers below can say, as templates with %1 … for what they fill in. Collected at build time by
 /// resources/translations/collect, which is how they stay free of translations.
@@ -16,4 +16,4 @@ std::span<const char* const> coreTexts();
 QString coreText(std::string_view text);
 QString coreText(const QString& text);
 
-}   // namespace ui
+}   // namespace angiopose::ui

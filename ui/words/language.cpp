@@ -13,7 +13,7 @@ static void loadTranslations()
     Q_INIT_RESOURCE(translations);
 }
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 /// "zh-Hans-CN", "zh-CN" and "zh-SG" are written alike; "zh-TW" and "zh-Hant" are not.
@@ -99,4 +99,4 @@ QString joinedNames(const QStringList& names)
     return names.join(isChinese ? QString(QChar(0x3001)) : QStringLiteral(", "));
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

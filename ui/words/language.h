@@ -4,7 +4,7 @@
 #include <QString>
 #include <QStringList>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Codes of the languages the window speaks, English first: "en", "de", "zh_CN".
 QStringList languages();
@@ -27,4 +27,4 @@ QString joinedSentences(const QStringList& sentences);
 /// Names one behind the other, with the comma of the language.
 QString joinedNames(const QStringList& names);
 
-}   // namespace ui
+}   // namespace angiopose::ui

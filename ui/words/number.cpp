@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr QChar minusSign{0x2212};
@@ -46,4 +46,4 @@ QString withDecimalSign(const QString& text)
     return numbersAlone.match(text).hasMatch() ? signedAs(text) : text;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// How the window writes numbers: with the decimal sign of its language. Files, tables and the command line keep the
 /// point whatever the window speaks.
@@ -20,4 +20,4 @@ std::optional<double> numberFrom(QString typed);
 /// other as it is, since it may be a name.
 QString withDecimalSign(const QString& text);
 
-}   // namespace ui
+}   // namespace angiopose::ui

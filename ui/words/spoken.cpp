@@ -4,7 +4,7 @@
 
 #include <QComboBox>
 
-namespace ui {
+namespace angiopose::ui {
 
 void speak(QObject* speaker, std::function<void()> say)
 {
@@ -27,4 +27,4 @@ void setWords(QComboBox& box, const QStringList& choices)
     }
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -9,7 +9,7 @@
 class QComboBox;
 class QObject;
 
-namespace ui {
+namespace angiopose::ui {
 
 using Words = std::function<QString()>;
 
@@ -45,4 +45,4 @@ Widget* withName(Widget* widget, Words name)
 /// The choices of a box in other words, its choice kept.
 void setWords(QComboBox& box, const QStringList& choices);
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -2,7 +2,7 @@
 
 #include <QObject>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Tells all speakers of the program that their words are others now.
 class SpokenSignal : public QObject {
@@ -18,4 +18,4 @@ signals:
     void again();
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -7,7 +7,7 @@
 
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int anatomies = 6;
@@ -131,4 +131,4 @@ Protocol captureRangeProtocol()
             prepare};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

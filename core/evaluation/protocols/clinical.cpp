@@ -2,7 +2,7 @@
 #include "core/evaluation/protocols/protocol_rows.h"
 #include "core/evaluation/protocols/traced_trial.h"
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int anatomies = 6;
@@ -49,4 +49,4 @@ Protocol clinicalProtocol()
             prepare};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

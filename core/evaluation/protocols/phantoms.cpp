@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int pointCount = 2000;
@@ -77,4 +77,4 @@ Eigen::Vector3d randomDirection(double length, CounterRandom& random)
     return length * Eigen::Vector3d(x, y, z).normalized();
 }
 
-}   // namespace core
+}   // namespace angiopose::core

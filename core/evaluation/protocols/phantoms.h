@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// A phantom whose tree trials can share.
 struct SharedPhantom {
@@ -35,4 +35,4 @@ void degradeTarget(const SharedPhantom& phantom, const CounterRandom& random, Tr
 /// A vector of the given length in a random direction.
 Eigen::Vector3d randomDirection(double length, CounterRandom& random);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include "core/evaluation/protocol.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// Streams of an experiment's generator: what one protocol draws never shifts another's draws.
 enum ProtocolNumber : std::uint64_t {
@@ -32,4 +32,4 @@ std::vector<Condition> conditionsOf(const std::vector<Setting>& settings)
     return conditions;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

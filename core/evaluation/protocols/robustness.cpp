@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int anatomies = 6;
@@ -122,4 +122,4 @@ Protocol robustnessProtocol()
             prepare};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int anatomies = 10;
@@ -98,4 +98,4 @@ Protocol simulationProtocol()
             prepare};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

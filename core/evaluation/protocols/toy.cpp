@@ -5,7 +5,7 @@
 #include <array>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double radiansPerDegree = std::numbers::pi / 180.0;
@@ -96,4 +96,4 @@ Protocol toyProtocol()
             prepare};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

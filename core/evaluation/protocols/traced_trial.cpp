@@ -3,7 +3,7 @@
 #include "core/support/stopwatch.h"
 #include "core/tracing/trace_angiogram.h"
 
-namespace core {
+namespace angiopose::core {
 
 Trial tracedTrial(const SimulatedCase& view)
 {
@@ -24,4 +24,4 @@ Trial tracedTrial(const SimulatedCase& view)
     return trial;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,10 +3,10 @@
 #include "core/evaluation/trial.h"
 #include "core/simulation/simulated_case.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// The first frame of a simulated view through the real tracing, the start pose as its header gives it. A view whose
 /// tracing fails keeps an empty target: every method then fails on it.
 Trial tracedTrial(const SimulatedCase& view);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int anatomies = 6;
@@ -157,4 +157,4 @@ Protocol trustProtocol()
             prepare};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t fewestSettings = 4;   // fewer are a comparison, no ablation
@@ -84,4 +84,4 @@ std::vector<ResultTable> ablationTables(const RunGroups& groups)
     return tables;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

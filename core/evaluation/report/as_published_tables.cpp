@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double agreeing = 2.0;   ///< factor within which a figure counts as reproduced
@@ -161,4 +161,4 @@ std::vector<ResultTable> asPublishedTables(const RunGroups& groups)
     return tables;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -1,7 +1,7 @@
 #include "core/evaluation/report/table_parts.h"
 #include "core/support/format_number.h"
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double demandedRate = 0.95;
@@ -84,4 +84,4 @@ std::vector<ResultTable> captureRangeTables(const RunGroups& groups)
     return tables;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

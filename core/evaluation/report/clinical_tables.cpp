@@ -2,7 +2,7 @@
 #include "core/evaluation/report/table_parts.h"
 #include "core/support/format_number.h"
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 std::string successCell(const RunGroup& group, double limitMm)
@@ -75,4 +75,4 @@ std::vector<ResultTable> clinicalTables(const RunGroups& groups)
     return tables;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

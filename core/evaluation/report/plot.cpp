@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double leastErrorMm = 1e-4;
@@ -205,4 +205,4 @@ std::vector<Plot> plotsOf(const RunSet& runs)
     return plots;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

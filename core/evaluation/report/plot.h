@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 struct PlotAxis {
     std::string label;
@@ -35,4 +35,4 @@ struct Plot {
 /// Cumulative error, success over the start's error, and convergence, wherever the runs allow them.
 std::vector<Plot> plotsOf(const RunSet& runs);
 
-}   // namespace core
+}   // namespace angiopose::core

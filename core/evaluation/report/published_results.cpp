@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double none = unknownMeasure;
@@ -109,4 +109,4 @@ std::optional<PublishedToy> publishedToy(int points, std::string_view methodId)
                                          : std::nullopt;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace core {
+namespace angiopose::core {
 
 // What the paper prints (DynaWeightPnP, Song and Ghaffari), labels corrected (ALGORITHMS §2, decisions 5–7 and §4).
 // NaN where it prints nothing usable.
@@ -30,4 +30,4 @@ struct PublishedToy {
 };
 std::optional<PublishedToy> publishedToy(int points, std::string_view methodId);
 
-}   // namespace core
+}   // namespace angiopose::core

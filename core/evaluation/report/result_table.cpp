@@ -4,7 +4,7 @@
 
 #include <map>
 
-namespace core {
+namespace angiopose::core {
 
 std::vector<ResultTable> tablesOf(const RunSet& runs)
 {
@@ -23,4 +23,4 @@ std::vector<ResultTable> tablesOf(const RunSet& runs)
     return tables;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// A table as people read it; io writes it as Markdown and LaTeX.
 struct ResultTable {
@@ -23,4 +23,4 @@ struct ResultTable {
 /// Every table that the runs allow: errors by condition in the paper's layout, statistics, ablation, times.
 std::vector<ResultTable> tablesOf(const RunSet& runs);
 
-}   // namespace core
+}   // namespace angiopose::core

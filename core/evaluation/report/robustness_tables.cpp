@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 struct Medians {
@@ -106,4 +106,4 @@ std::vector<ResultTable> robustnessTables(const RunGroups& groups)
     return tables;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace core {
+namespace angiopose::core {
 
 std::vector<double> RunGroup::values(RunValue value) const
 {
@@ -111,4 +111,4 @@ std::string_view toText(Success rule)
     return "";
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <functional>
 #include <map>
 
-namespace core {
+namespace angiopose::core {
 
 using RunValue = double RunRecord::*;
 
@@ -59,4 +59,4 @@ bool isGrossMm(const RunRecord& run);
 bool isSuccess(Success rule, const RunRecord& run);
 std::string_view toText(Success rule);   ///< "mean projection distance at most 5 px", …
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// Root mean square error over what the Cramér–Rao bound allows, of the runs that are not gross.
@@ -98,4 +98,4 @@ std::vector<ResultTable> simulationTables(const RunGroups& groups)
     return tables;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double sameMm = 1e-6;   // rounding errors are no difference
@@ -91,4 +91,4 @@ std::vector<ResultTable> statisticsTables(const RunGroups& groups)
     return {table};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 
 std::string methodIdOf(const std::string& label)
 {
@@ -53,4 +53,4 @@ ResultTable::Row publishedRow(const ResultTable& table, const std::string& label
     return {std::move(cells), true};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

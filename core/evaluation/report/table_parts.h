@@ -8,7 +8,7 @@
 
 // The pieces that tablesOf() puts together, and what their layouts share.
 
-namespace core {
+namespace angiopose::core {
 
 std::vector<ResultTable> toyTables(const RunGroups& groups);
 std::vector<ResultTable> simulationTables(const RunGroups& groups);
@@ -39,4 +39,4 @@ double medianDepthMm(const RunGroup& group);
 /// A row of the paper's figures: its label, then the cells, filled up with dashes to the table's width.
 ResultTable::Row publishedRow(const ResultTable& table, const std::string& label, std::vector<std::string> cells);
 
-}   // namespace core
+}   // namespace angiopose::core

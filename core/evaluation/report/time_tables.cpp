@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 const std::string yardstick = "dt-icp";   // machines compare through it alone
@@ -69,4 +69,4 @@ std::vector<ResultTable> timeTables(const RunGroups& groups)
     return {table};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 
 #include <charconv>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// "44" of "b1-44".
@@ -98,4 +98,4 @@ std::vector<ResultTable> toyTables(const RunGroups& groups)
     return tables;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

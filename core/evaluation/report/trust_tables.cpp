@@ -1,6 +1,6 @@
 #include "core/evaluation/report/table_parts.h"
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 bool isFlagged(const RunRecord& run)
@@ -46,4 +46,4 @@ std::vector<ResultTable> trustTables(const RunGroups& groups)
     return {table};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace core {
+namespace angiopose::core {
 
 Interval wilsonInterval(int successes, int count, double z)
 {
@@ -35,4 +35,4 @@ std::vector<double> holmAdjusted(const std::vector<double>& pValues)
     return adjusted;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 struct Interval {
     double low = 0.0;
@@ -15,4 +15,4 @@ Interval wilsonInterval(int successes, int count, double z = 1.959963984540054);
 /// Holm's adjustment of p values for as many comparisons as there are values (Holm 1979), in their order.
 std::vector<double> holmAdjusted(const std::vector<double>& pValues);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t largestExactCount = 50;
@@ -129,4 +129,4 @@ double hodgesLehmann(const std::vector<double>& differences)
     return quantile(std::move(means), 0.5);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Wilcoxon's signed-rank test of paired differences (ALGORITHMS §4.6): zeros dropped, equal sizes share their mean
 /// rank; exact up to 50 differences, beyond that normal with tie and continuity correction.
@@ -23,4 +23,4 @@ double hodgesLehmann(const std::vector<double>& differences);
 /// x with P(standard normal ≤ x) = p, relative error below 1e-9, for 0 < p < 1.
 double normalQuantile(double p);
 
-}   // namespace core
+}   // namespace angiopose::core

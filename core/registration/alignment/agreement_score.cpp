@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double toleranceScalePx = 2.0;   // ALGORITHMS §6.8: hypotheses are compared at this scale
@@ -74,4 +74,4 @@ double AgreementScore::coveredTargetShare(const CentroidPose& pose)
     return static_cast<double>(hits) / static_cast<double>(asked);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace core {
+namespace angiopose::core {
 
 /// How well a pose explains the image, both ways: the share of the tree that lies along traced vessels, and the share
 /// of the traced vessels that the tree explains. Neither shrinking the tree nor covering one vessel raises both.
@@ -32,4 +32,4 @@ private:
     int rows_ = 0;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

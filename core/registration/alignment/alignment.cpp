@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double endOnShare = 0.3;   // shorter projected tangents say nothing about direction (§6.3)
@@ -292,4 +292,4 @@ std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, const std::
     return points;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 
 /// A tree point as the inner loop reads it: relative to the tree's centroid.
 struct AlignmentPoint {
@@ -111,4 +111,4 @@ inline constexpr double tellingSpacingPx = 1.5;
 /// The tree points with these numbers.
 std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, const std::vector<int>& numbers);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t keptCandidates = 12;
@@ -33,4 +33,4 @@ std::vector<CoarseCandidate> distinct(std::vector<CoarseCandidate> candidates, c
     return best;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 struct CoarseCandidate {
     CentroidPose pose;
@@ -20,4 +20,4 @@ struct Basin {
 /// The best candidate of each basin, best first: the leading twelve, as far as they score nearly as well as the first.
 std::vector<CoarseCandidate> distinct(std::vector<CoarseCandidate> candidates, const Basin& basin);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int blockPx = 16;   // step of the shifts
@@ -182,4 +182,4 @@ std::vector<CoarseCandidate> CoarseSearch::find(std::span<const AlignmentPoint> 
     return distinct(std::move(found), {basinPx / pxPerMm, basinSteps * reach.stepDeg * radiansPerDegree});
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -8,7 +8,7 @@
 #include <functional>
 #include <span>
 
-namespace core {
+namespace angiopose::core {
 
 /// How far around the start pose the search reaches, and how finely it turns.
 struct SearchReach {
@@ -46,4 +46,4 @@ private:
     std::vector<std::uint8_t> closeness_;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

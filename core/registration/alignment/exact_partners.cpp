@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t usedPoints = 400;
@@ -107,4 +107,4 @@ std::optional<CentroidPose> ExactPartners::refine(const CentroidPose& pose)
     return offPx < exactPx ? std::optional(refined) : std::nullopt;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace core {
+namespace angiopose::core {
 
 /// Point-to-point refinement for data whose target points are projections of the tree's own points, as in simulations.
 /// The data decide: nothing unless the nearest target points lie far closer than the target's spacing, and closer still
@@ -37,4 +37,4 @@ private:
     std::vector<double> distances_;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

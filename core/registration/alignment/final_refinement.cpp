@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t fewPoints = 400;
@@ -50,4 +50,4 @@ RefinementResult FinalRefinement::refine(const CentroidPose& pose, const Refinem
     return result;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace core {
+namespace angiopose::core {
 
 /// From a roughly refined pose to the answer: few points until the noise shows, then all that can tell more, then what
 /// the data allow beyond that (exact partners, or tolerance of the tree's shape errors).
@@ -26,4 +26,4 @@ private:
     std::optional<Alignment> all_;   ///< made when first needed: exact partners never do
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double settledMm = 1e-3;   // 0.003 px
@@ -139,4 +139,4 @@ RefinementResult refine(Alignment& alignment, const StartPrior& prior, const Cen
     }
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-namespace core {
+namespace angiopose::core {
 
 /// How one refinement goes (ALGORITHMS §6.5).
 struct RefinementSchedule {
@@ -37,4 +37,4 @@ struct RefinementResult {
 RefinementResult refine(Alignment& alignment, const StartPrior& prior, const CentroidPose& start,
                         const RefinementSchedule& schedule, const RefinementObserver& observe = {});
 
-}   // namespace core
+}   // namespace angiopose::core

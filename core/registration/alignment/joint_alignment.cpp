@@ -1,6 +1,6 @@
 #include "core/registration/alignment/joint_alignment.h"
 
-namespace core {
+namespace angiopose::core {
 
 CentroidPose poseInView(const JointPose& joint, std::span<const ViewGeometry> geometry, std::size_t view)
 {
@@ -45,4 +45,4 @@ JointPose moved(const JointPose& joint, const Eigen::VectorXd& step)
     return result;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

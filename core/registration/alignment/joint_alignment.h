@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// One tree in several views: the pose in the first view, and small corrections of the geometry to the others.
 struct JointPose {
@@ -36,4 +36,4 @@ JointEquations stacked(std::span<const NormalEquations> perView, const JointPose
 /// The joint pose after a step of all parameters.
 JointPose moved(const JointPose& joint, const Eigen::VectorXd& step);
 
-}   // namespace core
+}   // namespace angiopose::core

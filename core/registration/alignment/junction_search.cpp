@@ -9,7 +9,7 @@
 #include <numbers>
 #include <tuple>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr JunctionScale inTree{2.5, 12.0};   // mm
@@ -270,4 +270,4 @@ std::vector<CoarseCandidate> JunctionSearch::find(const CentroidPose& start, con
     return distinct(std::move(found), basin);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

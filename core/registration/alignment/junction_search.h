@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace core {
+namespace angiopose::core {
 
 /// Start poses from bifurcations (ALGORITHMS §6.9): for every tilt in reach, two nodes of the tree laid on two
 /// junctions of the traced vessels fix roll, both shifts and, by their distance, the depth. Where branches leave both
@@ -65,4 +65,4 @@ private:
     std::vector<AlignmentPoint> points_;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

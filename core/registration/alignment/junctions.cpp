@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t leastWays = 3;
@@ -132,4 +132,4 @@ template std::vector<Junction<2>> junctionsOf<2>(std::span<const Eigen::Vector2d
 template std::vector<Junction<3>> junctionsOf<3>(std::span<const Eigen::Vector3d>, std::span<const int>,
                                                  const JunctionScale&);
 
-}   // namespace core
+}   // namespace angiopose::core

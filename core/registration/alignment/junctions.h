@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// A place where curves meet, and which ways they leave it.
 template <int Dimension>
@@ -31,4 +31,4 @@ extern template std::vector<Junction<2>> junctionsOf<2>(std::span<const Eigen::V
 extern template std::vector<Junction<3>> junctionsOf<3>(std::span<const Eigen::Vector3d>, std::span<const int>,
                                                         const JunctionScale&);
 
-}   // namespace core
+}   // namespace angiopose::core

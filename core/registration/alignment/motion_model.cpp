@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t remembered = 30;   // frames, about two seconds of fluoroscopy
@@ -75,4 +75,4 @@ void MotionModel::jumpTo(const CentroidPose& pose)
     isMoving_ = false;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <deque>
 #include <optional>
 
-namespace core {
+namespace angiopose::core {
 
 /// Where the next frame's pose is expected: the last steps tell the direction of the breathing, and the tree goes on
 /// along it as fast as before (ALGORITHMS §6.11). Across that direction it is expected to stay.
@@ -39,4 +39,4 @@ private:
     int framesMissed_ = 0;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

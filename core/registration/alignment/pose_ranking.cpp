@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t usedPoints = 200;
@@ -59,4 +59,4 @@ std::vector<ScoredPose> PoseRanking::distinct(double share, std::size_t count) c
     return chosen;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

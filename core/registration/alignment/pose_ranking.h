@@ -3,7 +3,7 @@
 #include "core/registration/alignment/agreement_score.h"
 #include "core/registration/alignment/graduated_refinement.h"
 
-namespace core {
+namespace angiopose::core {
 
 struct ScoredPose {
     CentroidPose pose;
@@ -53,4 +53,4 @@ private:
     std::vector<double> distances_;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

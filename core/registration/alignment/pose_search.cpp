@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t searchPoints = 90;
@@ -93,4 +93,4 @@ CentroidPose PoseSearch::recentred(const CentroidPose& start) const
     return problem_.freedom.held(moved);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-namespace core {
+namespace angiopose::core {
 
 /// Told the share done, 0…1; Stop ends a search with what it has.
 using SearchObserver = std::function<Verdict(double)>;
@@ -36,4 +36,4 @@ private:
     const RegistrationOptions& options_;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

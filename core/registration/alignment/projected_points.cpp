@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 
 void ProjectedPoints::reserve(std::size_t count)
 {
@@ -58,4 +58,4 @@ const ProjectedPoint* ProjectedPoints::nearest(double u, double v) const
     return best;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// A tree point as one pose shows it.
 struct ProjectedPoint {
@@ -38,4 +38,4 @@ private:
     std::vector<ProjectedPoint> points_;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

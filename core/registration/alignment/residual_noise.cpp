@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int stretchPoints = 30;   // 30 mm at the default spacing
@@ -148,4 +148,4 @@ ResidualNoise residualNoise(const std::vector<ResidualRow>& rows)
     return noise;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

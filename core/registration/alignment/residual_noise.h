@@ -2,7 +2,7 @@
 
 #include "core/registration/alignment/alignment.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// What the residuals along the branches consist of.
 struct ResidualNoise {
@@ -22,4 +22,4 @@ struct ResidualNoise {
 
 ResidualNoise residualNoise(const std::vector<ResidualRow>& rows);
 
-}   // namespace core
+}   // namespace angiopose::core

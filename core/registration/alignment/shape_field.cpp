@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t shortestBlock = 10;   // points
@@ -135,4 +135,4 @@ double ShapeField::likelyOffsetPx(const NormalEquations& prior)
     return offsetsTriedPx[best] * std::exp2(0.5 * (above - below) / -(above + below));
 }
 
-}   // namespace core
+}   // namespace angiopose::core

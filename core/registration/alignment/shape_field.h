@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-namespace core {
+namespace angiopose::core {
 
 /// The residuals of a tree that is bent smoothly: the projected vessel lies beside its true place by a random field in
 /// the image plane, Gaussian, alike within about 40 mm in space. The field is constant over short blocks of a branch.
@@ -36,4 +36,4 @@ private:
     double logDeterminant_ = 0.0;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double matchScalePx = 1.5;   // with the cut-off of a Welsch weight, points up to 6 px away are looked at
@@ -102,4 +102,4 @@ NormalEquations tolerantInformation(const Alignment& alignment, const StartPrior
     return field.equations(field.likelyOffsetPx(priorAt(prior, pose)));
 }
 
-}   // namespace core
+}   // namespace angiopose::core

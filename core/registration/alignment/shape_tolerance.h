@@ -2,7 +2,7 @@
 
 #include "core/registration/alignment/alignment.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// Refines a converged pose when the tree's shape is not exact (ALGORITHMS §6.10, §6.14). The vessels may then be bent
 /// smoothly, by as much as the residuals show: the turn follows the course of the branches more than their place
@@ -14,4 +14,4 @@ CentroidPose refineTolerantly(const Alignment& alignment, const StartPrior& prio
 /// What the residuals at a pose tell about the pose, without the prior: normal equations in units of information.
 NormalEquations tolerantInformation(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose);
 
-}   // namespace core
+}   // namespace angiopose::core

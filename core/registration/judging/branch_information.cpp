@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 // Noise of neighbouring traced points with correlation exp(-1/10): the variance of means is 20 times that of
@@ -156,4 +156,4 @@ std::vector<int> mostInformativeBranches(const std::vector<BranchInformation>& b
     return chosen;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Fisher information of a traced piece of vessel about steps (rotation rad, shift mm) about `centreInCamera` in camera
 /// axes: one point per px that tells its distance across the vessel only, noise 1 px (ALGORITHMS §6.10). Zero where the
@@ -40,4 +40,4 @@ std::vector<int> branchesThatPin(const std::vector<BranchInformation>& branches,
 std::vector<int> mostInformativeBranches(const std::vector<BranchInformation>& branches, const Vector6d& priorStd,
                                          double tolerance = 1.3);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -9,7 +9,7 @@
 #include <limits>
 #include <numeric>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 double imageDiagonalPx(const ProjectionCamera& camera)
@@ -116,4 +116,4 @@ std::vector<BranchResidual> branchResiduals(const TreeSamples& tree, const Proje
     return residuals;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

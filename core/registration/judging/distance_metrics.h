@@ -3,7 +3,7 @@
 #include "core/registration/matching/grid_index.h"
 #include "core/registration/registration_problem.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// Agreement that counts as "on the vessel".
 inline constexpr double agreementPx = 3.0;
@@ -26,4 +26,4 @@ DistanceMetrics distanceMetrics(const RegistrationProblem& problem, const RigidT
 /// One entry per used branch, in the tree's order.
 std::vector<BranchResidual> branchResiduals(const TreeSamples& tree, const ProjectedTree& projected);
 
-}   // namespace core
+}   // namespace angiopose::core

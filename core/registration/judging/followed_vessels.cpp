@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int bridgedPoints = 2;   // a run goes on over so many points that disagree
@@ -79,4 +79,4 @@ FollowedVessels followedVessels(const RegistrationProblem& problem, const Target
     return sum;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

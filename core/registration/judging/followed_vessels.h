@@ -3,7 +3,7 @@
 #include "core/registration/judging/distance_metrics.h"
 #include "core/registration/matching/target_lines.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// How a tree runs along the traced vessels: unbroken, or only where it happens to cross them.
 struct FollowedVessels {
@@ -22,4 +22,4 @@ inline constexpr double shortestRunMm = 20.0;
 FollowedVessels followedVessels(const RegistrationProblem& problem, const TargetLines& target,
                                 const RigidTransform& cameraFromPatient, const ProjectedTree& projected);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 
 RegistrationResult judgePose(const RegistrationProblem& problem, const RegistrationOptions& options,
                              const MethodSolution& solution)
@@ -45,4 +45,4 @@ RegistrationResult judgePose(const RegistrationProblem& problem, const Registrat
     return result;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,10 +2,10 @@
 
 #include "core/registration/method.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// Everything a result says about a pose: distances, branches, uncertainty, trust. Touches neither method nor history.
 RegistrationResult judgePose(const RegistrationProblem& problem, const RegistrationOptions& options,
                              const MethodSolution& solution);
 
-}   // namespace core
+}   // namespace angiopose::core

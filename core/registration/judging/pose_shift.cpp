@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t usedPoints = 300;
@@ -55,4 +55,4 @@ double settlingShiftMm(const RegistrationProblem& problem, const TargetLines& ta
     return meanShiftMm(tree, pose, cameraFromPatient(settled.pose, tree.centroid));
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include "core/registration/matching/target_lines.h"
 #include "core/registration/registration_problem.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// How far apart two poses put the tree, seen along the rays: mean over its points of the shift across the camera's z,
 /// mm. About the reprojection distance of ALGORITHMS §4.5, blind to depth like it.
@@ -16,4 +16,4 @@ double expectedShiftMm(const TreeSamples& tree, const RigidTransform& pose, cons
 double settlingShiftMm(const RegistrationProblem& problem, const TargetLines& target, const RigidTransform& pose,
                        const RegistrationOptions& options);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 
 namespace {
 
@@ -75,4 +75,4 @@ Matrix6d poseInformation(const RegistrationProblem& problem, const TargetLines& 
     return imageInformation(problem, target, pose, prior) + informationOf(prior);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

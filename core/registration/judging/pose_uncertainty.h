@@ -4,7 +4,7 @@
 #include "core/registration/pose/start_prior.h"
 #include "core/registration/registration_problem.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// Covariance of the pose from the residuals across the vessels, what they share along the branches, and the start
 /// pose's prior (ALGORITHMS §6.10). A degree of freedom is observed when the image alone beats half the prior's spread.
@@ -20,4 +20,4 @@ PoseUncertainty poseUncertainty(const Matrix6d& imageInformation, const StartPri
 Matrix6d poseInformation(const RegistrationProblem& problem, const TargetLines& target, const CentroidPose& pose,
                          const StartPrior& prior);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 // Measured on simulated angiograms through the real tracing, for several methods (ALGORITHMS §4.4): what separates
@@ -109,4 +109,4 @@ Trust judgeTrust(const Evidence& evidence)
     return trust;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include "core/registration/judging/followed_vessels.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// What trust is judged by; metrics, branches, uncertainty and alternatives of `result` are filled in.
 struct Evidence {
@@ -24,4 +24,4 @@ struct Trust {
 /// Says in a clinician's words why a pose may be wrong; silent when nothing speaks against it.
 Trust judgeTrust(const Evidence& evidence);
 
-}   // namespace core
+}   // namespace angiopose::core

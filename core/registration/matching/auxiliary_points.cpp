@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double mainShare = 1.0 / 3.0;
@@ -105,4 +105,4 @@ std::vector<int> auxiliaryPoints(const TreeSamples& tree, const std::vector<int>
     return {};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,11 +2,11 @@
 
 #include "core/registration/registration_problem.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// Numbers of the tree points {p'} that the alternating search solves by themselves, ascending, by option `auxiliary`.
 /// Random points follow from `randomSeed`. `branchIds` are those the user chose.
 std::vector<int> auxiliaryPoints(const TreeSamples& tree, const std::vector<int>& branchIds,
                                  const RegistrationOptions& options);
 
-}   // namespace core
+}   // namespace angiopose::core

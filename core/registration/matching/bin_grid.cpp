@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int mostCellsAcross = 1024;
@@ -52,4 +52,4 @@ Eigen::Vector2i BinGrid::cellOf(const Eigen::Vector2d& placePx) const
             static_cast<int>(std::floor(std::clamp(cell.y(), -2.0, rows_ + 1.0)))};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Points of an image sorted into square cells, to visit those near a place. Filled anew without allocating once large
 /// enough.
@@ -46,4 +46,4 @@ private:
     std::vector<std::int32_t> numbers_;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 double squaredDistanceToSegment(const Eigen::Vector2d& query, const Eigen::Vector2d& from, const Eigen::Vector2d& to)
@@ -30,4 +30,4 @@ double distanceToCurve(const CurvePoints& curves, std::size_t nearest, const Eig
     return std::sqrt(squared);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Points of several curves, one after the other; neighbours with the same curve number are joined by a line.
 struct CurvePoints {
@@ -15,4 +15,4 @@ struct CurvePoints {
 /// Distance from `query` to the two line segments that meet in point `nearest`.
 double distanceToCurve(const CurvePoints& curves, std::size_t nearest, const Eigen::Vector2d& query);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int marginPx = 8;
@@ -172,4 +172,4 @@ std::size_t FeatureMap::nearestIndex(const Eigen::Vector2d& queryPx) const
     return best;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

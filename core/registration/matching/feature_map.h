@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace core {
+namespace angiopose::core {
 
 /// Nearest point by table: Euclidean feature transform (Felzenszwalb, Huttenlocher 2012) on square cells that cover the
 /// image and a margin around it. A cell answers for its centre, so the point found is farther than the nearest by at
@@ -43,4 +43,4 @@ private:
     std::vector<std::int32_t> nearest_;   ///< per cell, row-major
 };
 
-}   // namespace core
+}   // namespace angiopose::core

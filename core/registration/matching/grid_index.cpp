@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double usualCellPx = 4.0;
@@ -122,4 +122,4 @@ std::size_t GridIndex::nearestIndex(const Eigen::Vector2d& queryPx, std::size_t 
     return best.number;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace core {
+namespace angiopose::core {
 
 /// Exact nearest point by buckets of a few pixels: built in microseconds, quick for queries close to the points.
 class GridIndex final : public PointIndex {
@@ -34,4 +34,4 @@ private:
     std::vector<std::int32_t> members_;   ///< point numbers, cell after cell
 };
 
-}   // namespace core
+}   // namespace angiopose::core

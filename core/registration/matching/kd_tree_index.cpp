@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <nanoflann.hpp>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t leafSize = 10;
@@ -43,4 +43,4 @@ std::unique_ptr<PointIndex> makeKdTreeIndex(std::vector<Eigen::Vector2d> pointsP
     return std::make_unique<KdTreeIndex>(std::move(pointsPx));
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,10 +4,10 @@
 
 #include <memory>
 
-namespace core {
+namespace angiopose::core {
 
 /// KD-tree over points of the image, at least one: exact for any query, O(log M) each. The reproduction mode of
 /// ALGORITHMS §1.
 std::unique_ptr<PointIndex> makeKdTreeIndex(std::vector<Eigen::Vector2d> pointsPx);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <nanoflann.hpp>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t leafSize = 10;
@@ -48,4 +48,4 @@ std::unique_ptr<NeighbourSearch> makeNeighbourSearch(std::vector<Eigen::Vector2d
     return std::make_unique<KdTreeSearch>(std::move(pointsPx));
 }
 
-}   // namespace core
+}   // namespace angiopose::core

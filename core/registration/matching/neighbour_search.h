@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Which target points pull a tree point (Δ of the seed, ALGORITHMS §2, decision 18).
 enum class Neighbours {
@@ -26,4 +26,4 @@ public:
 /// Exact, by KD-tree; `pointsPx` finite and not empty.
 std::unique_ptr<NeighbourSearch> makeNeighbourSearch(std::vector<Eigen::Vector2d> pointsPx);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// What nanoflann wants to know about points of an image.
 struct PointCloud {
@@ -22,4 +22,4 @@ struct PointCloud {
     }
 };
 
-}   // namespace core
+}   // namespace angiopose::core

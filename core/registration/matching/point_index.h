@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Finds the nearest of a fixed set of points in the image. Looking up never allocates, and may run on many threads.
 class PointIndex {
@@ -20,4 +20,4 @@ public:
     const Eigen::Vector2d& nearest(const Eigen::Vector2d& queryPx) const { return points()[nearestIndex(queryPx)]; }
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -1,6 +1,6 @@
 #include "core/registration/matching/target_lines.h"
 
-namespace core {
+namespace angiopose::core {
 
 TargetLines::TargetLines(const TargetSamples& target, const ProjectionCamera& camera)
     : map_(target.points, camera.width, camera.height)
@@ -14,4 +14,4 @@ TargetLines::TargetLines(const TargetSamples& target, const ProjectionCamera& ca
     }
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include "core/registration/matching/feature_map.h"
 #include "core/registration/registration_problem.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// The target as short lines, looked up by pixel; built once per image (ALGORITHMS §6.2, §6.15).
 class TargetLines {
@@ -44,4 +44,4 @@ private:
     std::vector<Line> lines_;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

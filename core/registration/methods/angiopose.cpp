@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t finalists = 3;
@@ -254,4 +254,4 @@ MethodSolution solveAngioPose(const RegistrationProblem& problem, const Registra
     return solution;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// Up to rounding.
@@ -94,4 +94,4 @@ MethodSolution solveAssembledIcp(const RegistrationProblem& problem, const Regis
     return solution;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,11 +2,11 @@
 
 #include "core/registration/method.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// What a good engineer builds in an afternoon from library parts: nearest neighbours by nanoflann, then OpenCV's SQPNP
 /// (Terzakis, Lourakis 2020) on the pairs, repeated until the pairs stay (PEERS_MEASURED).
 MethodSolution solveAssembledIcp(const RegistrationProblem& problem, const RegistrationOptions& options,
                                  ProgressLog& progress);
 
-}   // namespace core
+}   // namespace angiopose::core

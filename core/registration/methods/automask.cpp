@@ -16,7 +16,7 @@
 #include <cmath>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 // In px of half the resolution. The source has one stage; a blurred one first reaches farther. Each draws its own mask.
@@ -170,4 +170,4 @@ MethodSolution solveAutoMask(const RegistrationProblem& problem, const Registrat
     return solution;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 
 MethodSolution solveDtIcp(const RegistrationProblem& problem, const RegistrationOptions& options, ProgressLog& progress)
 {
@@ -22,4 +22,4 @@ MethodSolution solveDtIcp(const RegistrationProblem& problem, const Registration
     return solution;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include "core/registration/pnp/alternating_search.h"
 #include "core/support/stopwatch.h"
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// Kernel PnP in each problem; only all points feel the prior of the preset (ALGORITHMS §3.2).
@@ -46,4 +46,4 @@ MethodSolution solveDynaWeight(const RegistrationProblem& problem, const Registr
     return solution;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -8,7 +8,7 @@
 
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 
 MethodSolution solveEvolution(const RegistrationProblem& problem, const RegistrationOptions& options,
                               ProgressLog& progress)
@@ -36,4 +36,4 @@ MethodSolution solveEvolution(const RegistrationProblem& problem, const Registra
     return solution;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int evaluationsPerRound = 60;   // six line searches of about ten
@@ -104,4 +104,4 @@ MethodSolution solveGradientMatching(const RegistrationProblem& problem, const R
     return solution;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include "core/registration/pnp/seed_problem.h"
 #include "core/support/stopwatch.h"
 
-namespace core {
+namespace angiopose::core {
 
 MethodSolution solveIterativePnp(const RegistrationProblem& problem, const RegistrationOptions& options,
                                  ProgressLog& progress)
@@ -32,4 +32,4 @@ MethodSolution solveIterativePnp(const RegistrationProblem& problem, const Regis
     return solution;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

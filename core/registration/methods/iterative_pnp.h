@@ -2,10 +2,10 @@
 
 #include "core/registration/method.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// DynaWeightPnP*, ALGORITHMS §3.1: kernel PnP with all points from the start pose.
 MethodSolution solveIterativePnp(const RegistrationProblem& problem, const RegistrationOptions& options,
                                  ProgressLog& progress);
 
-}   // namespace core
+}   // namespace angiopose::core

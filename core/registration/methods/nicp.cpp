@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 AscentOptions ascentOptions(const RegistrationOptions& options, const SeedProblem& seed)
@@ -106,4 +106,4 @@ MethodSolution solveNicpAlternating(const RegistrationProblem& problem, const Re
     return climb(problem, options, {options.rotationFirst != 0.0, true}, progress);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include "core/registration/method.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// Gradient ascent of the mean kernel between projected tree and target, coarse to fine (ALGORITHMS §3.3), or of the
 /// brightness at each vessel's own width (§3.4, option `nicpImage`). Source: Aylward et al. 2003; as Song and Ghaffari
@@ -13,4 +13,4 @@ MethodSolution solveNicp(const RegistrationProblem& problem, const RegistrationO
 MethodSolution solveNicpAlternating(const RegistrationProblem& problem, const RegistrationOptions& options,
                                     ProgressLog& progress);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int levels = 3;
@@ -52,4 +52,4 @@ MethodSolution solveOgmm(const RegistrationProblem& problem, const RegistrationO
     return solution;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -16,7 +16,7 @@
 #include <limits>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t sparsePoints = 150;
@@ -226,4 +226,4 @@ MethodSolution solveParticle(const RegistrationProblem& problem, const Registrat
     return solution;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

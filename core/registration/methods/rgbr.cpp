@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double blurPx = 1.0;
@@ -200,4 +200,4 @@ MethodSolution solveRgbr(const RegistrationProblem& problem, const RegistrationO
     return solution;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

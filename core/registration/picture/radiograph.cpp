@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double wideningShare = 1.5;   // of the radius: the mask reaches a little beyond the vessel
@@ -112,4 +112,4 @@ ImageF Radiograph::ofVoxels(const RigidTransform& cameraFromPatient) const
     return image;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

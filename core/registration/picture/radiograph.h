@@ -3,7 +3,7 @@
 #include "core/imaging/image2d.h"
 #include "core/registration/registration_problem.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// Makes digitally reconstructed radiographs of the vessels at half the image's resolution: line integrals of the CTA
 /// inside the widened tree, or of tubes where there is no CTA (ALGORITHMS §3.7).
@@ -30,4 +30,4 @@ private:
     std::vector<Voxel> voxels_;   ///< empty without a CTA
 };
 
-}   // namespace core
+}   // namespace angiopose::core

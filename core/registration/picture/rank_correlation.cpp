@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t binCount = 256;
@@ -56,4 +56,4 @@ double rankCorrelation(const std::vector<float>& a, const std::vector<float>& b)
     return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : 0.0;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

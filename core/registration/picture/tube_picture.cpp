@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double unknownRadiusPx = 1.5;
@@ -88,4 +88,4 @@ ProjectionCamera halved(const ProjectionCamera& camera)
     return half;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

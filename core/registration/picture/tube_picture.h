@@ -3,7 +3,7 @@
 #include "core/imaging/image2d.h"
 #include "core/registration/registration_problem.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// Draws a straight piece of a vessel as X-rays show it, by the length of the chords through it (px); where pieces
 /// overlap the longer chord stays.
@@ -18,4 +18,4 @@ ImageF pictureOf(const TreeSamples& tree, const ProjectionCamera& camera, const 
 /// The camera of `halved` images.
 ProjectionCamera halved(const ProjectionCamera& camera);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t levelCount = 5;
@@ -105,4 +105,4 @@ NormalEquations VesselBrightness::pull(const CentroidPose& pose, double widening
     return equations;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

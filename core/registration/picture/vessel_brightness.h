@@ -4,7 +4,7 @@
 #include "core/registration/pose/centroid_pose.h"
 #include "core/registration/registration_problem.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// Aylward's model-to-image metric (ALGORITHMS §3.4): centrelines lie on ridges of the image at each vessel's own
 /// width, wide vessels count more. As in the later code of the source the kernel does not answer to flat brightness: a
@@ -43,4 +43,4 @@ private:
     std::vector<ImageF> levels_;   ///< ridges of doubling width, finest first
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double widestVesselPx = 16.0;
@@ -56,4 +56,4 @@ bool isOn(const ImageF& image, const Eigen::Vector2d& place)
     return place.x() >= 0.0 && place.y() >= 0.0 && place.x() <= image.width - 1 && place.y() <= image.height - 1;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-namespace core {
+namespace angiopose::core {
 
 /// What the methods that read the image see: vessels bright on 0, the strongest about 1, of the camera's size. The
 /// angiogram with its background flattened; where none is at hand, the traced vessels drawn as tubes.
@@ -17,4 +17,4 @@ Eigen::Vector2d gradientAt(const ImageF& image, const Eigen::Vector2d& place);
 /// Whether a place lies on the image.
 bool isOn(const ImageF& image, const Eigen::Vector2d& place);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int sitesAround = 8;
@@ -65,4 +65,4 @@ double BackprojectedGradients::score(const std::vector<WallSite>& sites, const C
     return sum / static_cast<double>(sites.size());
 }
 
-}   // namespace core
+}   // namespace angiopose::core

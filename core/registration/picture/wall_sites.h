@@ -4,7 +4,7 @@
 #include "core/registration/pose/centroid_pose.h"
 #include "core/registration/registration_problem.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// A place on a vessel's wall, where a CT has its gradient along the normal.
 struct WallSite {
@@ -33,4 +33,4 @@ private:
     ProjectionCamera camera_;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double settledShare = 1e-6;
@@ -105,4 +105,4 @@ KernelPnpResult rigidPartOfAffineIcp(const KernelProblem& problem, const RigidTr
     return result;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include "core/registration/pnp/point_solver.h"
 
-namespace core {
+namespace angiopose::core {
 
 struct AffineOptions {
     double huberPx = 5.0;
@@ -15,4 +15,4 @@ struct AffineOptions {
 KernelPnpResult rigidPartOfAffineIcp(const KernelProblem& problem, const RigidTransform& start,
                                      const AffineOptions& options, const KernelObserver& observe);
 
-}   // namespace core
+}   // namespace angiopose::core

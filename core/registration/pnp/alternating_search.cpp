@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int maxRounds = 5;
@@ -192,4 +192,4 @@ MethodSolution searchAlternating(const RegistrationProblem& problem, const Regis
     return solution;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include "core/registration/pnp/point_solver.h"
 #include "core/registration/pnp/seed_problem.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// What of the alternating search is done; neither: one problem with all points.
 struct Alternation {
@@ -19,4 +19,4 @@ MethodSolution searchAlternating(const RegistrationProblem& problem, const Regis
                                  const SeedProblem& seed, PointSolver& solver, Alternation alternation,
                                  ProgressLog& progress);
 
-}   // namespace core
+}   // namespace angiopose::core

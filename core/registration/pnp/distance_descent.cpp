@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int triesPerStep = 8;
@@ -202,4 +202,4 @@ void DistanceDescent::tryAffine(const KernelProblem& problem, const KernelObserv
     }
 }
 
-}   // namespace core
+}   // namespace angiopose::core

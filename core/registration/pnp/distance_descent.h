@@ -2,7 +2,7 @@
 
 #include "core/registration/pnp/point_solver.h"
 
-namespace core {
+namespace angiopose::core {
 
 enum class DescentSolver { DampedSteps, Lbfgs };
 
@@ -33,4 +33,4 @@ private:
     DescentOptions options_;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int scaleCount = 3;
@@ -155,4 +155,4 @@ int KernelAscent::maxIterations(SearchStage) const
     return scaleCount * options_.iterationsPerScale;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include "core/registration/pnp/point_solver.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// How the gradient becomes a step: rotations scaled by the depth, so that both move the image alike, or raw radians
 /// beside millimetres, where rotation takes it all (ALGORITHMS §3.3).
@@ -31,4 +31,4 @@ private:
     double depthMm_;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

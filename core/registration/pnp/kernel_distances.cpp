@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// One image row of J = Jπ [−[X]×, I] from a row of Jπ: [X × a, a].
@@ -181,4 +181,4 @@ double medianDistancePx(const KernelDistances& distances, std::vector<double>& s
     return std::sqrt(*middle);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Tree points, the camera that sees them, and what they are matched with.
 struct KernelProblem {
@@ -62,4 +62,4 @@ int countWithin(const KernelDistances& distances, double radiusPx);
 /// Median distance, px; infinite when most points do not project.
 double medianDistancePx(const KernelDistances& distances, std::vector<double>& scratch);
 
-}   // namespace core
+}   // namespace angiopose::core

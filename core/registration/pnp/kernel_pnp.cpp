@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int triesPerStep = 7;   // the first, and six with more damping
@@ -121,4 +121,4 @@ double KernelPnp::stepLengthMm(const Vector6d& step) const
     return std::hypot(depthMm * step.head<3>().norm(), step.tail<3>().norm());
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -8,7 +8,7 @@
 #include <functional>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 
 /// Where ℓ starts: at the largest distance d (at most half the image diagonal), or, as the paper prints it, at d²
 /// (ALGORITHMS §2, decision 14).
@@ -71,4 +71,4 @@ private:
     KernelDistances trial_;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double reachInScales = 4.2426;   // 3σ of a product of two Gaussians: 3√2 σ
@@ -140,4 +140,4 @@ void OrientedMixture::carryBack(std::size_t sample, const Eigen::Vector2d& byPla
     gradient.tail<3>() += byPoint;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

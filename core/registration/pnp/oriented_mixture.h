@@ -4,7 +4,7 @@
 #include "core/registration/pose/centroid_pose.h"
 #include "core/registration/registration_problem.h"
 
-namespace core {
+namespace angiopose::core {
 
 struct MixtureOptions {
     double scalePx = 15.0;   ///< σ of the places
@@ -58,4 +58,4 @@ private:
     BinGrid ownGrid_;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include "core/registration/pnp/kernel_pnp.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// The problems of the alternating search (ALGORITHMS §3.2): turning about the source, the auxiliary points with held
 /// partners, all points with fresh ones.
@@ -25,4 +25,4 @@ public:
     virtual bool canTurn() const { return true; }
 };
 
-}   // namespace core
+}   // namespace angiopose::core

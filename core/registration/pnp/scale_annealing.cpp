@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int stepsPerHalving = 5;
@@ -40,4 +40,4 @@ bool ScaleAnnealing::sharpen()
     return true;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

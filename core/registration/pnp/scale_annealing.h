@@ -1,6 +1,6 @@
 #pragma once
 
-namespace core {
+namespace angiopose::core {
 
 /// When the kernel width ℓ shrinks (ALGORITHMS §3.1).
 enum class Decay {
@@ -30,4 +30,4 @@ private:
     int mostInReach_ = 0;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double depthGuardMm = 100.0;
@@ -104,4 +104,4 @@ bool isSolvableAlone(const std::vector<Eigen::Vector3d>& auxiliary, const std::v
     return auxiliary.size() >= minAuxiliaryPoints && rmsSpread(auxiliary) >= minSpreadShare * rmsSpread(points);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

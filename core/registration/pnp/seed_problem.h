@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// How the methods of the seed find nearest points: exactly by tree (the reproduction mode) or by buckets, or from a
 /// table that is right to within its cells.
@@ -41,4 +41,4 @@ SeedProblem makeSeedProblem(const RegistrationProblem& problem, const Registrati
 /// Whether {p'} can fix a pose: at least four points, spread over 30 % of the tree's own spread (ALGORITHMS §3.2).
 bool isSolvableAlone(const std::vector<Eigen::Vector3d>& auxiliary, const std::vector<Eigen::Vector3d>& points);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -1,6 +1,6 @@
 #include "core/registration/pnp/source_freedom.h"
 
-namespace core {
+namespace angiopose::core {
 
 SourceFreedom::SourceFreedom(const PoseFreedom& freedom, const RigidTransform& start,
                              const Eigen::Vector3d& centroidInPatient)
@@ -66,4 +66,4 @@ StepBasis SourceFreedom::freeTwists(const RigidTransform& pose, Freedom freedom)
     return twists;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include "core/registration/pose/pose_freedom.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// What motions about the X-ray source may change: poses are cameraFromStart, steps are twists ξ (rad, mm) with
 /// pose ← exp(ξ) pose.
@@ -37,4 +37,4 @@ private:
     Eigen::Vector3d centroidInStart_ = Eigen::Vector3d::Zero();
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double damping = 1e-3;
@@ -46,4 +46,4 @@ CentroidPose SparseKernel::stepped(const CentroidPose& pose, double scalePx, boo
     return freedom.moved(pose, freedom.dampedStep(equations, damping, pose));
 }
 
-}   // namespace core
+}   // namespace angiopose::core

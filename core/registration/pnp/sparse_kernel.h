@@ -4,7 +4,7 @@
 #include "core/registration/pnp/kernel_distances.h"
 #include "core/registration/registration_problem.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// Kernel agreement of a few tree points with the target, quick enough to ask of thousands of poses.
 class SparseKernel {
@@ -28,4 +28,4 @@ private:
     KernelDistances distances_;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include <cassert>
 #include <opencv2/calib3d.hpp>
 
-namespace core {
+namespace angiopose::core {
 
 std::optional<RigidTransform> solveSqpnp(std::span<const Eigen::Vector3d> points,
                                          std::span<const Eigen::Vector2d> pixels, const ProjectionCamera& camera)
@@ -34,4 +34,4 @@ std::optional<RigidTransform> solveSqpnp(std::span<const Eigen::Vector3d> points
     return pose.matrix().allFinite() ? std::optional(pose) : std::nullopt;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

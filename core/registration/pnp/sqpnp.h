@@ -6,10 +6,10 @@
 #include <optional>
 #include <span>
 
-namespace core {
+namespace angiopose::core {
 
 /// Least-squares pose of points with known pixels, without a start: OpenCV's SQPNP. Nothing when the pairs fix no pose.
 std::optional<RigidTransform> solveSqpnp(std::span<const Eigen::Vector3d> points,
                                          std::span<const Eigen::Vector2d> pixels, const ProjectionCamera& camera);
 
-}   // namespace core
+}   // namespace angiopose::core

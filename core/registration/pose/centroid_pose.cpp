@@ -1,6 +1,6 @@
 #include "core/registration/pose/centroid_pose.h"
 
-namespace core {
+namespace angiopose::core {
 
 CentroidPose aboutCentroid(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient)
 {
@@ -24,4 +24,4 @@ Vector6d stepBetween(const CentroidPose& from, const CentroidPose& to)
     return step;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include "core/geometry/rigid_transform.h"
 #include "core/registration/pose/damped_step.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// A pose told by the tree's centroid (OBJ parameters, ALGORITHMS §1): turning does not shift the image.
 /// pointInCamera = rotation (pointInPatient − centroidInPatient) + centroidInCamera.
@@ -21,4 +21,4 @@ CentroidPose moved(const CentroidPose& pose, const Vector6d& step);
 /// Step that leads from one pose to the other; inverse of moved.
 Vector6d stepBetween(const CentroidPose& from, const CentroidPose& to);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double minFactor = 1e-10;
@@ -68,4 +68,4 @@ void Damping::reject()
     growth_ *= 2.0;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include "core/geometry/rigid_transform.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// Quadratic model of a least-squares cost about a pose: cost(x) ≈ cost(0) + 2 gᵀx + xᵀHx, x = (ω rad, υ mm) or any
 /// other six parameters. Only the lower triangle of the Hessian is meaningful.
@@ -40,4 +40,4 @@ private:
     double growth_ = 2.0;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 Eigen::VectorXd normalVector(Eigen::Index dimensions, CounterRandom& random)
@@ -164,4 +164,4 @@ bool evolveOneByOne(const EvolutionCost& cost, Eigen::Index dimensions, const Ev
     return false;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <functional>
 
-namespace core {
+namespace angiopose::core {
 
 struct EvolutionOptions {
     int population = 16;
@@ -29,4 +29,4 @@ bool evolveByCovariance(const EvolutionCost& cost, Eigen::Index dimensions, cons
 bool evolveOneByOne(const EvolutionCost& cost, Eigen::Index dimensions, const EvolutionOptions& options,
                     const StopCheck& isStopped);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -10,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double degPerRad = 180.0 / std::numbers::pi;
@@ -238,4 +238,4 @@ Result<LandmarkPose> poseFromLandmarks(std::span<const Landmark> landmarks, cons
     return result;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Pairs that fix a pose without knowing one before.
 inline constexpr std::size_t enoughLandmarks = 4;
@@ -36,4 +36,4 @@ std::vector<double> landmarkErrorsPx(std::span<const Landmark> landmarks, const 
 Result<LandmarkPose> poseFromLandmarks(std::span<const Landmark> landmarks, const ProjectionCamera& camera,
                                        const std::optional<RigidTransform>& before);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr unsigned lbfgsMemory = 8;
@@ -83,4 +83,4 @@ Minimum minimise(const CostFunction& cost, const Eigen::VectorXd& start, const M
     return evaluation.best;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <functional>
 
-namespace core {
+namespace angiopose::core {
 
 /// Well-known minimisers, from NLopt: simplex of Nelder and Mead; Powell's line searches along conjugate directions in
 /// Brent's form (PRAXIS); L-BFGS.
@@ -30,4 +30,4 @@ struct Minimum {
 Minimum minimise(const CostFunction& cost, const Eigen::VectorXd& start, const MinimiseOptions& options,
                  const std::function<bool()>& isStopped);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// Axis of each coordinate: x tilts cranially, y to LAO, z rolls (see PoseOffset).
@@ -135,4 +135,4 @@ CentroidPose PoseFreedom::moved(const CentroidPose& pose, const Vector6d& step) 
     return held(core::moved(pose, step));
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 
 #include <initializer_list>
 
-namespace core {
+namespace angiopose::core {
 
 /// Which degrees of freedom a registration may use; the locked ones keep the value that they have at the start, in the
 /// terms of PoseOffset. Its six coordinates, in the order of Vector6d: the angles θ of
@@ -57,4 +57,4 @@ private:
     Vector6d start_ = Vector6d::Zero();   ///< coordinates that locked ones keep
 };
 
-}   // namespace core
+}   // namespace angiopose::core

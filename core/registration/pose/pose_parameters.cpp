@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// Without locks the angles are counted from the origin, where they are far from each other.
@@ -59,4 +59,4 @@ Vector6d clinicalUnits(double tiltDeg, double rollDeg, double lateralMm, double 
     return unit;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// The free coordinates of a pose (see PoseFreedom) counted from an origin and divided by their unit, so that each is
 /// worth about the same to the image.
@@ -34,4 +34,4 @@ Vector6d metricUnits(double spreadMm);
 /// Units from degrees about x and y, about z, mm across the ray and along it.
 Vector6d clinicalUnits(double tiltDeg, double rollDeg, double lateralMm, double depthMm);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -1,6 +1,6 @@
 #include "core/registration/pose/pose_prior.h"
 
-namespace core {
+namespace angiopose::core {
 
 Vector6d priorResidual(const PosePrior& prior, const RigidTransform& pose)
 {
@@ -31,4 +31,4 @@ void addPrior(const PosePrior& prior, const RigidTransform& pose, NormalEquation
     equations.gradient += prior.strength * weighted.transpose() * residual;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include "core/geometry/rigid_transform.h"
 #include "core/registration/pose/damped_step.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// The seed's pull towards a reference pose (ALGORITHMS §1, "prior residual"): cost λ eᵀW²e with
 /// e = log(reference⁻¹ pose), (rad, mm). What W = I means depends on the origin of the posed frame: in the seed this is
@@ -26,4 +26,4 @@ double priorCost(const PosePrior& prior, const RigidTransform& pose);
 /// Adds the linearised prior for pose ← exp(ξ) pose.
 void addPrior(const PosePrior& prior, const RigidTransform& pose, NormalEquations& equations);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int reportsInAll = 200;
@@ -88,4 +88,4 @@ void PoseTrials::report()
     progress_.report(report);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include "core/registration/method.h"
 #include "core/registration/pose/centroid_pose.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// The book-keeping of a method that tries poses: keeps the one of least cost, reports every few, knows when to stop.
 class PoseTrials {
@@ -48,4 +48,4 @@ private:
     std::vector<double> distances_;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 
 double StartPrior::cost(const CentroidPose& pose) const
 {
@@ -25,4 +25,4 @@ StartPrior startPrior(const CentroidPose& start, const RegistrationOptions& opti
     return prior;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include "core/registration/pose/pose_freedom.h"
 #include "core/registration/registration_options.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// How far the start pose may be trusted (ALGORITHMS §6.6 a): independent normal errors about the centroid.
 struct StartPrior {
@@ -20,4 +20,4 @@ struct StartPrior {
 
 StartPrior startPrior(const CentroidPose& start, const RegistrationOptions& options, const PoseFreedom& freedom = {});
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 
 TreeShift::TreeShift(const std::vector<Eigen::Vector3d>& pointsInPatient)
 {
@@ -24,4 +24,4 @@ double TreeShift::rmsMm(const RigidTransform& a, const RigidTransform& b) const
     return std::sqrt(std::max(0.0, squared));
 }
 
-}   // namespace core
+}   // namespace angiopose::core

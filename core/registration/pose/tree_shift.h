@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// How far a change of pose moves the tree: all its points at once, by their mean and their scatter.
 class TreeShift {
@@ -19,4 +19,4 @@ private:
     Eigen::Matrix3d scatter_ = Eigen::Matrix3d::Zero();   ///< mm², covariance of the points
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double directionWorth = 0.8;
@@ -176,4 +176,4 @@ std::vector<BranchPath> branchPaths(const VesselGraph& graph, const std::optiona
     return Gatherer(graph).run(rootMm, seedsMm);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

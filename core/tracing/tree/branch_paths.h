@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// A vessel from where it leaves its parent to its end, over all the nodes it passes.
 struct BranchPath {
@@ -23,4 +23,4 @@ struct BranchPath {
 std::vector<BranchPath> branchPaths(const VesselGraph& graph, const std::optional<Eigen::Vector3d>& rootMm,
                                     const std::vector<Eigen::Vector3d>& seedsMm = {});
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t rayCount = 24;
@@ -140,4 +140,4 @@ CrossSection crossSection(const SectionPlane& plane, const BloodFill& fill)
     return section;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <functional>
 
-namespace core {
+namespace angiopose::core {
 
 /// How far a place is filled with blood: 0 tissue, 1 blood, one half at the wall. Points in mm along the grid's axes.
 using BloodFill = std::function<double(const Eigen::Vector3d& pointMm)>;
@@ -29,4 +29,4 @@ struct SectionPlane {
 /// its section holds, which blurring keeps.
 CrossSection crossSection(const SectionPlane& plane, const BloodFill& fill);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double lookAheadMm = 12.0;   ///< stretch of an edge that tells its width and direction at a node
@@ -36,4 +36,4 @@ Departure departureOf(const VesselEdge& edge, double nodeRadiusMm)
     return departure;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

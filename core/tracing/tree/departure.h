@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-namespace core {
+namespace angiopose::core {
 
 /// Width and direction of an edge where it leaves its start node, beyond the node's own ball.
 struct Departure {
@@ -14,4 +14,4 @@ struct Departure {
 
 Departure departureOf(const VesselEdge& edge, double nodeRadiusMm);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double leastOfBlood = 0.65;   ///< a vessel as wide as the least that counts has 0.8 by blurring
@@ -224,4 +224,4 @@ int dropDimParts(VesselGraph& graph, const BloodFill& fill, const std::vector<Ei
     return canTell ? DimParts(graph, fill, voxelMm).drop(startsMm) : 0;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Removes what a tree has leaked into: parts in which wide stretches are mostly less bright than the vessels around
 /// `startsMm`. Contrast medium is not thinned on its way down an artery, but the tissue of spleen and kidney holds
@@ -16,4 +16,4 @@ namespace core {
 int dropDimParts(VesselGraph& graph, const BloodFill& fill, const std::vector<Eigen::Vector3d>& startsMm,
                  double voxelMm);
 
-}   // namespace core
+}   // namespace angiopose::core

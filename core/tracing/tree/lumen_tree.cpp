@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 Eigen::Vector3d onGrid(const Eigen::Vector3d& inPatient, const VolumeGeometry& grid)
@@ -120,4 +120,4 @@ BloodFill fillOf(const VoxelMask& mask)
     };
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include "core/tracing/volume/trace_vessels.h"
 #include "core/tracing/volume/tracing_progress.h"
 
-namespace core {
+namespace angiopose::core {
 
 struct LumenTree {
     VesselTree tree;   ///< patient LPS
@@ -21,4 +21,4 @@ LumenTree lumenTree(const VoxelMask& lumen, const BloodFill& fill, const VesselT
 /// Linear interpolation between the voxels of a mask: one half at its wall.
 BloodFill fillOf(const VoxelMask& mask);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// Of the thinnest points inside the edge the one nearest to its middle.
@@ -103,4 +103,4 @@ int openLoops(VesselGraph& graph)
     return static_cast<int>(closing.size());
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
@@ -165,4 +165,4 @@ void pruneSpurs(VesselGraph& graph, const SpurLimits& limits)
     pruner.dropGone();
 }
 
-}   // namespace core
+}   // namespace angiopose::core

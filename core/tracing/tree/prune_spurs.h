@@ -2,7 +2,7 @@
 
 #include "core/tracing/tree/vessel_graph.h"
 
-namespace core {
+namespace angiopose::core {
 
 struct SpurLimits {
     double minLengthMm = 6.0;   ///< beyond the wall of the vessel it leaves
@@ -14,4 +14,4 @@ struct SpurLimits {
 /// A vessel without branches is no spur; it goes only when it is shorter than `minLengthMm` as a whole.
 void pruneSpurs(VesselGraph& graph, const SpurLimits& limits);
 
-}   // namespace core
+}   // namespace angiopose::core

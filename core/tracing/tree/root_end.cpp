@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double alike = 1e-9;   ///< mm
@@ -116,4 +116,4 @@ int rootEnd(const VesselGraph& graph, const std::vector<int>& nodes, const std::
     return RootFinder(graph).among(nodes, rootMm);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Of the free ends among `nodes` that nearest to `rootMm`, else that of the thickest vessel: at the root of the aorta
 /// the coronary arteries are its ends, on its wall stumps are ends that mean nothing. -1 where no end is free. `graph`
 /// has no loops.
 int rootEnd(const VesselGraph& graph, const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm);
 
-}   // namespace core
+}   // namespace angiopose::core

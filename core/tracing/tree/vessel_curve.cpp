@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int centringRounds = 3;
@@ -229,4 +229,4 @@ VesselCurve vesselCurve(const BranchPath& path, const VesselCurve* parent, const
     return evenly(curve, settings.pointSpacingMm);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// A centreline in mm along the grid's axes, with the radius at each point.
 struct VesselCurve {
@@ -26,4 +26,4 @@ struct CurveSettings {
 VesselCurve vesselCurve(const BranchPath& path, const VesselCurve* parent, const BloodFill& fill,
                         const CurveSettings& settings);
 
-}   // namespace core
+}   // namespace angiopose::core

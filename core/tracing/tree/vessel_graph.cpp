@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t shortestRing = 6;
@@ -223,4 +223,4 @@ VesselEdge reversed(VesselEdge edge)
     return edge;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -8,7 +8,7 @@
 
 // Between skeleton and tree all points are in mm along the axes of the voxel grid, from the centre of its first voxel.
 
-namespace core {
+namespace angiopose::core {
 
 /// A stretch of skeleton between two nodes; its points begin and end at them.
 struct VesselEdge {
@@ -38,4 +38,4 @@ VesselGraph vesselGraph(const std::vector<std::size_t>& skeleton, const Distance
 /// The edge seen from its other end.
 VesselEdge reversed(VesselEdge edge);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// For each patient axis the stored axis that runs along it: of all six ways the one that agrees best.
@@ -70,4 +70,4 @@ VoxelBox grown(const VoxelBox& box, int margin, const VolumeGeometry& within)
     return {(box.low.array() - margin).max(0).matrix(), (box.high.array() + margin).min(within.size.array()).matrix()};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

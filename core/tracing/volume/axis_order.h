@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-namespace core {
+namespace angiopose::core {
 
 /// A box of voxels: from `low` up to, but without, `high`.
 struct VoxelBox {
@@ -39,4 +39,4 @@ VolumeGeometry cropped(const VolumeGeometry& geometry, const VoxelBox& box);
 /// `box` grown by `margin` voxels to all sides, as far as the volume goes.
 VoxelBox grown(const VoxelBox& box, int margin, const VolumeGeometry& within);
 
-}   // namespace core
+}   // namespace angiopose::core

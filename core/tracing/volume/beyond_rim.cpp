@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double longestCut = 2.5;   ///< length over width of a cut across a vessel
@@ -127,4 +127,4 @@ WiderMask continuedBeyondRim(const VoxelMask& mask)
     return wider;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include "core/imaging/volume.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// A mask with more room around: voxel p of the original is p + offset here. Its outermost voxels are clear.
 struct WiderMask {
@@ -15,4 +15,4 @@ struct WiderMask {
 /// along the rim do not go on.
 WiderMask continuedBeyondRim(const VoxelMask& mask);
 
-}   // namespace core
+}   // namespace angiopose::core

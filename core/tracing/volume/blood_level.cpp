@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::size_t binCount = 300;
@@ -280,4 +280,4 @@ Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, 
     return level;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

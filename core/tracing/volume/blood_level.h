@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace core {
+namespace angiopose::core {
 
 /// What the values of a scan mean, in its own values (HU for CT).
 struct BloodLevel {
@@ -26,4 +26,4 @@ Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, 
 /// Why a scan with this level has no tree, in the words for users: what was taken for blood, and what to do.
 Error noVesselsFound(const BloodLevel& level);
 
-}   // namespace core
+}   // namespace angiopose::core

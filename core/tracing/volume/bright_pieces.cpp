@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double joinMm = 1.25;   ///< half of what may lie between the voxels of one piece
@@ -72,4 +72,4 @@ void markBrightPieces(VoxelMask& mask, double leastLargeMl, const BrightMarks& m
     }
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <functional>
 
-namespace core {
+namespace angiopose::core {
 
 /// What bright voxels are, by the size of the piece that they belong to.
 struct BrightMarks {
@@ -23,4 +23,4 @@ using MetalOf = std::function<VoxelPiece(const VoxelPiece& piece)>;
 /// wires of a stent and the beams of bone fall apart. Large pieces have `leastLargeMl` or more.
 void markBrightPieces(VoxelMask& mask, double leastLargeMl, const BrightMarks& marks, const MetalOf& metalOf = {});
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 class Descent {
@@ -70,4 +70,4 @@ void markSkirts(VoxelMask& flags, const SkirtBits& bits, const VoxelFill& fill, 
     }
 }
 
-}   // namespace core
+}   // namespace angiopose::core

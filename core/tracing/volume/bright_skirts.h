@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 
-namespace core {
+namespace angiopose::core {
 
 /// Marks of a voxel.
 struct SkirtBits {
@@ -23,4 +23,4 @@ struct SkirtBits {
 void markSkirts(VoxelMask& flags, const SkirtBits& bits, const VoxelFill& fill, double leastFill,
                 const Eigen::Vector3i& reach, TracingProgress& progress);
 
-}   // namespace core
+}   // namespace angiopose::core

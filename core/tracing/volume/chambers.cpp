@@ -1,6 +1,6 @@
 #include "core/tracing/volume/chambers.h"
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double leastSeedRadiusMm = 5.0;   ///< thinner vessels say nothing about how wide their trunk is
@@ -28,4 +28,4 @@ std::vector<std::uint32_t> voxelsBeyondNecks(const DistanceMap& distances, const
     return beyond;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

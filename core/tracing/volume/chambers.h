@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Voxels that belong to no vessel of the seeds, though the lumen connects them: vessels taper or stay as they are, so
 /// what is reached from every seed only through a neck much narrower than itself has leaked (a vein, a chamber that
@@ -14,4 +14,4 @@ namespace core {
 /// when no seed lies in a vessel wide enough to tell.
 std::vector<std::uint32_t> voxelsBeyondNecks(const DistanceMap& distances, const Necks& necks);
 
-}   // namespace core
+}   // namespace angiopose::core

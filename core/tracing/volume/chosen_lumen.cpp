@@ -8,7 +8,7 @@
 #include <iterator>
 #include <utility>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 VoxelMask croppedMask(const VoxelMask& mask, const VoxelBox& box)
@@ -85,4 +85,4 @@ Error stoppedTracing()
     return Error{"Tracing was stopped; nothing was kept."};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 constexpr double chosenShare = 0.9;   ///< of the stage "vessels", when the lumen is known
 
@@ -34,4 +34,4 @@ VoxelFill movedBy(const VoxelFill& fill, const Eigen::Vector3i& low);
 
 Error stoppedTracing();
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -8,7 +8,7 @@
 #include <optional>
 #include <set>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double seedReachMm = 3.0;
@@ -158,4 +158,4 @@ Result<std::string> keepChosenPieces(VoxelMask& mask, const std::vector<Eigen::V
                               "that belongs to the tree.";
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// "(x, y, z)" in mm.
 std::string placeText(const Eigen::Vector3d& point);
@@ -34,4 +34,4 @@ Result<SeedsInLumen> seedsInLumen(const VoxelMask& mask, const std::vector<Eigen
 /// piece, and for an empty mask.
 Result<std::string> keepChosenPieces(VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double blockMm = 1.5;
@@ -150,4 +150,4 @@ CoarseBlood coarseBlood(const VoxelMask& lumen, const VoxelFill& fill, int threa
     return blood;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include "core/tracing/volume/touching_vessels.h"
 #include "core/tracing/volume/tracing_progress.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// How far the places of a scan are filled with blood, as means over blocks of 1.5 mm whatever its voxels: enough for
 /// wide vessels, free of most noise, a small part of the scan's memory, and the same for the same patient.
@@ -21,4 +21,4 @@ struct CoarseBlood {
 /// `fill` counts where `lumen` is set and below one half, not where something else is bright. Incomplete when stopped.
 CoarseBlood coarseBlood(const VoxelMask& lumen, const VoxelFill& fill, int threads, TracingProgress& progress);
 
-}   // namespace core
+}   // namespace angiopose::core

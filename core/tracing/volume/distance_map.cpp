@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double unitsPerVoxel = 256.0;
@@ -140,4 +140,4 @@ DistanceMap distanceMap(const VoxelMask& mask, int threads, TracingProgress& pro
     return map;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

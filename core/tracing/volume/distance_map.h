@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Distance from each voxel of a mask to the nearest one outside it, in mm from centre to centre. Beyond the grid's rim
 /// lies nothing: a vessel that is cut off there stays as wide as it is.
@@ -21,4 +21,4 @@ struct DistanceMap {
 /// Separable exact distance transform (Felzenszwalb, Huttenlocher 2012), anisotropic. Incomplete when stopped.
 DistanceMap distanceMap(const VoxelMask& mask, int threads, TracingProgress& progress);
 
-}   // namespace core
+}   // namespace angiopose::core

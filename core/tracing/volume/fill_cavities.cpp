@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::uint8_t enclosed = 0;   ///< until found otherwise
@@ -91,4 +91,4 @@ void fillHoles(VoxelMask& mask, const HoleFilter& isHole)
     }
 }
 
-}   // namespace core
+}   // namespace angiopose::core

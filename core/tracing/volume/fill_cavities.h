@@ -4,7 +4,7 @@
 
 #include <functional>
 
-namespace core {
+namespace angiopose::core {
 
 /// Sets to 2 what is enclosed by the mask: thinning would leave a shell around it. What was set becomes 1.
 void fillCavities(VoxelMask& mask);
@@ -17,4 +17,4 @@ using HoleFilter = std::function<bool(int i, int j, int k)>;
 /// they are.
 void fillHoles(VoxelMask& mask, const HoleFilter& isHole = {});
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 double worthOfFirst(const std::vector<GreatVessel>& great)
@@ -33,4 +33,4 @@ LumenWithGreatVessels findGreatVessels(SegmentedLumen segmented, const VoxelFill
     return found;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// A lumen with all that belongs to it, and the great vessels in it.
 struct LumenWithGreatVessels {
@@ -22,4 +22,4 @@ struct LumenWithGreatVessels {
 LumenWithGreatVessels findGreatVessels(SegmentedLumen segmented, const VoxelFill& fill, int threads,
                                        TracingProgress& progress);
 
-}   // namespace core
+}   // namespace angiopose::core

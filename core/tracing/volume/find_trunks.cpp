@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double leastRadiusInBlocks = 1.3;   ///< or in voxels, if these are longer; thinner vessels are not seen
@@ -149,4 +149,4 @@ std::vector<Trunk> findTrunks(const CoarseBlood& blood, const DistanceMap& dista
     return trunks;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

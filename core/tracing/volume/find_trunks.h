@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// A long stretch of vessel, wide for its scan.
 struct Trunk {
@@ -30,4 +30,4 @@ struct Trunk {
 /// whose distances are given. Incomplete when stopped.
 std::vector<Trunk> findTrunks(const CoarseBlood& blood, const DistanceMap& distances, TracingProgress& progress);
 
-}   // namespace core
+}   // namespace angiopose::core

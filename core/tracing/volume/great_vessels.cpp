@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double mostGapInRadii = 2.0;   ///< of both radii together, from a trunk's end to the axis of the next
@@ -200,4 +200,4 @@ std::vector<GreatVessel> greatVessels(const CoarseBlood& blood, int threads, Tra
     return vessels;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Trunks that continue one another: the parts of an aorta before, in and behind its arch.
 struct GreatVessel {
@@ -20,4 +20,4 @@ struct GreatVessel {
 /// The great vessels of a scan, that of the greatest worth first. Incomplete when stopped.
 std::vector<GreatVessel> greatVessels(const CoarseBlood& blood, int threads, TracingProgress& progress);
 
-}   // namespace core
+}   // namespace angiopose::core

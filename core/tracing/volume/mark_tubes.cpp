@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int blockSize = 64;
@@ -251,4 +251,4 @@ void markTubes(const Volume& volume, const AxisOrder& order, const BloodLevel& l
         [&](double share) { return progress.advance(share); });
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-namespace core {
+namespace angiopose::core {
 
 /// Marks of a voxel.
 struct TubeBits {
@@ -22,4 +22,4 @@ struct TubeBits {
 void markTubes(const Volume& volume, const AxisOrder& order, const BloodLevel& level, double leastFill,
                VoxelMask& flags, const TubeBits& bits, int threads, TracingProgress& progress);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <array>
 #include <iterator>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double mostBoneHu = 2000.0;
@@ -123,4 +123,4 @@ VoxelPiece metalInBlood(const VoxelPiece& piece, const VolumeGeometry& grid, con
     return isStent(part, grid, fill) ? part : VoxelPiece();
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include "core/tracing/volume/touching_vessels.h"
 #include "core/tracing/volume/voxel_pieces.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// What of a piece that is brighter than blood is a stent: somewhere brighter than any bone, of thin wires, and with
 /// blood beside much of it or, where it is too thin for that, beyond both its ends. Wires in bone, electrodes on the
@@ -14,4 +14,4 @@ namespace core {
 VoxelPiece metalInBlood(const VoxelPiece& piece, const VolumeGeometry& grid, const BloodLevel& level,
                         const VoxelFill& fill);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <queue>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 template <class Visit>
@@ -115,4 +115,4 @@ double neckMm(const DistanceMap& distances, const Eigen::Vector3i& from, const E
     return part.unitMm * necksFrom({within(from)}, part, unheard)[within(to)];
 }
 
-}   // namespace core
+}   // namespace angiopose::core

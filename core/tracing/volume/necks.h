@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// From a voxel to the middle of the vessel around it: the way up the distances.
 std::vector<std::uint32_t> wayToMiddle(std::uint32_t voxel, const DistanceMap& distances);
@@ -29,4 +29,4 @@ Necks necksOf(const VoxelMask& mask, const DistanceMap& distances, const std::ve
 /// than `aroundMm`; 0 where no way leads.
 double neckMm(const DistanceMap& distances, const Eigen::Vector3i& from, const Eigen::Vector3i& to, double aroundMm);
 
-}   // namespace core
+}   // namespace angiopose::core

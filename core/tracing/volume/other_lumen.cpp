@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double wallMm = 4.0;   ///< a flap or a stent's wires, or two walls, and what they blur
@@ -82,4 +82,4 @@ double besideLumenMm(const VoxelMask& lumen, const std::vector<GreatVessel>& gre
     return longestMm;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr TubeBits bits;
@@ -296,4 +296,4 @@ BloodFill fillOf(const Volume& volume, const AxisOrder& order, const BloodLevel&
     };
 }
 
-}   // namespace core
+}   // namespace angiopose::core

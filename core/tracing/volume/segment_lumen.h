@@ -7,7 +7,7 @@
 #include "core/tracing/volume/tracing_progress.h"
 #include "core/tracing/volume/voxel_pieces.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// Voxels that can be lumen, in patient axis order.
 struct SegmentedLumen {
@@ -26,4 +26,4 @@ SegmentedLumen segmentLumen(const Volume& volume, const AxisOrder& order, const 
 /// geometry; all must outlive the result.
 BloodFill fillOf(const Volume& volume, const AxisOrder& order, const BloodLevel& level, const VoxelMask& lumen);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -10,7 +10,7 @@
 #include <array>
 #include <queue>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::uint8_t unreached = 1;
@@ -240,4 +240,4 @@ std::vector<Eigen::Vector3d> splitBySeeds(VoxelMask& mask, const VesselTracingOp
     return starts;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Takes out of a mask what is reached from a place to avoid on a wider way than from a seed, so that vessels that hang
 /// together part at their narrowest place (flooding of the distance map from markers, Meyer 1994). What lies beyond
@@ -22,4 +22,4 @@ namespace core {
 std::vector<Eigen::Vector3d> splitBySeeds(VoxelMask& mask, const VesselTracingOptions& options, const VoxelFill& fill,
                                           const std::vector<GreatVessel>& greatVessels, TracingProgress& progress);
 
-}   // namespace core
+}   // namespace angiopose::core

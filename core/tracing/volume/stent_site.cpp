@@ -1,6 +1,6 @@
 #include "core/tracing/volume/stent_site.h"
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 VoxelBox boxAroundAll(const std::vector<VoxelPiece>& pieces, const VolumeGeometry& grid, double aroundMm)
@@ -74,4 +74,4 @@ StentSite::Fills StentSite::fillsOf(Label label, const VoxelBox& within) const
     return fills;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -10,7 +10,7 @@
 #include <functional>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// The wires of stents in wide vessels.
 struct StentWires {
@@ -77,4 +77,4 @@ private:
     VoxelMask wires_;
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double clearMm = 5.0;
@@ -40,4 +40,4 @@ bool isWideStent(const VoxelPiece& wires, const VoxelMask& flags, std::uint8_t c
     return static_cast<double>(clear) >= leastShare * static_cast<double>(wires.size());
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace core {
+namespace angiopose::core {
 
 /// Whether the vessel of a stent is so wide that its blood stands clear of what the wires blur: voxels that carry
 /// `core` in `flags` lie well away from the wires, but not far. Only then can the wires be told from the blood, and be
@@ -14,4 +14,4 @@ namespace core {
 bool isWideStent(const VoxelPiece& wires, const VoxelMask& flags, std::uint8_t core, int threads,
                  TracingProgress& progress);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double leastFill = 0.5;   ///< the wall between wires
@@ -213,4 +213,4 @@ VoxelPiece lumenBesideWires(const VoxelMask& lumen, const StentWires& wires, con
     return std::move(widening).taken();
 }
 
-}   // namespace core
+}   // namespace angiopose::core

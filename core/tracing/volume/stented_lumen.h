@@ -6,7 +6,7 @@
 #include "core/tracing/volume/tracing_progress.h"
 #include "core/tracing/volume/voxel_pieces.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// What belongs to the lumen beside wires, where it was kept clear of all that they blur: up to the crest of each wire,
 /// where its middle and the vessel's wall lie, and between wires as far as blood is seen, in at most `steps` voxels.
@@ -16,4 +16,4 @@ namespace core {
 VoxelPiece lumenBesideWires(const VoxelMask& lumen, const StentWires& wires, const VoxelFill& fill, int steps,
                             TracingProgress& progress);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double leastFill = 0.7;   ///< of blood, as of a large vessel
@@ -127,4 +127,4 @@ bool isThinStent(const VoxelPiece& piece, const VolumeGeometry& grid, const Voxe
     return ThinTube(piece, grid, fill).isContinuedByBlood();
 }
 
-}   // namespace core
+}   // namespace angiopose::core

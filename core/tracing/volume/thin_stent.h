@@ -4,10 +4,10 @@
 #include "core/tracing/volume/touching_vessels.h"
 #include "core/tracing/volume/voxel_pieces.h"
 
-namespace core {
+namespace angiopose::core {
 
 /// Whether a piece of metal is a tube so thin that no blood is seen within or beside it, with a vessel beyond both its
 /// ends: wires in bone and clips have none, a lead or a catheter only at one.
 bool isThinStent(const VoxelPiece& piece, const VolumeGeometry& grid, const VoxelFill& fill);
 
-}   // namespace core
+}   // namespace angiopose::core

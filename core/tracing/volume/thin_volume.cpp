@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <unordered_map>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 // A neighbourhood is 27 bits: bit x + 3 y + 9 z for the steps x - 1, y - 1, z - 1; the centre is bit 13.
@@ -272,4 +272,4 @@ std::vector<std::size_t> thinned(const VoxelMask& mask, TracingProgress& progres
     return skeleton;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

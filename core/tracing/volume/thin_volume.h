@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Skeleton of a mask as ascending voxel indices: one voxel thin, with the mask's pieces, loops and cavities
 /// (26-connected object, 6-connected background). Directional thinning with a queue of border voxels (Lee, Kashyap,
@@ -16,4 +16,4 @@ std::vector<std::size_t> thinned(const VoxelMask& mask, TracingProgress& progres
 /// The same for a mask whose outermost voxels are all clear; works within it and so needs no second one.
 std::vector<std::size_t> thinnedInPlace(VoxelMask rimmed, TracingProgress& progress);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr std::uint16_t touch = 269;   ///< 1.05 voxels in units of the distances: a voxel at the wall
@@ -63,4 +63,4 @@ std::vector<std::uint32_t> voxelsOfOtherBlood(const DistanceMap& distances, cons
     return others;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Share of blood in a voxel: 0 tissue, 1 the blood of the vessels.
 using VoxelFill = std::function<double(int i, int j, int k)>;
@@ -18,4 +18,4 @@ using VoxelFill = std::function<double(int i, int j, int k)>;
 std::vector<std::uint32_t> voxelsOfOtherBlood(const DistanceMap& distances, const std::vector<std::uint16_t>& necks,
                                               const VoxelFill& fill);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -18,7 +18,7 @@
 #include <set>
 #include <utility>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr int holeRounds = 4;
@@ -274,4 +274,4 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
     return startedBy(std::move(vessels), lumen, great);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// One set of defaults for every scan.
 struct VesselTracingOptions {
@@ -66,4 +66,4 @@ Result<TracedVessels> traceMask(const VoxelMask& mask, const VesselTracingOption
 Result<TracedVessels> traceLabels(const LabelVolume& image, const std::vector<int>& labels,
                                   const VesselTracingOptions& options = {}, const TracingObserver& observe = {});
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <string_view>
 
-namespace core {
+namespace angiopose::core {
 
 /// Carries progress out and the stop wish in, at most some twenty times a second. Once stopped, always stopped.
 class TracingProgress {
@@ -52,4 +52,4 @@ private:
     std::chrono::steady_clock::time_point due_{};
 };
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 
 std::string loopWarning(int loops)
 {
@@ -46,4 +46,4 @@ std::string startWarning(const std::optional<Eigen::Vector3d>& foundStart)
            " mm (LPS) was found and traced. Place a seed in another vessel if it is the wrong one.";
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace core {
+namespace angiopose::core {
 
 /// What users are told about a tree that was traced.
 std::string loopWarning(int loops);
@@ -13,4 +13,4 @@ std::string dimWarning(int parts);   ///< left out
 std::string besideWarning(double besideMm);   ///< how far another great vessel runs beside the traced one
 std::string startWarning(const std::optional<Eigen::Vector3d>& foundStart);   ///< where it began without a seed
 
-}   // namespace core
+}   // namespace angiopose::core

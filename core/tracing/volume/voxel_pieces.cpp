@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// Takes the piece around `seed` out of `left`.
@@ -86,4 +86,4 @@ VoxelBox boxAround(const VoxelPiece& piece, const VolumeGeometry& grid, double a
     return {(box.low - reach).cwiseMax(0), (box.high + reach).cwiseMin(grid.size)};
 }
 
-}   // namespace core
+}   // namespace angiopose::core

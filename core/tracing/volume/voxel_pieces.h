@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// Voxel indices of one connected piece, ascending.
 using VoxelPiece = std::vector<std::uint32_t>;
@@ -20,4 +20,4 @@ VoxelBox boxOf(const VoxelMask& mask);
 /// That of a piece, with `aroundMm` to all sides as far as the grid goes.
 VoxelBox boxAround(const VoxelPiece& piece, const VolumeGeometry& grid, double aroundMm);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double leastTrust = 0.5;   ///< a sixth of the rays may miss the wall: branches leave there
@@ -98,4 +98,4 @@ Tube walkTube(const Eigen::Vector3d& startMm, double radiusMm, const TubeGround&
     return tube;
 }
 
-}   // namespace core
+}   // namespace angiopose::core

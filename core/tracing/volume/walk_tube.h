@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace core {
+namespace angiopose::core {
 
 /// The axis of a tube, in mm along the grid's axes.
 struct Tube {
@@ -24,4 +24,4 @@ struct TubeGround {
 /// as they are round and the width changes slowly. Never empty: at least the start.
 Tube walkTube(const Eigen::Vector3d& startMm, double radiusMm, const TubeGround& ground);
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 class Flooding {
@@ -107,4 +107,4 @@ std::vector<std::uint32_t> wideBasins(const DistanceMap& distances, double least
     return Flooding(distances, leastNeck).run();
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -9,6 +9,8 @@
 #include <sstream>
 #include <vector>
 
+using namespace angiopose;
+
 // Writes the C++ list of all that core and io can say to the user, for lupdate to collect and the window to translate:
 // what the tables hold, and the sentences found in the sources. The layers themselves know no translations.
 // Usage: list_core_texts OUTPUT.cpp SOURCE…

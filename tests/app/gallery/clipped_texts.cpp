@@ -14,7 +14,7 @@
 #include <QStyleOptionComboBox>
 #include <QToolButton>
 
-namespace test {
+namespace angiopose::test {
 namespace {
 
 constexpr int tolerancePx = 1;
@@ -127,4 +127,4 @@ QStringList clippedTexts(const QWidget& root)
     return problems;
 }
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -5,10 +5,10 @@
 
 class QWidget;
 
-namespace test {
+namespace angiopose::test {
 
 /// Every visible label, button and field below the widget whose words do not fit into its room, in words. Labels that
 /// shorten themselves with "…" and tell the rest in their tool tip are not meant.
 QStringList clippedTexts(const QWidget& root);
 
-}   // namespace test
+}   // namespace angiopose::test

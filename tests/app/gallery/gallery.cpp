@@ -20,7 +20,7 @@
 #include <array>
 #include <utility>
 
-namespace test {
+namespace angiopose::test {
 namespace {
 
 constexpr int patienceMs = 120000;
@@ -228,4 +228,4 @@ void Gallery::take(QWidget& widget, const QString& name)
     }
 }
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -5,15 +5,15 @@
 
 class QWidget;
 
-namespace app {
+namespace angiopose::app {
 class CaseController;
 }
 
-namespace ui {
+namespace angiopose::ui {
 class MainWindow;
 }
 
-namespace test {
+namespace angiopose::test {
 
 /// Takes pictures of the window, its panels and dialogs in one language and theme, and looks for what a user would
 /// frown at: words without room, and panels that show nothing.
@@ -42,4 +42,4 @@ private:
     int pictureCount_ = 0;
 };
 
-}   // namespace test
+}   // namespace angiopose::test

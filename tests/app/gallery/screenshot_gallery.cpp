@@ -12,6 +12,8 @@
 
 #include <cstdio>
 
+using namespace angiopose;
+
 namespace {
 
 /// The eye that looks for words without room must see them: a button as wide as half its word.

@@ -8,7 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 TEST(FileQueue, WorksOffTheCallersThreadInTheOrderOfAsking)
@@ -60,4 +60,4 @@ TEST(FileQueue, FinishesWhatWasAskedForBeforeItGoes)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -4,7 +4,7 @@
 #include <QThread>
 #include <QThreadPool>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 /// Notes on which thread it goes.
@@ -55,4 +55,4 @@ TEST(FreedElsewhere, WhatWasReadStaysTheSame)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

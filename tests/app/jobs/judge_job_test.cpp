@@ -7,7 +7,7 @@
 #include <QSignalSpy>
 #include <QThreadPool>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr int patienceMs = 60000;
@@ -73,4 +73,4 @@ TEST(JudgeJob, StaysSilentAfterCancel)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

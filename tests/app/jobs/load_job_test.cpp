@@ -15,7 +15,7 @@
 
 #include <algorithm>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr int patienceMs = 60000;
@@ -210,4 +210,4 @@ TEST(InputKind, SaysWhatCanBeOpenedInsteadOfAStrangeFile)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -6,7 +6,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr int patienceMs = 60000;
@@ -76,4 +76,4 @@ TEST(MethodSeriesJob, CanBeDestroyedWhileItRuns)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -9,7 +9,7 @@
 
 #include <memory>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr int patienceMs = 60000;
@@ -114,4 +114,4 @@ TEST(RegistrationJob, CanBeDestroyedWhileRunning)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

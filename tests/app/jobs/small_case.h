@@ -3,7 +3,7 @@
 #include "core/registration/registration.h"
 #include "core/simulation/simulated_case.h"
 
-namespace test {
+namespace angiopose::test {
 
 /// A small simulated case, quick to register and to trace.
 inline core::SimulatedCase smallCase()
@@ -24,4 +24,4 @@ inline core::RegistrationInput inputOf(const core::SimulatedCase& simulated)
     return {simulated.tree, simulated.trueTarget, simulated.camera, simulated.initialCameraFromPatient, {}, {}};
 }
 
-}   // namespace test
+}   // namespace angiopose::test

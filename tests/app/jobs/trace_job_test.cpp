@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace app {
+namespace angiopose::app {
 namespace {
 
 constexpr int patienceMs = 60000;
@@ -51,4 +51,4 @@ TEST(TraceJob, CanBeDestroyedWhileRunning)
 }
 
 }   // namespace
-}   // namespace app
+}   // namespace angiopose::app

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <array>
 
-namespace test {
+namespace angiopose::test {
 namespace {
 
 /// By the names in the settings: what ends the session, opens another case, or writes over the one that was opened.
@@ -85,4 +85,4 @@ std::vector<Habit> commandHabits()
     return {{26, command}, {2, handlePoses}, {1, saveAndExport}, {1, recover}};
 }
 
-}   // namespace test
+}   // namespace angiopose::test

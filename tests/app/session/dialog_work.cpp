@@ -10,7 +10,7 @@
 #include <QPointer>
 #include <QTest>
 
-namespace test {
+namespace angiopose::test {
 namespace {
 
 constexpr int mostActs = 4;
@@ -84,4 +84,4 @@ void workIn(QWidget& dialog, RandomHand& hand)
     }
 }
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace test {
+namespace angiopose::test {
 
 /// Where the random user sits.
 struct Desk {
@@ -37,4 +37,4 @@ std::vector<Habit> commandHabits();
 /// Some random acts in a dialog that is open: clicks, ticks, rows, words. What it led to may be another dialog.
 void workIn(QWidget& dialog, RandomHand& hand);
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace test {
+namespace angiopose::test {
 namespace {
 
 /// Keys that no command has: of modes, tools and lists. What is here twice is pressed twice as often.
@@ -104,4 +104,4 @@ std::vector<Habit> imageHabits()
             {8, clickInImage},  {2, askForMenu}, {3, drawCurves},   {2, shiftMask}};
 }
 
-}   // namespace test
+}   // namespace angiopose::test

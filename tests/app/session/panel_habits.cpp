@@ -11,7 +11,7 @@
 
 #include <array>
 
-namespace test {
+namespace angiopose::test {
 namespace {
 
 QString typeNumber(Desk& desk)
@@ -128,4 +128,4 @@ std::vector<Habit> panelHabits()
             {4, workInList}, {1, resizeWindow}, {1, scrollSomewhere}};
 }
 
-}   // namespace test
+}   // namespace angiopose::test

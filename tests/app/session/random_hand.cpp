@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace test {
+namespace angiopose::test {
 
 int RandomHand::below(int count)
 {
@@ -75,4 +75,4 @@ void RandomHand::askForMenu(QWidget& widget)
     QApplication::sendEvent(&widget, &event);
 }
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace test {
+namespace angiopose::test {
 
 /// The hand of a random user: draws by lot and makes real mouse and key events. The same seed draws alike.
 class RandomHand {
@@ -49,4 +49,4 @@ std::vector<Widget*> usable(const QWidget& root)
     return found;
 }
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -10,7 +10,7 @@
 #include <QStandardPaths>
 #include <QTest>
 
-namespace test {
+namespace angiopose::test {
 namespace {
 
 constexpr int patienceMs = 60000;
@@ -128,4 +128,4 @@ bool RandomUser::comeToRest()
     return hasEnded;
 }
 
-}   // namespace test
+}   // namespace angiopose::test

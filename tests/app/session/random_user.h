@@ -3,7 +3,7 @@
 #include "app/window_host.h"
 #include "tests/app/session/habit.h"
 
-namespace test {
+namespace angiopose::test {
 
 /// A user who does anything the window allows, in random order, by real mouse and key events. The same seed always
 /// makes the same choices.
@@ -31,4 +31,4 @@ private:
     QString last_;
 };
 
-}   // namespace test
+}   // namespace angiopose::test

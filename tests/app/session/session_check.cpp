@@ -4,7 +4,7 @@
 #include <QFile>
 #include <QTest>
 
-namespace test {
+namespace angiopose::test {
 namespace {
 
 constexpr int patienceMs = 60000;
@@ -57,4 +57,4 @@ QString differenceAfterReopening(app::CaseController& controller, const QString&
     return {};
 }
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace test {
+namespace angiopose::test {
 namespace {
 
 QString workInTreeView(Desk& desk)
@@ -86,4 +86,4 @@ std::vector<Habit> vesselHabits()
     return {{5, workInTreeView}, {5, workInSlices}, {2, editTree}, {6, clickBranch}};
 }
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -8,6 +8,8 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace core;

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <set>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace core;

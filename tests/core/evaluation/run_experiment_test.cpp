@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <atomic>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace core;

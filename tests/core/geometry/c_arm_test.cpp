@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <tuple>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace core;

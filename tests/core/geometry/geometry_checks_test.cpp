@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 CArm usual()
@@ -144,4 +144,4 @@ TEST(GeometryChecks, AskForEverythingThatIsMissing)
     EXPECT_NE(findMissing(cArm).front().find("pixel spacing"), std::string::npos);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

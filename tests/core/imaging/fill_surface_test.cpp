@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// A tube along z, open or closed at its ends.
@@ -97,4 +97,4 @@ TEST(CheckMesh, FindsHolesAndTurnedTriangles)
     EXPECT_EQ(checkMesh(mesh).openEdges, 3U);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <random>
 
+using namespace angiopose;
+
 namespace {
 
 TEST(GreyStatistics, RankedValuesAreThoseOfTheSortedOnes)

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <numeric>
 
+using namespace angiopose;
+
 namespace {
 
 TEST(Blurred, IsTheSameForAnyNumberOfThreads)

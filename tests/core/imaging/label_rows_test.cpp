@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 VolumeGeometry geometryOf(int columns, int rows, int slices)
@@ -55,4 +55,4 @@ TEST(LabelRows, ManyLabelsShareTheLastNumber)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
+using namespace angiopose;
+
 namespace {
 
 using core::Mask2d;

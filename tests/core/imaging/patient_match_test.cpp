@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 StudyIdentity patient(const char* id, const char* name, const char* birthDate)
@@ -60,4 +60,4 @@ TEST(PatientMatch, OppositeSidesOfTheBodyAreNamed)
     EXPECT_EQ(findMismatch(left, left), "");
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// Values that tell where in the patient a voxel lies: 100 z + 10 y + x, spacing 1 × 2 × 3 mm.
@@ -133,4 +133,4 @@ TEST(VolumeSlice, KnowsTheValueAtAPoint)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

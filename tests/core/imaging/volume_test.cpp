@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 TEST(VolumeGeometry, VoxelAtIsTheInverseOfIndex)
@@ -25,4 +25,4 @@ TEST(VolumeGeometry, CountsBeyond32Bits)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

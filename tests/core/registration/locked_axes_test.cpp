@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+using namespace angiopose;
+
 // What stays as it is when degrees of freedom are locked, whatever the method.
 
 namespace {

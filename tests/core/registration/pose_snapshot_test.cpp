@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace core;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 double meanErrorPx(const test::CleanCase& clean, const RegistrationResult& result)
@@ -112,4 +112,4 @@ TEST(EvaluatePose, JudgesWithoutMoving)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

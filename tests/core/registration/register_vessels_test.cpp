@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 double meanErrorPx(const test::CleanCase& clean, const RegistrationResult& result)
@@ -244,4 +244,4 @@ TEST(RegisterVessels, ExcludedBranchesAreNotUsed)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
@@ -165,4 +165,4 @@ TEST(RegisterViews, NamesWhatIsWrong)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

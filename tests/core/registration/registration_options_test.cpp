@@ -4,7 +4,7 @@
 #include <limits>
 #include <set>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 TEST(RegistrationOptions, DefaultsAreFineForEveryMethod)
@@ -46,4 +46,4 @@ TEST(RegistrationOptions, NamesTheFieldThatIsOutOfRange)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

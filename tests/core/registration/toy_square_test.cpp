@@ -8,7 +8,7 @@
 #include <array>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
@@ -87,4 +87,4 @@ TEST(ToySquare, SeenEdgeOnIsFlaggedAsUndetermined)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double framesPerBreath = 60.0;
@@ -134,4 +134,4 @@ TEST(MotionModel, LearnsTheAxisOfTheMotion)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

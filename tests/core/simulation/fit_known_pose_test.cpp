@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace core;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace core;

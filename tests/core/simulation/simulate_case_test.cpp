@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace core;

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <numeric>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace core;

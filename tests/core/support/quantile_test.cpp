@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace core;

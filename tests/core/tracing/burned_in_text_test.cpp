@@ -8,6 +8,8 @@
 #include <array>
 #include <string_view>
 
+using namespace angiopose;
+
 namespace {
 
 using core::ImageF;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 ImageF bar(float ground, float vessel, float edge)
@@ -37,4 +37,4 @@ TEST(DrawnMask, LeavesPicturesAlone)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
+using namespace angiopose;
+
 namespace {
 
 using core::Mask2d;

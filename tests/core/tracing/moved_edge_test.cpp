@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
+using namespace angiopose;
+
 namespace {
 
 using test::Path;

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
+using namespace angiopose;
+
 namespace {
 
 using core::Curve2d;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+using namespace angiopose;
+
 namespace {
 
 /// The table `tracing_table --simulated` in small: the aims are means over many runs.

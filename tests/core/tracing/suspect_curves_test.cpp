@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
+using namespace angiopose;
+
 namespace {
 
 using core::Centerline2d;

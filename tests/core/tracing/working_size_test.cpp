@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
+using namespace angiopose;
+
 namespace {
 
 using core::ImageF;

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+using namespace angiopose;
+
 namespace {
 
 using core::VesselBranch;

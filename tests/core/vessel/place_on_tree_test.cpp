@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 VesselTree crossing()
@@ -43,4 +43,4 @@ TEST(PlaceOnTree, BehindTheSourceIsNowhere)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

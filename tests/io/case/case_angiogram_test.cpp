@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+using namespace angiopose;
+
 namespace {
 
 using test::phantomCase;

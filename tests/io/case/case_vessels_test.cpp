@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <filesystem>
 
+using namespace angiopose;
+
 namespace {
 
 using test::anyContains;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 
+using namespace angiopose;
+
 namespace {
 
 namespace fs = std::filesystem;

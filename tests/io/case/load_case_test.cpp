@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <filesystem>
 
+using namespace angiopose;
+
 namespace {
 
 using test::anyContains;

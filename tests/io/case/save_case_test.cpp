@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <limits>
 
+using namespace angiopose;
+
 namespace {
 
 using test::contains;

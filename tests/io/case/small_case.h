@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace test {
+namespace angiopose::test {
 
 /// A folder with a small tree, a small image and the text of a minimal case.
 class SmallCase {
@@ -76,4 +76,4 @@ inline core::RegistrationCase phantomCase(int view)
     return loaded ? std::move(loaded).value() : core::RegistrationCase{};
 }
 
-}   // namespace test
+}   // namespace angiopose::test

@@ -8,6 +8,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+using namespace angiopose;
+
 namespace {
 
 /// A header with these elements, as text.

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace test {
+namespace angiopose::test {
 
 /// The slice of `volume` at layer k, as a scanner would store it.
 inline CtSlice sliceOf(const core::Volume& volume, int k)
@@ -69,4 +69,4 @@ inline bool mentions(const std::vector<std::string>& warnings, const std::string
                        [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
 }
 
-}   // namespace test
+}   // namespace angiopose::test

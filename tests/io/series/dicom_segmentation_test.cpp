@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+using namespace angiopose;
+
 namespace {
 
 using test::DicomBytes;

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <numeric>
 
+using namespace angiopose;
+
 namespace {
 
 using test::allSlices;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace test {
+namespace angiopose::test {
 
 /// Little-endian explicit DICOM data elements, written by hand: the reader under test shares nothing with it.
 class DicomBytes {
@@ -132,4 +132,4 @@ inline std::string ctSlice(const CtSlice& slice)
     return std::string(128, '\0') + "DICM" + data.content();
 }
 
-}   // namespace test
+}   // namespace angiopose::test

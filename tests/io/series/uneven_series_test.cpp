@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <numeric>
 
+using namespace angiopose;
+
 namespace {
 
 using test::allSlices;

@@ -9,6 +9,8 @@
 #include <map>
 #include <numbers>
 
+using namespace angiopose;
+
 namespace {
 
 using test::TemporaryFolder;

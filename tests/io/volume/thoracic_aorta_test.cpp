@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 
+using namespace angiopose;
+
 namespace {
 
 /// The torn aorta of the thoracic CTA, with a stent in its true lumen behind the arch.

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace test {
+namespace angiopose::test {
 
 inline core::Volume readBack(const std::string& path)
 {
@@ -38,4 +38,4 @@ inline void expectRefused(const std::string& path, const std::string& reason)
     EXPECT_TRUE(loaded.error().message.starts_with(path)) << loaded.error().message;
 }
 
-}   // namespace test
+}   // namespace angiopose::test

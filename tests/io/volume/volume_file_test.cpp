@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+using namespace angiopose;
+
 namespace {
 
 using test::bytesOf;

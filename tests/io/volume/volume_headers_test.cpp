@@ -8,6 +8,8 @@
 #include <cstring>
 #include <numeric>
 
+using namespace angiopose;
+
 namespace {
 
 using test::bytesOf;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+using namespace angiopose;
+
 // Headers whose voxels lie in another file.
 
 namespace {

@@ -9,7 +9,7 @@
 #include <QTextBrowser>
 #include <QToolButton>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 QString text(std::string_view view)
@@ -73,4 +73,4 @@ TEST(MethodHelp, OpensForTheChosenMethod)
 }
 
 }   // namespace
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -6,7 +6,7 @@
 #include <QTest>
 #include <QWheelEvent>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 NumberFormat millimetres()
@@ -74,4 +74,4 @@ TEST(NumberField, IgnoresTheWheelWithoutFocus)
 }
 
 }   // namespace
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -12,7 +12,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 TEST(PosePanel, ReportsTheWholeOffsetAfterTyping)
@@ -141,4 +141,4 @@ TEST(HistogramPlot, CountsWhatLiesAboveTheScaleByItself)
 }
 
 }   // namespace
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 core::VesselTree treeOf(const std::vector<std::string>& names)
@@ -59,4 +59,4 @@ TEST(ResultSentences, HaveNothingCertainWhenTheFitIsNotTrustworthy)
 }
 
 }   // namespace
-}   // namespace ui
+}   // namespace angiopose::ui

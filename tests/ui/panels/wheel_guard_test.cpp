@@ -11,6 +11,8 @@
 #include <QVBoxLayout>
 #include <QWheelEvent>
 
+using namespace angiopose;
+
 namespace {
 
 /// A choice and a number at the top of a column that can be scrolled.

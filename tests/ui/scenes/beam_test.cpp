@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+using namespace angiopose;
+
 namespace {
 
 constexpr double sizePx = 400.0;

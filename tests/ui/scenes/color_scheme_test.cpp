@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr std::array schemes{ColorScheme::BlueAmber, ColorScheme::BlueRed, ColorScheme::Brightness};
@@ -97,4 +97,4 @@ TEST_F(ColorSchemes, SelectedBranchesStandOutFromPlainOnes)
 }
 
 }   // namespace
-}   // namespace ui
+}   // namespace angiopose::ui

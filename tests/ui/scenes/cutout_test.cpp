@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+using namespace angiopose;
+
 namespace {
 
 constexpr std::uint32_t bare = 0xFF101010U;

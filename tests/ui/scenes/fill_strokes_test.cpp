@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+using namespace angiopose;
+
 namespace {
 
 constexpr std::uint32_t black = 0xFF000000U;

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+using namespace angiopose;
+
 namespace {
 
 const ui::ViewRect wholeImage{-0.5, 511.5, -0.5, 511.5};

@@ -4,6 +4,8 @@
 
 #include <vector>
 
+using namespace angiopose;
+
 namespace {
 
 using Grey = core::Image2d<std::uint8_t>;

@@ -4,6 +4,8 @@
 
 #include <numeric>
 
+using namespace angiopose;
+
 namespace {
 
 core::Mask2d maskOf(const char* text)

@@ -9,6 +9,8 @@
 #include <functional>
 #include <ostream>
 
+using namespace angiopose;
+
 namespace {
 
 struct Change {

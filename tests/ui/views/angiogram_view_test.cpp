@@ -16,6 +16,8 @@
 #include <climits>
 #include <cmath>
 
+using namespace angiopose;
+
 namespace {
 
 class AngiogramViewTest : public ::testing::TestWithParam<test::Mirror> {

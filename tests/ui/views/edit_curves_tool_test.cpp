@@ -6,6 +6,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+using namespace angiopose;
+
 namespace {
 
 core::Curve2d lineAt(int id, double y)

@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
+using namespace angiopose;
+
 namespace {
 
 /// Source behind the patient, seen as if facing the patient: image right is the patient's left, up is the head.

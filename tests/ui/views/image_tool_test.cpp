@@ -9,6 +9,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+using namespace angiopose;
+
 namespace {
 
 /// Writes down what it is asked.

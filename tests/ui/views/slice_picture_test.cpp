@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 /// 8 × 8 pixels of 1 × 2 mm with the values 0, 100, … 700 from left to right.
@@ -138,4 +138,4 @@ TEST(SliceModel, KeepsTheCrosshairWithinTheScan)
 }
 
 }   // namespace
-}   // namespace ui
+}   // namespace angiopose::ui

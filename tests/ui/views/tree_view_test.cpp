@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <set>
 
+using namespace angiopose;
+
 namespace {
 
 constexpr int patienceMs = 20000;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 /// A vessel along row 20 that turns up at column 60.
@@ -64,4 +64,4 @@ TEST(WirePath, IsStraightWithoutAWire)
 }
 
 }   // namespace
-}   // namespace ui
+}   // namespace angiopose::ui

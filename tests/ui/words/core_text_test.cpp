@@ -9,7 +9,7 @@
 #include <QCoreApplication>
 #include <string_view>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 using namespace std::string_view_literals;
@@ -100,4 +100,4 @@ TEST(CoreText, KnowsEveryOptionAndMethodInEveryLanguage)
 }
 
 }   // namespace
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 class Number : public ::testing::Test {
@@ -57,4 +57,4 @@ TEST_F(Number, NamesKeepTheirPoints)
 }
 
 }   // namespace
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -5,7 +5,7 @@
 
 #include <QAction>
 
-namespace ui {
+namespace angiopose::ui {
 
 void bindTool(QAction& action, AngiogramView& view, ImageTool& tool)
 {
@@ -20,4 +20,4 @@ void bindTool(QAction& action, AngiogramView& view, ImageTool& tool)
                      [&action, &view, &tool] { action.setChecked(view.tool() == &tool); });
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -2,7 +2,7 @@
 
 class QAction;
 
-namespace ui {
+namespace angiopose::ui {
 
 class AngiogramView;
 class ImageTool;
@@ -11,4 +11,4 @@ class ImageTool;
 /// when Esc ends this one.
 void bindTool(QAction& action, AngiogramView& view, ImageTool& tool);
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double brushStep = 1.25;
@@ -63,4 +63,4 @@ bool EditCurvesTool::takeBack()
     return wasDrawing;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -10,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double thinningStepPx = 0.7;
@@ -151,4 +151,4 @@ double EditCurvesTool::brushPx() const
     return brushRadius_ / view().zoom();
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double signRadius = 10.0;
@@ -123,4 +123,4 @@ void EditCurvesTool::paint(QPainter& painter) const
     }
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double reachOnScreenPx = 9.0;
@@ -271,4 +271,4 @@ std::vector<Eigen::Vector2d> EditCurvesTool::outline() const
     return {a, {b.x(), a.y()}, b, {a.x(), b.y()}};
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

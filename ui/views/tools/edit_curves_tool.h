@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 
 enum class CurveEdit { Erase, Draw, Cut, Remove, Box, Lasso };
 
@@ -105,4 +105,4 @@ private:
     WirePath path_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

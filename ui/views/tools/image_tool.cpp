@@ -2,7 +2,7 @@
 
 #include "ui/views/angiogram_view.h"
 
-namespace ui {
+namespace angiopose::ui {
 
 ImageTool::ImageTool(AngiogramView& view) : QObject(&view), view_(view) {}
 
@@ -11,4 +11,4 @@ const Color& ImageTool::tone() const
     return palette(ThemeMode::Dark).accent;   // the angiogram lies on black in every theme
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

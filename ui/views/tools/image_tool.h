@@ -13,7 +13,7 @@
 class QKeyEvent;
 class QPainter;
 
-namespace ui {
+namespace angiopose::ui {
 
 class AngiogramView;
 
@@ -64,4 +64,4 @@ private:
     AngiogramView& view_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

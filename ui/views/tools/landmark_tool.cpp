@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double reachPx = 10.0;
@@ -187,4 +187,4 @@ void LandmarkTool::paint(QPainter& painter) const
     painter.restore();
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

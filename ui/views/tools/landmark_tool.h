@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Landmarks being collected: whole pairs, and the half of one that still lacks its other half.
 struct LandmarkMarks {
@@ -61,4 +61,4 @@ private:
     std::optional<Held> held_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double smallestStepPx = 2.0;   // widget px between corners
@@ -86,4 +86,4 @@ void LassoTool::paint(QPainter& painter) const
     painter.drawPolygon(shown);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

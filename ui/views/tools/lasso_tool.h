@@ -4,7 +4,7 @@
 
 #include <QPolygonF>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// What the branches inside a lasso become.
 enum class LassoEffect { Replaces, Adds, Removes };
@@ -32,4 +32,4 @@ private:
     QPolygonF outline_;   ///< image px
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

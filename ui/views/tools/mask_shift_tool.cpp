@@ -5,7 +5,7 @@
 
 #include <QKeyEvent>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double stepPx = 0.25;
@@ -92,4 +92,4 @@ void MaskShiftTool::keyPress(const QKeyEvent& event)
     }
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -2,7 +2,7 @@
 
 #include "ui/views/tools/image_tool.h"
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Moves the mask of a subtraction under the frame, by drags and arrow keys, until bones vanish.
 class MaskShiftTool : public ImageTool {
@@ -41,4 +41,4 @@ private:
     Eigen::Vector2d last_ = Eigen::Vector2d::Zero();
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

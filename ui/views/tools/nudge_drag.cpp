@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double ringReachPx = 13.0;
@@ -93,4 +93,4 @@ double NudgeDrag::slidePx() const
     return handle_ == PoseHandle::LaoRao ? shiftPx_.x() : -shiftPx_.y();
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Where the tree is grasped, in widget px (v down).
 struct NudgeGrip {
@@ -46,4 +46,4 @@ private:
 /// Clockwise angle on screen (v down) of a position seen from a centre.
 double screenAngleRad(const Eigen::Vector2d& centre, const Eigen::Vector2d& position);
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double finePace = 0.1;
@@ -221,4 +221,4 @@ void NudgeTool::paint(QPainter& painter) const
     painter.drawText(box, Qt::AlignCenter, text);
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -5,7 +5,7 @@
 #include "ui/views/tools/image_tool.h"
 #include "ui/views/tools/nudge_drag.h"
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Moves the tree on the image: drags shift, on the ring they roll, on the arcs around it they turn, on the slide they
 /// move in depth; keys move by steps.
@@ -47,4 +47,4 @@ private:
     double hotAngleRad_ = 0.0;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace ui {
+namespace angiopose::ui {
 namespace {
 
 constexpr double reachPx = 12.0;   // widget px
@@ -143,4 +143,4 @@ void PivotTool::paint(QPainter& painter) const
     }
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

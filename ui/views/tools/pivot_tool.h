@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// Picks the place on the vessels that they turn about: a click on the projected tree, or the arrows from one
 /// bifurcation to the next and Enter. Delete asks for the centroid again.
@@ -43,4 +43,4 @@ private:
     std::size_t node_ = 0;   ///< the arrows' place among the nodes
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

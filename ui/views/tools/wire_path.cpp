@@ -1,6 +1,6 @@
 #include "ui/views/tools/wire_path.h"
 
-namespace ui {
+namespace angiopose::ui {
 
 void WirePath::clear()
 {
@@ -70,4 +70,4 @@ WirePath::Points WirePath::anchors() const
     return ends;
 }
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace ui {
+namespace angiopose::ui {
 
 /// A path drawn from anchor to anchor, following vessels between them.
 class WirePath {
@@ -30,4 +30,4 @@ private:
     Points aimed_;
 };
 
-}   // namespace ui
+}   // namespace angiopose::ui

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
+using namespace angiopose;
+
 namespace {
 
 using core::signedRankTest;

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// A clean case as the inner loop sees it, at a pose a little beside the truth.
@@ -139,4 +139,4 @@ TEST_F(AlignmentTest, VesselsAcrossTheTreeDoNotPull)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 struct CoarseSearchTest : ::testing::Test {
@@ -60,4 +60,4 @@ TEST_F(CoarseSearchTest, ReachOfZeroLooksOnlyAtTheStart)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 CentroidPose slightlyBeside(const CentroidPose& pose)
@@ -47,4 +47,4 @@ TEST(ExactPartners, AreNotSeenBetweenOtherSamplesOfTheSameCurves)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

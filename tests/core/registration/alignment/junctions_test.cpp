@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// Points from `from` to `to`, one apart.
@@ -65,4 +65,4 @@ TEST(Junctions, OfATreeAreThoseOfItsProjection)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
@@ -121,4 +121,4 @@ TEST_F(PoseSearchTest, RanksTheTruthAboveAllElse)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// Rows of straight branches: residual = offset(branch) + AR(1) noise of 0.3 px, neighbours correlated by `kept`.
@@ -68,4 +68,4 @@ TEST(ResidualNoise, OfHardlyAnyMatchesIsLarge)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

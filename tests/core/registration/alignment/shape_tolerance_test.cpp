@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// Rows of straight branches in space, bent sideways by a smooth field of about `offsetPx`, plus white noise of 0.2 px.
@@ -87,4 +87,4 @@ TEST(ShapeTolerance, KeepsThePoseOfAnExactShape)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

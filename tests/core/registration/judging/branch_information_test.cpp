@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numbers>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace core;

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 struct DistanceMetricsTest : ::testing::Test {
@@ -46,4 +46,4 @@ TEST_F(DistanceMetricsTest, ShrinkingTheProjectionShowsInTheReverseDistance)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 struct FollowedVesselsTest : ::testing::Test {
@@ -46,4 +46,4 @@ TEST_F(FollowedVesselsTest, WhatIsOutsideTheImageIsNotMissed)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 struct PoseShiftTest : ::testing::Test {
@@ -65,4 +65,4 @@ TEST_F(PoseShiftTest, APoseBesideTheVesselsSettlesOnThem)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 /// 1-σ of the depth at the true pose on some degraded images, mean; the tree has so many points.
@@ -39,4 +39,4 @@ TEST(PoseUncertainty, DoesNotShrinkWithPointsThatTellNothingNew)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 std::vector<Eigen::Vector2d> randomPoints(int count, double low, double high, std::uint64_t seed)
@@ -75,4 +75,4 @@ TEST(FeatureMap, AnswersFarOutsideTheImage)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

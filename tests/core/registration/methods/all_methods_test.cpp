@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
+using namespace angiopose;
+
 // What every row of the table of methods promises, whatever it minimises.
 
 namespace {

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <map>
 
+using namespace angiopose;
+
 // The methods that read the image: what they see, and that they see it.
 
 namespace {

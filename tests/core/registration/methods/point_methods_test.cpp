@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace core;

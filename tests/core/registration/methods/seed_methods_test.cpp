@@ -9,6 +9,8 @@
 #include <numbers>
 #include <set>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace core;

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace core;

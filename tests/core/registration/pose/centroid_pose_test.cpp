@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 CentroidPose somePose()
@@ -44,4 +44,4 @@ TEST(StartPrior, GradientMatchesDifferencesOfItsCost)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 constexpr ProjectionCamera camera{-2500.0, 2500.0, 255.5, 255.5, 512, 512};
@@ -144,4 +144,4 @@ TEST(LandmarkPose, SaysWhatDegeneratePairsLack)
     EXPECT_NE(messageOf(broken, {}).find("finite"), std::string::npos);
 }
 
-}   // namespace core
+}   // namespace angiopose::core

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
+using namespace angiopose;
+
 namespace {
 
 using namespace core;

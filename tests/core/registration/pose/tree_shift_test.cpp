@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
-namespace core {
+namespace angiopose::core {
 namespace {
 
 double rmsOneByOneMm(const std::vector<Eigen::Vector3d>& points, const RigidTransform& a, const RigidTransform& b)
@@ -54,4 +54,4 @@ TEST(TreeShift, OfTheReportsLeadsFromTheStartToTheResult)
 }
 
 }   // namespace
-}   // namespace core
+}   // namespace angiopose::core

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+using namespace angiopose;
+
 namespace {
 
 using test::Tube;

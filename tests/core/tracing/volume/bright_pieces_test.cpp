@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+using namespace angiopose;
+
 namespace {
 
 /// Beads of 1 mm³, 2 mm from one middle to the next, in voxels of `voxelMm`, and one bead apart.

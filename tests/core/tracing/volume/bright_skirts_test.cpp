@@ -4,6 +4,8 @@
 
 #include <vector>
 
+using namespace angiopose;
+
 namespace {
 
 constexpr core::SkirtBits bits;

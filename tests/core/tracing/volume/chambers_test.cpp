@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+using namespace angiopose;
+
 namespace {
 
 using core::VoxelMask;

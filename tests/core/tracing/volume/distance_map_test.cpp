@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+using namespace angiopose;
+
 namespace {
 
 TEST(DistanceMap, AgreesWithLookingEverywhere)

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+using namespace angiopose;
+
 namespace {
 
 /// 12 × 12 × 12 voxels, all set but a sheet at i = 6 and a hole at (3, 3, 3).

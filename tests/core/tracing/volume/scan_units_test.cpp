@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+using namespace angiopose;
+
 namespace {
 
 /// The same scan with its values moved by so much; one branch is enough.

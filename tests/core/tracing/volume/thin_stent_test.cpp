@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+using namespace angiopose;
+
 namespace {
 
 using test::Tube;

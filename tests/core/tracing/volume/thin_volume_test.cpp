@@ -8,6 +8,8 @@
 #include <array>
 #include <cstdio>
 
+using namespace angiopose;
+
 namespace {
 
 std::vector<std::uint8_t> unpacked(const std::string& relative)

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numeric>
 
+using namespace angiopose;
+
 namespace {
 
 using core::TracedVessels;

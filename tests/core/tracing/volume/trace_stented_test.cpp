@@ -9,6 +9,8 @@
 #include <cmath>
 #include <utility>
 
+using namespace angiopose;
+
 namespace {
 
 using core::Volume;

@@ -10,6 +10,8 @@
 #include <chrono>
 #include <cmath>
 
+using namespace angiopose;
+
 namespace {
 
 using core::Volume;
