@@ -13,48 +13,49 @@ using ui::StepMark;
 using ui::StepState;
 
 /// The words of this file.
-struct Words {
+struct StepWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::StepStates)
 };
 
 StepState vessels(const core::RegistrationCase& current, const StepFacts& facts)
 {
     if (!current.tree && current.volume) {
-        return {StepMark::Look, Words::tr("not traced"),
-                Words::tr("Nothing was traced in the scan. Place a seed or set the threshold beside its slices.")};
+        return {StepMark::Look, StepWords::tr("not traced"),
+                StepWords::tr("Nothing was traced in the scan. Place a seed or set the threshold beside its slices.")};
     }
     if (!current.tree) {
-        return {StepMark::Open, {}, Words::tr("Open a CT angiogram, a segmentation, a surface or a centreline.")};
+        return {StepMark::Open, {}, StepWords::tr("Open a CT angiogram, a segmentation, a surface or a centreline.")};
     }
     if (facts.treePieces > 1) {
-        return {StepMark::Look, Words::tr("%1 pieces").arg(facts.treePieces),
-                Words::tr("The vessels are in pieces. Below the branch list is how to join them.")};
+        return {StepMark::Look, StepWords::tr("%1 pieces").arg(facts.treePieces),
+                StepWords::tr("The vessels are in pieces. Below the branch list is how to join them.")};
     }
     const auto count = static_cast<int>(current.tree->branches.size());
-    return {StepMark::Done, count == 1 ? Words::tr("1 branch") : Words::tr("%1 branches").arg(count), {}};
+    return {StepMark::Done, count == 1 ? StepWords::tr("1 branch") : StepWords::tr("%1 branches").arg(count), {}};
 }
 
 StepState angiogram(const core::RegistrationCase& current, const StepFacts& facts)
 {
     if (!current.angiogram) {
-        return {StepMark::Open, {}, Words::tr("Open an angiogram: DICOM XA, PNG or TIFF.")};
+        return {StepMark::Open, {}, StepWords::tr("Open an angiogram: DICOM XA, PNG or TIFF.")};
     }
     if (!facts.targetProblem.isEmpty()) {
-        return {StepMark::Look, Words::tr("no vessels traced"), facts.targetProblem};
+        return {StepMark::Look, StepWords::tr("no vessels traced"), facts.targetProblem};
     }
     if (facts.isTracing) {
-        return {StepMark::Open, Words::tr("tracing …"), {}};
+        return {StepMark::Open, StepWords::tr("tracing …"), {}};
     }
     if (const std::string mismatch = core::findMismatch(current.scanIdentity, current.angiogram->identity);
         !mismatch.empty()) {
-        return {StepMark::Look, Words::tr("another patient?"), ui::coreText(mismatch)};
+        return {StepMark::Look, StepWords::tr("another patient?"), ui::coreText(mismatch)};
     }
     if (core::givenTargetOf(current)) {
         return {StepMark::Done,
-                current.editedFrame ? Words::tr("frame %1, edited").arg(current.frame) : Words::tr("given centreline"),
+                current.editedFrame ? StepWords::tr("frame %1, edited").arg(current.frame)
+                                    : StepWords::tr("given centreline"),
                 {}};
     }
-    return {StepMark::Done, Words::tr("frame %1").arg(current.frame), {}};
+    return {StepMark::Done, StepWords::tr("frame %1").arg(current.frame), {}};
 }
 
 bool isAssumed(const core::CArm& cArm)
@@ -74,28 +75,28 @@ StepState geometry(const core::RegistrationCase& current)
         return {};
     }
     if (const auto camera = core::cameraOf(current); !camera) {
-        return {StepMark::Look, Words::tr("incomplete"), ui::coreText(camera.error().message)};
+        return {StepMark::Look, StepWords::tr("incomplete"), ui::coreText(camera.error().message)};
     }
     if (current.cameraOverride) {
-        return {StepMark::Done, Words::tr("from the case"), {}};
+        return {StepMark::Done, StepWords::tr("from the case"), {}};
     }
     if (const auto contradictions = core::contradictionsOf(current); !contradictions.empty()) {
-        return {StepMark::Look, Words::tr("contradictory"), ui::coreText(contradictions.front())};
+        return {StepMark::Look, StepWords::tr("contradictory"), ui::coreText(contradictions.front())};
     }
     if (isAssumed(current.cArm)) {
-        return {StepMark::Look, Words::tr("partly assumed"),
-                Words::tr("Some values are assumed. Type them if you know them.")};
+        return {StepMark::Look, StepWords::tr("partly assumed"),
+                StepWords::tr("Some values are assumed. Type them if you know them.")};
     }
     switch (current.cArm.columnSpacingMm.origin) {
         case core::Origin::User:
-            return {StepMark::Done, Words::tr("pixel spacing typed"), {}};
+            return {StepMark::Done, StepWords::tr("pixel spacing typed"), {}};
         case core::Origin::Derived:
-            return {
-                StepMark::Look, Words::tr("pixel spacing derived"),
-                Words::tr("The header gives no pixel spacing: %1. Type it, or press Enter in the field to confirm it.")
-                    .arg(ui::coreText(current.cArm.columnSpacingMm.basis))};
+            return {StepMark::Look, StepWords::tr("pixel spacing derived"),
+                    StepWords::tr(
+                        "The header gives no pixel spacing: %1. Type it, or press Enter in the field to confirm it.")
+                        .arg(ui::coreText(current.cArm.columnSpacingMm.basis))};
         default:
-            return {StepMark::Done, Words::tr("from the header"), {}};
+            return {StepMark::Done, StepWords::tr("from the header"), {}};
     }
 }
 
@@ -105,26 +106,26 @@ StepState startPose(const core::RegistrationCase& current)
         return {};
     }
     if (const auto start = core::startPoseOf(current); !start) {
-        return {StepMark::Look, Words::tr("missing"), ui::coreText(start.error().message)};
+        return {StepMark::Look, StepWords::tr("missing"), ui::coreText(start.error().message)};
     }
     return {StepMark::Done,
             current.hasInitialPose
-                ? current.landmarks.empty() ? Words::tr("from the case") : Words::tr("from landmarks")
-                : Words::tr("from angles"),
+                ? current.landmarks.empty() ? StepWords::tr("from the case") : StepWords::tr("from landmarks")
+                : StepWords::tr("from angles"),
             {}};
 }
 
 StepState registration(const core::RegistrationCase& current, const StepFacts& facts)
 {
     if (facts.isRunning) {
-        return {StepMark::Open, Words::tr("running …"), {}};
+        return {StepMark::Open, StepWords::tr("running …"), {}};
     }
     if (!current.result) {
-        return {StepMark::Open, facts.poseEdited ? Words::tr("moved by hand") : QString(), {}};
+        return {StepMark::Open, facts.poseEdited ? StepWords::tr("moved by hand") : QString(), {}};
     }
     const double ms = current.result->time.totalMs;
-    const QString time = ms < 1000.0 ? Words::tr("%1 ms").arg(ui::numberText(ms, ms < 10.0 ? 1 : 0))
-                                     : Words::tr("%1 s").arg(ui::numberText(ms / 1000.0, 1));
+    const QString time = ms < 1000.0 ? StepWords::tr("%1 ms").arg(ui::numberText(ms, ms < 10.0 ? 1 : 0))
+                                     : StepWords::tr("%1 s").arg(ui::numberText(ms / 1000.0, 1));
     return {StepMark::Done, time, {}};
 }
 
@@ -135,17 +136,17 @@ StepState review(const core::RegistrationCase& current)
     }
     if (!current.result->trustworthy) {
         const auto& warnings = current.result->warnings;
-        return {StepMark::Look, Words::tr("look closely"),
+        return {StepMark::Look, StepWords::tr("look closely"),
                 warnings.empty() ? QString() : ui::coreText(warnings.front())};
     }
-    return {StepMark::Done, Words::tr("%1 mm median").arg(ui::numberText(current.result->metrics.medianMm, 2)), {}};
+    return {StepMark::Done, StepWords::tr("%1 mm median").arg(ui::numberText(current.result->metrics.medianMm, 2)), {}};
 }
 
 }   // namespace
 
 std::array<ui::StepState, ui::stepCount> stepStates(const core::RegistrationCase& current, const StepFacts& facts)
 {
-    const StepState exported = facts.exported ? StepState{StepMark::Done, Words::tr("written"), {}} : StepState{};
+    const StepState exported = facts.exported ? StepState{StepMark::Done, StepWords::tr("written"), {}} : StepState{};
     return {vessels(current, facts),      angiogram(current, facts), geometry(current), startPose(current),
             registration(current, facts), review(current),           exported};
 }

@@ -35,7 +35,7 @@ std::string directionText(const Eigen::Vector3d& direction)
     return obliqueDeg < 0.5 ? name : name + ", " + std::to_string(std::lround(obliqueDeg)) + "° oblique";
 }
 
-Json geometryJson(const core::VolumeGeometry& geometry)
+Json gridJson(const core::VolumeGeometry& geometry)
 {
     const Eigen::Vector3d extent = geometry.size.cast<double>().cwiseProduct(geometry.spacingMm);
     const Eigen::Vector3d centre = geometry.patientFromVoxel() * (0.5 * (geometry.size.cast<double>().array() - 1.0));
@@ -65,7 +65,7 @@ Json seriesJson(const io::DicomSeries& series)
     if (series.isAngiogram) {
         json["file"] = series.slices.front().path;
     } else if (series.problem.empty()) {
-        json["geometry"] = geometryJson(series.stack.geometry);
+        json["geometry"] = gridJson(series.stack.geometry);
     }
     if (!series.problem.empty()) {
         json["problem"] = series.problem;
@@ -112,7 +112,7 @@ core::Result<Json> volumeJson(const std::string& path)
     }
     const io::VolumeSummary& volume = summary.value();
     Json json{{"kind", "volume"},      {"format", volume.format},       {"voxelType", volume.voxelType},
-              {"slope", volume.slope}, {"intercept", volume.intercept}, {"geometry", geometryJson(volume.geometry)}};
+              {"slope", volume.slope}, {"intercept", volume.intercept}, {"geometry", gridJson(volume.geometry)}};
     if (const auto labels = io::labelsIn(path)) {
         json["kind"] = "label image";
         json["labels"] = labelsJson(*labels);
@@ -136,7 +136,7 @@ core::Result<Json> segmentationJson(const std::string& path)
     return Json{{"kind", "segmentation"},
                 {"format", "DICOM segmentation"},
                 {"labels", labelsJson(io::listedLabels(labels.value(), io::readLabelNames(path)))},
-                {"geometry", geometryJson(labels.value().geometry)}};
+                {"geometry", gridJson(labels.value().geometry)}};
 }
 
 core::Result<Json> surfaceJson(const std::string& path)

@@ -4,6 +4,7 @@
 #include "app/cli/register_case.h"
 #include "app/texts/number_text.h"
 #include "core/case_views.h"
+#include "core/geometry/angle_units.h"
 #include "core/joint_case.h"
 #include "core/registration/register_views.h"
 #include "io/result_file.h"
@@ -12,15 +13,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 namespace angiopose::app {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-constexpr double degPerRad = 180.0 / std::numbers::pi;
 
 /// All views with what they are registered to.
 struct Views {
@@ -85,7 +83,7 @@ Json jointJson(const Views& views, const core::MultiViewResult& joint)
     for (std::size_t k = 0; k < views.cases.size(); ++k) {
         const core::Vector6d& correction = joint.corrections[k];
         Json view = Json::parse(io::resultJson(views.cases[k], joint.views[k]));
-        view["geometryCorrection"] = {{"turnDeg", degPerRad * correction.head<3>().norm()},
+        view["geometryCorrection"] = {{"turnDeg", core::degreesPerRadian * correction.head<3>().norm()},
                                       {"shiftMm", correction.tail<3>().norm()}};
         json["views"].push_back(std::move(view));
     }
@@ -118,7 +116,7 @@ void printSummary(const Views& views, const core::MultiViewResult& joint, const 
         std::printf("view %-9zu median %s px (%s mm), covered %s %%, geometry off by %s° and %s mm  %s\n", k + 1,
                     fixedText(metrics.medianPx, 2).c_str(), fixedText(metrics.medianMm, 2).c_str(),
                     fixedText(100.0 * metrics.coverage, 0).c_str(),
-                    fixedText(degPerRad * correction.head<3>().norm(), 2).c_str(),
+                    fixedText(core::degreesPerRadian * correction.head<3>().norm(), 2).c_str(),
                     fixedText(correction.tail<3>().norm(), 2).c_str(),
                     fs::path(views.cases[k].imageFile.path).filename().string().c_str());
     }

@@ -7,13 +7,13 @@
 namespace angiopose::app {
 namespace {
 
-struct Words {
+struct NameWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::BranchWords)
 };
 
 QString countWords(std::size_t count)
 {
-    return Words::tr("%1 branches").arg(count);
+    return NameWords::tr("%1 branches").arg(count);
 }
 
 }   // namespace

@@ -9,7 +9,7 @@
 namespace angiopose::app {
 namespace {
 
-constexpr qint64 burstPauseMs = 900;   ///< a longer pause starts a new step of undo
+constexpr qint64 poseBurstPauseMs = 900;   ///< a longer pause starts a new step of undo
 constexpr int fieldKind = 100;   ///< typed edits merge among themselves, not with nudges
 
 }   // namespace
@@ -157,7 +157,7 @@ void PoseController::push(const core::RigidTransform& pose, std::vector<core::Ot
 
 int PoseController::burstFor(int kind)
 {
-    const bool goesOn = kind == burstKind_ && sinceEdit_.isValid() && sinceEdit_.elapsed() < burstPauseMs;
+    const bool goesOn = kind == burstKind_ && sinceEdit_.isValid() && sinceEdit_.elapsed() < poseBurstPauseMs;
     if (!goesOn) {
         ++burst_;
         burstKind_ = kind;

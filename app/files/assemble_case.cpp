@@ -64,7 +64,7 @@ void goToStart(core::RegistrationCase& target)
     }
 }
 
-bool isSame(const core::RigidTransform& a, const core::RigidTransform& b)
+bool isSamePose(const core::RigidTransform& a, const core::RigidTransform& b)
 {
     return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() < 1e-9;
 }
@@ -123,7 +123,7 @@ core::RegistrationCase withGeometry(core::RegistrationCase base, const core::CAr
 {
     const auto before = core::startPoseOf(base);
     base.cArm = cArm;
-    const bool wasAtStart = !before || isSame(before.value(), base.cameraFromPatient);
+    const bool wasAtStart = !before || isSamePose(before.value(), base.cameraFromPatient);
     if (wasAtStart) {
         goToStart(base);
     }

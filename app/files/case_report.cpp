@@ -31,7 +31,7 @@ constexpr int shownWidth = 670;   // of 680 between the margins
 constexpr std::size_t branchesListed = 12;
 
 /// The words of this file.
-struct Words {
+struct ReportWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::CaseReport)
 };
 
@@ -96,19 +96,21 @@ QString resultPart(const CaseReport& report)
     const core::RegistrationResult& judged = report.judgement;
     const core::DistanceMetrics& metrics = judged.metrics;
     Rows rows{
-        {Words::tr("Median distance"),
-         Words::tr("%1 mm (%2 px)").arg(ui::numberText(metrics.medianMm, 2), ui::numberText(metrics.medianPx, 2))},
-        {Words::tr("95 % nearer than"),
-         Words::tr("%1 mm (%2 px)").arg(ui::numberText(metrics.p95Mm, 2), ui::numberText(metrics.p95Px, 2))},
-        {Words::tr("Traced vessels covered"), QStringLiteral("%1 %").arg(ui::numberText(100.0 * metrics.coverage, 0))}};
+        {ReportWords::tr("Median distance"),
+         ReportWords::tr("%1 mm (%2 px)")
+             .arg(ui::numberText(metrics.medianMm, 2), ui::numberText(metrics.medianPx, 2))},
+        {ReportWords::tr("95 % nearer than"),
+         ReportWords::tr("%1 mm (%2 px)").arg(ui::numberText(metrics.p95Mm, 2), ui::numberText(metrics.p95Px, 2))},
+        {ReportWords::tr("Traced vessels covered"),
+         QStringLiteral("%1 %").arg(ui::numberText(100.0 * metrics.coverage, 0))}};
     if (report.shown.result) {
-        rows.emplace_back(Words::tr("Method"), fromCore(judged.method) + QStringLiteral(" · ") +
-                                                   ui::coreText(std::string(core::toText(judged.stopReason))));
+        rows.emplace_back(ReportWords::tr("Method"), fromCore(judged.method) + QStringLiteral(" · ") +
+                                                         ui::coreText(std::string(core::toText(judged.stopReason))));
     } else {
-        rows.emplace_back(Words::tr("Method"), Words::tr("pose set by hand"));
+        rows.emplace_back(ReportWords::tr("Method"), ReportWords::tr("pose set by hand"));
     }
     const ui::ResultSentences sentences = ui::sentencesOf(judged, *report.shown.tree, mmPerPxOf(report.shown));
-    return heading(Words::tr("Result")) + table(rows) + list(sentences.certain + sentences.doubtful);
+    return heading(ReportWords::tr("Result")) + table(rows) + list(sentences.certain + sentences.doubtful);
 }
 
 QString branchPart(const CaseReport& report)
@@ -120,14 +122,14 @@ QString branchPart(const CaseReport& report)
     for (const core::BranchResidual& residual : std::span(worstFirst).first(count)) {
         if (const core::VesselBranch* branch = report.shown.tree->find(residual.branchId)) {
             rows.emplace_back(ui::displayName(*branch),
-                              Words::tr("%1 mm median · %2 mm long")
+                              ReportWords::tr("%1 mm median · %2 mm long")
                                   .arg(ui::numberText(residual.medianPx * mmPerPxOf(report.shown), 2),
                                        ui::numberText(branch->lengthMm(), 0)));
         }
     }
     const QString name = worstFirst.size() > count
-                             ? Words::tr("The %1 worst of %2 branches").arg(count).arg(worstFirst.size())
-                             : Words::tr("Branches, the worst first");
+                             ? ReportWords::tr("The %1 worst of %2 branches").arg(count).arg(worstFirst.size())
+                             : ReportWords::tr("Branches, the worst first");
     return heading(name) + table(rows);
 }
 
@@ -148,12 +150,13 @@ QString geometryPart(const CaseReport& report)
                               (isAngle ? QString() : QStringLiteral(" ")) + kind.format.unit +
                               QStringLiteral(" (%1)").arg(ui::coreText(originText(shown.origin))));
     }
-    return heading(Words::tr("Geometry")) + table(rows);
+    return heading(ReportWords::tr("Geometry")) + table(rows);
 }
 
 QString posePart(const CaseReport& report)
 {
-    QString text = heading(Words::tr("Pose: camera from patient, mm")) + QStringLiteral("<table cellpadding=\"3\">");
+    QString text =
+        heading(ReportWords::tr("Pose: camera from patient, mm")) + QStringLiteral("<table cellpadding=\"3\">");
     for (int row = 0; row < 4; ++row) {
         text += QStringLiteral("<tr>");
         for (int column = 0; column < 4; ++column) {
@@ -174,15 +177,16 @@ QString inputPart(const CaseReport& report)
                                         fromCore(file.sha256).left(16));
         }
     };
-    add(Words::tr("Vessels"), report.shown.centerlineFile);
-    add(Words::tr("Angiogram"), report.shown.imageFile);
-    add(Words::tr("Traced vessels"), report.shown.targetFile);
-    rows.emplace_back(Words::tr("Program"), QStringLiteral("AngioPose ") + QStringLiteral(ANGIOPOSE_VERSION));
-    rows.emplace_back(Words::tr("Made"),
+    add(ReportWords::tr("Vessels"), report.shown.centerlineFile);
+    add(ReportWords::tr("Angiogram"), report.shown.imageFile);
+    add(ReportWords::tr("Traced vessels"), report.shown.targetFile);
+    rows.emplace_back(ReportWords::tr("Program"), QStringLiteral("AngioPose ") + QStringLiteral(ANGIOPOSE_VERSION));
+    rows.emplace_back(ReportWords::tr("Made"),
                       ui::languageLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat) +
                           (report.author.isEmpty() ? QString() : QStringLiteral(" · ") + report.author));
-    return heading(Words::tr("Inputs")) + table(rows) +
-           QStringLiteral("<p><br/>%1 ____________________________</p>").arg(Words::tr("Signature").toHtmlEscaped());
+    return heading(ReportWords::tr("Inputs")) + table(rows) +
+           QStringLiteral("<p><br/>%1 ____________________________</p>")
+               .arg(ReportWords::tr("Signature").toHtmlEscaped());
 }
 
 /// Two columns of parts.

@@ -13,7 +13,7 @@
 namespace angiopose::app {
 namespace {
 
-struct Words {
+struct NoteWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::OpenNotes)
 };
 
@@ -35,7 +35,7 @@ QStringList notesOf(const LoadedInputs& inputs, const core::RegistrationCase& op
         notes << ui::coreText(warning);
     }
     if (!inputs.wholeCase && inputs.vesselInput.unitMm != 1.0) {
-        notes << Words::tr("One unit of the file is %1 mm, as you chose.")
+        notes << NoteWords::tr("One unit of the file is %1 mm, as you chose.")
                      .arg(ui::briefNumber(inputs.vesselInput.unitMm, 6));
     }
     if (!inputs.wholeCase && opened.angiogram) {   // a case file has compared them itself
@@ -48,14 +48,15 @@ QStringList notesOf(const LoadedInputs& inputs, const core::RegistrationCase& op
 QStringList notesOnScan(const LoadedInputs& inputs, const core::RegistrationCase& opened)
 {
     if (inputs.volume && !opened.tree) {
-        return {Words::tr("The scan is shown without vessels: place a seed or set the threshold in the slices (%1), "
+        return {
+            NoteWords::tr("The scan is shown without vessels: place a seed or set the threshold in the slices (%1), "
                           "then trace.")
-                    .arg(ui::keyOf(ui::Command::SlicesLarge))};
+                .arg(ui::keyOf(ui::Command::SlicesLarge))};
     }
     const bool isBeside = inputs.volume && !inputs.tree && opened.tree;
     return isBeside && !liesIn(inputs.volume->geometry, *opened.tree)
                ? QStringList(
-                     Words::tr("The vessels do not lie in this scan: it may be another one, or have other axes."))
+                     NoteWords::tr("The vessels do not lie in this scan: it may be another one, or have other axes."))
                : QStringList();
 }
 

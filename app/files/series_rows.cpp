@@ -12,13 +12,13 @@ namespace angiopose::app {
 namespace {
 
 /// The words of this file.
-struct Words {
+struct SeriesWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::SeriesRows)
 };
 
 QString numberedName(int number)
 {
-    return Words::tr("Series %1").arg(number);
+    return SeriesWords::tr("Series %1").arg(number);
 }
 
 QString sizeText(const io::DicomSeries& series)

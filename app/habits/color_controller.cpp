@@ -12,36 +12,37 @@
 namespace angiopose::app {
 namespace {
 
-struct Choice {
+struct ColorChoice {
     ui::Command command;
     const char* name;
     ui::ColorScheme scheme;
 };
 
-constexpr std::array choices{Choice{ui::Command::ColorsBlueAmber, "blue-amber", ui::ColorScheme::BlueAmber},
-                             Choice{ui::Command::ColorsBlueRed, "blue-red", ui::ColorScheme::BlueRed},
-                             Choice{ui::Command::ColorsBrightness, "brightness", ui::ColorScheme::Brightness}};
+constexpr std::array colorChoices{
+    ColorChoice{ui::Command::ColorsBlueAmber, "blue-amber", ui::ColorScheme::BlueAmber},
+    ColorChoice{ui::Command::ColorsBlueRed, "blue-red", ui::ColorScheme::BlueRed},
+    ColorChoice{ui::Command::ColorsBrightness, "brightness", ui::ColorScheme::Brightness}};
 
-const Choice& chosen()
+const ColorChoice& chosenColors()
 {
     const QString name = settings::colors.read();
-    const auto* found =
-        std::ranges::find_if(choices, [&name](const Choice& choice) { return name == QLatin1String(choice.name); });
-    return found == choices.end() ? choices.front() : *found;
+    const auto* found = std::ranges::find_if(
+        colorChoices, [&name](const ColorChoice& choice) { return name == QLatin1String(choice.name); });
+    return found == colorChoices.end() ? colorChoices.front() : *found;
 }
 
 }   // namespace
 
 ColorController::ColorController(ui::MainWindow& window, QObject* parent) : QObject(parent), window_(window)
 {
-    for (const Choice& choice : choices) {
+    for (const ColorChoice& choice : colorChoices) {
         connect(window.actions()[choice.command], &QAction::triggered, this, [this, &choice] {
             settings::colors.write(QString::fromLatin1(choice.name));
             apply(choice.scheme);
         });
     }
-    window.actions()[chosen().command]->setChecked(true);
-    apply(chosen().scheme);
+    window.actions()[chosenColors().command]->setChecked(true);
+    apply(chosenColors().scheme);
 }
 
 void ColorController::apply(ui::ColorScheme scheme)

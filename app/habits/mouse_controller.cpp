@@ -10,41 +10,41 @@
 namespace angiopose::app {
 namespace {
 
-struct Choice {
+struct MouseChoice {
     ui::Command command;
     const char* name;
     ui::MousePreset preset;
 };
 
-constexpr std::array choices{Choice{ui::Command::MouseRadiology, "radiology", ui::radiologyMouse},
-                             Choice{ui::Command::MouseSlicer, "slicer", ui::slicerMouse},
-                             Choice{ui::Command::MouseScroll, "scroll", ui::scrollMouse}};
+constexpr std::array mouseChoices{MouseChoice{ui::Command::MouseRadiology, "radiology", ui::radiologyMouse},
+                                  MouseChoice{ui::Command::MouseSlicer, "slicer", ui::slicerMouse},
+                                  MouseChoice{ui::Command::MouseScroll, "scroll", ui::scrollMouse}};
 
-const Choice& chosen()
+const MouseChoice& chosenMouseChoice()
 {
     const QString name = settings::mouse.read();
-    const auto* found =
-        std::ranges::find_if(choices, [&name](const Choice& choice) { return name == QLatin1String(choice.name); });
-    return found == choices.end() ? choices.front() : *found;
+    const auto* found = std::ranges::find_if(
+        mouseChoices, [&name](const MouseChoice& choice) { return name == QLatin1String(choice.name); });
+    return found == mouseChoices.end() ? mouseChoices.front() : *found;
 }
 
 }   // namespace
 
 ui::MousePreset chosenMouse()
 {
-    return chosen().preset;
+    return chosenMouseChoice().preset;
 }
 
 MouseController::MouseController(ui::MainWindow& window, QObject* parent) : QObject(parent)
 {
-    for (const Choice& choice : choices) {
+    for (const MouseChoice& choice : mouseChoices) {
         connect(window.actions()[choice.command], &QAction::triggered, this, [&window, &choice] {
             settings::mouse.write(QString::fromLatin1(choice.name));
             window.angiogramView().setMousePreset(choice.preset);
         });
     }
-    window.actions()[chosen().command]->setChecked(true);
-    window.angiogramView().setMousePreset(chosen().preset);
+    window.actions()[chosenMouseChoice().command]->setChecked(true);
+    window.angiogramView().setMousePreset(chosenMouse());
 }
 
 }   // namespace angiopose::app

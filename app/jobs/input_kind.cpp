@@ -13,7 +13,7 @@ namespace angiopose::app {
 namespace {
 
 /// The words of this file.
-struct Words {
+struct KindWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::InputKind)
 };
 
@@ -128,12 +128,12 @@ QStringList openFilters()
     const QString scans = QStringLiteral("*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.stl *.ply *.obj");
     const QString all =
         QStringLiteral("*.angiopose *.vtp *.vtk *.csv *.swc *.json *.dcm *.png *.tif *.tiff *.jpg *.jpeg ");
-    return {Words::tr("Cases, vessels and angiograms (%1)").arg(all + scans),
-            Words::tr("Cases (*.angiopose)"),
-            Words::tr("Centrelines (*.vtp *.vtk *.csv *.swc *.json)"),
-            Words::tr("Scans and surfaces (%1 *.dcm)").arg(scans),
-            Words::tr("Angiograms (*.dcm *.png *.tif *.tiff *.jpg *.jpeg)"),
-            Words::tr("All files (*)")};
+    return {KindWords::tr("Cases, vessels and angiograms (%1)").arg(all + scans),
+            KindWords::tr("Cases (*.angiopose)"),
+            KindWords::tr("Centrelines (*.vtp *.vtk *.csv *.swc *.json)"),
+            KindWords::tr("Scans and surfaces (%1 *.dcm)").arg(scans),
+            KindWords::tr("Angiograms (*.dcm *.png *.tif *.tiff *.jpg *.jpeg)"),
+            KindWords::tr("All files (*)")};
 }
 
 }   // namespace angiopose::app

@@ -14,7 +14,7 @@ namespace angiopose::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::milliseconds reportPause{33};   // what the eye can follow
+constexpr std::chrono::milliseconds jointReportPause{33};   // what the eye can follow
 
 core::Error inView(std::size_t index, const core::Error& error)
 {
@@ -72,7 +72,7 @@ JointJob::Outcome JointJob::solve(const std::vector<core::RegistrationCase>& vie
     }
     Clock::time_point last{};
     const auto observe = [this, &last](const core::IterationReport& report) {
-        if (const auto now = Clock::now(); now - last > reportPause) {
+        if (const auto now = Clock::now(); now - last > jointReportPause) {
             last = now;
             QMetaObject::invokeMethod(
                 this, [this, report] { emit advanced(report); }, Qt::QueuedConnection);

@@ -10,14 +10,14 @@
 namespace angiopose::app {
 namespace {
 
-constexpr int pollMs = 60;
+constexpr int loadPollMs = 60;
 
 }   // namespace
 
 LoadJob::LoadJob(QObject* parent) : QObject(parent)
 {
     connect(&watcher_, &QFutureWatcherBase::finished, this, &LoadJob::publish);
-    poll_.setInterval(pollMs);
+    poll_.setInterval(loadPollMs);
     connect(&poll_, &QTimer::timeout, this, [this] { emit advanced(shared_->fraction); });
 }
 

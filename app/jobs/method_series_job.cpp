@@ -11,7 +11,7 @@ namespace angiopose::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::milliseconds reportPause{50};
+constexpr std::chrono::milliseconds seriesReportPause{50};
 
 }   // namespace
 
@@ -60,7 +60,7 @@ void MethodSeriesJob::solveOne(const core::RegistrationInput& input, const core:
     report(done);
     Clock::time_point last{};
     const auto observe = [&](const core::IterationReport& iteration) {
-        if (const auto now = Clock::now(); now - last > reportPause) {
+        if (const auto now = Clock::now(); now - last > seriesReportPause) {
             last = now;
             report(done + share * iteration.progress);
         }

@@ -10,7 +10,7 @@
 namespace angiopose::app {
 namespace {
 
-constexpr int pollMs = 60;
+constexpr int tracePollMs = 60;
 
 QStringList textsOf(const std::vector<std::string>& warnings)
 {
@@ -56,7 +56,7 @@ core::Result<VesselTrace> traceFile(const VesselTraceRequest& request, const io:
 VesselTraceJob::VesselTraceJob(QObject* parent) : QObject(parent)
 {
     connect(&watcher_, &QFutureWatcherBase::finished, this, &VesselTraceJob::publish);
-    poll_.setInterval(pollMs);
+    poll_.setInterval(tracePollMs);
     connect(&poll_, &QTimer::timeout, this, [this] { emit advanced(shared_->fraction); });
 }
 

@@ -11,7 +11,7 @@
 namespace angiopose::app {
 namespace {
 
-bool isSame(const core::RigidTransform& a, const core::RigidTransform& b)
+bool isFollowedPose(const core::RigidTransform& a, const core::RigidTransform& b)
 {
     return a.matrix() == b.matrix();
 }
@@ -100,7 +100,7 @@ bool FollowController::holds() const
     return current.tree == startedFrom_.tree && current.angiogram == startedFrom_.angiogram &&
            current.excludedBranchIds == startedFrom_.excludedBranchIds && core::cameraOf(current) &&
            core::cameraOf(startedFrom_) && core::cameraOf(current).value() == core::cameraOf(startedFrom_).value() &&
-           (!pose || isSame(*pose, current.cameraFromPatient));
+           (!pose || isFollowedPose(*pose, current.cameraFromPatient));
 }
 
 void FollowController::followDocument()

@@ -21,7 +21,7 @@ using namespace std::chrono_literals;
 
 constexpr double usualFrameMs = 1000.0 / 15.0;   ///< where the run does not say
 constexpr int frameBursts = 1 << 20;   ///< keeps burst numbers of frames apart from those of poses
-constexpr qint64 burstPauseMs = 1500;
+constexpr qint64 reviewBurstPauseMs = 1500;
 
 }   // namespace
 
@@ -100,7 +100,7 @@ void ReviewController::showFrame(int frame)
         return;
     }
     const qint64 now = QDateTime::currentMSecsSinceEpoch();
-    if (now - lastFrameMs_ > burstPauseMs) {
+    if (now - lastFrameMs_ > reviewBurstPauseMs) {
         ++frameBurst_;
     }
     lastFrameMs_ = now;

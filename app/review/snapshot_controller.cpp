@@ -12,7 +12,7 @@
 namespace angiopose::app {
 namespace {
 
-bool isSame(const core::RigidTransform& a, const core::RigidTransform& b)
+bool isSnapshotPose(const core::RigidTransform& a, const core::RigidTransform& b)
 {
     return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() < 1e-9;
 }
@@ -72,7 +72,7 @@ std::optional<core::SnapshotMetrics> SnapshotController::metricsOfPose() const
     if (current.result) {
         return core::metricsOf(*current.result);
     }
-    if (judgement_ && isSame(judgement_->result.cameraFromPatient, current.cameraFromPatient)) {
+    if (judgement_ && isSnapshotPose(judgement_->result.cameraFromPatient, current.cameraFromPatient)) {
         return core::metricsOf(judgement_->result);
     }
     return std::nullopt;

@@ -8,7 +8,7 @@ namespace angiopose::core {
 namespace {
 
 /// Where a run belongs: condition in the protocol's order, trial, method in the order of appearance.
-using Place = std::tuple<std::size_t, std::uint64_t, std::size_t>;
+using RunPlace = std::tuple<std::size_t, std::uint64_t, std::size_t>;
 
 std::size_t conditionIndex(const Protocol& protocol, const std::string& id)
 {
@@ -59,7 +59,7 @@ public:
 private:
     const Protocol& protocol_;
     std::map<std::string, std::size_t> methods_;
-    std::map<Place, RunRecord> runs_;
+    std::map<RunPlace, RunRecord> runs_;
 };
 
 }   // namespace

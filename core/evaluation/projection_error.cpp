@@ -1,16 +1,14 @@
 #include "core/evaluation/projection_error.h"
 
+#include "core/geometry/angle_units.h"
 #include "core/support/quantile.h"
 
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace angiopose::core {
 namespace {
-
-constexpr double degreesPerRadian = 180.0 / std::numbers::pi;
 
 /// Distance of `point` to the line through the source and `onRay`, camera frame.
 double distanceToRay(const Eigen::Vector3d& point, const Eigen::Vector3d& onRay)

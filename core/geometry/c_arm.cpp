@@ -1,16 +1,12 @@
 #include "core/geometry/c_arm.h"
 
+#include "core/geometry/angle_units.h"
+
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace angiopose::core {
 namespace {
-
-double radians(double degrees)
-{
-    return degrees * std::numbers::pi / 180.0;
-}
 
 bool isPositive(const Sourced<double>& sourced)
 {
@@ -28,15 +24,15 @@ Eigen::Matrix3d rollRotation(double rollDeg, bool mirrored)
 {
     // Screen right is −X (unmirrored) and screen down is +Y, so clockwise on screen is a negative turn about +Z.
     const double sign = mirrored ? 1.0 : -1.0;
-    return Eigen::AngleAxisd(sign * radians(rollDeg), Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    return Eigen::AngleAxisd(sign * rollDeg * radiansPerDegree, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
 }   // namespace
 
 Eigen::Vector3d detectorDirection(double primaryAngleDeg, double secondaryAngleDeg)
 {
-    const double alpha = radians(primaryAngleDeg);
-    const double beta = radians(secondaryAngleDeg);
+    const double alpha = primaryAngleDeg * radiansPerDegree;
+    const double beta = secondaryAngleDeg * radiansPerDegree;
     return {std::cos(beta) * std::sin(alpha), -std::cos(beta) * std::cos(alpha), std::sin(beta)};
 }
 
@@ -72,8 +68,8 @@ Result<RigidTransform> cameraFromPatient(const CArm& cArm, const Eigen::Vector3d
     if (!cArm.primaryAngleDeg.value || !cArm.secondaryAngleDeg.value) {
         return Error{"The positioner angles (LAO/RAO, CRA/CAU) are missing. Enter them in the geometry of the case."};
     }
-    const double alpha = radians(*cArm.primaryAngleDeg.value);
-    const double beta = radians(*cArm.secondaryAngleDeg.value);
+    const double alpha = *cArm.primaryAngleDeg.value * radiansPerDegree;
+    const double beta = *cArm.secondaryAngleDeg.value * radiansPerDegree;
     const Eigen::Vector3d direction = detectorDirection(*cArm.primaryAngleDeg.value, *cArm.secondaryAngleDeg.value);
     const Eigen::Vector3d imageRight(std::cos(alpha), std::sin(alpha), 0.0);
     const Eigen::Vector3d imageUp(-std::sin(beta) * std::sin(alpha), std::sin(beta) * std::cos(alpha), std::cos(beta));

@@ -10,7 +10,7 @@ namespace {
 // What C-arms are like: outside, a value is a misprint, another unit, or of another machine.
 constexpr double leastSidMm = 500.0, mostSidMm = 2000.0;
 constexpr double mostMagnification = 2.5;
-constexpr double leastSpacingMm = 0.05, mostSpacingMm = 2.0;
+constexpr double leastDetectorSpacingMm = 0.05, mostSpacingMm = 2.0;
 constexpr double leastDetectorMm = 60.0, mostDetectorMm = 700.0;
 
 // Headers round: how far two accounts of one length may differ.
@@ -18,7 +18,7 @@ constexpr double sameLength = 0.05;
 constexpr double sameMagnification = 0.02;
 constexpr double sameAspect = 0.01;
 
-bool isPositive(const Sourced<double>& sourced)
+bool isKnownPositive(const Sourced<double>& sourced)
 {
     return sourced.value && std::isfinite(*sourced.value) && *sourced.value > 0.0;
 }
@@ -62,13 +62,16 @@ private:
             found_.push_back(sentence);
         }
     }
-    bool hasSpacing() const { return isPositive(cArm_.columnSpacingMm) && isPositive(cArm_.rowSpacingMm); }
-    bool hasDistances() const { return isPositive(cArm_.sourceToDetectorMm) && isPositive(cArm_.sourceToPatientMm); }
+    bool hasSpacing() const { return isKnownPositive(cArm_.columnSpacingMm) && isKnownPositive(cArm_.rowSpacingMm); }
+    bool hasDistances() const
+    {
+        return isKnownPositive(cArm_.sourceToDetectorMm) && isKnownPositive(cArm_.sourceToPatientMm);
+    }
     double magnification() const { return *cArm_.sourceToDetectorMm.value / *cArm_.sourceToPatientMm.value; }
 
     void checkDistances()
     {
-        if (isPositive(cArm_.sourceToDetectorMm)) {
+        if (isKnownPositive(cArm_.sourceToDetectorMm)) {
             const double sid = *cArm_.sourceToDetectorMm.value;
             say(sid < leastSidMm || sid > mostSidMm, "A source to detector distance (SID) of " + text(sid, 0) +
                                                          " mm is unlike a C-arm (500 to 2000 mm): check its unit.");
@@ -102,7 +105,7 @@ private:
             return;
         }
         const double column = *cArm_.columnSpacingMm.value, row = *cArm_.rowSpacingMm.value;
-        say(std::min(row, column) < leastSpacingMm || std::max(row, column) > mostSpacingMm,
+        say(std::min(row, column) < leastDetectorSpacingMm || std::max(row, column) > mostSpacingMm,
             "A detector pixel spacing of " + text(column, 4) + " mm lies outside 0.05 to 2 mm: check its unit.");
         say(differ(row / column, header_.pixelAspect, sameAspect),
             "Pixels are " + text(row / column, 3) + " times as high as wide by their spacing, " +
@@ -199,9 +202,10 @@ std::vector<std::string> findMissing(const CArm& cArm)
             missing.emplace_back(sentence);
         }
     };
-    ask(isPositive(cArm.sourceToDetectorMm), "Source to detector distance (SID): type it, usually 900 to 1200 mm.");
-    ask(isPositive(cArm.sourceToPatientMm), "Source to isocentre distance (SOD): type it, usually 700 to 800 mm.");
-    ask(isPositive(cArm.columnSpacingMm) && isPositive(cArm.rowSpacingMm),
+    ask(isKnownPositive(cArm.sourceToDetectorMm),
+        "Source to detector distance (SID): type it, usually 900 to 1200 mm.");
+    ask(isKnownPositive(cArm.sourceToPatientMm), "Source to isocentre distance (SOD): type it, usually 700 to 800 mm.");
+    ask(isKnownPositive(cArm.columnSpacingMm) && isKnownPositive(cArm.rowSpacingMm),
         "Detector pixel spacing: type it, or the width of the field of view on the detector divided by the columns.");
     ask(cArm.primaryAngleDeg.value.has_value(), "LAO/RAO angle: type it, or place the vessels by landmarks.");
     ask(cArm.secondaryAngleDeg.value.has_value(), "CRA/CAU angle: type it, or place the vessels by landmarks.");

@@ -1,13 +1,12 @@
 #include "core/geometry/pose_offset.h"
 
+#include "core/geometry/angle_units.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace angiopose::core {
 namespace {
-
-constexpr double degPerRad = 180.0 / std::numbers::pi;
 
 /// Camera-frame sign of "to the right" and "down" on screen.
 struct ScreenSigns {
@@ -24,9 +23,9 @@ ScreenSigns screenSigns(const ProjectionCamera& camera)
 /// turn about +X (ALGORITHMS §5.3), however the image is displayed; only the roll on screen depends on the display.
 Eigen::Matrix3d turn(const PoseOffset& offset, const ScreenSigns& signs)
 {
-    const double roll = offset.rollDeg / degPerRad * signs.right * signs.down;
-    const double cra = -offset.craCauDeg / degPerRad;
-    const double lao = offset.laoRaoDeg / degPerRad;
+    const double roll = offset.rollDeg / degreesPerRadian * signs.right * signs.down;
+    const double cra = -offset.craCauDeg / degreesPerRadian;
+    const double lao = offset.laoRaoDeg / degreesPerRadian;
     return (Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(cra, Eigen::Vector3d::UnitX()) *
             Eigen::AngleAxisd(lao, Eigen::Vector3d::UnitY()))
         .toRotationMatrix();
@@ -60,9 +59,9 @@ PoseOffset offsetBetween(const RigidTransform& reference, const RigidTransform& 
     offset.rightMm = signs.right * shift.x();
     offset.upMm = -signs.down * shift.y();
     offset.alongRayMm = shift.z();
-    offset.rollDeg = roll * degPerRad * signs.right * signs.down;
-    offset.laoRaoDeg = lao * degPerRad;
-    offset.craCauDeg = -cra * degPerRad;
+    offset.rollDeg = roll * degreesPerRadian * signs.right * signs.down;
+    offset.laoRaoDeg = lao * degreesPerRadian;
+    offset.craCauDeg = -cra * degreesPerRadian;
     return offset;
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double usualVoxels = 5e7;
 constexpr double usualVoxelsInside = 5e6;
-constexpr double leastSpacingMm = 0.1;
+constexpr double leastVoxelSpacingMm = 0.1;
 constexpr double maxVoxels = 8e8;
 constexpr int marginVoxels = 3;
 
@@ -175,7 +175,7 @@ double usualSpacingMm(const SurfaceMesh& mesh)
     const Eigen::Vector3d extent = (box.high - box.low).cwiseMax(0.1);
     // Thinning takes its time for what lies inside: little of the box for vessels, all of it for a block.
     const double needed = std::max(extent.prod() / usualVoxels, insideMm3(mesh, box) / usualVoxelsInside);
-    return std::max(std::cbrt(needed), leastSpacingMm);
+    return std::max(std::cbrt(needed), leastVoxelSpacingMm);
 }
 
 Result<VoxelMask> fillSurface(const SurfaceMesh& mesh, double spacingMm)

@@ -6,11 +6,12 @@
 namespace angiopose::core {
 namespace {
 
-struct Step {
+struct NeighbourStep {
     int dx;
     int dy;
 };
-constexpr std::array<Step, 8> steps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+constexpr std::array<NeighbourStep, 8> morphologySteps{
+    {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
 /// Pixels reached from `seed` over pixels that are set (or clear) as the seed is; marks them as seen.
 std::vector<std::size_t> flood(const Mask2d& mask, std::size_t seed, std::size_t neighbours, Mask2d& seen)
@@ -22,10 +23,10 @@ std::vector<std::size_t> flood(const Mask2d& mask, std::size_t seed, std::size_t
         const int x = static_cast<int>(reached[next] % static_cast<std::size_t>(mask.width));
         const int y = static_cast<int>(reached[next] / static_cast<std::size_t>(mask.width));
         for (std::size_t k = 0; k < neighbours; ++k) {
-            if (!mask.contains(x + steps[k].dx, y + steps[k].dy)) {
+            if (!mask.contains(x + morphologySteps[k].dx, y + morphologySteps[k].dy)) {
                 continue;
             }
-            const std::size_t index = mask.index(x + steps[k].dx, y + steps[k].dy);
+            const std::size_t index = mask.index(x + morphologySteps[k].dx, y + morphologySteps[k].dy);
             if (seen.pixels[index] == 0 && (mask.pixels[index] != 0) == wanted) {
                 seen.pixels[index] = 255;
                 reached.push_back(index);

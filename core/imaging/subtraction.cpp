@@ -12,11 +12,11 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t sampleSize = 100000;
+constexpr std::size_t subtractionSamples = 100000;
 constexpr double slowShareOfSide = 0.03;   // σ of what both pictures may differ by slowly (exposure)
-constexpr int smallestSide = 48;   // of the coarsest picture
+constexpr int smallestSubtractedSide = 48;   // of the coarsest picture
 constexpr int roundsPerLevel = 20;
-constexpr double settledPx = 1e-3;
+constexpr double settledShiftPx = 1e-3;
 constexpr double normalPerMedian = 1.4826;
 constexpr double farthestShare = 0.1;
 
@@ -72,7 +72,7 @@ double robustScale(const std::vector<Sample>& samples)
     for (const Sample& sample : samples) {
         sizes.push_back(std::abs(sample.residual));
     }
-    return normalPerMedian * ranked(evenSample(sizes, sampleSize), 0.5);
+    return normalPerMedian * ranked(evenSample(sizes, subtractionSamples), 0.5);
 }
 
 /// Gauss–Newton step of the shift; zero where slopes run in one direction only, or not at all.
@@ -109,7 +109,7 @@ Eigen::Vector2d refinedShift(const ImageF& mask, const ImageF& frame, Eigen::Vec
             break;
         }
         shift = next;
-        if (step.norm() < settledPx) {
+        if (step.norm() < settledShiftPx) {
             break;
         }
     }
@@ -139,7 +139,7 @@ Eigen::Vector2d maskShift(const ImageF& mask, const ImageF& frame, PixelRelation
     assert(mask.width == frame.width && mask.height == frame.height);
     std::vector<ImageF> masks{withoutSlowChanges(logarithmic(mask, relation))};
     std::vector<ImageF> frames{withoutSlowChanges(logarithmic(frame, relation))};
-    while (std::min(frames.back().width, frames.back().height) >= 2 * smallestSide) {
+    while (std::min(frames.back().width, frames.back().height) >= 2 * smallestSubtractedSide) {
         masks.push_back(halved(masks.back()));
         frames.push_back(halved(frames.back()));
     }
@@ -155,7 +155,7 @@ ImageF subtracted(const ImageF& frame, const ImageF& mask, const Eigen::Vector2d
     assert(mask.width == frame.width && mask.height == frame.height);
     const ImageF logFrame = logarithmic(frame, relation);
     const ImageF logMask = logarithmic(mask, relation);
-    const float middle = frame.isEmpty() ? 0.0F : ranked(evenSample(frame.pixels, sampleSize), 0.5);
+    const float middle = frame.isEmpty() ? 0.0F : ranked(evenSample(frame.pixels, subtractionSamples), 0.5);
     const float gain = relation == PixelRelation::Linear ? std::max(middle, 1.0F) : 1.0F;
     ImageF result(frame.width, frame.height);
     for (int y = 0; y < frame.height; ++y) {

@@ -18,7 +18,7 @@ constexpr double endScalePx = 1.0;
 constexpr double shrink = 0.7;
 constexpr int stepsPerScale = 2;
 constexpr int lastSteps = 20;
-constexpr double settledMm = 1e-3;
+constexpr double settledViewsMm = 1e-3;
 constexpr double implausibleSigmas = 4.0;   // of a correction, in any direction
 
 double mmPerPx(const RegistrationProblem& problem)
@@ -157,7 +157,7 @@ JointPose JointSolve::refine(const CentroidPose& first)
         Damping damping;
         Look current = look(joint, scalePx);
         for (int k = 0; k < (scalePx > endScalePx ? stepsPerScale : lastSteps); ++k) {
-            if (step(joint, current, scalePx, damping) < settledMm) {
+            if (step(joint, current, scalePx, damping) < settledViewsMm) {
                 break;
             }
         }

@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t usedPoints = 250;
+constexpr std::size_t usedTrackingPoints = 250;
 constexpr std::size_t rememberedScores = 15;
 constexpr double fitsLikeBefore = 0.8;   // of the median score of the last frames
 constexpr double fitsAtAll = 0.25;   // below, a score says nothing (see PoseRanking)
@@ -21,7 +21,7 @@ FrameTracker::FrameTracker(RegistrationProblem first, const RegistrationOptions&
     : problem_(std::move(first)),
       options_(options),
       motion_(aboutCentroid(problem_.start, problem_.tree.centroid), problem_.tree.spreadMm, noise),
-      points_(alignmentPoints(problem_.tree, strideFor(problem_.tree.size(), usedPoints)))
+      points_(alignmentPoints(problem_.tree, strideFor(problem_.tree.size(), usedTrackingPoints)))
 {
 }
 

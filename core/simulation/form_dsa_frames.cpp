@@ -23,18 +23,18 @@ constexpr int maskAverage = 4;   ///< the mask is the mean of this many frames
 constexpr double midGrey = 2048.0;
 constexpr double greyPerAttenuation = 2200.0;
 constexpr double largestGrey = 4095.0;
-constexpr int marginPx = 8;   ///< body beyond the field, for motion
+constexpr int bodyMarginPx = 8;   ///< body beyond the field, for motion
 
 /// Streams of the run's generator.
-enum Stream : std::uint64_t { BodyStream, MotionStream, ShutterStream, MaskStream, FirstFrameStream };
+enum FrameStream : std::uint64_t { BodyStream, MotionStream, ShutterStream, MaskStream, FirstFrameStream };
 
 /// Cut-out of the body as seen after a shift.
 ImageF shiftedBody(const ImageF& body, const Eigen::Vector2d& shiftPx)
 {
-    ImageF result(body.width - 2 * marginPx, body.height - 2 * marginPx);
+    ImageF result(body.width - 2 * bodyMarginPx, body.height - 2 * bodyMarginPx);
     for (int y = 0; y < result.height; ++y) {
         for (int x = 0; x < result.width; ++x) {
-            result.at(x, y) = sampled(body, x + marginPx + shiftPx.x(), y + marginPx + shiftPx.y());
+            result.at(x, y) = sampled(body, x + bodyMarginPx + shiftPx.x(), y + bodyMarginPx + shiftPx.y());
         }
     }
     return result;
@@ -139,7 +139,7 @@ DsaRun formDsaFrames(const DsaScene& scene, const DsaOptions& options, const Cou
     const int width = options.width;
     const int height = options.height;
     CounterRandom bodyRandom = random.fork(BodyStream);
-    const ImageF body = bodyAttenuation(width + 2 * marginPx, height + 2 * marginPx, bodyRandom);
+    const ImageF body = bodyAttenuation(width + 2 * bodyMarginPx, height + 2 * bodyMarginPx, bodyRandom);
     const ImageF logMask = logDetected(expectedCounts(shiftedBody(body, Eigen::Vector2d::Zero()), options.photonCount),
                                        maskAverage, random.fork(MaskStream));
     const Mask2d open = drawShutter(width, height, options.shutterProbability, random.fork(ShutterStream));

@@ -1,6 +1,6 @@
 #include "core/simulation/simulated_case.h"
 
-#include <numbers>
+#include "core/geometry/angle_units.h"
 
 namespace angiopose::core {
 namespace {
@@ -11,11 +11,6 @@ Eigen::Vector3d normalVector(double standardDeviation, CounterRandom& random)
     const double y = random.normal();
     const double z = random.normal();
     return standardDeviation * Eigen::Vector3d(x, y, z);
-}
-
-double radians(double degrees)
-{
-    return degrees * std::numbers::pi / 180.0;
 }
 
 Eigen::Vector3d uniformVector(double range, CounterRandom& random)
@@ -38,7 +33,7 @@ RigidTransform displaced(const RigidTransform& cameraFromPatient, const Eigen::V
 RigidTransform perturbedAboutCentroid(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient,
                                       double rotationStdDeg, double translationStdMm, CounterRandom& random)
 {
-    const Eigen::Vector3d omega = normalVector(radians(rotationStdDeg), random);
+    const Eigen::Vector3d omega = normalVector(rotationStdDeg * radiansPerDegree, random);
     const Eigen::Vector3d shift = normalVector(translationStdMm, random);
     return displaced(cameraFromPatient, centroidInPatient, omega, shift);
 }
@@ -46,7 +41,7 @@ RigidTransform perturbedAboutCentroid(const RigidTransform& cameraFromPatient, c
 RigidTransform uniformlyDisplaced(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient,
                                   double rangeDeg, double rangeMm, CounterRandom& random)
 {
-    const Eigen::Vector3d omega = uniformVector(radians(rangeDeg), random);
+    const Eigen::Vector3d omega = uniformVector(rangeDeg * radiansPerDegree, random);
     const Eigen::Vector3d shift = uniformVector(rangeMm, random);
     return displaced(cameraFromPatient, centroidInPatient, omega, shift);
 }
@@ -55,7 +50,7 @@ RigidTransform perturbedAboutSource(const RigidTransform& cameraFromPatient, dou
                                     double translationStdMm, CounterRandom& random)
 {
     Vector6d twist;
-    twist.head<3>() = normalVector(radians(rotationStdDeg), random);
+    twist.head<3>() = normalVector(rotationStdDeg * radiansPerDegree, random);
     twist.tail<3>() = normalVector(translationStdMm, random);
     return expSe3(twist) * cameraFromPatient;
 }

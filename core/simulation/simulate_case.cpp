@@ -13,7 +13,7 @@ namespace angiopose::core {
 namespace {
 
 /// Streams of the case's generator: what one part draws never shifts another's draws.
-enum Stream : std::uint64_t { GeometryStream = 1, DeformationStream, FillingStream, ImageStream };
+enum CaseStream : std::uint64_t { GeometryStream = 1, DeformationStream, FillingStream, ImageStream };
 
 constexpr double angleErrorDeg = 1.0;
 constexpr double lateralErrorMm = 15.0;

@@ -12,11 +12,11 @@ namespace {
 constexpr double extremeShare = 0.02;   // of the range: as good as the extreme value, after lossy compression
 constexpr double hardEdge = 0.3;   // of the range, from a shape to what surrounds it
 constexpr double leastHardShare = 0.8;   // of a shape's border
-constexpr int leastPixels = 4;
+constexpr int leastPixelsOfLetter = 4;
 constexpr int leastHeightPx = 5;
 constexpr double greatestHeightShare = 0.06;   // of the image's longer side
 constexpr std::size_t leastInRow = 3;
-constexpr int marginPx = 3;
+constexpr int textMarginPx = 3;
 
 /// One connected shape.
 struct Glyph {
@@ -67,7 +67,7 @@ std::vector<Glyph> glyphsOf(const ImageF& frame, float value, float range)
     for (const std::vector<std::size_t>& pixels : componentsOf(drawn)) {
         const Glyph glyph = boundsOf(pixels, frame.width);
         const bool isSmall = glyph.height() <= greatest && glyph.width() <= 2.0 * greatest;
-        if (pixels.size() >= leastPixels && isSmall && glyph.height() >= leastHeightPx &&
+        if (pixels.size() >= leastPixelsOfLetter && isSmall && glyph.height() >= leastHeightPx &&
             hardShare(frame, drawn, pixels, value, hardEdge * range) >= leastHardShare) {
             glyphs.push_back(glyph);
         }
@@ -105,7 +105,7 @@ void blank(Mask2d& text, const std::vector<Glyph>& row)
         box = {std::min(box.left, glyph.left), std::max(box.right, glyph.right), std::min(box.top, glyph.top),
                std::max(box.bottom, glyph.bottom)};
     }
-    const int margin = marginPx + box.height() / 2;   // accents, tails and small signs between
+    const int margin = textMarginPx + box.height() / 2;   // accents, tails and small signs between
     for (int y = std::max(0, box.top - margin); y <= std::min(text.height - 1, box.bottom + margin); ++y) {
         for (int x = std::max(0, box.left - margin); x <= std::min(text.width - 1, box.right + margin); ++x) {
             text.at(x, y) = 255;

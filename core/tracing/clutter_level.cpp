@@ -14,7 +14,7 @@ constexpr double tailRank = 0.98;
 // Of the values at these ranks, where structures are about; in mere noise it is less.
 constexpr double tailRatio = 1.75;
 constexpr double leastWeight = 0.5;   // fine vessels shall be found in some noise too
-constexpr int rimPx = 6;   // where filters see the edge of the field
+constexpr int clutterRimPx = 6;   // where filters see the edge of the field
 constexpr double clearMultiple = 4.0;
 constexpr int flankPx = 10;
 constexpr std::size_t leastShareLeft = 10;   // one part in so many, else all of the field counts
@@ -97,7 +97,7 @@ Mask2d awayFromVessels(Mask2d inside, const ImageF& ridges, double clearRidge)
 }   // namespace
 
 Clutter::Clutter(const ImageF& opacity, const Mask2d& field, std::vector<RidgeScale> scales)
-    : inside_(eroded(field, rimPx)), scales_(std::move(scales)), inverted_(opacity.width, opacity.height, -1.0F)
+    : inside_(eroded(field, clutterRimPx)), scales_(std::move(scales)), inverted_(opacity.width, opacity.height, -1.0F)
 {
     double coarsest = 0.0;
     for (auto scale = scales_.rbegin(); scale != scales_.rend(); ++scale) {

@@ -17,7 +17,7 @@ constexpr double skeletonLambda = 4.0;
 constexpr double finalLambda = 10.0;
 constexpr double unsureWeight = 0.05;
 constexpr double leastRadiusAtEnd = 0.6;   // times the usual one
-constexpr int tangentReach = 4;
+constexpr int curveTangentReach = 4;
 // A round tube absorbs along its chord 2√(r² − x²), which halves at x = r √3/2.
 constexpr double halfDepthPerRadius = 0.8660254;
 
@@ -28,7 +28,7 @@ std::vector<Eigen::Vector2d> evenlySpaced(const std::vector<Eigen::Vector2d>& po
 
 std::vector<Eigen::Vector2d> normalsOf(const std::vector<Eigen::Vector2d>& points)
 {
-    std::vector<Eigen::Vector2d> normals = tangentsOf(points, tangentReach);
+    std::vector<Eigen::Vector2d> normals = tangentsOf(points, curveTangentReach);
     for (Eigen::Vector2d& normal : normals) {
         normal = Eigen::Vector2d(-normal.y(), normal.x());
     }

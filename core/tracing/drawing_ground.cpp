@@ -13,8 +13,8 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t sampleSize = 200000;
-constexpr double surroundingsInRadii = 3.0;
+constexpr std::size_t groundSamples = 200000;
+constexpr double groundInRadii = 3.0;
 
 }   // namespace
 
@@ -34,10 +34,10 @@ DrawingGround drawingGround(const ImageF& frame, Polarity polarity, const TraceO
     for (std::size_t i = 0; i < text.pixels.size(); ++i) {
         ground.fieldMask.pixels[i] = text.pixels[i] != 0 ? 0 : ground.fieldMask.pixels[i];
     }
-    ground.opacity = flattenBackground(vesselsDark, ground.fieldMask, surroundingsInRadii * options.maxVesselRadiusPx);
+    ground.opacity = flattenBackground(vesselsDark, ground.fieldMask, groundInRadii * options.maxVesselRadiusPx);
     ground.vesselness = ridgeStrength(ground.opacity, options.minVesselRadiusPx, options.maxVesselRadiusPx);
     // The strongest 0.1 % count as 1.
-    const float top = std::max(ranked(evenSample(ground.vesselness.pixels, sampleSize), 0.999), 1e-12F);
+    const float top = std::max(ranked(evenSample(ground.vesselness.pixels, groundSamples), 0.999), 1e-12F);
     for (float& value : ground.vesselness.pixels) {
         value = std::min(1.0F, value / top);
     }

@@ -78,21 +78,21 @@ bool isInside(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d
     return inside;
 }
 
-struct Place {
+struct CurvePlace {
     std::size_t curve = 0;
     std::size_t point = 0;
 };
 
-std::optional<Place> nearestPlace(const Centerline2d& centerline, const Eigen::Vector2d& pointPx, double reachPx)
+std::optional<CurvePlace> nearestPlace(const Centerline2d& centerline, const Eigen::Vector2d& pointPx, double reachPx)
 {
-    std::optional<Place> nearest;
+    std::optional<CurvePlace> nearest;
     double nearestPx = reachPx;
     for (std::size_t c = 0; c < centerline.curves.size(); ++c) {
         for (std::size_t i = 0; i < centerline.curves[c].pointsPx.size(); ++i) {
             const double distance = (centerline.curves[c].pointsPx[i] - pointPx).norm();
             if (distance <= nearestPx) {
                 nearestPx = distance;
-                nearest = Place{c, i};
+                nearest = CurvePlace{c, i};
             }
         }
     }
@@ -124,7 +124,7 @@ Centerline2d withoutRegion(const Centerline2d& centerline, const std::vector<Eig
 
 Centerline2d cutAt(const Centerline2d& centerline, const Eigen::Vector2d& pointPx, double reachPx)
 {
-    const std::optional<Place> place = nearestPlace(centerline, pointPx, reachPx);
+    const std::optional<CurvePlace> place = nearestPlace(centerline, pointPx, reachPx);
     if (!place) {
         return centerline;
     }
@@ -161,7 +161,7 @@ Centerline2d withDrawn(const Centerline2d& centerline, const std::vector<Eigen::
 
 int curveAt(const Centerline2d& centerline, const Eigen::Vector2d& pointPx, double reachPx)
 {
-    const std::optional<Place> place = nearestPlace(centerline, pointPx, reachPx);
+    const std::optional<CurvePlace> place = nearestPlace(centerline, pointPx, reachPx);
     return place ? centerline.curves[place->curve].id : -1;
 }
 

@@ -13,7 +13,7 @@ namespace {
 // A shutter edge rises over a few pixels; the borders of heart and diaphragm rise over many. In parts of the grey
 // range per pixel, between the measured 0.06 of shutters and 0.02 of organs. All of it is measured on the halved image.
 constexpr double sharpEdgePerPx = 0.07;
-constexpr double smoothingPx = 1.0;
+constexpr double fieldSmoothingPx = 1.0;
 constexpr int edgeReachPx = 2;
 constexpr std::size_t smallestDrawnShare = 200;   // one part in so many of the frame
 
@@ -58,7 +58,7 @@ double edgeSlope(const ImageF& smooth, const Mask2d& border)
 /// The unexposed border: of several grey levels the one with the sharpest edge, if that is sharp at all.
 Mask2d unexposedBorder(const ImageF& image, int openingPx)
 {
-    const ImageF smooth = blurred(image, smoothingPx);
+    const ImageF smooth = blurred(image, fieldSmoothingPx);
     const std::vector<float> levels = rankedAt(smooth.pixels, {0.002, 0.5, 0.99});
     const double darkest = levels[0];
     const double middle = levels[1];

@@ -11,13 +11,13 @@ constexpr int snapReachPx = 4;
 constexpr double snapFalloffPx = 6.0;   // a much stronger vessel may lie this much farther from the pointer
 constexpr std::size_t settledPerCall = 120000;   // about 11 ms: the window must not wait longer
 constexpr double dearest = 240.0;
-constexpr std::uint32_t unreached = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t unreachedPixel = std::numeric_limits<std::uint32_t>::max();
 
-struct Step {
+struct WireStep {
     int dx;
     int dy;
 };
-constexpr std::array<Step, 8> steps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+constexpr std::array<WireStep, 8> wireSteps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
 /// Cheap on vessels, dear beside them. The root lets faint vessels lead as well.
 Image2d<std::uint8_t> costsOf(const ImageF& vesselness)
@@ -57,7 +57,7 @@ void LiveWire::setAnchor(const Eigen::Vector2d& pointPx)
     if (!hasAnchor_) {
         return;
     }
-    std::fill(distances_.begin(), distances_.end(), unreached);
+    std::fill(distances_.begin(), distances_.end(), unreachedPixel);
     std::fill(settled_.begin(), settled_.end(), std::uint8_t{0});
     for (std::vector<Pixel>& bucket : buckets_) {
         bucket.clear();
@@ -80,7 +80,7 @@ std::vector<Eigen::Vector2d> LiveWire::pathTo(const Eigen::Vector2d& pointPx)
     }
     std::vector<Eigen::Vector2d> path{pointOf(pixel)};
     while (pixel != anchor_) {
-        const Step& step = steps[arrivals_[pixel]];
+        const WireStep& step = wireSteps[arrivals_[pixel]];
         pixel = static_cast<Pixel>(static_cast<std::int64_t>(pixel) - step.dx -
                                    static_cast<std::int64_t>(step.dy) * vesselness_.width);
         path.push_back(pointOf(pixel));
@@ -140,11 +140,11 @@ void LiveWire::settle(Pixel pixel)
     settled_[pixel] = 1;
     const int x = static_cast<int>(pixel % static_cast<Pixel>(vesselness_.width));
     const int y = static_cast<int>(pixel / static_cast<Pixel>(vesselness_.width));
-    for (std::size_t k = 0; k < steps.size(); ++k) {
-        if (!vesselness_.contains(x + steps[k].dx, y + steps[k].dy)) {
+    for (std::size_t k = 0; k < wireSteps.size(); ++k) {
+        if (!vesselness_.contains(x + wireSteps[k].dx, y + wireSteps[k].dy)) {
             continue;
         }
-        const std::size_t next = vesselness_.index(x + steps[k].dx, y + steps[k].dy);
+        const std::size_t next = vesselness_.index(x + wireSteps[k].dx, y + wireSteps[k].dy);
         const std::uint32_t cost = costs_.pixels[next];
         const std::uint32_t distance = distances_[pixel] + (k < 4 ? cost : cost * 181 / 128);   // √2 on the diagonal
         if (distance < distances_[next]) {

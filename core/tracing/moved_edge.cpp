@@ -7,18 +7,18 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t leastPoints = 10;   // of shorter ones noise decides
+constexpr std::size_t leastPointsOfEdge = 10;   // of shorter ones noise decides
 constexpr double nearestSidePx = 2.0;
 constexpr double farthestSidePx = 4.0;   // patients move more, but then the two sides look like lines of their own
-constexpr std::size_t tangentReach = 4;
+constexpr std::size_t edgeTangentReach = 4;
 
 /// To the right of the path.
-std::vector<Eigen::Vector2d> normalsOf(const std::vector<Eigen::Vector2d>& path)
+std::vector<Eigen::Vector2d> normalsAlong(const std::vector<Eigen::Vector2d>& path)
 {
     std::vector<Eigen::Vector2d> normals(path.size());
     for (std::size_t i = 0; i < path.size(); ++i) {
-        const Eigen::Vector2d way =
-            path[std::min(path.size() - 1, i + tangentReach)] - path[i < tangentReach ? 0 : i - tangentReach];
+        const Eigen::Vector2d way = path[std::min(path.size() - 1, i + edgeTangentReach)] -
+                                    path[i < edgeTangentReach ? 0 : i - edgeTangentReach];
         normals[i] = Eigen::Vector2d(-way.y(), way.x()).normalized();
     }
     return normals;
@@ -28,10 +28,10 @@ std::vector<Eigen::Vector2d> normalsOf(const std::vector<Eigen::Vector2d>& path)
 
 bool isMovedEdge(const std::vector<Eigen::Vector2d>& pathPx, const ImageF& opacity)
 {
-    if (pathPx.size() < leastPoints) {
+    if (pathPx.size() < leastPointsOfEdge) {
         return false;
     }
-    const std::vector<Eigen::Vector2d> normals = normalsOf(pathPx);
+    const std::vector<Eigen::Vector2d> normals = normalsAlong(pathPx);
     const auto meanAt = [&](double sidePx) {
         double sum = 0.0;
         for (std::size_t i = 0; i < pathPx.size(); ++i) {

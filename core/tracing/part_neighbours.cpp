@@ -12,10 +12,11 @@ namespace {
 // Finer lines are mostly noise; ground wider than what these see is seen as such by the filters for wide vessels too.
 constexpr double finestGroundSigmaPx = 1.4;
 constexpr double coarsestGroundSigmaPx = 2.3;
-constexpr float leastEvidence = 1.3F;   // somewhat above that of a vessel, as noise in wide vessels shall not part them
-constexpr float leastShare = 0.3F;   // of the evidence of the vessels beside it
+constexpr float leastRidgeEvidence =
+    1.3F;   // somewhat above that of a vessel, as noise in wide vessels shall not part them
+constexpr float leastShareOfEvidence = 0.3F;   // of the evidence of the vessels beside it
 constexpr int neighbourReachPx = 5;
-constexpr std::size_t leastPixels = 16;   // less is texture
+constexpr std::size_t leastPixelsOfRidge = 16;   // less is texture
 
 ImageF brightRidges(ImageF opacity, std::vector<RidgeScale> scales)
 {
@@ -36,12 +37,12 @@ Mask2d groundBetweenNeighbours(const Mask2d& vessels, const ImageF& evidence, co
     const auto unit = static_cast<float>(clearRidge);
     Mask2d ground(vessels.width, vessels.height);
     for (std::size_t i = 0; i < ground.pixels.size(); ++i) {
-        const float least = unit * std::max(leastEvidence, leastShare * beside.pixels[i]);
+        const float least = unit * std::max(leastRidgeEvidence, leastShareOfEvidence * beside.pixels[i]);
         ground.pixels[i] = vessels.pixels[i] != 0 && bright.pixels[i] > least ? 255 : 0;
     }
     for (const std::vector<std::size_t>& line : componentsOf(ground)) {
         for (const std::size_t p : line) {
-            ground.pixels[p] = line.size() < leastPixels ? 0 : 255;
+            ground.pixels[p] = line.size() < leastPixelsOfRidge ? 0 : 255;
         }
     }
     return ground;

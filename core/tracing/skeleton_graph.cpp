@@ -8,9 +8,9 @@ namespace angiopose::core {
 namespace {
 
 /// Walks the skeleton pixel by pixel; `nodeAt` tells the node of junction and end pixels, -1 elsewhere.
-class SkeletonWalker {
+class PixelWalker {
 public:
-    explicit SkeletonWalker(const Mask2d& skeleton)
+    explicit PixelWalker(const Mask2d& skeleton)
         : skeleton_(skeleton), nodeAt_(skeleton.width, skeleton.height, -1), seen_(skeleton.width, skeleton.height)
     {
         for (std::size_t p = 0; p < skeleton.pixels.size(); ++p) {
@@ -157,7 +157,7 @@ private:
 
 SkeletonGraph skeletonGraph(const Mask2d& skeleton)
 {
-    return SkeletonWalker(skeleton).run();
+    return PixelWalker(skeleton).run();
 }
 
 }   // namespace angiopose::core

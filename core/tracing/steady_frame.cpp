@@ -12,15 +12,15 @@ namespace angiopose::core {
 namespace {
 
 constexpr int reachFrames = 4;
-constexpr int smallestSide = 8;
-constexpr double smoothingPx = 1.5;   // of the halved frame
+constexpr int smallestSteadySide = 8;
+constexpr double steadySmoothingPx = 1.5;   // of the halved frame
 // Times what white noise leaves after smoothing; detector noise is not quite white, which takes up about one of them.
 constexpr double changedMultiple = 4.0;
 constexpr double mostChanged = 0.01;
 constexpr double medianPerSigma = 0.6745;   // of |x| for normal x
-constexpr std::size_t sampleSize = 20000;
+constexpr std::size_t steadySamples = 20000;
 
-bool isFinite(const ImageF& image)
+bool hasFinitePixels(const ImageF& image)
 {
     return std::all_of(image.pixels.begin(), image.pixels.end(), [](float value) { return std::isfinite(value); });
 }
@@ -36,7 +36,7 @@ Difference differenceOf(const ImageF& coarse, const ImageF& other)
     for (std::size_t i = 0; i < difference.pixels.size(); ++i) {
         difference.pixels[i] -= coarse.pixels[i];
     }
-    const float middle = ranked(evenSample(difference.pixels, sampleSize), 0.5);
+    const float middle = ranked(evenSample(difference.pixels, steadySamples), 0.5);
     for (float& value : difference.pixels) {
         value -= middle;
     }
@@ -59,9 +59,9 @@ double noiseOf(const ImageF& image)
 /// Where the difference is noise (255), on the halved grid; nothing when too much has changed.
 std::optional<Mask2d> unchangedPixels(const ImageF& difference)
 {
-    const double smoothNoise = noiseOf(difference) / (2.0 * std::sqrt(std::numbers::pi) * smoothingPx);
+    const double smoothNoise = noiseOf(difference) / (2.0 * std::sqrt(std::numbers::pi) * steadySmoothingPx);
     const auto limit = static_cast<float>(changedMultiple * smoothNoise);
-    const ImageF smooth = blurred(difference, smoothingPx);
+    const ImageF smooth = blurred(difference, steadySmoothingPx);
     Mask2d unchanged(smooth.width, smooth.height);
     std::size_t changed = 0;
     for (std::size_t i = 0; i < smooth.pixels.size(); ++i) {
@@ -101,7 +101,7 @@ void addSide(Sum& sum, const std::vector<ImageF>& frames, int index, int step, c
             return;
         }
         const ImageF& frame = frames[static_cast<std::size_t>(other)];
-        if (frame.width != sum.values.width || frame.height != sum.values.height || !isFinite(frame)) {
+        if (frame.width != sum.values.width || frame.height != sum.values.height || !hasFinitePixels(frame)) {
             return;
         }
         const Difference difference = differenceOf(coarse, frame);
@@ -118,7 +118,7 @@ void addSide(Sum& sum, const std::vector<ImageF>& frames, int index, int step, c
 ImageF steadyFrame(const std::vector<ImageF>& frames, int index)
 {
     const ImageF& frame = frames[static_cast<std::size_t>(index)];
-    if (frames.size() < 2 || std::min(frame.width, frame.height) < smallestSide || !isFinite(frame)) {
+    if (frames.size() < 2 || std::min(frame.width, frame.height) < smallestSteadySide || !hasFinitePixels(frame)) {
         return frame;
     }
     const ImageF coarse = halved(frame);

@@ -35,7 +35,7 @@ std::string problemWith(const std::vector<ImageF>& frames, const SubtractionPlan
 }
 
 /// The plan with its mask frames chosen.
-Result<SubtractionPlan> settled(const std::vector<ImageF>& frames, Polarity polarity, SubtractionPlan plan)
+Result<SubtractionPlan> settledPlan(const std::vector<ImageF>& frames, Polarity polarity, SubtractionPlan plan)
 {
     if (const std::string problem = problemWith(frames, plan); !problem.empty()) {
         return Error{problem};
@@ -104,7 +104,7 @@ std::vector<int> suggestMaskFrames(const std::vector<ImageF>& frames, Polarity p
 Result<SubtractedRun> subtractRun(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,
                                   const StopCheck& isStopWished)
 {
-    const auto chosen = settled(frames, polarity, plan);
+    const auto chosen = settledPlan(frames, polarity, plan);
     if (!chosen) {
         return chosen.error();
     }
@@ -127,7 +127,7 @@ Result<SubtractedRun> subtractRun(const std::vector<ImageF>& frames, Polarity po
 Result<SubtractedFrame> subtractFrame(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,
                                       int frame)
 {
-    const auto chosen = settled(frames, polarity, plan);
+    const auto chosen = settledPlan(frames, polarity, plan);
     if (!chosen) {
         return chosen.error();
     }

@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double leastShareOfSide = 0.15;
+constexpr double leastShareOfSuspect = 0.15;
 constexpr double evenBendPx = 0.5;   // rms from the best arc, of short curves
 constexpr double evenBendPerLength = 0.004;   // and of long ones
 constexpr double evenWidth = 0.2;   // spread, and change from one half to the other, relative to the width
@@ -34,7 +34,7 @@ std::vector<int> suspectCurves(const Centerline2d& centerline, int imageSidePx)
 {
     std::vector<int> suspects;
     for (const Curve2d& curve : centerline.curves) {
-        const bool isLong = curve.pointsPx.size() > 3 && curve.lengthPx() >= leastShareOfSide * imageSidePx;
+        const bool isLong = curve.pointsPx.size() > 3 && curve.lengthPx() >= leastShareOfSuspect * imageSidePx;
         const bool hasWidth = curve.radiusPx.size() == curve.pointsPx.size();
         if (isLong && bendsEvenly(curve) && (!hasWidth || keepsItsWidth(curve.radiusPx))) {
             suspects.push_back(curve.id);

@@ -25,9 +25,9 @@ std::array<bool, 256> makeDeletableTable()
 }
 
 /// The mask with a clear rim, so that every pixel has eight neighbours, and the pixels still to be looked at.
-class Peeler {
+class PixelPeeler {
 public:
-    explicit Peeler(const Mask2d& mask)
+    explicit PixelPeeler(const Mask2d& mask)
         : mask_(mask),
           stride_(mask.width + 2),
           set_(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(mask.height + 2)),
@@ -129,7 +129,7 @@ private:
 
 Mask2d thinned(const Mask2d& mask)
 {
-    return mask.isEmpty() ? mask : Peeler(mask).run();
+    return mask.isEmpty() ? mask : PixelPeeler(mask).run();
 }
 
 }   // namespace angiopose::core

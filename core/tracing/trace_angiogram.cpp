@@ -31,12 +31,12 @@ namespace {
 constexpr double surroundingsInRadii = 3.0;
 // Thinning splits the crossing of two vessels into two junctions about as far apart as they are wide.
 constexpr double crossingInRadii = 2.0;
-constexpr std::size_t sampleSize = 200000;
+constexpr std::size_t frameSamples = 200000;
 // Faint branches are lost beside a strong vessel, in the halo that filters see around it: bridges reach across that,
 // where there is nearly enough evidence of a vessel all the way.
 constexpr double gapReachPx = 14.0;
 constexpr double leastEvidenceInGap = 0.75;
-constexpr int mostThreads = 2;   // more wait for memory
+constexpr int mostTracingThreads = 2;   // more wait for memory
 
 bool isFinite(const ImageF& frame)
 {
@@ -97,7 +97,7 @@ Mask2d tracedField(const ImageF& vesselsDark, const TraceOptions& options)
 /// 0…1: the strongest 0.1 % count as 1.
 ImageF normalised(ImageF ridges)
 {
-    const float top = std::max(ranked(evenSample(ridges.pixels, sampleSize), 0.999), 1e-12F);
+    const float top = std::max(ranked(evenSample(ridges.pixels, frameSamples), 0.999), 1e-12F);
     for (float& value : ridges.pixels) {
         value = std::min(1.0F, value / top);
     }
@@ -118,7 +118,7 @@ std::vector<Curve2d> centredCurves(std::vector<std::vector<Eigen::Vector2d>> pat
     std::erase_if(paths, [&](const auto& path) { return runsStraightAcross(path, field); });
     std::vector<Curve2d> curves(paths.size());
     parallelFor(
-        paths.size(), std::min(mostThreads, threadCount(0)),
+        paths.size(), std::min(mostTracingThreads, threadCount(0)),
         [&](std::size_t k) { curves[k] = centredCurve(paths[k], static_cast<int>(k) + 1, opacity, maxRadiusPx); },
         [](double) { return true; });
     return curves;

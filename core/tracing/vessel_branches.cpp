@@ -15,12 +15,12 @@ namespace angiopose::core {
 namespace {
 
 // A side branch must be long or strong: √length times what its weak parts have above half of the evidence.
-constexpr double leastEvidence = 0.5;
+constexpr double leastBranchEvidence = 0.5;
 constexpr double leastWorth = 4.5;
 constexpr double weakPart = 0.2;
 constexpr double leastWorthOfPiece = 11.0;   // which stands alone and so needs more
 // Filters see half of the picture there: what mostly keeps this close to the rim of the field is an artefact of it.
-constexpr int rimPx = 6;
+constexpr int branchRimPx = 6;
 constexpr double mostAlongRim = 0.6;
 
 double lengthOf(const SkeletonEdge& edge)
@@ -40,11 +40,11 @@ std::vector<float> evidenceAlong(const SkeletonEdge& edge, const ImageF& evidenc
 /// The field with everything beyond the image counted as outside, less its rim.
 Mask2d insideOfRim(const Mask2d& field)
 {
-    Mask2d inside = eroded(field, rimPx);
+    Mask2d inside = eroded(field, branchRimPx);
     for (int y = 0; y < inside.height; ++y) {
         for (int x = 0; x < inside.width; ++x) {
             const int toEdge = std::min(std::min(x, inside.width - 1 - x), std::min(y, inside.height - 1 - y));
-            inside.at(x, y) = toEdge < rimPx ? 0 : inside.at(x, y);
+            inside.at(x, y) = toEdge < branchRimPx ? 0 : inside.at(x, y);
         }
     }
     return inside;
@@ -66,7 +66,7 @@ SkeletonGraph vesselBranches(const Mask2d& vessels, const ImageF& evidence, cons
     const auto worth = [&](const SkeletonEdge& edge) {
         const double length = lengthOf(edge);
         const double weak = ranked(evidenceAlong(edge, evidence), weakPart);
-        return length < options.minBranchLengthPx ? 0.0 : std::sqrt(length) * (weak - leastEvidence);
+        return length < options.minBranchLengthPx ? 0.0 : std::sqrt(length) * (weak - leastBranchEvidence);
     };
     const Mask2d inside = insideOfRim(field);
     SkeletonGraph graph = skeletonGraph(thinned(vessels));

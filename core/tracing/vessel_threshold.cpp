@@ -18,11 +18,11 @@ constexpr int haloReachPx = 12;
 constexpr float haloShare = 0.15F;
 constexpr double opacitySigmaPx = 2.0;
 constexpr float leastOpacityPerRidge = 0.3F;   // a round vessel's opacity is a few times its ridge
-constexpr std::size_t sampleSize = 200000;
+constexpr std::size_t thresholdSamples = 200000;
 constexpr double noiseMultiple = 4.0;
 constexpr double clutterMultiple = 1.9;
 // In pictures without noise: below this share of the strongest ridges there are only traces of the filters.
-constexpr double leastShare = 0.02;
+constexpr double leastShareOfFrame = 0.02;
 constexpr double strongestRank = 0.999;
 
 }   // namespace
@@ -34,8 +34,8 @@ double ridgeNoiseLimit(const std::vector<float>& ridges)
 
 double clearRidge(const ImageF& ridges, double clutter, double sensitivity)
 {
-    const double strongest = ranked(evenSample(ridges.pixels, sampleSize), strongestRank);
-    return std::max(clutterMultiple * clutter, leastShare * strongest) / sensitivity;
+    const double strongest = ranked(evenSample(ridges.pixels, thresholdSamples), strongestRank);
+    return std::max(clutterMultiple * clutter, leastShareOfFrame * strongest) / sensitivity;
 }
 
 ImageF vesselEvidence(const ImageF& ridges, const Mask2d& field, double clearRidge)

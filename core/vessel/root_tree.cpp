@@ -10,14 +10,14 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t stretch = 5;   ///< points that tell how thick an end is
+constexpr std::size_t thicknessStretch = 5;   ///< points that tell how thick an end is
 
 double endRadius(const VesselBranch& branch, bool atBack)
 {
     if (branch.radiusMm.empty()) {
         return 0.0;
     }
-    const std::size_t count = std::min(stretch, branch.radiusMm.size());
+    const std::size_t count = std::min(thicknessStretch, branch.radiusMm.size());
     const auto first = atBack ? branch.radiusMm.end() - static_cast<std::ptrdiff_t>(count) : branch.radiusMm.begin();
     return std::accumulate(first, first + static_cast<std::ptrdiff_t>(count), 0.0) / static_cast<double>(count);
 }
@@ -44,9 +44,9 @@ std::size_t touchingPoint(const VesselBranch& branch, const Eigen::Vector3d& pla
 }
 
 /// Follows the vessels from a root and hands them out in order.
-class Walker {
+class RootWalker {
 public:
-    explicit Walker(const VesselTree& tree) : left_(tree.branches.begin(), tree.branches.end())
+    explicit RootWalker(const VesselTree& tree) : left_(tree.branches.begin(), tree.branches.end())
     {
         for (const VesselBranch& branch : tree.branches) {
             nextId_ = std::max(nextId_, branch.id + 1);
@@ -149,7 +149,7 @@ private:
 
 VesselTree rootedAt(const VesselTree& tree, const Eigen::Vector3d& rootInPatient)
 {
-    Walker walker(tree);
+    RootWalker walker(tree);
     if (!walker.isDone()) {
         walker.walkFromBest([&](const VesselBranch& branch, bool atBack) {
             const auto& points = branch.pointsInPatient;

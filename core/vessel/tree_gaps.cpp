@@ -11,7 +11,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t stretch = 5;   ///< points that tell an end's direction
+constexpr std::size_t directionStretch = 5;   ///< points that tell an end's direction
 
 /// From a point to the curve of a branch, between its points too: these may lie far apart.
 double distanceTo(const VesselBranch& branch, const Eigen::Vector3d& point)
@@ -51,7 +51,7 @@ std::vector<std::size_t> piecesOf(const VesselTree& tree)
 Eigen::Vector3d outwards(const VesselBranch& branch, bool atBack)
 {
     const auto& points = branch.pointsInPatient;
-    const std::size_t reach = std::min(stretch, points.size() - 1);
+    const std::size_t reach = std::min(directionStretch, points.size() - 1);
     const Eigen::Vector3d way =
         atBack ? points.back() - points[points.size() - 1 - reach] : points.front() - points[reach];
     return way.norm() > 1e-9 ? way.normalized().eval() : Eigen::Vector3d::Zero().eval();

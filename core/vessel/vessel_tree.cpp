@@ -11,14 +11,14 @@
 namespace angiopose::core {
 namespace {
 
-struct BranchEnd {
+struct EndOfBranch {
     int branchId;
     Eigen::Vector3d point;
 };
 
-std::vector<BranchEnd> endsOf(const VesselTree& tree)
+std::vector<EndOfBranch> endsOf(const VesselTree& tree)
 {
-    std::vector<BranchEnd> ends;
+    std::vector<EndOfBranch> ends;
     for (const VesselBranch& branch : tree.branches) {
         if (!branch.pointsInPatient.empty()) {
             ends.push_back({branch.id, branch.pointsInPatient.front()});
@@ -82,7 +82,7 @@ std::vector<VesselNode> findNodes(const VesselTree& tree, double toleranceMm)
 {
     std::vector<VesselNode> nodes;
     const std::vector<BoxedBranch> branches = boxed(tree);
-    for (const BranchEnd& end : endsOf(tree)) {
+    for (const EndOfBranch& end : endsOf(tree)) {
         const bool known = std::any_of(nodes.begin(), nodes.end(), [&](const VesselNode& node) {
             return (node.pointInPatient - end.point).norm() <= toleranceMm;
         });

@@ -13,9 +13,9 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int dialogWidth = 560;
+constexpr int auxiliaryDialogWidth = 560;
 
-QPushButton* button(const QString& text, const QString& toolTip)
+QPushButton* choiceButton(const QString& text, const QString& toolTip)
 {
     auto* made = new QPushButton(text);
     made->setToolTip(toolTip);
@@ -38,14 +38,14 @@ AuxiliaryDialog::AuxiliaryDialog(QWidget* parent)
       preview_(wrapped("body")),
       generation_(new NumberField({0.0, 99.0, 0, {}, 1.0})),
       radius_(new NumberField({0.0, 50.0, 1, tr("mm"), 0.1})),
-      byGeneration_(button(tr("Up to generation"), tr("Generation 0 begins at the root of the tree."))),
-      byRadius_(button(tr("At least this wide"), tr("By the median radius of a branch."))),
-      take_(button(tr("Choose these"), tr("Makes the suggested branches the auxiliary ones.")))
+      byGeneration_(choiceButton(tr("Up to generation"), tr("Generation 0 begins at the root of the tree."))),
+      byRadius_(choiceButton(tr("At least this wide"), tr("By the median radius of a branch."))),
+      take_(choiceButton(tr("Choose these"), tr("Makes the suggested branches the auxiliary ones.")))
 {
     setObjectName(QStringLiteral("auxiliaryDialog"));
     setWindowTitle(tr("Auxiliary branches"));
     setAttribute(Qt::WA_DeleteOnClose);
-    resize(dialogWidth, 1);   // as high as its words need, see showAdvice
+    resize(auxiliaryDialogWidth, 1);   // as high as its words need, see showAdvice
     auto* words = wrapped("hint");
     words->setText(
         tr("The alternating methods solve for these branches first, so choose what is filled, still and told "
@@ -96,11 +96,11 @@ QLayout* AuxiliaryDialog::makeWays()
     radius_->setAccessibleName(tr("Smallest radius"));
     generation_->showValue(1.0);
     radius_->showValue(1.0);
-    auto* lasso = button(withKey(tr("Lasso"), Command::Lasso),
-                         tipWithKey(tr("Draw around the branches on the image."), Command::Lasso));
-    auto* inView = button(withKey(tr("In view"), Command::AuxiliaryInView),
-                          tipWithKey(tr("The branches that lie wholly in the view."), Command::AuxiliaryInView));
-    auto* none = button(tr("None"), tr("Without chosen branches the nodes of the tree are used."));
+    auto* lasso = choiceButton(withKey(tr("Lasso"), Command::Lasso),
+                               tipWithKey(tr("Draw around the branches on the image."), Command::Lasso));
+    auto* inView = choiceButton(withKey(tr("In view"), Command::AuxiliaryInView),
+                                tipWithKey(tr("The branches that lie wholly in the view."), Command::AuxiliaryInView));
+    auto* none = choiceButton(tr("None"), tr("Without chosen branches the nodes of the tree are used."));
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(8);

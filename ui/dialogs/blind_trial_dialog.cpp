@@ -10,7 +10,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int dialogWidth = 560;
+constexpr int blindTrialDialogWidth = 560;
 
 NumberField* numberField(const QString& name, const NumberFormat& format, double value)
 {
@@ -34,7 +34,7 @@ BlindTrialDialog::BlindTrialDialog(const BlindTrialSetup& suggested, QWidget* pa
     setObjectName(QStringLiteral("blindTrialDialog"));
     setWindowTitle(tr("Blind observer trial"));
     setAttribute(Qt::WA_DeleteOnClose);
-    setMinimumWidth(dialogWidth);
+    setMinimumWidth(blindTrialDialogWidth);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
     layout->setSpacing(14);

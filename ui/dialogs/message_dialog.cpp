@@ -12,7 +12,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int dialogWidth = 460;
+constexpr int messageDialogWidth = 460;
 
 QVBoxLayout* makeBody(QDialog* dialog, const Message& message)
 {
@@ -29,7 +29,7 @@ QVBoxLayout* makeBody(QDialog* dialog, const Message& message)
     layout->addWidget(heading);
     layout->addWidget(text);
     dialog->setWindowTitle(message.heading);
-    dialog->setMinimumWidth(dialogWidth);
+    dialog->setMinimumWidth(messageDialogWidth);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     return layout;
 }

@@ -9,7 +9,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int dialogWidth = 620;
+constexpr int missingInputsWidth = 620;
 
 }   // namespace
 
@@ -23,7 +23,7 @@ MissingInputs::MissingInputs(const QString& caseName, const QStringList& missing
     setObjectName(QStringLiteral("missingInputs"));
     setWindowTitle(tr("Where are the inputs?"));
     setAttribute(Qt::WA_DeleteOnClose);
-    setMinimumWidth(dialogWidth);
+    setMinimumWidth(missingInputsWidth);
     auto* words = roleLabel(
         "body", tr("“%1” refers to files that are not where they were, and a search beside it and among recent cases "
                    "did not find them. The case itself is unharmed.")

@@ -18,14 +18,14 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int dialogWidth = 1240;
-constexpr int dialogHeight = 560;
-constexpr int idRole = Qt::UserRole;
+constexpr int poseTableWidth = 1240;
+constexpr int poseTableHeight = 560;
+constexpr int poseIdRole = Qt::UserRole;
 constexpr int orderRole = Qt::UserRole + 1;
 constexpr int methodColumns = 4;
-constexpr int rowSpacing = 10;
+constexpr int poseRowSpacing = 10;
 
-enum Column { Name, Method, Median, P95, Covered, InPlane, Depth, Turn, Time, Author, When, Note, ColumnCount };
+enum PoseColumn { Name, Method, Median, P95, Covered, InPlane, Depth, Turn, Time, Author, When, Note, ColumnCount };
 
 /// Sorts by the number behind the text.
 class Row : public QTreeWidgetItem {
@@ -79,7 +79,7 @@ PoseTable::PoseTable(QWidget* parent)
     setObjectName(QStringLiteral("poseTable"));
     setWindowTitle(tr("Compare poses"));
     setAttribute(Qt::WA_DeleteOnClose);
-    resize(dialogWidth, dialogHeight);
+    resize(poseTableWidth, poseTableHeight);
     table_->setAccessibleName(tr("Poses side by side"));
     table_->setRootIsDecorated(false);
     table_->setUniformRowHeights(true);
@@ -175,8 +175,8 @@ QWidget* PoseTable::makeMethods()
 void PoseTable::fillRow(QTreeWidgetItem& item, const PoseRow& row, bool isReference)
 {
     const core::PoseSnapshot& snapshot = row.snapshot;
-    item.setData(Name, idRole, snapshot.id);
-    item.setSizeHint(Note, {0, table_->fontMetrics().height() + rowSpacing});   // the one that stretches
+    item.setData(Name, poseIdRole, snapshot.id);
+    item.setSizeHint(Note, {0, table_->fontMetrics().height() + poseRowSpacing});   // the one that stretches
     item.setText(Name, snapshot.id == 0 ? tr("The pose as it is") : QString::fromStdString(snapshot.name));
     item.setText(Method, methodWords(snapshot.method));
     const auto& metrics = snapshot.metrics;
@@ -266,7 +266,7 @@ void PoseTable::updateButtons()
 
 void PoseTable::reportEdit(const QTreeWidgetItem& item, int column)
 {
-    const int id = item.data(Name, idRole).toInt();
+    const int id = item.data(Name, poseIdRole).toInt();
     const auto row = std::ranges::find(rows_, id, [](const PoseRow& each) { return each.snapshot.id; });
     if (row == rows_.end() || id == 0) {
         return;
@@ -284,7 +284,7 @@ std::set<int> PoseTable::selectedIds() const
 {
     std::set<int> ids;
     for (const QTreeWidgetItem* item : table_->selectedItems()) {
-        ids.insert(item->data(Name, idRole).toInt());
+        ids.insert(item->data(Name, poseIdRole).toInt());
     }
     return ids;
 }

@@ -9,9 +9,9 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int dialogWidth = 640;
-constexpr int listHeight = 150;
-constexpr int rowSpacing = 10;
+constexpr int recoveryDialogWidth = 640;
+constexpr int recoveryListHeight = 150;
+constexpr int recoveryRowSpacing = 10;
 constexpr int pathRole = Qt::UserRole;
 
 }   // namespace
@@ -25,7 +25,7 @@ RecoveryDialog::RecoveryDialog(const std::vector<RecoveryRow>& rows, QWidget* pa
     setObjectName(QStringLiteral("recoveryDialog"));
     setWindowTitle(tr("Recover unsaved work?"));
     setAttribute(Qt::WA_DeleteOnClose);
-    setMinimumWidth(dialogWidth);
+    setMinimumWidth(recoveryDialogWidth);
     auto* words = roleLabel("body", tr("AngioPose ended unexpectedly. These cases had changes that were not saved; "
                                        "recovering opens the copy and leaves the saved case as it is."));
     words->setWordWrap(true);
@@ -63,11 +63,11 @@ void RecoveryDialog::fill(const std::vector<RecoveryRow>& rows)
     list_->setRootIsDecorated(false);
     list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     list_->setHeaderLabels({tr("Case"), tr("Last copy"), tr("Saved in")});
-    list_->setFixedHeight(listHeight);
+    list_->setFixedHeight(recoveryListHeight);
     for (const RecoveryRow& row : rows) {
         const QString folder = row.folder.isEmpty() ? tr("never saved") : row.folder;
         auto* item = new QTreeWidgetItem(list_, {row.name, row.when, folder});
-        item->setSizeHint(2, {0, list_->fontMetrics().height() + rowSpacing});   // the one that stretches
+        item->setSizeHint(2, {0, list_->fontMetrics().height() + recoveryRowSpacing});   // the one that stretches
         item->setData(0, pathRole, row.path);
     }
     for (int column = 0; column < 2; ++column) {

@@ -13,12 +13,12 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int dialogWidth = 860;
-constexpr int dialogHeight = 420;
-constexpr int rowSpacing = 10;
+constexpr int chooserWidth = 860;
+constexpr int chooserHeight = 420;
+constexpr int seriesRowSpacing = 10;
 constexpr int rowRole = Qt::UserRole;
 
-enum Column { Description, Modality, Images, Size, Spacing, Date, ColumnCount };
+enum SeriesColumn { Description, Modality, Images, Size, Spacing, Date, ColumnCount };
 
 }   // namespace
 
@@ -32,7 +32,7 @@ SeriesChooser::SeriesChooser(const QString& folder, std::vector<SeriesRow> rows,
     setObjectName(QStringLiteral("seriesChooser"));
     setWindowTitle(tr("Choose a series"));
     setAttribute(Qt::WA_DeleteOnClose);
-    resize(dialogWidth, dialogHeight);
+    resize(chooserWidth, chooserHeight);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
     layout->setSpacing(12);
@@ -74,7 +74,7 @@ void SeriesChooser::fill()
         auto* item = new QTreeWidgetItem(
             list_, {row.description, row.modality, QString::number(row.imageCount), row.size, row.spacingMm, row.date});
         item->setData(Description, rowRole, static_cast<int>(i));
-        item->setSizeHint(Date, {0, list_->fontMetrics().height() + rowSpacing});   // the one that stretches
+        item->setSizeHint(Date, {0, list_->fontMetrics().height() + seriesRowSpacing});   // the one that stretches
         item->setTextAlignment(Images, Qt::AlignRight | Qt::AlignVCenter);
         item->setToolTip(Description, row.notes.join(QLatin1Char('\n')));
         if (!row.isOpenable) {

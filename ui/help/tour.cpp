@@ -17,18 +17,19 @@ namespace angiopose::ui {
 namespace {
 
 constexpr int bubbleWidth = 360;
-constexpr int gap = 14;   ///< between bubble and target
+constexpr int bubbleGap = 14;   ///< between bubble and target
 
 /// Where a bubble of `size` stands best: beside the target where there is room, else at its foot.
 QPoint placeBeside(const QRect& target, const QSize& size, const QRect& room)
 {
     const int y = std::clamp(target.center().y() - size.height() / 2, room.top(), room.bottom() - size.height());
     const int x = std::clamp(target.center().x() - size.width() / 2, room.left(), room.right() - size.width());
-    const std::array places{QPoint(target.right() + gap, y), QPoint(target.left() - gap - size.width(), y),
-                            QPoint(x, target.bottom() + gap), QPoint(x, target.top() - gap - size.height())};
+    const std::array places{QPoint(target.right() + bubbleGap, y), QPoint(target.left() - bubbleGap - size.width(), y),
+                            QPoint(x, target.bottom() + bubbleGap),
+                            QPoint(x, target.top() - bubbleGap - size.height())};
     const auto* found =
         std::ranges::find_if(places, [&](const QPoint& place) { return room.contains(QRect(place, size)); });
-    return found == places.end() ? QPoint(x, target.bottom() - gap - size.height()) : *found;
+    return found == places.end() ? QPoint(x, target.bottom() - bubbleGap - size.height()) : *found;
 }
 
 }   // namespace

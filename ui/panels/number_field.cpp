@@ -16,7 +16,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr QChar minusSign{0x2212};
+constexpr QChar fieldMinusSign{0x2212};
 
 }   // namespace
 
@@ -166,7 +166,7 @@ QString NumberField::textOf(std::optional<double> value) const
     const QString digits = numberText(std::abs(*value), format_.decimals);
     const bool isZero = std::ranges::none_of(digits, [](QChar c) { return c.isDigit() && c != QLatin1Char('0'); });
     if (*value < 0.0 && !isZero) {
-        return minusSign + digits;
+        return fieldMinusSign + digits;
     }
     return format_.sign == NumberSign::Always && !isZero ? QLatin1Char('+') + digits : digits;
 }

@@ -17,7 +17,7 @@
 namespace angiopose::ui {
 namespace {
 
-QString fromView(std::string_view text)
+QString textFrom(std::string_view text)
 {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
@@ -47,7 +47,7 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
 
     withName(method_, [] { return tr("Method"); });
     for (const core::MethodInfo& info : core::methodInfos()) {
-        method_->addItem(fromView(info.label), QByteArray(info.id.data(), static_cast<qsizetype>(info.id.size())));
+        method_->addItem(textFrom(info.label), QByteArray(info.id.data(), static_cast<qsizetype>(info.id.size())));
     }
     summary_->setWordWrap(true);
     optionSection_->contentLayout()->addLayout(methodRow());

@@ -16,11 +16,11 @@ constexpr double agreeingMm = 0.5;   ///< branches with a median below this agre
 constexpr double disagreeingMm = 1.0;   ///< branches with a median above this are named
 
 /// The words of this file.
-struct Words {
+struct ResultWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::ui::ResultSentences)
 };
 
-QString number(double value)
+QString resultNumber(double value)
 {
     return numberText(value, value < 9.95 ? 1 : 0);
 }
@@ -29,13 +29,13 @@ QString certainPose(const core::PoseUncertainty& uncertainty)
 {
     const bool inPlane = uncertainty.observed[3] && uncertainty.observed[4];
     const bool turns = uncertainty.observed[0] && uncertainty.observed[1] && uncertainty.observed[2];
-    const QString shiftMm = number(std::max(0.05, uncertainty.inPlaneMm));
-    const QString turnDeg = number(std::max(0.05, uncertainty.rotationDeg.maxCoeff()));
+    const QString shiftMm = resultNumber(std::max(0.05, uncertainty.inPlaneMm));
+    const QString turnDeg = resultNumber(std::max(0.05, uncertainty.rotationDeg.maxCoeff()));
     if (inPlane && turns) {
-        return Words::tr("In plane ±%1 mm, rotation ±%2°.").arg(shiftMm, turnDeg);
+        return ResultWords::tr("In plane ±%1 mm, rotation ±%2°.").arg(shiftMm, turnDeg);
     }
-    return inPlane ? Words::tr("In plane ±%1 mm.").arg(shiftMm)
-           : turns ? Words::tr("Rotation ±%1°.").arg(turnDeg)
+    return inPlane ? ResultWords::tr("In plane ±%1 mm.").arg(shiftMm)
+           : turns ? ResultWords::tr("Rotation ±%1°.").arg(turnDeg)
                    : QString();
 }
 
@@ -45,7 +45,7 @@ QString agreement(const std::vector<core::BranchResidual>& branches, double mmPe
         return branch.pointCount > 0 && branch.medianPx * mmPerPx <= agreeingMm;
     };
     const auto count = std::ranges::count_if(branches, agrees);
-    return Words::tr("%1 of %2 branches agree within %3 mm.")
+    return ResultWords::tr("%1 of %2 branches agree within %3 mm.")
         .arg(count)
         .arg(branches.size())
         .arg(numberText(agreeingMm, 1));
@@ -60,10 +60,10 @@ QString depthWords(const core::RegistrationResult& result)
         return {};
     }
     if (!uncertainty.observed[5]) {
-        return Words::tr("Depth ±%1 mm: one view cannot tell it.").arg(number(uncertainty.depthMm));
+        return ResultWords::tr("Depth ±%1 mm: one view cannot tell it.").arg(resultNumber(uncertainty.depthMm));
     }
     if (uncertainty.depthMm > 2.0 * std::max(0.5, uncertainty.inPlaneMm)) {
-        return Words::tr("Depth is the least certain: ±%1 mm.").arg(number(uncertainty.depthMm));
+        return ResultWords::tr("Depth is the least certain: ±%1 mm.").arg(resultNumber(uncertainty.depthMm));
     }
     return {};
 }
@@ -84,17 +84,17 @@ QString disagreement(const std::vector<core::BranchResidual>& branches, const co
         return {};
     }
     if (names.size() == 1) {
-        return Words::tr("%1 is %2 mm off: perhaps unfilled in this frame, or moved.")
-            .arg(names.front(), number(worstMm));
+        return ResultWords::tr("%1 is %2 mm off: perhaps unfilled in this frame, or moved.")
+            .arg(names.front(), resultNumber(worstMm));
     }
     if (names.size() > 3) {
-        return Words::tr("%1 branches are up to %2 mm off: unfilled in this frame, or the pose is wrong.")
+        return ResultWords::tr("%1 branches are up to %2 mm off: unfilled in this frame, or the pose is wrong.")
             .arg(names.size())
-            .arg(number(worstMm));
+            .arg(resultNumber(worstMm));
     }
     const QString last = names.takeLast();
-    return Words::tr("%1 and %2 are up to %3 mm off: perhaps unfilled in this frame, or moved.")
-        .arg(joinedNames(names), last, number(worstMm));
+    return ResultWords::tr("%1 and %2 are up to %3 mm off: perhaps unfilled in this frame, or moved.")
+        .arg(joinedNames(names), last, resultNumber(worstMm));
 }
 
 }   // namespace
@@ -108,7 +108,7 @@ ResultSentences sentencesOf(const core::RegistrationResult& result, const core::
     if (result.trustworthy) {
         sentences.certain << (pose.isEmpty() ? branches : joinedSentences({pose, branches}));
     } else {
-        sentences.doubtful << Words::tr("Look closely: this fit is not trustworthy.");
+        sentences.doubtful << ResultWords::tr("Look closely: this fit is not trustworthy.");
     }
     for (const std::string& warning : result.warnings) {
         sentences.doubtful << coreText(warning);
@@ -123,7 +123,7 @@ ResultSentences sentencesOf(const core::RegistrationResult& result, const core::
 
 QString displayName(const core::VesselBranch& branch)
 {
-    return branch.name.empty() ? Words::tr("Branch %1").arg(branch.id) : QString::fromStdString(branch.name);
+    return branch.name.empty() ? ResultWords::tr("Branch %1").arg(branch.id) : QString::fromStdString(branch.name);
 }
 
 }   // namespace angiopose::ui

@@ -19,10 +19,10 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int idRole = Qt::UserRole;
-constexpr int mostRows = 8;
+constexpr int snapshotIdRole = Qt::UserRole;
+constexpr int mostSnapshotRows = 8;
 
-enum Column { Mark, Name, Median, ColumnCount };
+enum SnapshotColumn { Mark, Name, Median, ColumnCount };
 
 QString toQt(const std::string& text)
 {
@@ -113,13 +113,13 @@ void SnapshotPanel::connectList()
         }
     });
     connect(list_, &QTreeWidget::itemDoubleClicked, this, [this](const QTreeWidgetItem* item) {
-        if (const int id = item->data(Name, idRole).toInt(); id > 0) {
+        if (const int id = item->data(Name, snapshotIdRole).toInt(); id > 0) {
             emit restoreRequested(id);
         }
     });
     connect(list_, &QTreeWidget::itemChanged, this, [this](const QTreeWidgetItem* item, int column) {
         if (!showing_ && column == Name) {
-            emit renamed(item->data(Name, idRole).toInt(), item->text(Name));
+            emit renamed(item->data(Name, snapshotIdRole).toInt(), item->text(Name));
         }
     });
     connect(list_, &QTreeWidget::itemExpanded, this, &SnapshotPanel::fitHeight);
@@ -129,7 +129,7 @@ void SnapshotPanel::connectList()
 
 void SnapshotPanel::fillItem(QTreeWidgetItem& item, const core::PoseSnapshot& snapshot) const
 {
-    item.setData(Name, idRole, snapshot.id);
+    item.setData(Name, snapshotIdRole, snapshot.id);
     item.setText(Name, toQt(snapshot.name));
     item.setText(Median, snapshot.metrics ? numberText(snapshot.metrics->medianMm, 2) : QStringLiteral("–"));
     item.setTextAlignment(Median, Qt::AlignRight | Qt::AlignVCenter);
@@ -186,7 +186,7 @@ void SnapshotPanel::showMarks(const SnapshotMarks& marks)
     const QScopedValueRollback quiet(showing_, true);
     marks_ = marks;
     for (QTreeWidgetItemIterator each(list_); *each; ++each) {
-        const int id = (*each)->data(Name, idRole).toInt();
+        const int id = (*each)->data(Name, snapshotIdRole).toInt();
         const QString mark = marks.a == id ? tr("A") : marks.b == id ? tr("B") : QString();
         (*each)->setText(Mark, marks.shown == id ? mark + QStringLiteral("●") : mark);
         (*each)->setForeground(Mark, toQColor(activePalette().accent));
@@ -205,7 +205,7 @@ void SnapshotPanel::editName(int snapshotId)
 QTreeWidgetItem* SnapshotPanel::itemOf(int snapshotId) const
 {
     for (QTreeWidgetItemIterator each(list_); *each; ++each) {
-        if ((*each)->data(Name, idRole).toInt() == snapshotId) {
+        if ((*each)->data(Name, snapshotIdRole).toInt() == snapshotId) {
             return *each;
         }
     }
@@ -216,7 +216,7 @@ std::set<int> SnapshotPanel::selectedIds() const
 {
     std::set<int> ids;
     for (const QTreeWidgetItem* item : list_->selectedItems()) {
-        ids.insert(item->data(Name, idRole).toInt());
+        ids.insert(item->data(Name, snapshotIdRole).toInt());
     }
     return ids;
 }
@@ -247,7 +247,7 @@ bool SnapshotPanel::eventFilter(QObject* watched, QEvent* event)
 void SnapshotPanel::showContextMenu(const QPoint& position)
 {
     const QTreeWidgetItem* item = list_->itemAt(position);
-    const int id = item ? item->data(Name, idRole).toInt() : 0;
+    const int id = item ? item->data(Name, snapshotIdRole).toInt() : 0;
     if (id == 0) {
         return;
     }
@@ -282,7 +282,7 @@ void SnapshotPanel::fitHeight()
         ++rows;
     }
     const int rowHeight = std::max(list_->sizeHintForRow(0), list_->fontMetrics().height() + 6);
-    list_->setFixedHeight(std::clamp(rows, 1, mostRows) * rowHeight + 2);
+    list_->setFixedHeight(std::clamp(rows, 1, mostSnapshotRows) * rowHeight + 2);
 }
 
 QString shortTime(const std::string& isoTime)

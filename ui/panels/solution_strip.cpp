@@ -9,7 +9,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int pictureSize = 84;
+constexpr int solutionPictureSize = 84;
 
 QPixmap pixmapOf(const core::ColorImage& picture, double ratio)
 {
@@ -35,13 +35,13 @@ SolutionStrip::SolutionStrip(QWidget* parent)
     list_->setMovement(QListView::Static);
     list_->setFlow(QListView::LeftToRight);
     list_->setWrapping(false);
-    list_->setIconSize({pictureSize, pictureSize});
+    list_->setIconSize({solutionPictureSize, solutionPictureSize});
     list_->setSpacing(2);
     list_->setUniformItemSizes(true);
     list_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setFrameShape(QFrame::NoFrame);
     list_->setSelectionMode(QAbstractItemView::SingleSelection);
-    list_->setFixedHeight(pictureSize + 2 * list_->fontMetrics().height() + 20);
+    list_->setFixedHeight(solutionPictureSize + 2 * list_->fontMetrics().height() + 20);
     contentLayout()->addWidget(list_);
     connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
         if (!showing_ && row >= 0) {
@@ -55,7 +55,7 @@ SolutionStrip::SolutionStrip(QWidget* parent)
 
 int SolutionStrip::pictureWidthPx() const
 {
-    return static_cast<int>(pictureSize * devicePixelRatioF());
+    return static_cast<int>(solutionPictureSize * devicePixelRatioF());
 }
 
 void SolutionStrip::showSolutions(const std::vector<SolutionLine>& solutions)

@@ -11,11 +11,11 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int pictureSize = 52;
+constexpr int viewPictureSize = 52;
 
 QPixmap emptyPicture(double ratio)
 {
-    const int side = static_cast<int>(pictureSize * ratio);
+    const int side = static_cast<int>(viewPictureSize * ratio);
     QPixmap empty(side, side);
     empty.fill(Qt::black);
     empty.setDevicePixelRatio(ratio);
@@ -32,11 +32,11 @@ ViewStrip::ViewStrip(QWidget* parent) : QWidget(parent), list_(new QListWidget)
     list_->setFlow(QListView::LeftToRight);
     list_->setMovement(QListView::Static);
     list_->setWrapping(false);
-    list_->setIconSize({pictureSize, pictureSize});
+    list_->setIconSize({viewPictureSize, viewPictureSize});
     list_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setFrameShape(QFrame::NoFrame);
-    list_->setFixedHeight(pictureSize + 10);
+    list_->setFixedHeight(viewPictureSize + 10);
     list_->setContextMenuPolicy(Qt::CustomContextMenu);
     auto* add = new QToolButton;
     add->setText(QStringLiteral("+"));
@@ -77,7 +77,7 @@ bool ViewStrip::eventFilter(QObject* watched, QEvent* event)
 
 int ViewStrip::pictureWidthPx() const
 {
-    return static_cast<int>(pictureSize * devicePixelRatioF());
+    return static_cast<int>(viewPictureSize * devicePixelRatioF());
 }
 
 int ViewStrip::count() const

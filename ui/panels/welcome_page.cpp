@@ -21,13 +21,13 @@ namespace angiopose::ui {
 namespace {
 
 constexpr std::size_t shownRecent = 5;
-constexpr int pictureSize = 44;
+constexpr int welcomePictureSize = 44;
 constexpr int greatestWidth = 420;
 
 /// The middle of the picture as a square, sharp at any scale; the program's sign on a tile where there is none.
 QIcon tileOf(const QImage& picture, double ratio)
 {
-    const int side = static_cast<int>(std::lround(pictureSize * ratio));
+    const int side = static_cast<int>(std::lround(welcomePictureSize * ratio));
     QPixmap tile(side, side);
     tile.fill(toQColor(activePalette().field));
     QPainter painter(&tile);
@@ -95,7 +95,7 @@ QPushButton* WelcomePage::makeRecent(const RecentCase& recent)
     const bool missing = !file.exists();
     auto* button = new QPushButton(missing ? tr("%1 (missing)").arg(file.fileName()) : file.fileName());
     button->setProperty("role", "recent");
-    button->setIconSize({pictureSize, pictureSize});
+    button->setIconSize({welcomePictureSize, welcomePictureSize});
     button->setIcon(tileOf(missing ? QImage() : recent.picture, devicePixelRatioF()));
     button->setToolTip(recent.path);
     button->setEnabled(!missing);

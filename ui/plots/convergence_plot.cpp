@@ -12,9 +12,9 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double axisHeight = 15.0;
-constexpr double gap = 5.0;   // between the lanes
-constexpr int emptyHeight = 34;   // until there was a run, others have the room
-constexpr int fullHeight = 148;
+constexpr double laneGap = 5.0;   // between the lanes
+constexpr int emptyConvergenceHeight = 34;   // until there was a run, others have the room
+constexpr int fullConvergenceHeight = 148;
 
 /// The steps at both ends.
 void paintAxis(QPainter& painter, const QRectF& room, int first, int last)
@@ -28,7 +28,7 @@ void paintAxis(QPainter& painter, const QRectF& room, int first, int last)
 
 ConvergencePlot::ConvergencePlot(QWidget* parent) : QWidget(parent)
 {
-    setMinimumHeight(emptyHeight);
+    setMinimumHeight(emptyConvergenceHeight);
     withName(this, [] { return tr("Convergence"); });
     withTip(this, [] {
         return tr(
@@ -57,7 +57,7 @@ void ConvergencePlot::append(const core::IterationReport& report)
         stepMm_.push_back(report.stepMm);
     }
     if (iterations_.size() > 1) {
-        setMinimumHeight(fullHeight);   // and stays: nothing below moves when runs come and go
+        setMinimumHeight(fullConvergenceHeight);   // and stays: nothing below moves when runs come and go
     }
     update();
 }
@@ -75,11 +75,11 @@ void ConvergencePlot::paintEvent(QPaintEvent*)
     QFont small = font();
     small.setPixelSize(11);
     painter.setFont(small);
-    const double height = (area.height() - axisHeight - gap) / 2.0;
+    const double height = (area.height() - axisHeight - laneGap) / 2.0;
     const QRectF upper(area.left(), area.top(), area.width(), height);
     paintLane(painter, upper,
               {tr("median distance"), QStringLiteral("px"), QPen(toQColor(tones.accent), 1.5), iterations_, medianPx_});
-    paintLane(painter, upper.translated(0.0, height + gap),
+    paintLane(painter, upper.translated(0.0, height + laneGap),
               {tr("shift of the vessels in one step"), QStringLiteral("mm"),
                QPen(toQColor(tones.attention), 1.5, Qt::DashLine), iterations_, stepMm_});
     paintAxis(painter, QRectF(area.left(), area.bottom() - axisHeight, area.width(), axisHeight), iterations_.front(),

@@ -12,15 +12,15 @@ namespace angiopose::ui {
 namespace {
 
 constexpr int binCount = 22;
-constexpr int labelHeight = 18;
-constexpr int emptyHeight = 34;   // until there is something to show, others have the room
-constexpr int fullHeight = 92;
+constexpr int histogramLabelHeight = 18;
+constexpr int emptyHistogramHeight = 34;   // until there is something to show, others have the room
+constexpr int fullHistogramHeight = 92;
 
 }   // namespace
 
 HistogramPlot::HistogramPlot(QWidget* parent) : QWidget(parent)
 {
-    setMinimumHeight(emptyHeight);
+    setMinimumHeight(emptyHistogramHeight);
     withName(this, [] { return tr("Histogram of residuals"); });
 }
 
@@ -29,7 +29,7 @@ void HistogramPlot::showValues(const std::vector<double>& valuesMm, double scale
     scaleMaximumMm_ = scaleMaximumMm;
     counts_ = valuesMm.empty() ? std::vector<int>{} : binned(valuesMm, scaleMaximumMm, binCount);
     if (!counts_.empty()) {
-        setMinimumHeight(fullHeight);   // and stays: nothing below moves when values come and go
+        setMinimumHeight(fullHistogramHeight);   // and stays: nothing below moves when values come and go
     }
     update();
 }
@@ -43,7 +43,7 @@ void HistogramPlot::paintEvent(QPaintEvent*)
         painter.drawText(rect(), Qt::AlignCenter, tr("no residuals yet"));
         return;
     }
-    const QRectF area = QRectF(rect()).adjusted(0, 2, 0, -labelHeight);
+    const QRectF area = QRectF(rect()).adjusted(0, 2, 0, -histogramLabelHeight);
     painter.setPen(toQColor(tones.line));
     painter.drawLine(area.bottomLeft(), area.bottomRight());
     const double tallest = std::max(1, *std::ranges::max_element(counts_));
@@ -56,7 +56,7 @@ void HistogramPlot::paintEvent(QPaintEvent*)
                          toQColor(i < binCount ? residualColor((i + 0.5) / binCount) : residualColorAboveScale()));
     }
     painter.setPen(toQColor(tones.hint));
-    const QRectF labels(area.left(), area.bottom() + 2, area.width(), labelHeight - 2);
+    const QRectF labels(area.left(), area.bottom() + 2, area.width(), histogramLabelHeight - 2);
     painter.drawText(labels, Qt::AlignLeft | Qt::AlignTop, QStringLiteral("0"));
     painter.drawText(labels, Qt::AlignHCenter | Qt::AlignTop, numberText(scaleMaximumMm_ / 2.0, 1));
     painter.drawText(labels, Qt::AlignRight | Qt::AlignTop, tr("above %1").arg(numberText(scaleMaximumMm_, 1)));

@@ -16,7 +16,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int labelHeight = 18;
+constexpr int motionLabelHeight = 18;
 constexpr double dotPx = 2.2;
 constexpr double leastHighestMm = 0.5;   // stillness looks still
 
@@ -48,7 +48,7 @@ void MotionPlot::showCurrent(int frame)
 
 QRectF MotionPlot::area() const
 {
-    return QRectF(rect()).adjusted(4, 6, -4, -labelHeight);
+    return QRectF(rect()).adjusted(4, 6, -4, -motionLabelHeight);
 }
 
 double MotionPlot::xOf(std::size_t index) const
@@ -102,7 +102,7 @@ void MotionPlot::paintEvent(QPaintEvent*)
     }
     paintLine(painter);
     painter.setPen(toQColor(tones.hint));
-    const QRectF labels(plot.left(), plot.bottom() + 2, plot.width(), labelHeight - 2);
+    const QRectF labels(plot.left(), plot.bottom() + 2, plot.width(), motionLabelHeight - 2);
     painter.drawText(labels, Qt::AlignLeft | Qt::AlignTop, tr("frame %1").arg(motion_.front().frame));
     painter.drawText(labels, Qt::AlignRight | Qt::AlignTop, QString::number(motion_.back().frame));
     painter.drawText(plot, Qt::AlignLeft | Qt::AlignTop, tr("%1 mm").arg(numberText(highestMm_, 1)));

@@ -6,13 +6,13 @@
 namespace angiopose::ui {
 namespace {
 
-struct Span {
+struct CutoutSpan {
     int from = 0;
     int to = 0;
 };
 
 /// Columns of row `y` inside the cutout.
-Span spanOf(const Cutout& cutout, const Eigen::Vector2d& centre, double radius, int y, int width)
+CutoutSpan spanOf(const Cutout& cutout, const Eigen::Vector2d& centre, double radius, int y, int width)
 {
     const auto column = [width](double x) { return static_cast<int>(std::clamp(std::round(x), 0.0, 1.0 * width)); };
     if (cutout.shape == Cutout::Shape::RightOf) {
@@ -39,7 +39,7 @@ void applyCutout(const Cutout& cutout, const ViewRect& rect, const std::vector<s
                                  (cutout.at.y() - rect.top) * canvas.height / rect.height());
     const std::uint32_t edge = packed(palette(ThemeMode::Dark).label);
     for (int y = rows.from; y < rows.to; ++y) {
-        const Span span = spanOf(cutout, centre, cutout.radiusPx * scale, y, canvas.width);
+        const CutoutSpan span = spanOf(cutout, centre, cutout.radiusPx * scale, y, canvas.width);
         if (span.from >= span.to) {
             continue;
         }

@@ -9,12 +9,12 @@ namespace angiopose::ui {
 namespace {
 
 /// A vertex on the canvas: y down, pixel k covers k … k + 1.
-struct Corner {
+struct StrokeCorner {
     float x, y;
     std::array<float, 4> rgba;
 };
 
-Corner cornerOf(const StrokeMesh& mesh, std::int32_t vertex, float top)
+StrokeCorner cornerOf(const StrokeMesh& mesh, std::int32_t vertex, float top)
 {
     const auto v = static_cast<std::size_t>(vertex);
     const std::uint8_t* rgba = mesh.colors.data() + 4 * v;
@@ -33,7 +33,7 @@ int firstInside(float edge)
 
 /// x of the edge a→b (a above b) at a height. Both triangles at the edge compute it from the same corners in the same
 /// order and so agree to the last bit.
-float crossing(const Corner& a, const Corner& b, float y)
+float crossing(const StrokeCorner& a, const StrokeCorner& b, float y)
 {
     return a.x + (y - a.y) * ((b.x - a.x) / (b.y - a.y));
 }
@@ -41,7 +41,7 @@ float crossing(const Corner& a, const Corner& b, float y)
 /// Colour and opacity as planes over the canvas.
 struct Shade {
     std::array<float, 4> perX, perY;
-    Corner origin;
+    StrokeCorner origin;
 
     std::array<float, 4> at(float x, float y) const
     {
@@ -53,7 +53,7 @@ struct Shade {
     }
 };
 
-Shade shadeOf(const Corner& a, const Corner& b, const Corner& c, float doubleArea)
+Shade shadeOf(const StrokeCorner& a, const StrokeCorner& b, const StrokeCorner& c, float doubleArea)
 {
     Shade shade{{}, {}, a};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -103,7 +103,7 @@ void fillSpan(const Shade& shade, int y, int from, int to, Canvas canvas)
     }
 }
 
-void fillTriangle(Corner a, Corner b, Corner c, Canvas canvas, const Rows& rows)
+void fillTriangle(StrokeCorner a, StrokeCorner b, StrokeCorner c, Canvas canvas, const Rows& rows)
 {
     if (b.y < a.y) {
         std::swap(a, b);

@@ -9,7 +9,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double thinningStepPx = 0.75;   // finer detail does not show
+constexpr double strokeThinningPx = 0.75;   // finer detail does not show
 constexpr double clipMarginPx = 64.0;
 constexpr double farPx = 4e4;   // dashes are laid out this far beyond the picture, so that neighbouring tiles agree
 
@@ -118,7 +118,7 @@ std::vector<StrokeLine> visibleParts(const StrokeLine& line, LinePattern pattern
                                      double lineWidthPx)
 {
     const Box near = boxAround(device, clipMarginPx);
-    const StrokeLine simple = thinned(line, thinningStepPx);
+    const StrokeLine simple = thinned(line, strokeThinningPx);
     if (pattern == LinePattern::Solid) {
         return clipped(simple, near.lower, near.upper);
     }
@@ -170,7 +170,7 @@ void addTraced(StrokeMesh& mesh, const OverlayContent& content, const DeviceFrom
         for (const Eigen::Vector2d& point : curve.pointsPx) {
             line.push_back({device * point, tones.fine});
         }
-        for (const StrokeLine& part : clipped(thinned(line, thinningStepPx), far.lower, far.upper)) {
+        for (const StrokeLine& part : clipped(thinned(line, strokeThinningPx), far.lower, far.upper)) {
             for (const StrokeLine& dot : dashed(part, {0.1 * width, 2.6 * width})) {
                 for (const StrokeLine& shown : clipped(dot, near.lower, near.upper)) {
                     addLine(mesh, inOneColor(shown, tones.canvas), {width + 1.5, 0.6, 1.5});

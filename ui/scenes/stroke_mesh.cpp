@@ -109,15 +109,15 @@ StrokePoint between(const StrokePoint& a, const StrokePoint& b, double fraction)
 }
 
 /// The part of a→b inside the box as fractions (Liang and Barsky 1984); empty when from > to.
-struct Span {
+struct MeshSpan {
     double from = 0.0;
     double to = 1.0;
 };
 
-Span insideBox(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& lower,
-               const Eigen::Vector2d& upper)
+MeshSpan insideBox(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& lower,
+                   const Eigen::Vector2d& upper)
 {
-    Span span;
+    MeshSpan span;
     for (int axis = 0; axis < 2; ++axis) {
         const double step = b[axis] - a[axis];
         if (step == 0.0) {
@@ -197,7 +197,7 @@ std::vector<StrokeLine> clipped(const StrokeLine& line, const Eigen::Vector2d& l
     std::vector<StrokeLine> parts;
     bool isOpen = false;   // the last part goes on at the next segment
     for (std::size_t i = 1; i < line.size(); ++i) {
-        const Span span = insideBox(line[i - 1].at, line[i].at, lower, upper);
+        const MeshSpan span = insideBox(line[i - 1].at, line[i].at, lower, upper);
         if (span.from > span.to) {
             isOpen = false;
             continue;

@@ -26,7 +26,7 @@ namespace {
 constexpr double signArmPx = 19.0;   // orientation sign, at pixel scale 1
 constexpr double signMarginPx = 40.0;
 constexpr double letterRoomPx = 11.0;   // nearer letters would cover each other
-constexpr double pickTolerancePx = 7.0;
+constexpr double treePickTolerancePx = 7.0;
 
 struct PatientAxis {
     char letter;
@@ -274,7 +274,7 @@ std::optional<TreePick> TreeScene::pickAt(int xDevicePx, int yDevicePxFromBottom
     const ScreenFromPatient toScreen = parts_->screen();
     const Eigen::Vector2d mouse(xDevicePx + 0.5, yDevicePxFromBottom + 0.5);
     std::optional<TreePick> nearest;
-    double distance = pickTolerancePx * parts_->pixelScale;
+    double distance = treePickTolerancePx * parts_->pixelScale;
     for (const core::VesselBranch& branch : parts_->tree.branches) {
         for (const Eigen::Vector3d& point : branch.pointsInPatient) {
             const double here = (toScreen * point - mouse).norm();

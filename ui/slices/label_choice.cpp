@@ -19,14 +19,14 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int mostRows = 10;   // seen at a time
+constexpr int mostLabelRows = 10;   // seen at a time
 constexpr int leastRows = 3;
 constexpr int filteredFrom = 9;   // labels; fewer are seen at once
 constexpr int rowPadding = 8;
 constexpr int swatchPx = 10;
 constexpr int labelRole = Qt::UserRole;
 
-enum Column { Name, Volume };
+enum LabelColumn { Name, Volume };
 
 QIcon swatch(const Color& color, double devicePxPerPx)
 {
@@ -210,7 +210,7 @@ void LabelChoice::fill()
 void LabelChoice::fitHeight()
 {
     const int rowHeight = list_->fontMetrics().height() + rowPadding;
-    const int rows = std::clamp(static_cast<int>(rows_.size()), leastRows, mostRows);
+    const int rows = std::clamp(static_cast<int>(rows_.size()), leastRows, mostLabelRows);
     list_->setMinimumHeight(leastRows * rowHeight);
     list_->setMaximumHeight(rows * rowHeight);
 }

@@ -23,7 +23,7 @@ constexpr double crosshairGapPx = 9.0;
 constexpr double markRadiusPx = 4.5;
 
 /// Images lie on black in every theme.
-const Palette& tones()
+const Palette& sliceTones()
 {
     return palette(ThemeMode::Dark);
 }
@@ -41,7 +41,7 @@ QChar sideOf(const Eigen::Vector3d& direction)
 
 void drawOutlined(QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& color)
 {
-    painter.setPen(toQColor(tones().canvas, 0.85));
+    painter.setPen(toQColor(sliceTones().canvas, 0.85));
     for (const QPointF& shift : {QPointF(1, 1), QPointF(-1, -1)}) {
         painter.drawText(box.translated(shift), flags, text);
     }
@@ -51,7 +51,7 @@ void drawOutlined(QPainter& painter, const QRectF& box, int flags, const QString
 
 void drawWithHalo(QPainter& painter, const QLineF& line, const QColor& color, double width)
 {
-    painter.setPen(QPen(toQColor(tones().canvas, 0.6 * color.alphaF()), width + 1.6, Qt::SolidLine, Qt::RoundCap));
+    painter.setPen(QPen(toQColor(sliceTones().canvas, 0.6 * color.alphaF()), width + 1.6, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(line);
     painter.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(line);
@@ -77,7 +77,7 @@ void paintBranch(QPainter& painter, const SliceOverlay& overlay, const core::Ves
         if (crosses) {
             const double share = before / (before - after);
             const QPointF at = from + share * (to - from);
-            painter.setPen(QPen(toQColor(tones().canvas, 0.7), 1.0));
+            painter.setPen(QPen(toQColor(sliceTones().canvas, 0.7), 1.0));
             painter.setBrush(toQColor(style.color));
             const double radius = 2.6 * style.widthFactor;
             painter.drawEllipse(at, radius, radius);
@@ -87,9 +87,9 @@ void paintBranch(QPainter& painter, const SliceOverlay& overlay, const core::Ves
 
 void paintMark(QPainter& painter, const QPointF& at, SliceMarkKind kind, const QString& label, double opacity)
 {
-    const Color tone = kind == SliceMarkKind::Seed    ? tones().fine
-                       : kind == SliceMarkKind::Avoid ? tones().attention
-                                                      : tones().accent;
+    const Color tone = kind == SliceMarkKind::Seed    ? sliceTones().fine
+                       : kind == SliceMarkKind::Avoid ? sliceTones().attention
+                                                      : sliceTones().accent;
     QPainterPath sign;   // told apart by shape: seed +, avoid ×, landmark ring
     const double r = markRadiusPx;
     if (kind == SliceMarkKind::Seed) {
@@ -106,7 +106,7 @@ void paintMark(QPainter& painter, const QPointF& at, SliceMarkKind kind, const Q
         sign.addEllipse(at, r, r);
     }
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(toQColor(tones().canvas, 0.8 * opacity), 4.0));
+    painter.setPen(QPen(toQColor(sliceTones().canvas, 0.8 * opacity), 4.0));
     painter.drawPath(sign);
     painter.setPen(QPen(toQColor(tone, opacity), 2.0));
     painter.drawPath(sign);
@@ -171,7 +171,7 @@ void paintPoints(QPainter& painter, const SliceOverlay& overlay)
 void paintCrosshair(QPainter& painter, const SliceOverlay& overlay)
 {
     const QPointF at = overlay.widgetFromPatient(overlay.model.crosshair());
-    painter.setPen(QPen(toQColor(tones().accent, 0.55), 1.0));
+    painter.setPen(QPen(toQColor(sliceTones().accent, 0.55), 1.0));
     const QRectF& area = overlay.area;
     painter.drawLine(QLineF(area.left(), at.y(), at.x() - crosshairGapPx, at.y()));
     painter.drawLine(QLineF(at.x() + crosshairGapPx, at.y(), area.right(), at.y()));
@@ -187,7 +187,7 @@ void paintSides(QPainter& painter, const SliceOverlay& overlay, const CornerRoom
     font.setWeight(QFont::DemiBold);
     painter.setFont(font);
     const QRectF area = overlay.area.adjusted(5, 4, -5, -4);
-    const QColor color = toQColor(tones().text);
+    const QColor color = toQColor(sliceTones().text);
     drawOutlined(painter, area, Qt::AlignLeft | Qt::AlignVCenter, sideOf(-axes.right), color);
     drawOutlined(painter, area, Qt::AlignRight | Qt::AlignVCenter, sideOf(axes.right), color);
     drawOutlined(painter, letterBox(area, area.top(), taken.top), Qt::AlignCenter, sideOf(-axes.down), color);
@@ -201,7 +201,7 @@ CornerRoom paintTexts(QPainter& painter, const QRectF& area, const QStringList& 
     font.setPixelSize(textPx);
     font.setWeight(QFont::Normal);
     painter.setFont(font);
-    const QColor color = toQColor(tones().text);
+    const QColor color = toQColor(sliceTones().text);
     const QRectF inner = area.adjusted(8, 6, -8, -6);
     drawOutlined(painter, inner, Qt::AlignLeft | Qt::AlignTop, top.join(QLatin1Char('\n')), color);
     drawOutlined(painter, inner, Qt::AlignLeft | Qt::AlignBottom, bottom.join(QLatin1Char('\n')), color);

@@ -17,7 +17,7 @@ namespace {
 constexpr double aloneOpacity = 0.6;   // of tints without a scan below them
 constexpr double tintOpacity = 0.28;
 
-Eigen::Vector2d toVector(const QPointF& point)
+Eigen::Vector2d pointVector(const QPointF& point)
 {
     return {point.x(), point.y()};
 }
@@ -198,7 +198,7 @@ Eigen::Vector3d SliceView::patientFromWidget(const QPointF& position) const
 {
     const core::SliceGrid& grid = content_.grid;
     const double unitMm = unitMmOf(grid);
-    const Eigen::Vector2d at = viewport_.imageFromWidget(toVector(position));
+    const Eigen::Vector2d at = viewport_.imageFromWidget(pointVector(position));
     return grid.pointAt({at.x() * unitMm / grid.columnStep.norm(), at.y() * unitMm / grid.rowStep.norm()});
 }
 

@@ -15,8 +15,8 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double zoomPerWheelStep = 1.15;
-constexpr double pickTolerancePx = 8.0;
+constexpr double sliceZoomPerWheelStep = 1.15;
+constexpr double slicePickTolerancePx = 8.0;
 constexpr int fastSlices = 10;
 
 Eigen::Vector2d toVector(const QPointF& point)
@@ -117,7 +117,7 @@ void SliceView::wheelEvent(QWheelEvent* event)
     event->accept();
     const double steps = event->angleDelta().y() / 120.0;
     if (event->modifiers().testFlag(Qt::ControlModifier)) {
-        viewport_.zoomAt(toVector(event->position()), std::pow(zoomPerWheelStep, steps));
+        viewport_.zoomAt(toVector(event->position()), std::pow(sliceZoomPerWheelStep, steps));
         isPictureStale_ = true;
         update();
         return;
@@ -208,7 +208,7 @@ std::optional<int> SliceView::branchAt(const QPointF& position) const
             const QPointF way = widgetFromPatient(point) - position;
             const double asidePx = std::hypot(way.x(), way.y());
             const double farPx = std::hypot(asidePx, beforeMm * pxPerMm);   // one in the slice before one behind it
-            if (std::abs(beforeMm) <= reach && asidePx < pickTolerancePx && farPx < least) {
+            if (std::abs(beforeMm) <= reach && asidePx < slicePickTolerancePx && farPx < least) {
                 least = farPx;
                 nearest = branch.id;
             }

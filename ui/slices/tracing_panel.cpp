@@ -20,7 +20,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int listHeight = 96;
+constexpr int seedListHeight = 96;
 constexpr int leastWidth = 250;
 
 QPushButton* switchButton(const Words& text, const Words& tip)
@@ -129,7 +129,7 @@ QLayout* TracingPanel::pointRows()
     row->addWidget(remove_);
     rows->addLayout(row);
     withName(points_, [] { return tr("Seeds and places to avoid"); });
-    points_->setFixedHeight(listHeight);
+    points_->setFixedHeight(seedListHeight);
     points_->setFrameShape(QFrame::NoFrame);
     points_->installEventFilter(this);
     rows->addWidget(points_);

@@ -7,7 +7,7 @@ namespace angiopose::ui {
 namespace {
 
 /// `@name@` stands for a tone of the palette or a mixture of two.
-constexpr const char* pattern = R"(
+constexpr const char* panelStylePattern = R"(
 QLabel[role="heading"] { color: @text@; font-weight: 600; }
 QLabel[role="title"] { color: @textStrong@; font-weight: 600; }
 QLabel[role="welcome"] { color: @textStrong@; font-size: 20px; font-weight: 600; }
@@ -96,7 +96,7 @@ std::string panelStyleSheet(const Palette& tones)
         {"attentionText", mixed(tones.text, tones.attention, 0.60)},
         {"fine", tones.fine},
     }};
-    std::string sheet = pattern;
+    std::string sheet = panelStylePattern;
     for (const auto& [name, color] : named) {
         replaceAll(sheet, name, color);
     }

@@ -7,7 +7,7 @@ namespace angiopose::ui {
 namespace {
 
 /// `@name@` stands for a tone. Lengths are device-independent px: Qt scales them with the screen.
-constexpr const char* pattern = R"(
+constexpr const char* styleSheetPattern = R"(
 * { outline: none; }
 QWidget { color: @text@; }
 QMainWindow, QDialog { background: @window@; }
@@ -133,7 +133,7 @@ std::vector<std::pair<std::string, Color>> tones(const Palette& p)
 std::string styleSheet(const Palette& palette)
 {
     std::string sheet;
-    const std::string source = pattern;
+    const std::string source = styleSheetPattern;
     const auto named = tones(palette);
     std::size_t at = 0;
     while (at < source.size()) {

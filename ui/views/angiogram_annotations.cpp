@@ -19,7 +19,7 @@ namespace angiopose::ui {
 namespace {
 
 /// The words of this file.
-struct Words {
+struct AnnotationWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::ui::AngiogramAnnotations)
 };
 
@@ -89,7 +89,7 @@ void paintRuler(QPainter& painter, const QSizeF& size, const QRectF& blockBelow,
     painter.setFont(sized(painter.font(), 11));
     drawShadowedText(painter, QRectF(bar.left(), bar.top() - 22.0, 220.0, 16.0),
                      Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
-                     Words::tr("%1 mm at vessel").arg(briefNumber(lengthMm, 6)), tone);
+                     AnnotationWords::tr("%1 mm at vessel").arg(briefNumber(lengthMm, 6)), tone);
 }
 
 /// What the residual scale takes with its numbers.

@@ -15,9 +15,9 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double pickTolerancePx = 7.0;
+constexpr double framePickTolerancePx = 7.0;
 constexpr double clickReachPx = 4.0;   // a press that moves less is a click
-constexpr double zoomPerWheelStep = 1.2;
+constexpr double frameZoomPerWheelStep = 1.2;
 
 }   // namespace
 
@@ -128,7 +128,7 @@ void AngiogramView::hoverAt(const QPointF& position)
 
 std::optional<int> AngiogramView::branchAt(const QPointF& position) const
 {
-    return scene_.branchAt(imageFromWidget(position), pickTolerancePx / zoom());
+    return scene_.branchAt(imageFromWidget(position), framePickTolerancePx / zoom());
 }
 
 /// By key: the mouse asks when it is released without having dragged.
@@ -193,7 +193,7 @@ void AngiogramView::wheelEvent(QWheelEvent* event)
     event->accept();
     const double steps = event->angleDelta().y() / 120.0;
     if (event->modifiers().testFlag(Qt::ControlModifier)) {
-        zoomAt(event->position(), std::pow(zoomPerWheelStep, steps));
+        zoomAt(event->position(), std::pow(frameZoomPerWheelStep, steps));
         return;
     }
     scrollFrames(-steps);

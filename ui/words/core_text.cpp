@@ -14,7 +14,7 @@
 namespace angiopose::ui {
 namespace {
 
-QString translated(const char* source)
+QString translatedText(const char* source)
 {
     return QCoreApplication::translate("core", source);
 }
@@ -72,7 +72,7 @@ QHash<QString, const char*> makeWholeTexts()
 QString filled(const char* source, const QRegularExpressionMatch& match)
 {
     QString result;
-    const QString words = translated(source);
+    const QString words = translatedText(source);
     qsizetype end = 0;
     for (auto holes = hole().globalMatch(words); holes.hasNext();) {
         const QRegularExpressionMatch place = holes.next();
@@ -97,7 +97,7 @@ std::optional<QString> translatedSentence(const QString& text)
     static const QHash<QString, const char*> wholeTexts = makeWholeTexts();
     static const std::vector<Template> templates = makeTemplates();
     if (const char* source = wholeTexts.value(text)) {
-        return translated(source);
+        return translatedText(source);
     }
     for (const Template& candidate : templates) {
         if (text.startsWith(candidate.head) && text.endsWith(candidate.tail)) {

@@ -26,7 +26,7 @@ bool speaks(const QString& wanted, const QString& code)
     return locale.language() == QLocale(code).language();
 }
 
-QString& current()
+QString& currentCode()
 {
     static QString code = languages().front();
     return code;
@@ -61,7 +61,7 @@ QString desktopLanguage()
 void applyLanguage(const QString& code)
 {
     loadTranslations();
-    current() = code;
+    currentCode() = code;
     static QTranslator ours, qts;
     for (QTranslator* translator : {&ours, &qts}) {
         QCoreApplication::removeTranslator(translator);
@@ -75,12 +75,12 @@ void applyLanguage(const QString& code)
 
 QString currentLanguage()
 {
-    return current();
+    return currentCode();
 }
 
 QLocale languageLocale()
 {
-    return QLocale(current());
+    return QLocale(currentCode());
 }
 
 QString joinedSentences(const QStringList& sentences)

@@ -3,6 +3,7 @@
 #include "core/evaluation/projection_error.h"
 #include "core/evaluation/protocols/phantoms.h"
 #include "core/evaluation/protocols/protocol_rows.h"
+#include "core/geometry/angle_units.h"
 #include "core/support/format_number.h"
 
 #include <numbers>
@@ -10,21 +11,20 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int anatomies = 6;
-constexpr double radiansPerDegree = std::numbers::pi / 180.0;
+constexpr int captureAnatomies = 6;
 constexpr double rotationStdDeg = 2.0;   // with the next, what one unit of displacement is
 constexpr double shiftStdMm = 5.0;
 
-struct Setting {
+struct CaptureSetting {
     Condition condition;
     bool isDegraded = false;
     double fromMm = 0.0;
     double toMm = 0.0;
 };
 
-std::vector<Setting> makeSettings()
+std::vector<CaptureSetting> makeCaptureSettings()
 {
-    std::vector<Setting> rows;
+    std::vector<CaptureSetting> rows;
     for (const bool isDegraded : {false, true}) {
         double from = 0.0;
         for (const double to : captureBinEdgesMm()) {
@@ -42,9 +42,9 @@ std::vector<Setting> makeSettings()
     return rows;
 }
 
-const std::vector<Setting>& settings()
+const std::vector<CaptureSetting>& captureSettings()
 {
-    static const std::vector<Setting> rows = makeSettings();
+    static const std::vector<CaptureSetting> rows = makeCaptureSettings();
     return rows;
 }
 
@@ -87,11 +87,12 @@ RigidTransform startAt(double wantedMm, const SharedPhantom& phantom, const Disp
     return unit.applied(truth, phantom.centroid, high);
 }
 
-TrialMaker prepare(std::size_t condition, std::uint64_t seed)
+TrialMaker prepareCapture(std::size_t condition, std::uint64_t seed)
 {
-    return [phantoms = makePhantoms(seed, anatomies), setting = settings()[condition], seed](std::uint64_t number) {
+    return [phantoms = makePhantoms(seed, captureAnatomies), setting = captureSettings()[condition],
+            seed](std::uint64_t number) {
         const CounterRandom random = trialRandom(captureRangeNumber, seed, number);
-        const SharedPhantom& phantom = (*phantoms)[number % anatomies];
+        const SharedPhantom& phantom = (*phantoms)[number % captureAnatomies];
         Trial trial = phantom.makeTrial();
         if (setting.isDegraded) {
             degradeTarget(phantom, random.fork(1), trial);
@@ -125,10 +126,10 @@ Protocol captureRangeProtocol()
     return {"capture-range",
             "Start poses in bins of their mean target error: how far off may the start be (ALGORITHMS 4.5).",
             60,
-            anatomies,
+            captureAnatomies,
             Success::RayDistanceWithin2Mm,
-            conditionsOf(settings()),
-            prepare};
+            conditionsOf(captureSettings()),
+            prepareCapture};
 }
 
 }   // namespace angiopose::core

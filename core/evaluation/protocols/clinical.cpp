@@ -5,17 +5,17 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int anatomies = 6;
-constexpr std::uint64_t seedsPerExperiment = 1000;
+constexpr int clinicalAnatomies = 6;
+constexpr std::uint64_t clinicalSeeds = 1000;
 
-struct Setting {
+struct ClinicalSetting {
     Condition condition;
     double nonRigidStdMm = 0.0;
 };
 
-const std::vector<Setting>& settings()
+const std::vector<ClinicalSetting>& clinicalSettings()
 {
-    static const std::vector<Setting> rows{
+    static const std::vector<ClinicalSetting> rows{
         {{"nonrigid-0", "synthetic DSA, rigid", false}, 0.0},
         {{"nonrigid-1", "synthetic DSA, deformed by 1 mm", true}, 1.0},
         {{"nonrigid-2", "synthetic DSA, deformed by 2 mm", false}, 2.0},
@@ -24,13 +24,13 @@ const std::vector<Setting>& settings()
     return rows;
 }
 
-TrialMaker prepare(std::size_t condition, std::uint64_t seed)
+TrialMaker prepareClinical(std::size_t condition, std::uint64_t seed)
 {
-    return [nonRigidStdMm = settings()[condition].nonRigidStdMm, seed](std::uint64_t number) {
+    return [nonRigidStdMm = clinicalSettings()[condition].nonRigidStdMm, seed](std::uint64_t number) {
         DsaOptions dsa;
         dsa.frameCount = 1;
         dsa.nonRigidStdMm = nonRigidStdMm;
-        const std::uint64_t treeSeed = seed * seedsPerExperiment + number % anatomies;
+        const std::uint64_t treeSeed = seed * clinicalSeeds + number % clinicalAnatomies;
         return tracedTrial(simulateView(treeSeed, trialRandom(clinicalNumber, seed, number)(), {}, dsa));
     };
 }
@@ -43,10 +43,10 @@ Protocol clinicalProtocol()
             "Synthetic angiograms of six trees through the real tracing, start poses as headers give them (ALGORITHMS "
             "4.4).",
             278,
-            anatomies,
+            clinicalAnatomies,
             Success::RayDistanceWithin2Mm,
-            conditionsOf(settings()),
-            prepare};
+            conditionsOf(clinicalSettings()),
+            prepareClinical};
 }
 
 }   // namespace angiopose::core

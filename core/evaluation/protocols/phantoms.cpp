@@ -9,7 +9,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr int pointCount = 2000;
-constexpr std::uint64_t seedsPerExperiment = 1000;
+constexpr std::uint64_t phantomSeeds = 1000;
 
 /// The branches that have a curve in the target.
 VesselTree visibleBranches(const VesselTree& tree, const Centerline2d& target)
@@ -50,7 +50,7 @@ Phantoms makePhantoms(std::uint64_t seed, int count)
 {
     auto phantoms = std::make_shared<std::vector<SharedPhantom>>();
     for (int k = 0; k < count; ++k) {
-        phantoms->emplace_back(makePhantom(seed * seedsPerExperiment + static_cast<std::uint64_t>(k), pointCount));
+        phantoms->emplace_back(makePhantom(seed * phantomSeeds + static_cast<std::uint64_t>(k), pointCount));
     }
     return phantoms;
 }

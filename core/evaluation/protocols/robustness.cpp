@@ -4,19 +4,18 @@
 #include "core/simulation/simulated_case.h"
 #include "core/support/format_number.h"
 
-#include <numbers>
+#include "core/geometry/angle_units.h"
 
 namespace angiopose::core {
 namespace {
 
-constexpr int anatomies = 6;
+constexpr int robustnessAnatomies = 6;
 constexpr int prunedLeaves = 5;
-constexpr double radiansPerDegree = std::numbers::pi / 180.0;
 
 enum class Pruning { None, Target, BothSides };
 enum class Direction { Lateral, Isotropic };   ///< of the shift
 
-struct Setting {
+struct RobustnessSetting {
     Condition condition;
     Pruning pruning = Pruning::None;
     Direction direction = Direction::Lateral;
@@ -42,7 +41,7 @@ Named named(Pruning pruning)
     return {};
 }
 
-Setting makeSetting(Pruning pruning, Direction direction, double shiftMm, double rotationDeg)
+RobustnessSetting makeSetting(Pruning pruning, Direction direction, double shiftMm, double rotationDeg)
 {
     const bool isLateral = direction == Direction::Lateral;
     const Named name = named(pruning);
@@ -56,9 +55,9 @@ Setting makeSetting(Pruning pruning, Direction direction, double shiftMm, double
             rotationDeg};
 }
 
-std::vector<Setting> makeSettings()
+std::vector<RobustnessSetting> makeRobustnessSettings()
 {
-    std::vector<Setting> rows;
+    std::vector<RobustnessSetting> rows;
     for (const Direction direction : {Direction::Lateral, Direction::Isotropic}) {
         for (const Pruning pruning : {Pruning::None, Pruning::Target, Pruning::BothSides}) {
             for (const auto& [mm, deg] : {std::pair(5.0, 2.0), {8.0, 3.0}, {10.0, 5.0}}) {
@@ -69,14 +68,14 @@ std::vector<Setting> makeSettings()
     return rows;
 }
 
-const std::vector<Setting>& settings()
+const std::vector<RobustnessSetting>& robustnessSettings()
 {
-    static const std::vector<Setting> rows = makeSettings();
+    static const std::vector<RobustnessSetting> rows = makeRobustnessSettings();
     return rows;
 }
 
 /// A twist of fixed norms, in the camera frame.
-RigidTransform disturbance(const Setting& setting, CounterRandom random)
+RigidTransform disturbance(const RobustnessSetting& setting, CounterRandom random)
 {
     Vector6d twist;
     twist.head<3>() = randomDirection(setting.rotationDeg * radiansPerDegree, random);
@@ -89,11 +88,12 @@ RigidTransform disturbance(const Setting& setting, CounterRandom random)
     return expSe3(twist);
 }
 
-TrialMaker prepare(std::size_t condition, std::uint64_t seed)
+TrialMaker prepareRobustness(std::size_t condition, std::uint64_t seed)
 {
-    return [phantoms = makePhantoms(seed, anatomies), setting = settings()[condition], seed](std::uint64_t number) {
+    return [phantoms = makePhantoms(seed, robustnessAnatomies), setting = robustnessSettings()[condition],
+            seed](std::uint64_t number) {
         const CounterRandom random = trialRandom(robustnessNumber, seed, number);
-        const SharedPhantom& phantom = (*phantoms)[number % anatomies];
+        const SharedPhantom& phantom = (*phantoms)[number % robustnessAnatomies];
         Trial trial = phantom.makeTrial();
         if (setting.pruning != Pruning::None) {
             CounterRandom imageSide = random.fork(1);
@@ -116,10 +116,10 @@ Protocol robustnessProtocol()
     return {"robustness",
             "Six trees, start poses of fixed distance, with and without missing leaves (ALGORITHMS 4.3).",
             600,
-            anatomies,
+            robustnessAnatomies,
             Success::ProjectionWithin5Px,
-            conditionsOf(settings()),
-            prepare};
+            conditionsOf(robustnessSettings()),
+            prepareRobustness};
 }
 
 }   // namespace angiopose::core

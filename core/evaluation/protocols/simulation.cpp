@@ -7,12 +7,12 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int anatomies = 10;
+constexpr int simulationAnatomies = 10;
 
 enum class Pivot { Centroid, Source, SourceByNorm };   ///< OBJ, CAM and CAM of fixed length (ALGORITHMS §4.2)
 enum class Target { Exact, Degraded };
 
-struct Setting {
+struct SimulationSetting {
     Condition condition;
     Pivot pivot = Pivot::Centroid;
     double rotationStdDeg = 0.0;   ///< per axis, or the whole turn
@@ -21,9 +21,9 @@ struct Setting {
     double depthStdMm = 0.0;   ///< besides
 };
 
-const std::vector<Setting>& settings()
+const std::vector<SimulationSetting>& simulationSettings()
 {
-    static const std::vector<Setting> rows{
+    static const std::vector<SimulationSetting> rows{
         {{"cam-2-5", "2°/5 mm about the source (CAM), exact target", true}, Pivot::Source, 2, 5, Target::Exact},
         {{"obj-2-5", "2°/5 mm about the centroid (OBJ), exact target", true}, Pivot::Centroid, 2, 5, Target::Exact},
         {{"degraded-cam-2-5", "CAM 2°/5 mm, degraded target", true}, Pivot::Source, 2, 5, Target::Degraded},
@@ -45,7 +45,7 @@ const std::vector<Setting>& settings()
     return rows;
 }
 
-RigidTransform perturbed(const RigidTransform& truth, const SharedPhantom& phantom, const Setting& setting,
+RigidTransform perturbed(const RigidTransform& truth, const SharedPhantom& phantom, const SimulationSetting& setting,
                          CounterRandom& random)
 {
     const double deg = setting.rotationStdDeg;
@@ -64,18 +64,19 @@ RigidTransform perturbed(const RigidTransform& truth, const SharedPhantom& phant
     return expSe3(twist) * truth;
 }
 
-RigidTransform startPose(const SharedPhantom& phantom, const Setting& setting, CounterRandom random)
+RigidTransform startPose(const SharedPhantom& phantom, const SimulationSetting& setting, CounterRandom random)
 {
     RigidTransform start = perturbed(phantom.scene.trueCameraFromPatient, phantom, setting, random);
     start.translation.z() += setting.depthStdMm * random.normal();
     return start;
 }
 
-TrialMaker prepare(std::size_t condition, std::uint64_t seed)
+TrialMaker prepareSimulation(std::size_t condition, std::uint64_t seed)
 {
-    return [phantoms = makePhantoms(seed, anatomies), setting = settings()[condition], seed](std::uint64_t number) {
+    return [phantoms = makePhantoms(seed, simulationAnatomies), setting = simulationSettings()[condition],
+            seed](std::uint64_t number) {
         const CounterRandom random = trialRandom(simulationNumber, seed, number);
-        const SharedPhantom& phantom = (*phantoms)[number % anatomies];
+        const SharedPhantom& phantom = (*phantoms)[number % simulationAnatomies];
         Trial trial = phantom.makeTrial();
         if (setting.target == Target::Degraded) {
             degradeTarget(phantom, random.fork(1), trial);
@@ -92,10 +93,10 @@ Protocol simulationProtocol()
     return {"simulation",
             "Generated trees, Gaussian start poses, exact or degraded projections (ALGORITHMS 4.2, 4.4).",
             1000,
-            anatomies,
+            simulationAnatomies,
             Success::ProjectionWithin5Px,
-            conditionsOf(settings()),
-            prepare};
+            conditionsOf(simulationSettings()),
+            prepareSimulation};
 }
 
 }   // namespace angiopose::core

@@ -2,26 +2,26 @@
 #include "core/evaluation/protocols/protocol_rows.h"
 #include "core/simulation/simulated_case.h"
 
+#include "core/geometry/angle_units.h"
+
 #include <array>
-#include <numbers>
 
 namespace angiopose::core {
 namespace {
 
-constexpr double radiansPerDegree = std::numbers::pi / 180.0;
 constexpr double tiltDeg = 30.0;
 constexpr double shiftMm = 1.0;
 const Eigen::Vector3d middle(7.5, 0.0, 12.5);
 
-struct Setting {
+struct ToySetting {
     Condition condition;
     int segmentsPerEdge = 0;
     double rotationDeg = 0.0;   ///< of the start pose, about the source
 };
 
-std::vector<Setting> makeSettings()
+std::vector<ToySetting> makeToySettings()
 {
-    std::vector<Setting> rows;
+    std::vector<ToySetting> rows;
     for (const double rotationDeg : {0.0, 1.0}) {
         for (const int segments : {2, 11, 21, 31, 41}) {
             const std::string points = std::to_string(4 * segments);
@@ -34,9 +34,9 @@ std::vector<Setting> makeSettings()
     return rows;
 }
 
-const std::vector<Setting>& settings()
+const std::vector<ToySetting>& toySettings()
 {
-    static const std::vector<Setting> rows = makeSettings();
+    static const std::vector<ToySetting> rows = makeToySettings();
     return rows;
 }
 
@@ -69,9 +69,9 @@ Phantom makeToy(int segmentsPerEdge)
     return toy;
 }
 
-TrialMaker prepare(std::size_t condition, std::uint64_t seed)
+TrialMaker prepareToy(std::size_t condition, std::uint64_t seed)
 {
-    const Setting& setting = settings()[condition];
+    const ToySetting& setting = toySettings()[condition];
     const auto toy = std::make_shared<const SharedPhantom>(makeToy(setting.segmentsPerEdge));
     return [toy, rotationDeg = setting.rotationDeg, seed](std::uint64_t number) {
         CounterRandom random = trialRandom(toyNumber, seed, number);
@@ -92,8 +92,8 @@ Protocol toyProtocol()
             100,
             1,
             Success::ProjectionWithin1Px,
-            conditionsOf(settings()),
-            prepare};
+            conditionsOf(toySettings()),
+            prepareToy};
 }
 
 }   // namespace angiopose::core

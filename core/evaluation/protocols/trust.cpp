@@ -2,21 +2,22 @@
 #include "core/evaluation/protocols/protocol_rows.h"
 #include "core/evaluation/protocols/traced_trial.h"
 
+#include "core/geometry/angle_units.h"
+
 #include <algorithm>
 #include <numbers>
 
 namespace angiopose::core {
 namespace {
 
-constexpr int anatomies = 6;
-constexpr std::uint64_t seedsPerExperiment = 1000;
+constexpr int trustAnatomies = 6;
+constexpr std::uint64_t trustSeeds = 1000;
 constexpr std::uint64_t otherTreesFrom = 500;   // of an experiment's seeds
-constexpr double radiansPerDegree = std::numbers::pi / 180.0;
 
 /// What is done to a clinical case so that methods fail, or ought to.
 enum class Mischief { None, OtherTree, Mirrored, FarStart, HalfOutside };
 
-struct Setting {
+struct TrustSetting {
     Condition condition;
     Mischief mischief = Mischief::None;
     DsaOptions dsa{};
@@ -37,9 +38,9 @@ DsaOptions bentBy(double stdMm)
     return dsa;
 }
 
-const std::vector<Setting>& settings()
+const std::vector<TrustSetting>& trustSettings()
 {
-    static const std::vector<Setting> rows{
+    static const std::vector<TrustSetting> rows{
         {{"as-given", "start pose by the header"}, Mischief::None, {}},
         {{"bent", "vessels deformed by 3 mm"}, Mischief::None, bentBy(3.0)},
         {{"few-vessels", "most branches not filled, as many foreign ones"}, Mischief::None, withMissing(0.6, 0.6)},
@@ -111,10 +112,10 @@ void replaceTree(SimulatedCase& view, std::uint64_t treeSeed)
     start.translation += start.rotation * (centroid - centroidInPatient(view.tree));
 }
 
-Trial makeTrial(const Setting& setting, std::uint64_t seed, std::uint64_t number)
+Trial makeTrial(const TrustSetting& setting, std::uint64_t seed, std::uint64_t number)
 {
     CounterRandom random = trialRandom(trustNumber, seed, number);
-    const std::uint64_t treeSeed = seed * seedsPerExperiment + number % anatomies;
+    const std::uint64_t treeSeed = seed * trustSeeds + number % trustAnatomies;
     DsaOptions dsa = setting.dsa;
     dsa.frameCount = 1;
     SimulatedCase view = simulateView(treeSeed, random(), {}, dsa);
@@ -139,9 +140,10 @@ Trial makeTrial(const Setting& setting, std::uint64_t seed, std::uint64_t number
     return trial;
 }
 
-TrialMaker prepare(std::size_t condition, std::uint64_t seed)
+TrialMaker prepareTrust(std::size_t condition, std::uint64_t seed)
 {
-    return [setting = settings()[condition], seed](std::uint64_t number) { return makeTrial(setting, seed, number); };
+    return
+        [setting = trustSettings()[condition], seed](std::uint64_t number) { return makeTrial(setting, seed, number); };
 }
 
 }   // namespace
@@ -151,10 +153,10 @@ Protocol trustProtocol()
     return {"trust",
             "Clinical images as they are, harder, and impossible ones: does a method know when it fails?",
             60,
-            anatomies,
+            trustAnatomies,
             Success::RayDistanceWithin2Mm,
-            conditionsOf(settings()),
-            prepare};
+            conditionsOf(trustSettings()),
+            prepareTrust};
 }
 
 }   // namespace angiopose::core

@@ -10,16 +10,16 @@ namespace {
 constexpr std::size_t fewestSettings = 4;   // fewer are a comparison, no ablation
 
 /// A DynaWeightPnP contestant by its three settings.
-struct Setting {
+struct AblationSetting {
     std::string label;
     int preset = 0;
     bool rotationFirst = false;
     bool alternation = false;
 };
 
-std::vector<Setting> settingsOf(const RunGroups& groups)
+std::vector<AblationSetting> settingsOf(const RunGroups& groups)
 {
-    std::vector<Setting> settings;
+    std::vector<AblationSetting> settings;
     for (const std::string& label : groups.methods()) {
         const auto contestant = contestantFrom(label);
         if (contestant && contestant.value().options.method == "dynaweight") {
@@ -50,7 +50,7 @@ std::string cellOf(const RunGroup& group)
                                     fixedText(group.median(&RunRecord::seedDistanceMm), 2);
 }
 
-ResultTable tableOf(const RunGroups& groups, const Condition& condition, const std::vector<Setting>& settings)
+ResultTable tableOf(const RunGroups& groups, const Condition& condition, const std::vector<AblationSetting>& settings)
 {
     ResultTable table;
     table.id = std::string(groups.protocol().id) + "-" + condition.id + "-ablation";
@@ -58,7 +58,7 @@ ResultTable tableOf(const RunGroups& groups, const Condition& condition, const s
     table.columns = {"prior", "neither", "alternation", "rotation first", "both"};
     for (int preset = 0; preset < 4; ++preset) {
         ResultTable::Row row{{presetName(preset), "–", "–", "–", "–"}, false};
-        for (const Setting& setting : settings) {
+        for (const AblationSetting& setting : settings) {
             if (setting.preset == preset) {
                 const std::size_t column = 1 + (setting.alternation ? 1 : 0) + (setting.rotationFirst ? 2 : 0);
                 row.cells[column] = cellOf(groups.of(condition, setting.label));
@@ -74,7 +74,7 @@ ResultTable tableOf(const RunGroups& groups, const Condition& condition, const s
 
 std::vector<ResultTable> ablationTables(const RunGroups& groups)
 {
-    const std::vector<Setting> settings = settingsOf(groups);
+    const std::vector<AblationSetting> settings = settingsOf(groups);
     std::vector<ResultTable> tables;
     if (settings.size() >= fewestSettings) {
         for (const Condition& condition : groups.conditions()) {

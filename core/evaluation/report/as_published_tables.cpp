@@ -114,7 +114,7 @@ std::string startNote(const RunGroups& groups, const Condition& condition, const
            std::string(startsPerAxis) + "): its rows stand under both.";
 }
 
-ResultTable tableOf(const RunGroups& groups, const Condition& condition)
+ResultTable asPublishedTable(const RunGroups& groups, const Condition& condition)
 {
     ResultTable table;
     table.id = "simulation-" + condition.id + "-published";
@@ -152,7 +152,7 @@ std::vector<ResultTable> asPublishedTables(const RunGroups& groups)
     std::vector<ResultTable> tables;
     for (const Condition& condition : groups.conditions()) {
         if (condition.id == startsAsLength || condition.id == startsPerAxis) {
-            ResultTable table = tableOf(groups, condition);
+            ResultTable table = asPublishedTable(groups, condition);
             if (!table.rows.empty()) {
                 tables.push_back(std::move(table));
             }

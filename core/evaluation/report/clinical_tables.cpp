@@ -10,7 +10,7 @@ std::string successCell(const RunGroup& group, double limitMm)
     return shareCell(group.countIf([limitMm](const RunRecord& run) { return run.mrpdMm < limitMm; }), group.count());
 }
 
-std::vector<std::string> cellsOf(const std::string& method, const RunGroup& group)
+std::vector<std::string> clinicalCells(const std::string& method, const RunGroup& group)
 {
     const auto isFlagged = [](const RunRecord& run) { return run.trustworthy == 0.0; };
     const RunGroup gross = group.where(isGrossMm);
@@ -32,7 +32,7 @@ std::vector<std::string> cellsOf(const std::string& method, const RunGroup& grou
             fixedText(successes.mean(&RunRecord::nees), 1)};
 }
 
-ResultTable tableOf(const RunGroups& groups, const Condition& condition)
+ResultTable clinicalTable(const RunGroups& groups, const Condition& condition)
 {
     ResultTable table;
     table.id = "clinical-" + condition.id;
@@ -45,7 +45,7 @@ ResultTable tableOf(const RunGroups& groups, const Condition& condition)
         if (groups.of(condition, method).count() == 0) {
             continue;
         }
-        table.rows.push_back({cellsOf(method, groups.of(condition, method)), false});
+        table.rows.push_back({clinicalCells(method, groups.of(condition, method)), false});
         const auto published = publishedInVivo(methodIdOf(method));
         if (published && isLastOfItsMethod(groups.methods(), k)) {
             table.rows.push_back(publishedRow(table, methodIdOf(method) + " in vivo",
@@ -70,7 +70,7 @@ std::vector<ResultTable> clinicalTables(const RunGroups& groups)
 {
     std::vector<ResultTable> tables;
     for (const Condition& condition : groups.conditions()) {
-        tables.push_back(tableOf(groups, condition));
+        tables.push_back(clinicalTable(groups, condition));
     }
     return tables;
 }

@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double none = unknownMeasure;
+constexpr double notPublished = unknownMeasure;
 
 template <class Value>
 struct ByMethod {
@@ -34,7 +34,7 @@ std::optional<PublishedErrors> publishedSimulation(std::string_view methodId)
         ByMethod<PublishedErrors>{"nicp", {8.0, 0.50, 1.14, 3.11, 385.0}},
         ByMethod<PublishedErrors>{"dt-icp", {54.0, 1.80, 3.49, 6.65, 13.2}},
         ByMethod<PublishedErrors>{"automask", {0.0, 0.85, 1.06, 1.50, 97000.0}},
-        ByMethod<PublishedErrors>{"rgbr", {22.0, 2.21, 1.71, 3.92, none}},
+        ByMethod<PublishedErrors>{"rgbr", {22.0, 2.21, 1.71, 3.92, notPublished}},
     };
     return valueOf(rows, methodId);
 }
@@ -43,11 +43,11 @@ std::optional<PublishedInVivo> publishedInVivo(std::string_view methodId)
 {
     static constexpr std::array rows{
         ByMethod<PublishedInVivo>{"dynaweight", {12.0, 4.02, 11.35, 31.85, 33.2}},
-        ByMethod<PublishedInVivo>{"iterative-pnp", {15.0, 6.17, 13.72, 38.89, none}},
-        ByMethod<PublishedInVivo>{"nicp", {56.0, 3.49, 10.52, 37.09, none}},
-        ByMethod<PublishedInVivo>{"dt-icp", {21.0, 4.84, 14.11, 50.04, none}},
-        ByMethod<PublishedInVivo>{"automask", {100.0, 17.0, none, 29.8, 150000.0}},
-        ByMethod<PublishedInVivo>{"rgbr", {100.0, 5.99, none, 38.9, none}},
+        ByMethod<PublishedInVivo>{"iterative-pnp", {15.0, 6.17, 13.72, 38.89, notPublished}},
+        ByMethod<PublishedInVivo>{"nicp", {56.0, 3.49, 10.52, 37.09, notPublished}},
+        ByMethod<PublishedInVivo>{"dt-icp", {21.0, 4.84, 14.11, 50.04, notPublished}},
+        ByMethod<PublishedInVivo>{"automask", {100.0, 17.0, notPublished, 29.8, 150000.0}},
+        ByMethod<PublishedInVivo>{"rgbr", {100.0, 5.99, notPublished, 38.9, notPublished}},
     };
     return valueOf(rows, methodId);
 }

@@ -52,7 +52,7 @@ std::vector<std::string> cellsOf(const std::string& method, const RunGroup& grou
     return cells;
 }
 
-ResultTable tableOf(const RunGroups& groups, const Condition& condition)
+ResultTable robustnessTable(const RunGroups& groups, const Condition& condition)
 {
     const int anatomyCount = groups.protocol().anatomyCount;
     ResultTable table;
@@ -101,7 +101,7 @@ std::vector<ResultTable> robustnessTables(const RunGroups& groups)
 {
     std::vector<ResultTable> tables;
     for (const Condition& condition : groups.conditions()) {
-        tables.push_back(tableOf(groups, condition));
+        tables.push_back(robustnessTable(groups, condition));
     }
     return tables;
 }

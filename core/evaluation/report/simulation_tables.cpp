@@ -21,7 +21,7 @@ std::string boundRatioCell(const RunGroup& group)
     return boundSquares > 0.0 ? fixedText(std::sqrt(squares / boundSquares), 2) : "–";
 }
 
-std::vector<std::string> cellsOf(const std::string& method, const RunGroup& group)
+std::vector<std::string> simulationCells(const std::string& method, const RunGroup& group)
 {
     const RunGroup good = group.where([](const RunRecord& run) { return !isGrossPx(run); });
     const RunGroup gross = group.where(isGrossPx);
@@ -57,7 +57,7 @@ std::string startNote(const RunGroups& groups, const Condition& condition)
            " px off on average.";
 }
 
-ResultTable tableOf(const RunGroups& groups, const Condition& condition)
+ResultTable simulationTable(const RunGroups& groups, const Condition& condition)
 {
     ResultTable table;
     table.id = "simulation-" + condition.id;
@@ -70,7 +70,7 @@ ResultTable tableOf(const RunGroups& groups, const Condition& condition)
         if (groups.of(condition, method).count() == 0) {
             continue;
         }
-        table.rows.push_back({cellsOf(method, groups.of(condition, method)), false});
+        table.rows.push_back({simulationCells(method, groups.of(condition, method)), false});
     }
     table.notes = {
         "Distances are means over the tree's points to their true partners (PR), summarised over registrations; mm at "
@@ -90,7 +90,7 @@ std::vector<ResultTable> simulationTables(const RunGroups& groups)
 {
     std::vector<ResultTable> tables;
     for (const Condition& condition : groups.conditions()) {
-        tables.push_back(tableOf(groups, condition));
+        tables.push_back(simulationTable(groups, condition));
     }
     for (ResultTable& table : asPublishedTables(groups)) {
         tables.push_back(std::move(table));

@@ -10,7 +10,7 @@ namespace {
 constexpr double toleranceScalePx = 2.0;   // ALGORITHMS §6.8: hypotheses are compared at this scale
 constexpr std::size_t pointStride = 2;
 constexpr std::size_t mostPoints = 4000;
-constexpr int cellPx = 3;
+constexpr int agreementCellPx = 3;
 
 }   // namespace
 
@@ -20,8 +20,8 @@ AgreementScore::AgreementScore(const RegistrationProblem& problem, const TargetL
       target_(&target),
       lineStride_(strideFor(target.lines().size(), mostPoints)),
       all_(points_, camera_, target),
-      columns_(camera_.width / cellPx + 1),
-      rows_(camera_.height / cellPx + 1)
+      columns_(camera_.width / agreementCellPx + 1),
+      rows_(camera_.height / agreementCellPx + 1)
 {
     if (problem.auxiliaryIsChosen) {
         chosen_.emplace(alignmentPoints(problem.tree, problem.auxiliary), camera_, target);
@@ -53,7 +53,7 @@ double AgreementScore::coveredTargetShare(const CentroidPose& pose)
         if (!pixel) {
             continue;
         }
-        const Eigen::Vector2d cell = pixel->array() / cellPx;
+        const Eigen::Vector2d cell = pixel->array() / agreementCellPx;
         if (!(cell.minCoeff() >= 1.0 && cell.x() < columns_ - 2.0 && cell.y() < rows_ - 2.0)) {
             continue;
         }
@@ -66,8 +66,8 @@ double AgreementScore::coveredTargetShare(const CentroidPose& pose)
     const auto& lines = target_->lines();
     for (std::size_t i = 0; i < lines.size(); i += lineStride_) {
         const TargetLines::Line& line = lines[i];
-        const int column = std::clamp(static_cast<int>(line.x / cellPx), 0, columns_ - 1);
-        const int row = std::clamp(static_cast<int>(line.y / cellPx), 0, rows_ - 1);
+        const int column = std::clamp(static_cast<int>(line.x / agreementCellPx), 0, columns_ - 1);
+        const int row = std::clamp(static_cast<int>(line.y / agreementCellPx), 0, rows_ - 1);
         hits += covered_[cellIndex(row, columns_, column)];
     }
     const std::size_t asked = (lines.size() + lineStride_ - 1) / lineStride_;

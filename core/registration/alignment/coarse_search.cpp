@@ -1,12 +1,12 @@
 #include "core/registration/alignment/coarse_search.h"
 
+#include "core/geometry/angle_units.h"
 #include "core/support/cell_index.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
 namespace angiopose::core {
 namespace {
@@ -20,7 +20,6 @@ constexpr double basinPx = 24.0;
 constexpr double basinSteps = 0.75;   // of the turns
 constexpr double beyondReach = 1.2;   // tilts on the diagonal may be this much longer
 constexpr double beyondHalfImage = 0.6;   // of the image's side; farther starts are recentred first
-constexpr double radiansPerDegree = std::numbers::pi / 180.0;
 
 /// −reach … reach in equal steps of about stepDeg, 0 among them; rad.
 std::vector<double> anglesWithin(double reachDeg, double stepDeg)

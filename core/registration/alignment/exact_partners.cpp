@@ -6,12 +6,12 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t usedPoints = 400;
+constexpr std::size_t usedPartnerPoints = 400;
 constexpr double closeShare = 0.1;   // of the target's spacing: chance does not bring half the points so near
 constexpr double exactPx = 1e-3;   // what real partners reach; sampled curves do not
-constexpr int maxSteps = 8;
-constexpr double settledMm = 1e-10;
-constexpr double leastDamping = 1e-12;
+constexpr int maxPartnerSteps = 8;
+constexpr double settledPartnersMm = 1e-10;
+constexpr double leastPartnerDamping = 1e-12;
 
 /// Median distance between neighbours in the order given; jumps between curves are too few to matter.
 double medianSpacingPx(const std::vector<Eigen::Vector2d>& points)
@@ -37,7 +37,7 @@ ExactPartners::ExactPartners(const RegistrationProblem& problem)
       target_(problem.givenTargetPoints),
       spacingPx_(medianSpacingPx(problem.givenTargetPoints))
 {
-    const std::size_t stride = std::max<std::size_t>(1, problem.givenTreePoints.size() / usedPoints);
+    const std::size_t stride = std::max<std::size_t>(1, problem.givenTreePoints.size() / usedPartnerPoints);
     fromCentroid_.reserve(problem.givenTreePoints.size() / stride + 1);
     for (std::size_t i = 0; i < problem.givenTreePoints.size(); i += stride) {
         fromCentroid_.emplace_back(problem.givenTreePoints[i] - problem.tree.centroid);
@@ -95,12 +95,13 @@ std::optional<CentroidPose> ExactPartners::refine(const CentroidPose& pose)
         return {};
     }
     CentroidPose refined = pose;
-    for (int k = 0; k < maxSteps; ++k) {
-        const Vector6d step = freedom_.dampedStep(equations(std::max(3.0 * offPx, exactPx)), leastDamping, refined);
+    for (int k = 0; k < maxPartnerSteps; ++k) {
+        const Vector6d step =
+            freedom_.dampedStep(equations(std::max(3.0 * offPx, exactPx)), leastPartnerDamping, refined);
         refined = freedom_.moved(refined, step);
         match(refined);
         offPx = medianPx();
-        if (step.tail<3>().norm() < settledMm) {
+        if (step.tail<3>().norm() < settledPartnersMm) {
             break;
         }
     }

@@ -6,7 +6,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double settledMm = 1e-3;   // 0.003 px
+constexpr double settledRefinementMm = 1e-3;   // 0.003 px
 constexpr double noiseMattersPx = 5.0;   // above, the scale is wider than any noise
 constexpr double madToStd = 1.4826;
 
@@ -124,7 +124,7 @@ RefinementResult refine(Alignment& alignment, const StartPrior& prior, const Cen
                                     std::min(1.0, result.steps / expectedSteps)}) == Verdict::Stop) {
                 return finish(StopReason::StoppedByUser);
             }
-            if (movedMm < settledMm) {
+            if (movedMm < settledRefinementMm) {
                 break;
             }
         }

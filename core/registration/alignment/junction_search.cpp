@@ -1,5 +1,6 @@
 #include "core/registration/alignment/junction_search.h"
 
+#include "core/geometry/angle_units.h"
 #include "core/support/cell_index.h"
 
 #include <Eigen/Geometry>
@@ -20,14 +21,13 @@ constexpr int sectors = 64;
 constexpr int spreadSectors = 6;   // directions within 34° are alike
 constexpr int leastLikeWays = 2;   // of the three at a bifurcation
 constexpr double endOn = 0.3;   // ways nearly along the ray say nothing in the image
-constexpr int cellPx = 8;
+constexpr int junctionCellPx = 8;
 constexpr double meetingPx = 12.0;
 constexpr std::size_t fitsPerTilt = 6;
-constexpr std::size_t usedPoints = 90;
+constexpr std::size_t usedJunctionPoints = 90;
 constexpr double closenessPx = 11.0;
 constexpr double tiltStepDeg = 10.0;
 constexpr double leastRollDeg = 5.0;   // junctions lie beside their vessels by some px: no fit is exactly upright
-constexpr double radiansPerDegree = std::numbers::pi / 180.0;
 constexpr Basin basin{10.0, 5.0 * radiansPerDegree};
 
 double sectorsOf(const Eigen::Vector2d& direction)
@@ -89,9 +89,9 @@ JunctionSearch::JunctionSearch(const RegistrationProblem& problem, const TargetL
     : camera_(problem.camera),
       target_(target),
       nodes_(junctionsOf<3>(problem.tree.points, problem.tree.branchIndex, inTree)),
-      columns_(problem.camera.width / cellPx + 1),
-      rows_(problem.camera.height / cellPx + 1),
-      points_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), usedPoints)))
+      columns_(problem.camera.width / junctionCellPx + 1),
+      rows_(problem.camera.height / junctionCellPx + 1),
+      points_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), usedJunctionPoints)))
 {
     for (Junction<3>& node : nodes_) {
         node.point -= problem.tree.centroid;
@@ -115,7 +115,7 @@ void JunctionSearch::drawMeetings(std::span<const Junction<2>> found)
     isNearJunction_.resize(cellIndex(rows_, columns_, 0));
     for (int row = 0; row < rows_; ++row) {
         for (int column = 0; column < columns_; ++column) {
-            const Eigen::Vector2d middle((column + 0.5) * cellPx, (row + 0.5) * cellPx);
+            const Eigen::Vector2d middle((column + 0.5) * junctionCellPx, (row + 0.5) * junctionCellPx);
             isNearJunction_[cellIndex(row, columns_, column)] =
                 std::any_of(found.begin(), found.end(), [&](const Junction<2>& junction) {
                     return (junction.point - middle).squaredNorm() < meetingPx * meetingPx;
@@ -162,8 +162,8 @@ int JunctionSearch::meetings(const std::vector<Place>& nodes, const Fit& fit) co
     int count = 0;
     for (const Place& node : nodes) {
         const Eigen::Vector2d place = fit.zoom * turned(node.px, fit.turn) + fit.centroidPx;
-        const double u = (axis * place.x() + camera_.cx) / cellPx;
-        const double v = (place.y() + camera_.cy) / cellPx;
+        const double u = (axis * place.x() + camera_.cx) / junctionCellPx;
+        const double v = (place.y() + camera_.cy) / junctionCellPx;
         if (u >= 0.0 && v >= 0.0 && u < columns_ && v < rows_) {
             count += isNearJunction_[cellIndex(static_cast<int>(v), columns_, static_cast<int>(u))];
         }

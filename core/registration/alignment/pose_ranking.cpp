@@ -6,7 +6,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t usedPoints = 200;
+constexpr std::size_t usedRankingPoints = 200;
 constexpr std::size_t mostHypotheses = 64;   // no search finds as many
 constexpr double perUnitOfPrior = 0.01;   // a start off by 2σ in all six parameters costs a fifth of the score
 constexpr double sameTurn = 0.02;
@@ -22,7 +22,7 @@ bool isSame(const CentroidPose& a, const CentroidPose& b)
 
 PoseRanking::PoseRanking(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior)
     : prior_(prior),
-      points_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), usedPoints)), problem.camera, target),
+      points_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), usedRankingPoints)), problem.camera, target),
       agreement_(problem, target)
 {
     ranked_.reserve(mostHypotheses);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int stretchPoints = 30;   // 30 mm at the default spacing
 constexpr int stretchStep = 5;   // a stretch starts every so many points
-constexpr double madToStd = 1.4826;
+constexpr double residualMadToStd = 1.4826;
 constexpr int minStretchPoints = 6;
 constexpr std::size_t minStretches = 8;
 constexpr double minScatterPx = 0.02;   // sampling of the curves: no fit is better than this
@@ -56,7 +56,7 @@ double robustStd(std::vector<double> values)
     for (double& value : values) {
         value = std::abs(value);
     }
-    return madToStd * quantile(std::move(values), 0.5);
+    return residualMadToStd * quantile(std::move(values), 0.5);
 }
 
 /// Offsets of the stretches, and every residual without the offset of a stretch around it.

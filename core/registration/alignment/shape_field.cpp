@@ -12,7 +12,7 @@ constexpr std::size_t aboutBlocks = 100;   // the field costs the cube of their 
 constexpr std::array<double, 7> offsetsTriedPx{0.1, 0.2, 0.4, 0.8, 1.6, 3.2, 6.4};
 
 /// Sums over one block.
-struct Block {
+struct FieldBlock {
     int branchIndex = -1;
     std::size_t count = 0;
     double information = 0.0;
@@ -30,11 +30,11 @@ struct Block {
     }
 };
 
-std::vector<Block> blocksOf(const std::vector<ResidualRow>& rows, double rowVariance)
+std::vector<FieldBlock> blocksOf(const std::vector<ResidualRow>& rows, double rowVariance)
 {
     const std::size_t length = std::max(shortestBlock, rows.size() / aboutBlocks);
-    std::vector<Block> blocks;
-    Block block;
+    std::vector<FieldBlock> blocks;
+    FieldBlock block;
     const auto finish = [&] {
         if (block.information > 0.0) {
             block.place /= block.information;
@@ -68,15 +68,15 @@ ShapeField::ShapeField(const std::vector<ResidualRow>& rows, double rowVariance)
             plain_ += row.weight / rowVariance * both * both.transpose();
         }
     }
-    const std::vector<Block> blocks = blocksOf(rows, rowVariance);
+    const std::vector<FieldBlock> blocks = blocksOf(rows, rowVariance);
     const auto count = static_cast<Eigen::Index>(blocks.size());
     blocks_.resize(count, 7);
     kernel_.resize(count, count);
     for (Eigen::Index a = 0; a < count; ++a) {
-        const Block& block = blocks[static_cast<std::size_t>(a)];
+        const FieldBlock& block = blocks[static_cast<std::size_t>(a)];
         blocks_.row(a) = block.rows / std::sqrt(block.information);
         for (Eigen::Index b = 0; b <= a; ++b) {
-            const Block& other = blocks[static_cast<std::size_t>(b)];
+            const FieldBlock& other = blocks[static_cast<std::size_t>(b)];
             const double squared = (block.place - other.place).squaredNorm() / (reachMm * reachMm);
             kernel_(a, b) = std::sqrt(block.information * other.information) * block.normal.dot(other.normal) *
                             std::exp(-0.5 * squared);

@@ -10,9 +10,9 @@ namespace {
 
 constexpr double matchScalePx = 1.5;   // with the cut-off of a Welsch weight, points up to 6 px away are looked at
 constexpr double scaleFactor = 3.0;   // Welsch scale at which Gaussian residuals keep nearly all their weight
-constexpr int maxSteps = 8;
-constexpr double settledMm = 1e-2;   // 0.02 px, far below what bent vessels tell
-constexpr double leastDamping = 1e-9;
+constexpr int maxShapeSteps = 8;
+constexpr double settledShapeMm = 1e-2;   // 0.02 px, far below what bent vessels tell
+constexpr double leastShapeDamping = 1e-9;
 
 NormalEquations priorAt(const StartPrior& prior, const CentroidPose& pose, double variance = 1.0)
 {
@@ -54,12 +54,12 @@ CentroidPose settleShift(const Alignment& alignment, const StartPrior& prior, co
 {
     const PoseFreedom shifts = prior.freedom.alsoLocking({PoseAxis::Roll, PoseAxis::LaoRao, PoseAxis::CraCau}, pose);
     CentroidPose settled = pose;
-    for (int k = 0; k < maxSteps; ++k) {
+    for (int k = 0; k < maxShapeSteps; ++k) {
         NormalEquations equations = alignment.look(settled, scalePx).equations;
         prior.add(settled, rowVariance, equations);
-        const Vector6d step = shifts.dampedStep(equations, leastDamping, settled);
+        const Vector6d step = shifts.dampedStep(equations, leastShapeDamping, settled);
         settled = shifts.moved(settled, step);
-        if (step.norm() < settledMm) {
+        if (step.norm() < settledShapeMm) {
             break;
         }
     }
@@ -78,12 +78,12 @@ CentroidPose refineTolerantly(const Alignment& alignment, const StartPrior& prio
     }
     const double offsetPx = ShapeField(rows, noise.rowVariance()).likelyOffsetPx(priorAt(prior, pose));
     CentroidPose refined = pose;
-    for (int k = 0; k < maxSteps; ++k) {
+    for (int k = 0; k < maxShapeSteps; ++k) {
         NormalEquations equations = ShapeField(rows, noise.rowVariance()).equations(offsetPx);
         prior.add(refined, 1.0, equations);
-        const Vector6d step = prior.freedom.dampedStep(equations, leastDamping, refined);
+        const Vector6d step = prior.freedom.dampedStep(equations, leastShapeDamping, refined);
         refined = prior.freedom.moved(refined, step);
-        if (step.tail<3>().norm() < settledMm) {
+        if (step.tail<3>().norm() < settledShapeMm) {
             break;
         }
         alignment.collectRows(refined, tolerantScalePx(noise), rows);

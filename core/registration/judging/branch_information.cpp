@@ -11,7 +11,7 @@ namespace {
 
 // Noise of neighbouring traced points with correlation exp(-1/10): the variance of means is 20 times that of
 // independent points.
-constexpr double effectiveVariancePx2 = 20.0;
+constexpr double unitVariancePx2 = 20.0;
 constexpr double worthwhileGain = 0.05;
 
 bool isInside(const ProjectionCamera& camera, const Eigen::Vector2d& pixel)
@@ -97,7 +97,7 @@ std::vector<BranchInformation> branchInformation(const VesselTree& tree, const P
             const Eigen::Vector3d to = cameraFromPatient * branch.pointsInPatient[i];
             if (const double lengthPx = visibleLengthPx(camera, from, to); lengthPx > 0.0) {
                 told.lengthPx += lengthPx;
-                told.information += pieceInformation(camera, from, to, centre) / effectiveVariancePx2;
+                told.information += pieceInformation(camera, from, to, centre) / unitVariancePx2;
             }
         }
         branches.push_back(told);

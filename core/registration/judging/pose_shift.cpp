@@ -8,8 +8,8 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t usedPoints = 300;
-constexpr RefinementSchedule settle{5.0, 1.0, 0.6, 2, 4, 16};
+constexpr std::size_t usedShiftPoints = 300;
+constexpr RefinementSchedule settleSchedule{5.0, 1.0, 0.6, 2, 4, 16};
 
 }   // namespace
 
@@ -49,9 +49,9 @@ double settlingShiftMm(const RegistrationProblem& problem, const TargetLines& ta
                        const RegistrationOptions& options)
 {
     const TreeSamples& tree = problem.tree;
-    Alignment alignment(alignmentPoints(tree, strideFor(tree.size(), usedPoints)), problem.camera, target);
+    Alignment alignment(alignmentPoints(tree, strideFor(tree.size(), usedShiftPoints)), problem.camera, target);
     const StartPrior prior = startPrior(aboutCentroid(problem.start, tree.centroid), options, problem.freedom);
-    const RefinementResult settled = refine(alignment, prior, aboutCentroid(pose, tree.centroid), settle);
+    const RefinementResult settled = refine(alignment, prior, aboutCentroid(pose, tree.centroid), settleSchedule);
     return meanShiftMm(tree, pose, cameraFromPatient(settled.pose, tree.centroid));
 }
 

@@ -9,8 +9,8 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int marginPx = 8;
-constexpr std::int32_t none = -1;
+constexpr int mapMarginPx = 8;
+constexpr std::int32_t noFeature = -1;
 constexpr std::int16_t far = 20000;   // cells; its square still fits 32 bits
 
 /// How many rows away the nearest seed of the same column is; `far` where the column has none. Two bytes a cell and no
@@ -19,7 +19,7 @@ std::vector<std::int16_t> rowsToSeed(const std::vector<std::int32_t>& seeds, std
 {
     std::vector<std::int16_t> away(seeds.size());
     for (std::size_t cell = 0; cell < seeds.size(); ++cell) {
-        away[cell] = seeds[cell] == none ? far : std::int16_t{0};
+        away[cell] = seeds[cell] == noFeature ? far : std::int16_t{0};
     }
     const auto takeNearer = [&](std::size_t here, std::size_t beside) {
         for (std::size_t k = 0; k < columns; ++k) {
@@ -126,13 +126,13 @@ private:
 
 FeatureMap::FeatureMap(std::vector<Eigen::Vector2d> pointsPx, int imageWidth, int imageHeight)
     : points_(std::move(pointsPx)),
-      offsetPx_(marginPx + 0.5),
-      columns_((imageWidth + 2 * marginPx + cellPx - 1) / cellPx),
-      rows_((imageHeight + 2 * marginPx + cellPx - 1) / cellPx)
+      offsetPx_(mapMarginPx + 0.5),
+      columns_((imageWidth + 2 * mapMarginPx + cellPx - 1) / cellPx),
+      rows_((imageHeight + 2 * mapMarginPx + cellPx - 1) / cellPx)
 {
     assert(!points_.empty());
     const auto width = static_cast<std::size_t>(columns_);
-    std::vector<std::int32_t> seeds(width * static_cast<std::size_t>(rows_), none);
+    std::vector<std::int32_t> seeds(width * static_cast<std::size_t>(rows_), noFeature);
     for (std::size_t i = 0; i < points_.size(); ++i) {
         // Points outside the table stand at its border, the nearest place that still leads to them.
         seeds[cellOf(points_[i].x(), points_[i].y())] = static_cast<std::int32_t>(i);
@@ -144,7 +144,7 @@ FeatureMap::FeatureMap(std::vector<Eigen::Vector2d> pointsPx, int imageWidth, in
         sweep.run(&rowsAway[row], [&](int from, int to, int column) {
             const std::size_t cell = row + static_cast<std::size_t>(column);
             const std::size_t rows = width * static_cast<std::size_t>(rowsAway[cell]);
-            const bool isAbove = rows <= cell && seeds[cell - rows] != none;
+            const bool isAbove = rows <= cell && seeds[cell - rows] != noFeature;
             std::fill(nearest_.begin() + static_cast<std::ptrdiff_t>(row) + from,
                       nearest_.begin() + static_cast<std::ptrdiff_t>(row) + std::max(from, to),
                       seeds[isAbove ? cell - rows : cell + rows]);

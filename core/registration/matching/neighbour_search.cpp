@@ -10,13 +10,13 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t leafSize = 10;
+constexpr std::size_t gridLeafSize = 10;
 constexpr std::size_t largestCount = 64;
 
 class KdTreeSearch final : public NeighbourSearch {
 public:
     explicit KdTreeSearch(std::vector<Eigen::Vector2d> pointsPx)
-        : cloud_{std::move(pointsPx)}, tree_(2, cloud_, nanoflann::KDTreeSingleIndexAdaptorParams(leafSize))
+        : cloud_{std::move(pointsPx)}, tree_(2, cloud_, nanoflann::KDTreeSingleIndexAdaptorParams(gridLeafSize))
     {
     }
 

@@ -11,7 +11,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t finalists = 3;
+constexpr std::size_t finalistPoses = 3;
 constexpr double worthRefining = 0.9;   // of the best rough score
 constexpr double nearlyAsGood = 0.95;   // ALGORITHMS §6.10
 constexpr double distinctSigmas = 3.0;
@@ -174,7 +174,7 @@ void AngioPose::refineFinalists()
 {
     FinalRefinement refinement(problem_, *target_, prior_, options_);
     std::vector<ScoredPose> refined;
-    for (const ScoredPose& candidate : ranking_.distinct(worthRefining, finalists)) {
+    for (const ScoredPose& candidate : ranking_.distinct(worthRefining, finalistPoses)) {
         const RefinementResult result = refinement.refine(candidate.pose, [&](const RefinementStep& step) {
             return report("refine", roughEnds + step.progress * (1.0 - roughEnds), step.scalePx);
         });

@@ -26,10 +26,10 @@ struct MaskStage {
     double share = 1.0;   ///< of the evaluations
 };
 constexpr std::array<MaskStage, 2> maskStages{{{8.0, 0.05, 0.3}, {0.0, 0.01, 0.7}}};
-constexpr double depthStdMm = 30.0;
+constexpr double maskDepthStdMm = 30.0;
 constexpr std::size_t fewestPixels = 2000;
 constexpr double leastGain = 1e-3;   // of the correlation, by a simplex
-constexpr double settled = 0.005;   // of the first simplex: 0.02°, 0.04 mm
+constexpr double settledSimplex = 0.005;   // of the first simplex: 0.02°, 0.04 mm
 
 /// Numbers of the pixels that something covers, and a margin around them.
 std::vector<std::size_t> around(const ImageF& covered, double marginPx)
@@ -107,7 +107,7 @@ std::vector<float> MaskedSimilarity::drawn(const ImageF& image) const
     return values;
 }
 
-struct Descent {
+struct SimplexDescent {
     double blurPx = 0.0;
     double depthHold = 0.0;
     double firstStep = 1.0;
@@ -116,11 +116,11 @@ struct Descent {
 
 /// Simplex after simplex, each where the last one ended with the mask drawn anew there, until one brings nothing: a
 /// simplex that has collapsed is a poor judge of being at the top. True when that is what ended it.
-bool descend(const RegistrationProblem& problem, MaskedSimilarity& similarity, const Descent& descent,
+bool descend(const RegistrationProblem& problem, MaskedSimilarity& similarity, const SimplexDescent& descent,
              PoseTrials& search)
 {
     MinimiseOptions simplex;
-    simplex.tolerance = settled;
+    simplex.tolerance = settledSimplex;
     simplex.firstStep = descent.firstStep;
     int left = descent.budget;
     while (left > 0 && !search.isStopped()) {
@@ -131,7 +131,7 @@ bool descend(const RegistrationProblem& problem, MaskedSimilarity& similarity, c
         const auto cost = [&](const Eigen::VectorXd& x, Eigen::VectorXd&) {
             --left;
             const CentroidPose pose = parameters.pose(x);
-            const double away = (pose.centroidInCamera.z() - search.start().centroidInCamera.z()) / depthStdMm;
+            const double away = (pose.centroidInCamera.z() - search.start().centroidInCamera.z()) / maskDepthStdMm;
             const double value =
                 search.note(pose, descent.depthHold * away * away - similarity.of(search.inPatient(pose)));
             costAtFirst = std::isinf(costAtFirst) ? value : costAtFirst;

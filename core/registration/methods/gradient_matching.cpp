@@ -14,8 +14,8 @@ namespace angiopose::core {
 namespace {
 
 constexpr int evaluationsPerRound = 60;   // six line searches of about ten
-constexpr double leastCosine = 0.7071;   // 45°
-constexpr double unknownRadiusMm = 1.0;
+constexpr double leastGradientCosine = 0.7071;   // 45°
+constexpr double unknownWallRadiusMm = 1.0;
 
 /// Agreement of wall directions and image gradients. Both walls of every vessel as the detector sees it.
 class WallAgreement {
@@ -41,7 +41,7 @@ double WallAgreement::of(const RigidTransform& pose) const
     double sum = 0.0;
     double weights = 0.0;
     for (std::size_t i = 0; i < tree.size(); ++i) {
-        const double radiusMm = tree.radiusMm[i] > 0.0 ? tree.radiusMm[i] : unknownRadiusMm;
+        const double radiusMm = tree.radiusMm[i] > 0.0 ? tree.radiusMm[i] : unknownWallRadiusMm;
         const double weight = std::clamp(radiusMm, 0.5, 3.0);
         weights += 2.0 * weight;
         const Eigen::Vector3d centre = pose * tree.points[i];
@@ -66,7 +66,7 @@ double WallAgreement::atWall(const Eigen::Vector3d& wall, const Eigen::Vector3d&
     const Eigen::Vector2d gradient = gradientAt(picture_, *pixel);
     const double inwardsPart = direction.dot(gradient);
     const double strength = gradient.norm();
-    if (inwardsPart < leastCosine * strength || strength <= 0.0) {
+    if (inwardsPart < leastGradientCosine * strength || strength <= 0.0) {
         return 0.0;
     }
     const double cosine = inwardsPart / strength;

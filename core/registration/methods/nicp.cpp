@@ -38,7 +38,7 @@ MethodSolution climb(const RegistrationProblem& problem, const RegistrationOptio
 
 constexpr double widenings[] = {2.0, 1.0};   // a wider blur first reaches farther
 constexpr double firstMotionPx = 2.0;
-constexpr double settledPx = 0.01;
+constexpr double settledBrightnessPx = 0.01;
 
 double meanMotionPx(const RegistrationProblem& problem, const CentroidPose& pose, const Vector6d& step)
 {
@@ -65,7 +65,7 @@ bool settle(const RegistrationProblem& problem, const VesselBrightness& brightne
             motionPx *= 0.5;
             const CentroidPose next = problem.freedom.moved(pose, motionPx / unitPx * direction);
             search.note(next, -brightness.of(next, widening));
-        } while (!(search.bestCost() < before) && motionPx > settledPx && !search.isStopped());
+        } while (!(search.bestCost() < before) && motionPx > settledBrightnessPx && !search.isStopped());
         if (!(search.bestCost() < before)) {
             return true;
         }

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int levels = 3;
 constexpr int evaluationsPerLevel = 300;
-constexpr double settledMm = 1e-5;
-constexpr double settledShare = 1e-9;
+constexpr double settledMixtureMm = 1e-5;
+constexpr double settledMixtureShare = 1e-9;
 
 }   // namespace
 
@@ -29,8 +29,8 @@ MethodSolution solveOgmm(const RegistrationProblem& problem, const RegistrationO
     const double ratio = std::pow(options.ogmmFinalScalePx / mixtureOptions.scalePx, 1.0 / (levels - 1));
     MinimiseOptions lbfgs;
     lbfgs.minimiser = Minimiser::Lbfgs;
-    lbfgs.tolerance = settledMm;
-    lbfgs.relativeTolerance = settledShare;
+    lbfgs.tolerance = settledMixtureMm;
+    lbfgs.relativeTolerance = settledMixtureShare;
     lbfgs.maxEvaluations = evaluationsPerLevel;
     bool isConverged = true;
     for (int level = 0; level < levels && !search.isStopped(); ++level) {

@@ -27,7 +27,7 @@ constexpr int stepsPerSurvivor = 2;
 constexpr int cellsToEachSide = 3;
 constexpr double cellDeg = 5.0;
 constexpr int stepsPerCell = 12;
-constexpr std::size_t finalists = 3;
+constexpr std::size_t finalistParticles = 3;
 constexpr int finalIterations = 30;
 
 struct Scored {
@@ -201,7 +201,7 @@ void ParticleSearch::refine(const std::vector<Scored>& best)
     KernelSchedule schedule;
     schedule.maxIterations = finalIterations;
     schedule.finalScalePx = options_.finalScalePx;
-    for (std::size_t i = 0; i < std::min(finalists, best.size()) && !search_.isStopped(); ++i) {
+    for (std::size_t i = 0; i < std::min(finalistParticles, best.size()) && !search_.isStopped(); ++i) {
         const RigidTransform start{best[i].pose.rotation, best[i].pose.centroidInCamera};
         KernelPnp(full, {}, schedule).solve(start, [&](const KernelIteration& step) {
             const CentroidPose pose{step.pose.rotation, step.pose.translation};

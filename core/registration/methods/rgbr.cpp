@@ -17,10 +17,10 @@ constexpr double blurPx = 1.0;
 constexpr double stepMm = 0.25;
 constexpr double reachDecay = 0.7;
 constexpr double shortestReachMm = 1.0;
-constexpr double settledMm = 0.01;
+constexpr double settledGradientMm = 0.01;
 constexpr std::size_t mostSites = 5000;
 constexpr std::size_t scoringSites = 600;
-constexpr double depthStdMm = 30.0;   // one view leaves the depth to this
+constexpr double gradientDepthStdMm = 30.0;   // one view leaves the depth to this
 constexpr double lateralStdMm = 30.0;
 constexpr double rotationStd = 0.15;   // rad
 constexpr double pairStdMm = 1.0;
@@ -84,7 +84,7 @@ MethodSolution Rgbr::run()
         pose = next;
         search_.note(pose, -gradients_.score(sites_, pose));
         const bool isShort = reachMm <= shortestReachMm;
-        if (isShort && motion.tail<3>().norm() + spreadMm_ * motion.head<3>().norm() < settledMm) {
+        if (isShort && motion.tail<3>().norm() + spreadMm_ * motion.head<3>().norm() < settledGradientMm) {
             reason = StopReason::Converged;
             break;
         }
@@ -155,7 +155,7 @@ CentroidPose Rgbr::chooseByRansac(const std::vector<Correspondence>& pairs, cons
 CentroidPose Rgbr::fit(std::span<const Correspondence> pairs, const CentroidPose& from) const
 {
     StartPrior prior{from, {}, freedom_};
-    prior.std << rotationStd, rotationStd, rotationStd, lateralStdMm, lateralStdMm, depthStdMm;
+    prior.std << rotationStd, rotationStd, rotationStd, lateralStdMm, lateralStdMm, gradientDepthStdMm;
     CentroidPose pose = from;
     for (int step = 0; step < fitSteps; ++step) {
         NormalEquations equations;

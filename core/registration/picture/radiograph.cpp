@@ -10,7 +10,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double wideningShare = 1.5;   // of the radius: the mask reaches a little beyond the vessel
-constexpr double unknownRadiusMm = 1.5;
+constexpr double unknownTubeRadiusMm = 1.5;
 constexpr double tissueHu = 150.0;   // what is denser holds contrast medium
 
 /// Adds to the four pixels around a place, by how near they are.
@@ -65,7 +65,7 @@ void Radiograph::collectVoxels(const Volume& volume)
 {
     VoxelMask mask(volume.geometry);
     for (std::size_t i = 0; i < tree_.size(); ++i) {
-        const double radiusMm = tree_.radiusMm[i] > 0.0 ? tree_.radiusMm[i] : unknownRadiusMm;
+        const double radiusMm = tree_.radiusMm[i] > 0.0 ? tree_.radiusMm[i] : unknownTubeRadiusMm;
         markBall(tree_.points[i], wideningShare * radiusMm, mask);
     }
     spacingMm_ = volume.geometry.spacingMm.maxCoeff();

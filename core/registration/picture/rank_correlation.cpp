@@ -9,22 +9,22 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t binCount = 256;
+constexpr std::size_t greyBins = 256;
 
 /// Mean ranks, less the mean of all ranks.
 std::vector<double> centredRanks(const std::vector<float>& values)
 {
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    const double scale = *high > *low ? (binCount - 1) / static_cast<double>(*high - *low) : 0.0;
+    const double scale = *high > *low ? (greyBins - 1) / static_cast<double>(*high - *low) : 0.0;
     std::vector<std::size_t> bin(values.size());
-    std::array<double, binCount> count{};
+    std::array<double, greyBins> count{};
     for (std::size_t i = 0; i < values.size(); ++i) {
         bin[i] = static_cast<std::size_t>(scale * static_cast<double>(values[i] - *low));
         count[bin[i]] += 1.0;
     }
-    std::array<double, binCount> meanRank{};
+    std::array<double, greyBins> meanRank{};
     double below = 0.0;
-    for (std::size_t b = 0; b < binCount; ++b) {
+    for (std::size_t b = 0; b < greyBins; ++b) {
         meanRank[b] = below + 0.5 * count[b] - 0.5 * static_cast<double>(values.size());
         below += count[b];
     }

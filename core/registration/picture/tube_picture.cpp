@@ -7,7 +7,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double unknownRadiusPx = 1.5;
-constexpr double unknownRadiusMm = 1.0;
+constexpr double unknownPictureRadiusMm = 1.0;
 constexpr double softEdgePx = 0.5;   // a pixel's own extent
 constexpr double longestPiecePx = 40.0;   // longer ones join what does not belong together
 
@@ -68,7 +68,7 @@ ImageF pictureOf(const TreeSamples& tree, const ProjectionCamera& camera, const 
         const Eigen::Vector3d point = cameraFromPatient * tree.points[i];
         const std::optional<Eigen::Vector2d> pixel = project(camera, point);
         if (pixel) {
-            const double radiusMm = tree.radiusMm[i] > 0.0 ? tree.radiusMm[i] : unknownRadiusMm;
+            const double radiusMm = tree.radiusMm[i] > 0.0 ? tree.radiusMm[i] : unknownPictureRadiusMm;
             drawTube(image, before.value_or(*pixel), *pixel, radiusMm / millimetresPerPixel(camera, point.z()));
         }
         before = pixel;

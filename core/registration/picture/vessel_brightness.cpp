@@ -13,7 +13,7 @@ constexpr std::size_t levelCount = 5;
 constexpr double finestPx = 1.0;
 constexpr double coarsestPx = 16.0;
 constexpr double narrowestMm = 0.1;
-constexpr double unknownRadiusMm = 1.0;
+constexpr double unknownBrightRadiusMm = 1.0;
 constexpr std::size_t manyPoints = 300;
 constexpr std::size_t sparseStride = 3;
 
@@ -24,7 +24,8 @@ VesselBrightness::VesselBrightness(const RegistrationProblem& problem) : camera_
     const TreeSamples& tree = problem.tree;
     const std::size_t stride = tree.size() >= sparseStride * manyPoints ? sparseStride : 1;
     for (std::size_t i = 0; i < tree.size(); i += stride) {
-        const double radiusMm = tree.radiusMm[i] > 0.0 ? std::max(tree.radiusMm[i], narrowestMm) : unknownRadiusMm;
+        const double radiusMm =
+            tree.radiusMm[i] > 0.0 ? std::max(tree.radiusMm[i], narrowestMm) : unknownBrightRadiusMm;
         points_.push_back(
             {tree.points[i] - tree.centroid, tree.tangents[i], radiusMm, 2.0 / (1.0 + std::exp(-2.0 * radiusMm))});
         weightSum_ += points_.back().weight;

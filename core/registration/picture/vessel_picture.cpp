@@ -13,7 +13,7 @@ namespace {
 
 constexpr double widestVesselPx = 16.0;
 constexpr double surroundingsPx = 24.0;
-constexpr std::size_t sampleSize = 100000;
+constexpr std::size_t pictureSamples = 100000;
 constexpr double drawnBlurPx = 0.7;   // as sharp as a detector
 
 ImageF flattened(const ImageF& image, Polarity polarity)
@@ -34,7 +34,7 @@ ImageF vesselPicture(const RegistrationProblem& problem)
     const ProjectionCamera& camera = problem.camera;
     ImageF picture = problem.image ? flattened(*problem.image, problem.polarity)
                                    : blurred(pictureOf(problem.target, camera.width, camera.height), drawnBlurPx);
-    const float top = std::max(ranked(evenSample(picture.pixels, sampleSize), 0.999), 1e-12F);
+    const float top = std::max(ranked(evenSample(picture.pixels, pictureSamples), 0.999), 1e-12F);
     for (float& value : picture.pixels) {
         value = std::max(0.0F, value / top);
     }

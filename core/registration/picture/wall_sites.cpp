@@ -11,8 +11,8 @@ namespace angiopose::core {
 namespace {
 
 constexpr int sitesAround = 8;
-constexpr double unknownRadiusMm = 1.0;
-constexpr double leastCosine = 0.5;   // 60°
+constexpr double unknownSiteRadiusMm = 1.0;
+constexpr double leastWallCosine = 0.5;   // 60°
 
 }   // namespace
 
@@ -24,7 +24,7 @@ std::vector<WallSite> wallSites(const TreeSamples& tree, std::size_t most)
     for (std::size_t i = 0; i < tree.size(); i += stride) {
         const Eigen::Vector3d side = tree.tangents[i].unitOrthogonal();
         const Eigen::Vector3d other = tree.tangents[i].cross(side);
-        const double radiusMm = tree.radiusMm[i] > 0.0 ? tree.radiusMm[i] : unknownRadiusMm;
+        const double radiusMm = tree.radiusMm[i] > 0.0 ? tree.radiusMm[i] : unknownSiteRadiusMm;
         for (int k = 0; k < sitesAround; ++k) {
             const double angle = 2.0 * std::numbers::pi * k / sitesAround;
             const Eigen::Vector3d normal = std::cos(angle) * side + std::sin(angle) * other;
@@ -53,7 +53,7 @@ double BackprojectedGradients::agreement(const Eigen::Vector3d& place, const Eig
     const Eigen::Vector3d carriedBack = inDetector - ray * ray.dot(inDetector);
     const double strength = carriedBack.norm();
     const double cosine = strength > 0.0 ? std::abs(normal.dot(carriedBack)) / strength : 0.0;
-    return cosine < leastCosine ? 0.0 : strength * cosine * cosine;
+    return cosine < leastWallCosine ? 0.0 : strength * cosine * cosine;
 }
 
 double BackprojectedGradients::score(const std::vector<WallSite>& sites, const CentroidPose& pose) const

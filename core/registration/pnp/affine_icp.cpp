@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double settledShare = 1e-6;
+constexpr double settledAffineShare = 1e-6;
 constexpr int rigidIterations = 50;
 
 /// x' = rows · (x, y, z, 1), z' = z: both image coordinates are linear in the rows.
@@ -88,7 +88,7 @@ KernelPnpResult rigidPartOfAffineIcp(const KernelProblem& problem, const RigidTr
     double loss = std::numeric_limits<double>::infinity();
     while (result.iterations < options.maxIterations) {
         const Round round = lookAround(problem, points, map, options.huberPx);
-        if (!(round.loss < (1.0 - settledShare) * loss)) {
+        if (!(round.loss < (1.0 - settledAffineShare) * loss)) {
             result.stopReason = StopReason::Converged;
             break;
         }

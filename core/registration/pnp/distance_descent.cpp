@@ -11,14 +11,14 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int triesPerStep = 8;
-constexpr double settledShare = 1e-6;   // of the cost, §3.6
+constexpr int descentTriesPerStep = 8;
+constexpr double settledDescentShare = 1e-6;   // of the cost, §3.6
 constexpr double wholeSquares = 1e9;   // px: Huber's loss that never turns linear
 
 /// Damped Gauss–Newton on one loss, matches fresh at every look.
-class Descent {
+class SmoothDescent {
 public:
-    Descent(const KernelProblem& problem, double huberPx, Freedom freedom, const RigidTransform& start)
+    SmoothDescent(const KernelProblem& problem, double huberPx, Freedom freedom, const RigidTransform& start)
         : problem_(problem), huberPx_(huberPx), freedom_(freedom), pose_(start)
     {
         measure(problem_, pose_, current_);
@@ -29,7 +29,7 @@ public:
     double step()
     {
         const NormalEquations equations = huberEquations(problem_, current_, huberPx_);
-        for (int attempt = 0; attempt < triesPerStep; ++attempt) {
+        for (int attempt = 0; attempt < descentTriesPerStep; ++attempt) {
             const Vector6d step = problem_.freedom.dampedStep(equations, damping_.factor(), pose_, freedom_);
             const RigidTransform candidate = problem_.freedom.moved(pose_, step);
             measure(problem_, candidate, trial_);
@@ -113,7 +113,7 @@ int DistanceDescent::maxIterations(SearchStage stage) const
 KernelPnpResult DistanceDescent::descend(const KernelProblem& problem, Freedom freedom, const RigidTransform& start,
                                          const KernelObserver& observe) const
 {
-    Descent descent(problem, options_.huberPx, freedom, start);
+    SmoothDescent descent(problem, options_.huberPx, freedom, start);
     KernelPnpResult result;
     result.scalePx = options_.huberPx;
     while (result.iterations < options_.maxIterations) {
@@ -126,7 +126,7 @@ KernelPnpResult DistanceDescent::descend(const KernelProblem& problem, Freedom f
                 break;
             }
         }
-        if (share < settledShare) {
+        if (share < settledDescentShare) {
             result.stopReason = StopReason::Converged;
             break;
         }
@@ -166,7 +166,7 @@ KernelPnpResult DistanceDescent::descendSmoothly(const KernelProblem& problem, c
     MinimiseOptions options;
     options.minimiser = Minimiser::Lbfgs;
     options.tolerance = 1e-6;
-    options.relativeTolerance = settledShare;
+    options.relativeTolerance = settledDescentShare;
     options.maxEvaluations = options_.maxIterations;
     const Minimum minimum = minimise(cost, parameters.origin(), options, [&] { return isStopped; });
     result.stopReason = isStopped             ? StopReason::StoppedByUser

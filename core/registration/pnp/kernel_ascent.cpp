@@ -8,7 +8,7 @@ namespace {
 
 constexpr int scaleCount = 3;
 constexpr double armijo = 1e-4;
-constexpr double settledPx = 1e-3;
+constexpr double settledAscentPx = 1e-3;
 
 /// Ascent at one kernel width. The cost is 2σ² (N − E_data) + prior: what the kernel-weighted squares majorise.
 class OneScale {
@@ -60,7 +60,7 @@ bool OneScale::step(const Vector6d& metric, Freedom freedom)
         return false;
     }
     const double slope = 2.0 * equations.gradient.dot(direction) / unitPx;   // per px of motion
-    for (double motionPx = motionPx_; motionPx >= settledPx; motionPx *= 0.5) {
+    for (double motionPx = motionPx_; motionPx >= settledAscentPx; motionPx *= 0.5) {
         const RigidTransform candidate = problem_.freedom.moved(pose_, motionPx / unitPx * direction);
         measure(problem_, candidate, trial_, scalePx_);
         const double cost = costOf(candidate, trial_);

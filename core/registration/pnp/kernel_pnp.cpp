@@ -7,9 +7,9 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int triesPerStep = 7;   // the first, and six with more damping
-constexpr double settledMm = 1e-5;
-constexpr double reachInScales = 3.0;
+constexpr int kernelTriesPerStep = 7;   // the first, and six with more damping
+constexpr double settledKernelMm = 1e-5;
+constexpr double kernelReachInScales = 3.0;
 
 }   // namespace
 
@@ -47,7 +47,7 @@ KernelPnpResult KernelPnp::solve(const RigidTransform& start, const KernelObserv
             result.stopReason = StopReason::StoppedByUser;
             break;
         }
-        annealing_.noteStep(countWithin(current_, reachInScales * annealing_.scalePx()));
+        annealing_.noteStep(countWithin(current_, kernelReachInScales * annealing_.scalePx()));
     }
     pose_.rotation = nearestRotation(pose_.rotation);
     result.pose = pose_;
@@ -82,10 +82,10 @@ KernelPnp::Outcome KernelPnp::improve()
     const double loss = kernelLoss(current_, scalePx);
     const double pull = priorCost(prior_, pose_);
 
-    for (int attempt = 0; attempt < triesPerStep; ++attempt) {
+    for (int attempt = 0; attempt < kernelTriesPerStep; ++attempt) {
         const Vector6d step = problem_.freedom.dampedStep(equations, damping_.factor(), pose_, schedule_.freedom);
         const RigidTransform candidate = problem_.freedom.moved(pose_, step);
-        const bool isTiny = stepLengthMm(step) < settledMm;
+        const bool isTiny = stepLengthMm(step) < settledKernelMm;
         if (isAllowed(candidate)) {
             measure(problem_, candidate, trial_, scalePx);
             const double trialLoss = kernelLoss(trial_, scalePx);

@@ -6,7 +6,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double reachInScales = 4.2426;   // 3σ of a product of two Gaussians: 3√2 σ
+constexpr double mixtureReachInScales = 4.2426;   // 3σ of a product of two Gaussians: 3√2 σ
 constexpr double samplesPerScale = 4.0;
 constexpr double shortestDirection = 1e-3;   // of Z² px: seen end-on
 
@@ -32,7 +32,7 @@ double meanSpacingPx(const std::vector<Eigen::Vector2d>& points, const std::vect
 }   // namespace
 
 OrientedMixture::OrientedMixture(const RegistrationProblem& problem, const MixtureOptions& options)
-    : options_(options), camera_(problem.camera), reachPx_(reachInScales * options.scalePx)
+    : options_(options), camera_(problem.camera), reachPx_(mixtureReachInScales * options.scalePx)
 {
     const TreeSamples& tree = problem.tree;
     const double wantedPx = options.scalePx / samplesPerScale;

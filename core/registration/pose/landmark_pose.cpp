@@ -1,5 +1,6 @@
 #include "core/registration/pose/landmark_pose.h"
 
+#include "core/geometry/angle_units.h"
 #include "core/registration/pnp/sqpnp.h"
 #include "core/registration/pose/centroid_pose.h"
 #include "core/registration/pose/start_prior.h"
@@ -8,17 +9,15 @@
 #include <Eigen/SVD>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace angiopose::core {
 namespace {
 
-constexpr double degPerRad = 180.0 / std::numbers::pi;
 constexpr double clickStdPx = 2.0;
 constexpr double leastSpreadMm = 1.0;   // rms off a line: below, the turn about it is open
 constexpr double leastSpreadPx = 3.0;
-constexpr int maxSteps = 60;
-constexpr double settled = 1e-12;   // of the cost
+constexpr int maxLandmarkSteps = 60;
+constexpr double settledCost = 1e-12;   // of the cost
 constexpr double asGood = 1.5;   // costs within this factor, or within a click, tell nothing
 
 // What few pairs leave open stays as it was: turning out of the image costs more than rolling, rolling more than
@@ -97,12 +96,12 @@ Fit refined(const LandmarkCost& cost, const CentroidPose& start)
     }
     fit.cost = *first;
     Damping damping;
-    for (int k = 0; k < maxSteps; ++k) {
+    for (int k = 0; k < maxLandmarkSteps; ++k) {
         NormalEquations equations;
         cost.at(fit.pose, &equations);
         const Vector6d step = dampedStep(equations, damping.factor());
         const double promised = predictedDecrease(equations, step);
-        if (!(promised > settled * (1.0 + fit.cost))) {
+        if (!(promised > settledCost * (1.0 + fit.cost))) {
             break;
         }
         const CentroidPose trial = moved(fit.pose, step);
@@ -159,8 +158,8 @@ StartPrior priorAt(const CentroidPose& before)
 {
     StartPrior prior;
     prior.start = before;
-    const double turn = priorTurnDeg / degPerRad;
-    prior.std << turn, turn, priorRollDeg / degPerRad, priorShiftMm, priorShiftMm, priorDepthMm;
+    const double turn = priorTurnDeg / degreesPerRadian;
+    prior.std << turn, turn, priorRollDeg / degreesPerRadian, priorShiftMm, priorShiftMm, priorDepthMm;
     return prior;
 }
 
@@ -187,7 +186,7 @@ LandmarkPose judged(const LandmarkCost& cost, const Fit& fit, std::span<const La
     const Matrix6d full = equations.hessian.selfadjointView<Eigen::Lower>();
     const Matrix6d covariance = full.ldlt().solve(Matrix6d::Identity());
     result.depthStdMm = std::sqrt(std::max(0.0, covariance(5, 5)));
-    result.rotationStdDeg = degPerRad * std::sqrt(std::max(0.0, covariance.diagonal().head<3>().maxCoeff()));
+    result.rotationStdDeg = degreesPerRadian * std::sqrt(std::max(0.0, covariance.diagonal().head<3>().maxCoeff()));
     return result;
 }
 

@@ -12,7 +12,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double directionWorth = 0.8;
-constexpr double seedReachMm = 5.0;   ///< from a seed to the wall of its vessel
+constexpr double seedToWallMm = 5.0;   ///< from a seed to the wall of its vessel
 
 /// A path to be followed from `edge`, which leaves `node`.
 struct Start {
@@ -91,7 +91,7 @@ private:
             for (const std::size_t e : meeting_[static_cast<std::size_t>(node)]) {
                 const VesselEdge& edge = graph_.edges[e];
                 for (std::size_t i = 0; i < edge.pointsMm.size(); ++i) {
-                    const double reach = seedReachMm + 1.5 * edge.radiusMm[i];
+                    const double reach = seedToWallMm + 1.5 * edge.radiusMm[i];
                     if (std::any_of(seedsMm.begin(), seedsMm.end(),
                                     [&](const auto& seed) { return (seed - edge.pointsMm[i]).norm() <= reach; })) {
                         return true;

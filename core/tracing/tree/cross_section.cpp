@@ -18,7 +18,7 @@ constexpr double thinInVoxels = 2.2;   ///< below this radius a section is weigh
 constexpr double brighterThanBlood = 1.6;
 constexpr double mostBlood = 1.3;   ///< that counts when a section is weighed
 constexpr double blurInVoxels = 0.8;   ///< from the middle of something thin to half its brightness
-constexpr double leastFill = 0.15;   ///< of the centre, to be a vessel at all
+constexpr double leastFillOfCentre = 0.15;   ///< of the centre, to be a vessel at all
 
 struct Ray {
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();
@@ -111,7 +111,7 @@ CrossSection crossSection(const SectionPlane& plane, const BloodFill& fill)
 {
     CrossSection section{plane.pointMm, plane.expectedRadiusMm};
     const double centreFill = fill(plane.pointMm);
-    if (centreFill < leastFill) {
+    if (centreFill < leastFillOfCentre) {
         return section;
     }
     std::array<Ray, rayCount> rays = raysAcross(plane.tangent);

@@ -14,23 +14,23 @@ constexpr double leastOfBlood = 0.65;   ///< a vessel as wide as the least that 
 constexpr double leastRadius = 1.5;   ///< voxels; the axis of a thinner vessel is dark by blurring
 constexpr double leastWideShare = 0.5;   ///< of an edge's points
 constexpr std::size_t leastWide = 6;   ///< points that tell
-constexpr double besideMm = 25.0;   ///< of the starts: across a torn aorta, whose false lumen is dim
-constexpr double leastTrust = 0.5;   ///< in sections
-constexpr std::size_t tangentReach = 3;   ///< points
+constexpr double besideStartsMm = 25.0;   ///< of the starts: across a torn aorta, whose false lumen is dim
+constexpr double leastTrustInSections = 0.5;   ///< in sections
+constexpr std::size_t partTangentReach = 3;   ///< points
 
 /// At a place of an edge, unless the vessel is too thin there. The lumen of what is hardly bright enough is full of
 /// holes: its balls are too small, its skeleton is off its axis.
 std::optional<double> fillWhereWide(const VesselEdge& edge, std::size_t n, const BloodFill& fill, double voxelMm)
 {
-    const std::size_t before = n - std::min(n, tangentReach);
-    const std::size_t after = std::min(n + tangentReach, edge.pointsMm.size() - 1);
+    const std::size_t before = n - std::min(n, partTangentReach);
+    const std::size_t after = std::min(n + partTangentReach, edge.pointsMm.size() - 1);
     const Eigen::Vector3d way = edge.pointsMm[after] - edge.pointsMm[before];
     double radiusMm = edge.radiusMm[n];
     Eigen::Vector3d middleMm = edge.pointsMm[n];
     if (!way.isZero()) {
         const CrossSection section =
             crossSection({middleMm, way.normalized(), std::max(radiusMm, voxelMm), voxelMm}, fill);
-        if (section.trust >= leastTrust) {
+        if (section.trust >= leastTrustInSections) {
             radiusMm = section.radiusMm;
             middleMm = section.centreMm;
         }
@@ -58,7 +58,7 @@ bool isBeside(const VesselEdge& edge, const std::vector<Eigen::Vector3d>& starts
 {
     const Eigen::Vector3d& middle = edge.pointsMm[edge.pointsMm.size() / 2];
     return std::ranges::any_of(startsMm,
-                               [&](const Eigen::Vector3d& start) { return (start - middle).norm() < besideMm; });
+                               [&](const Eigen::Vector3d& start) { return (start - middle).norm() < besideStartsMm; });
 }
 
 /// What lies beyond an edge as seen from the starts, itself included.

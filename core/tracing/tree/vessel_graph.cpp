@@ -10,9 +10,9 @@ namespace {
 constexpr std::size_t shortestRing = 6;
 
 /// Walks the skeleton voxel by voxel. Voxels are known by their place in the skeleton's list.
-class SkeletonWalker {
+class VoxelWalker {
 public:
-    SkeletonWalker(const std::vector<std::size_t>& skeleton, const DistanceMap& distances)
+    VoxelWalker(const std::vector<std::size_t>& skeleton, const DistanceMap& distances)
         : skeleton_(skeleton), distances_(distances), nodeAt_(skeleton.size(), -1), seen_(skeleton.size(), false)
     {
         neighbours_.reserve(skeleton.size());
@@ -212,7 +212,7 @@ VesselEdge VesselGraph::leaving(std::size_t edge, int node) const
 
 VesselGraph vesselGraph(const std::vector<std::size_t>& skeleton, const DistanceMap& distances)
 {
-    return SkeletonWalker(skeleton, distances).run();
+    return VoxelWalker(skeleton, distances).run();
 }
 
 VesselEdge reversed(VesselEdge edge)

@@ -10,9 +10,9 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t binCount = 300;
+constexpr std::size_t levelBins = 300;
 constexpr int coarseStep = 3;   ///< voxels between two looked at, along each axis
-constexpr double airHu = -500.0;   ///< values below this: a CT in HU
+constexpr double mostAirHu = -500.0;   ///< values below this: a CT in HU
 constexpr double wholeAirHu = -1000.0;
 constexpr double darkHu = -20.0;   ///< fat lies below; counts from 0 have nothing there but noise around air
 constexpr double darkShare = 0.001;   ///< of the voxels
@@ -31,7 +31,7 @@ constexpr double unchanged = 0.04;   ///< of the range of values: around a voxel
 struct Histogram {
     double low = 0.0;
     double binWidth = 1.0;
-    std::vector<double> ml = std::vector<double>(binCount, 0.0);
+    std::vector<double> ml = std::vector<double>(levelBins, 0.0);
 
     double valueOf(std::size_t bin) const { return low + binWidth * (static_cast<double>(bin) + 0.5); }
 };
@@ -95,7 +95,7 @@ bool showsHu(std::vector<float>& values, double low)
     const auto dark = values.begin() + static_cast<std::ptrdiff_t>(darkShare * static_cast<double>(values.size()));
     std::nth_element(values.begin(), dark, values.end());
     const auto dense = std::count_if(values.begin(), values.end(), [](float value) { return value > denseHu; });
-    return low < airHu ||
+    return low < mostAirHu ||
            (*dark < darkHu && static_cast<double>(dense) < mostDenseShare * static_cast<double>(values.size()));
 }
 
@@ -119,21 +119,21 @@ Histogram histogramOf(const Reader& reader, const Range& range, double above, in
 {
     Histogram histogram;
     histogram.low = range.low;
-    histogram.binWidth = (1.5 * (range.high - range.low)) / binCount;   // blood may be rare: look beyond
+    histogram.binWidth = (1.5 * (range.high - range.low)) / levelBins;   // blood may be rare: look beyond
     reader.visit(3, step, [&](int i, int j, int k) {
         if (reader.at(i, j, k) <= above) {
             return;
         }
         const double centre = reader.mean(i, j, k);
         const double bin = (centre - histogram.low) / histogram.binWidth;
-        if (bin >= 0.0 && bin < binCount && reader.change(i, j, k, centre) < unchanged * (range.high - range.low)) {
+        if (bin >= 0.0 && bin < levelBins && reader.change(i, j, k, centre) < unchanged * (range.high - range.low)) {
             histogram.ml[static_cast<std::size_t>(bin)] += reader.voxelMl() * step * step * step;
         }
     });
     for (int round = 0; round < 3; ++round) {   // nearly a Gaussian of 2.4 bins
-        std::vector<double> smooth(binCount, 0.0);
-        for (std::size_t b = 0; b < binCount; ++b) {
-            for (std::size_t n = b < 2 ? 0 : b - 2; n <= std::min(binCount - 1, b + 2); ++n) {
+        std::vector<double> smooth(levelBins, 0.0);
+        for (std::size_t b = 0; b < levelBins; ++b) {
+            for (std::size_t n = b < 2 ? 0 : b - 2; n <= std::min(levelBins - 1, b + 2); ++n) {
                 smooth[b] += histogram.ml[n] / 5.0;
             }
         }
@@ -150,7 +150,7 @@ struct Peak {
 std::vector<Peak> peaksOf(const Histogram& histogram, double above)
 {
     std::vector<Peak> peaks;
-    for (std::size_t b = 3; b + 3 < binCount; ++b) {
+    for (std::size_t b = 3; b + 3 < levelBins; ++b) {
         const auto around = histogram.ml.begin() + static_cast<std::ptrdiff_t>(b);
         const bool isPeak = *around > 0.0 && *around >= *std::max_element(around - 3, around + 4);
         if (!isPeak || histogram.valueOf(b) < above || (!peaks.empty() && peaks.back().bin + 3 >= b)) {
@@ -160,7 +160,7 @@ std::vector<Peak> peaksOf(const Histogram& histogram, double above)
         for (std::size_t n = b; n-- > 0 && histogram.ml[n] <= histogram.ml[n + 1];) {
             peak.ml += histogram.ml[n];
         }
-        for (std::size_t n = b + 1; n < binCount && histogram.ml[n] <= histogram.ml[n - 1]; ++n) {
+        for (std::size_t n = b + 1; n < levelBins && histogram.ml[n] <= histogram.ml[n - 1]; ++n) {
             peak.ml += histogram.ml[n];
         }
         peaks.push_back(peak);
@@ -171,7 +171,7 @@ std::vector<Peak> peaksOf(const Histogram& histogram, double above)
 std::size_t highestBin(const Histogram& histogram, double above, double below)
 {
     std::size_t best = 0;
-    for (std::size_t b = 0; b < binCount; ++b) {
+    for (std::size_t b = 0; b < levelBins; ++b) {
         const bool isCandidate = histogram.valueOf(b) > above && histogram.valueOf(b) < below;
         if (isCandidate && (histogram.ml[b] > histogram.ml[best] || best == 0)) {
             best = b;
@@ -190,7 +190,7 @@ double tissueWithoutHu(const Histogram& histogram, const Range& range)
         return histogram.valueOf(highest);
     }
     double airMl = 0.0;
-    for (std::size_t b = 0; b < binCount && histogram.valueOf(b) <= mostAir; ++b) {
+    for (std::size_t b = 0; b < levelBins && histogram.valueOf(b) <= mostAir; ++b) {
         airMl += histogram.ml[b];
     }
     const std::vector<Peak> peaks = peaksOf(histogram, mostAir);

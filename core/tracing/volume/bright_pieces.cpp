@@ -9,7 +9,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double joinMm = 1.25;   ///< half of what may lie between the voxels of one piece
-constexpr std::uint8_t between = 1;
+constexpr std::uint8_t betweenPieces = 1;
 constexpr std::uint8_t bright = 2;
 
 /// Sets to `between` what lies near anything bright.
@@ -27,7 +27,7 @@ void widen(VoxelMask& mask)
             for (int j = low.y(); j <= high.y(); ++j) {
                 std::uint8_t* row = &mask.at(0, j, k);
                 for (int i = low.x(); i <= high.x(); ++i) {
-                    row[i] = std::max(row[i], between);
+                    row[i] = std::max(row[i], betweenPieces);
                 }
             }
         }

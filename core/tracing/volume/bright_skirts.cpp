@@ -5,9 +5,9 @@
 namespace angiopose::core {
 namespace {
 
-class Descent {
+class SkirtDescent {
 public:
-    Descent(VoxelMask& flags, const SkirtBits& bits, const VoxelFill& fill, double leastFill)
+    SkirtDescent(VoxelMask& flags, const SkirtBits& bits, const VoxelFill& fill, double leastFill)
         : flags_(flags), bits_(bits), fill_(fill), leastFill_(leastFill)
     {
         for (std::size_t voxel = 0; voxel < flags.voxels.size(); ++voxel) {
@@ -64,7 +64,7 @@ private:
 void markSkirts(VoxelMask& flags, const SkirtBits& bits, const VoxelFill& fill, double leastFill,
                 const Eigen::Vector3i& reach, TracingProgress& progress)
 {
-    Descent descent(flags, bits, fill, leastFill);
+    SkirtDescent descent(flags, bits, fill, leastFill);
     for (int step = 0; step < reach.maxCoeff() && progress.advance(0.0); ++step) {
         descent.advance(reach.array() > step);
     }

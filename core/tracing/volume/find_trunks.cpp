@@ -11,10 +11,10 @@ namespace angiopose::core {
 namespace {
 
 constexpr double leastRadiusInBlocks = 1.3;   ///< or in voxels, if these are longer; thinner vessels are not seen
-constexpr double leastSlenderness = 3.0;   ///< a single chamber of the heart has 2
+constexpr double leastSlendernessOfPiece = 3.0;   ///< a single chamber of the heart has 2
 constexpr double usualRadiusMm = 15.0;   ///< of the widest arteries; more counts no more, chambers have it
 constexpr double mostSlenderness = 20.0;   ///< that counts: else thin vessels would win
-constexpr std::size_t leastPoints = 6;
+constexpr std::size_t leastPointsOfTrunk = 6;
 constexpr std::uint8_t inTube = 1;
 constexpr std::uint8_t inTrunk = 2;
 
@@ -85,7 +85,8 @@ bool isRepeated(const Tube& tube, const VoxelMask& seen)
 bool isTrunk(const Trunk& trunk)
 {
     const double unusual = std::max(1.0, trunk.medianRadiusMm() / usualRadiusMm);
-    return trunk.radiusMm.size() >= leastPoints && trunk.slenderness() >= leastSlenderness * unusual * unusual;
+    return trunk.radiusMm.size() >= leastPointsOfTrunk &&
+           trunk.slenderness() >= leastSlendernessOfPiece * unusual * unusual;
 }
 
 }   // namespace

@@ -13,9 +13,11 @@ namespace {
 
 constexpr double mostGapInRadii = 2.0;   ///< of both radii together, from a trunk's end to the axis of the next
 constexpr double mostGapOfSameBlood = 2.5;
-constexpr double leastSlenderness = 5.0;   ///< of one of the trunks; two chambers of the heart in a row reach 4.5
+constexpr double leastSlendernessOfTrunks =
+    5.0;   ///< of one of the trunks; two chambers of the heart in a row reach 4.5
 constexpr double leastLengthMm = 40.0;   ///< of that trunk: marrow, ureters and dense gut are seen in shorter stretches
-constexpr double leastNeck = 0.45;   ///< of the thinner one's radius, on the way between; those that touch have 0.3
+constexpr double leastNeckBetween =
+    0.45;   ///< of the thinner one's radius, on the way between; those that touch have 0.3
 constexpr double mostBeyondSection = 1.3;   ///< largest ball over section: else it lies in something that touches
 constexpr double mostFillStep = 0.2;   ///< between blood of the same artery; of veins and of organs it is other
 constexpr double mostStepOfSameBlood = 0.1;   ///< as much as it changes along a whole aorta
@@ -44,7 +46,7 @@ private:
     static Blood bloodOf(const Trunk& trunk, const Trunk& other)
     {
         const double step = std::abs(trunk.fill - other.fill);
-        const bool isSlender = std::max(trunk.slenderness(), other.slenderness()) >= leastSlenderness;
+        const bool isSlender = std::max(trunk.slenderness(), other.slenderness()) >= leastSlendernessOfTrunks;
         return step > mostFillStep                        ? Blood::Other
                : step > mostStepOfSameBlood || !isSlender ? Blood::Alike
                                                           : Blood::Same;
@@ -74,7 +76,7 @@ private:
             thinnerTrunk = std::min({thinnerTrunk, medianBallMm(trunk), medianBallMm(other)});
         }
         return neckMm(distances_, from, to, std::max(radius, otherRadius)) >=
-               leastNeck * std::max(thinner, thinnerTrunk);
+               leastNeckBetween * std::max(thinner, thinnerTrunk);
     }
 
     static std::size_t nearestTo(const Eigen::Vector3d& place, const Trunk& trunk)
@@ -192,7 +194,8 @@ std::vector<GreatVessel> greatVessels(const CoarseBlood& blood, int threads, Tra
     }
     std::erase_if(vessels, [](const GreatVessel& vessel) {
         return std::none_of(vessel.trunks.begin(), vessel.trunks.end(), [](const Trunk& trunk) {
-            return trunk.slenderness() >= leastSlenderness && polylineLength<3>(trunk.pointsInPatient) >= leastLengthMm;
+            return trunk.slenderness() >= leastSlendernessOfTrunks &&
+                   polylineLength<3>(trunk.pointsInPatient) >= leastLengthMm;
         });
     });
     std::stable_sort(vessels.begin(), vessels.end(),

@@ -20,7 +20,7 @@ constexpr float leastRoundness = 0.33F;   ///< weaker over stronger curvature ac
 constexpr float mostAlong = 0.75F;   ///< curvature along over the weaker one across: a ball has 1
 
 /// Part of the scan with a margin, as share of blood.
-struct Block {
+struct TubeBlock {
     Eigen::Vector3i low;   ///< its first voxel in the volume, margin included; may lie outside
     Eigen::Vector3i size;
     std::vector<float> fill;
@@ -55,7 +55,7 @@ std::vector<float> gaussian(double sigma)
 }
 
 /// Smooths along one axis; at the block's rim the outermost values go on.
-void smoothAlong(Block& block, std::vector<float>& scratch, int axis, double sigma)
+void smoothAlong(TubeBlock& block, std::vector<float>& scratch, int axis, double sigma)
 {
     const std::vector<float> kernel = gaussian(sigma);
     const int reach = static_cast<int>(kernel.size() / 2);
@@ -91,7 +91,7 @@ void smoothAlong(Block& block, std::vector<float>& scratch, int axis, double sig
 }
 
 /// Second derivatives by central differences, in mm, times `factor`.
-Eigen::Matrix3f curvatureAt(const Block& block, std::ptrdiff_t at, const Eigen::Vector3f& spacing, float factor)
+Eigen::Matrix3f curvatureAt(const TubeBlock& block, std::ptrdiff_t at, const Eigen::Vector3f& spacing, float factor)
 {
     const float* f = &block.fill[static_cast<std::size_t>(at)];
     const std::array<std::ptrdiff_t, 3> step{1, block.size.x(),
@@ -149,7 +149,7 @@ public:
         if (candidates.empty()) {
             return;
         }
-        Block block = load(low, high);
+        TubeBlock block = load(low, high);
         std::vector<float> scratch(block.fill.size());
         double reached = 0.0;
         for (const double scale : scalesInVoxels) {
@@ -188,9 +188,9 @@ private:
         return found;
     }
 
-    Block load(const Eigen::Vector3i& low, const Eigen::Vector3i& high) const
+    TubeBlock load(const Eigen::Vector3i& low, const Eigen::Vector3i& high) const
     {
-        Block block{(low.array() - margin_).matrix(), (high - low).array() + 2 * margin_, {}};
+        TubeBlock block{(low.array() - margin_).matrix(), (high - low).array() + 2 * margin_, {}};
         block.fill.reserve(static_cast<std::size_t>(block.size.prod()));
         const Eigen::Vector3i last = (order_.geometry.size.array() - 1).matrix();
         for (int k = 0; k < block.size.z(); ++k) {
@@ -205,7 +205,7 @@ private:
         return block;
     }
 
-    static void markBright(const Block& block, const std::vector<Eigen::Vector3i>& candidates, VoxelMask& flags,
+    static void markBright(const TubeBlock& block, const std::vector<Eigen::Vector3i>& candidates, VoxelMask& flags,
                            const TubeBits& bits)
     {
         for (const Eigen::Vector3i& voxel : candidates) {
@@ -217,8 +217,8 @@ private:
         }
     }
 
-    void markScale(const Block& block, const std::vector<Eigen::Vector3i>& candidates, float factor, VoxelMask& flags,
-                   const TubeBits& bits) const
+    void markScale(const TubeBlock& block, const std::vector<Eigen::Vector3i>& candidates, float factor,
+                   VoxelMask& flags, const TubeBits& bits) const
     {
         const Eigen::Vector3f spacing = order_.geometry.spacingMm.cast<float>();
         for (const Eigen::Vector3i& voxel : candidates) {

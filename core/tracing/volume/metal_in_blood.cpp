@@ -13,7 +13,7 @@ constexpr double mostBoneHu = 2000.0;
 constexpr double mostBoneFill = 5.0;   ///< in scans without Hounsfield units
 constexpr double solidReachMm = 6.0;   ///< bright as far as this to all sides: no stent, blurred as it may be
 constexpr double aroundMetalMm = 2.0;   ///< from its brightest voxels, what they blur and the thinner wires between
-constexpr double besideMm = 3.0;   ///< beyond what the wires blur
+constexpr double besideWiresMm = 3.0;   ///< beyond what the wires blur
 constexpr double brightFill = 1.6;
 constexpr double leastBesideFill = 0.7;
 constexpr double leastBesideShare = 0.38;   ///< of what is not bright itself; wires in a sternum have 0.3
@@ -31,7 +31,7 @@ std::array<Eigen::Vector3i, 6> sidesOf(const Eigen::Vector3i& voxel, const Eigen
 class Surroundings {
 public:
     Surroundings(const VolumeGeometry& grid, const VoxelFill& fill)
-        : grid_(grid), fill_(fill), solidReach_(voxelsIn(solidReachMm)), beside_(voxelsIn(besideMm))
+        : grid_(grid), fill_(fill), solidReach_(voxelsIn(solidReachMm)), beside_(voxelsIn(besideWiresMm))
     {
     }
 

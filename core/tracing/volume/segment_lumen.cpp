@@ -28,7 +28,7 @@ constexpr std::uint8_t wallBits = tooBright | metal;
 
 constexpr double leastTubeFill = 0.25;   ///< share of blood in a voxel of a thin vessel
 constexpr double leastCoreFill = 0.55;
-constexpr double mostFill = 1.6;   ///< brighter: bone, metal, contrast before it has mixed
+constexpr double mostFillOfLumen = 1.6;   ///< brighter: bone, metal, contrast before it has mixed
 constexpr double mostMetal = 6.0;   ///< in sections: how bright beyond that says nothing more
 constexpr double mostUneven = 0.18;   ///< standard deviation within a core
 constexpr double mostBrightMl = 0.1;   ///< of pieces brighter than blood: calcifications are smaller
@@ -114,7 +114,8 @@ private:
     void markTooBright(TracingProgress& progress)
     {
         eachSlice(progress, [&](int k) {
-            eachVoxel(flags_, k, [&](int i, int j, std::uint8_t& flag) { flag = fillAt(i, j, k) > mostFill ? 1 : 0; });
+            eachVoxel(flags_, k,
+                      [&](int i, int j, std::uint8_t& flag) { flag = fillAt(i, j, k) > mostFillOfLumen ? 1 : 0; });
         });
         if (progress.isStopped()) {
             return;
@@ -175,7 +176,7 @@ private:
             const double fill =
                 fillAt(std::clamp(i + step[0], 0, size_.x() - 1), std::clamp(j + step[1], 0, size_.y() - 1),
                        std::clamp(k + step[2], 0, size_.z() - 1));
-            if (fill < leastCoreFill || fill > mostFill) {
+            if (fill < leastCoreFill || fill > mostFillOfLumen) {
                 return false;
             }
             sum += fill;

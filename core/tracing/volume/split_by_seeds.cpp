@@ -13,11 +13,12 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::uint8_t unreached = 1;
+constexpr std::uint8_t unreachedVoxel = 1;
 constexpr std::uint8_t vessel = 2;
 constexpr std::uint8_t other = 3;
-constexpr double mostBeyondSection = 1.3;   ///< largest ball over section
-constexpr double leastNeck = 0.45;   ///< of the thinner one's radius, from a seed to a vessel that continues its own
+constexpr double mostBallBeyondSection = 1.3;   ///< largest ball over section
+constexpr double leastNeckFromSeed =
+    0.45;   ///< of the thinner one's radius, from a seed to a vessel that continues its own
 
 /// A voxel that is next to flooded ones: the widest comes first, of equal ones the earliest.
 struct Shore {
@@ -47,7 +48,7 @@ public:
     void start(const std::vector<std::uint32_t>& voxels, std::uint8_t label)
     {
         for (const std::uint32_t voxel : voxels) {
-            if (mask_.voxels[voxel] == unreached) {
+            if (mask_.voxels[voxel] == unreachedVoxel) {
                 mask_.voxels[voxel] = label;
                 pushNeighbours(voxel, label);
             }
@@ -59,7 +60,7 @@ public:
         while (!shores_.empty()) {
             const Shore shore = shores_.top();
             shores_.pop();
-            if (mask_.voxels[shore.voxel] != unreached) {
+            if (mask_.voxels[shore.voxel] != unreachedVoxel) {
                 continue;
             }
             mask_.voxels[shore.voxel] = shore.label;
@@ -83,7 +84,7 @@ private:
             for (int y = -1; y <= 1; ++y) {
                 for (int x = -1; x <= 1; ++x) {
                     const Eigen::Vector3i next = voxel + Eigen::Vector3i(x, y, z);
-                    if (mask_.geometry.contains(next) && mask_.at(next.x(), next.y(), next.z()) == unreached) {
+                    if (mask_.geometry.contains(next) && mask_.at(next.x(), next.y(), next.z()) == unreachedVoxel) {
                         push(static_cast<std::uint32_t>(mask_.geometry.index(next.x(), next.y(), next.z())), label);
                     }
                 }
@@ -113,7 +114,7 @@ public:
     void split(const std::vector<Eigen::Vector3d>& startsInPatient)
     {
         for (std::uint8_t& voxel : mask_.voxels) {
-            voxel = voxel != 0 ? unreached : 0;
+            voxel = voxel != 0 ? unreachedVoxel : 0;
         }
         necks_ = necksOf(mask_, distances_, startsInPatient, progress_);
         if (progress_.isStopped()) {
@@ -170,8 +171,8 @@ public:
         for (const Trunk& trunk : great.trunks) {
             for (std::size_t n = 0; n < trunk.radiusMm.size(); ++n) {
                 const auto voxel = voxelNear(mask_, trunk.pointsInPatient[n]);
-                if (voxel &&
-                    distances_.mm(wayToMiddle(*voxel, distances_).back()) <= mostBeyondSection * trunk.radiusMm[n]) {
+                if (voxel && distances_.mm(wayToMiddle(*voxel, distances_).back()) <=
+                                 mostBallBeyondSection * trunk.radiusMm[n]) {
                     middles.push_back(trunk.pointsInPatient[n]);
                 }
             }
@@ -199,7 +200,7 @@ private:
         return std::any_of(points.begin(), points.end(), [this](const Eigen::Vector3d& point) {
             const std::uint32_t middle = wayToMiddle(*voxelNear(mask_, point), distances_).back();
             return distances_.unitMm * necks_.units[middle] >=
-                   leastNeck * std::min(necks_.seedRadiusMm, distances_.mm(middle));
+                   leastNeckFromSeed * std::min(necks_.seedRadiusMm, distances_.mm(middle));
         });
     }
 

@@ -12,13 +12,13 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double leastFill = 0.5;   ///< the wall between wires
+constexpr double leastFillBetweenWires = 0.5;   ///< the wall between wires
 constexpr double leastBlood = 0.8;   ///< of what is seen between wires
-constexpr double leastNeck = 0.45;   ///< of the thinner lumen's radius, within one vessel
+constexpr double leastNeckWithin = 0.45;   ///< of the thinner lumen's radius, within one vessel
 constexpr double leastOpenShare = 0.5;   ///< of where two pieces meet, in one vessel
 constexpr double mostOpeningInRadii = 4.0;   ///< of a branch; the lumens of a torn aorta meet over more
-constexpr double besideMm = 10.0;   ///< around an opening, to tell the blood by
-constexpr std::size_t leastInner = 12;   ///< voxels that tell it
+constexpr double besideOpeningMm = 10.0;   ///< around an opening, to tell the blood by
+constexpr std::size_t leastInnerOfLumen = 12;   ///< voxels that tell it
 constexpr double mostDifference = 0.15;   ///< between blood of one vessel
 
 using Label = StentSite::Label;
@@ -44,7 +44,7 @@ struct Contact {
 class Widening {
 public:
     Widening(const VoxelMask& lumen, const StentWires& wires, const VoxelFill& fill, TracingProgress& progress)
-        : site_(lumen, wires, fill, besideMm)
+        : site_(lumen, wires, fill, besideOpeningMm)
     {
         labelPieces(progress);
     }
@@ -102,7 +102,7 @@ private:
             part.voxels[voxel] = site_.lumenAt(part.geometry.voxelAt(voxel)) != 0 ? 1 : 0;
         }
         const DistanceMap distances = distanceMap(part, 1, progress);
-        site_.labels.voxels = wideBasins(distances, leastNeck);
+        site_.labels.voxels = wideBasins(distances, leastNeckWithin);
         for (std::size_t voxel = 0; voxel < part.voxels.size(); ++voxel) {
             if (part.voxels[voxel] != 0) {
                 double& radiusMm = radiusMm_[site_.labels.voxels[voxel]];
@@ -117,7 +117,7 @@ private:
     {
         const double fill = site_.fillAt(to);
         const bool isRising = site_.isWire(to) && fill > site_.fillAt(from);
-        return fill >= leastFill && (isRising || !site_.isWire(from)) && site_.isBesideWires(to);
+        return fill >= leastFillBetweenWires && (isRising || !site_.isWire(from)) && site_.isBesideWires(to);
     }
 
     /// Whether it lies between different pieces; notes where they meet and where blood is seen there.
@@ -178,11 +178,11 @@ private:
     bool isSameBlood(const Pair& pair, const Contact& contact) const
     {
         const VoxelBox box = contact.box();
-        const Eigen::Vector3i reach = (besideMm / site_.geometry().spacingMm.array()).ceil().cast<int>();
+        const Eigen::Vector3i reach = (besideOpeningMm / site_.geometry().spacingMm.array()).ceil().cast<int>();
         const VoxelBox around{box.low - reach, box.high + reach};
         const StentSite::Fills first = site_.fillsOf(pair.first, around);
         const StentSite::Fills second = site_.fillsOf(pair.second, around);
-        if (first.inner.size() < leastInner || second.inner.size() < leastInner) {
+        if (first.inner.size() < leastInnerOfLumen || second.inner.size() < leastInnerOfLumen) {
             return std::min(quantile(first.all, 0.9), quantile(second.all, 0.9)) >= leastBlood;
         }
         return std::abs(medianOf(first.inner) - medianOf(second.inner)) <= mostDifference;

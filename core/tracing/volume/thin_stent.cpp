@@ -8,9 +8,10 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double leastFill = 0.7;   ///< of blood, as of a large vessel
-constexpr double mostFill = 1.6;
-constexpr double leastSlenderness = 1.6;   ///< spread along over spread across: of a tube as long as twice its width
+constexpr double leastFillOfStent = 0.7;   ///< of blood, as of a large vessel
+constexpr double mostFillOfStent = 1.6;
+constexpr double leastSlendernessOfStent =
+    1.6;   ///< spread along over spread across: of a tube as long as twice its width
 constexpr double mostAcrossMm = 3.5;   ///< spread across of a tube of 8 mm with its blur
 constexpr double endShare = 0.25;   ///< of half the length
 constexpr double beyondMm = 2.0;   ///< from a tip to the middle of where blood is looked for
@@ -71,7 +72,7 @@ public:
 
     bool isContinuedByBlood() const
     {
-        return alongMm_ > leastSlenderness * acrossMm_ && acrossMm_ < mostAcrossMm &&
+        return alongMm_ > leastSlendernessOfStent * acrossMm_ && acrossMm_ < mostAcrossMm &&
                isBloodBeyond(endOf(pointsMm_, middleMm_, axis_)) && isBloodBeyond(endOf(pointsMm_, middleMm_, -axis_));
     }
 
@@ -101,7 +102,7 @@ private:
     {
         const auto isBlood = [this](const Eigen::Vector3i& at) {
             const double fill = grid_.contains(at) ? fill_(at.x(), at.y(), at.z()) : 0.0;
-            return fill >= leastFill && fill <= mostFill;
+            return fill >= leastFillOfStent && fill <= mostFillOfStent;
         };
         bool isEven = isBlood(voxel);
         for (int axis = 0; axis < 3 && isEven; ++axis) {

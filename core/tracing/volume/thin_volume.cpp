@@ -99,9 +99,9 @@ bool isDeletable(unsigned neighbourhood)
 
 /// Works on a mask with a clear rim, so that every voxel has all its neighbours; knows its border voxels in ascending
 /// order.
-class Peeler {
+class VoxelPeeler {
 public:
-    explicit Peeler(VoxelMask rimmed)
+    explicit VoxelPeeler(VoxelMask rimmed)
         : strideY_(rimmed.geometry.size.x()),
           strideZ_(strideY_ * rimmed.geometry.size.y()),
           state_(std::move(rimmed.voxels)),
@@ -248,7 +248,7 @@ private:
 
 std::vector<std::size_t> thinnedInPlace(VoxelMask rimmed, TracingProgress& progress)
 {
-    Peeler peeler(std::move(rimmed));
+    VoxelPeeler peeler(std::move(rimmed));
     peeler.run(progress);
     return peeler.remaining();
 }

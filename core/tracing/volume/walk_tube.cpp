@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double leastTrust = 0.5;   ///< a sixth of the rays may miss the wall: branches leave there
+constexpr double leastTrustInWall = 0.5;   ///< a sixth of the rays may miss the wall: branches leave there
 constexpr double leastFlatTrust = 0.1;   ///< of a section that is closed: the true lumen of a torn aorta
 constexpr double leastClosed = 0.95;
 constexpr double mostWidening = 1.3;   ///< from one section to the next
@@ -26,7 +26,7 @@ struct Walker {
 /// Round, or flattened but with walls on all sides.
 bool isTube(const CrossSection& section)
 {
-    return section.trust >= leastTrust || (section.trust >= leastFlatTrust && section.closed >= leastClosed);
+    return section.trust >= leastTrustInWall || (section.trust >= leastFlatTrust && section.closed >= leastClosed);
 }
 
 bool isLike(const CrossSection& section, const Eigen::Vector3d& expected, double radiusMm)
@@ -43,7 +43,7 @@ std::optional<Walker> startAt(const Eigen::Vector3d& startMm, double radiusMm, c
         const Eigen::Vector3i neighbour(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
         const Eigen::Vector3d direction = neighbour.cast<double>().normalized();
         const CrossSection section = crossSection({startMm, direction, radiusMm, ground.voxelMm}, ground.fill);
-        if (section.trust >= leastTrust && (!best || section.radiusMm < best->radiusMm)) {
+        if (section.trust >= leastTrustInWall && (!best || section.radiusMm < best->radiusMm)) {
             best = Walker{section.centreMm, direction, section.radiusMm};
         }
     }

@@ -13,10 +13,10 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double thinningStepPx = 0.7;
+constexpr double curveThinningPx = 0.7;
 constexpr double curveWidth = 2.2;   ///< px at 100 %
 
-const Palette& tones()
+const Palette& curveTones()
 {
     return palette(ThemeMode::Dark);
 }
@@ -25,7 +25,7 @@ void addShadowedLine(StrokeMesh& mesh, const StrokeLine& line, double widthPx, d
 {
     StrokeLine shade = line;
     for (StrokePoint& point : shade) {
-        point.color = tones().canvas;
+        point.color = curveTones().canvas;
     }
     addLine(mesh, shade, {widthPx + 2.0, 0.55 * opacity, 1.5});
     addLine(mesh, line, {widthPx, opacity});
@@ -67,9 +67,9 @@ StrokeLine EditCurvesTool::lineOnCanvas(const std::vector<Eigen::Vector2d>& poin
     StrokeLine line;
     for (const Eigen::Vector2d& point : points) {
         const bool isTouched = brushes() && (point - mouse_->imagePx).norm() <= brushPx();
-        line.push_back({onCanvas(point, canvas), isTouched ? tones().attention : tone});
+        line.push_back({onCanvas(point, canvas), isTouched ? curveTones().attention : tone});
     }
-    return thinned(line, thinningStepPx);
+    return thinned(line, curveThinningPx);
 }
 
 void EditCurvesTool::drawStrokes(Canvas canvas) const
@@ -90,21 +90,21 @@ void EditCurvesTool::addCurves(StrokeMesh& mesh, Canvas canvas) const
     const double width = curveWidth * ratio;
     if (isDragging_) {
         for (const core::Curve2d& curve : curves_.curves) {   // what goes stays visible, faintly
-            addLine(mesh, lineOnCanvas(curve.pointsPx, tones().hint, canvas), {width, 0.6});
+            addLine(mesh, lineOnCanvas(curve.pointsPx, curveTones().hint, canvas), {width, 0.6});
         }
     }
     for (const core::Curve2d& curve : shown_.curves) {
         const bool isSuspect = std::ranges::find(suspects_, curve.id) != suspects_.end();
         if (curve.id == hovered_ || curve.id == chosenSuspect_) {
-            addShadowedLine(mesh, lineOnCanvas(curve.pointsPx, tones().textStrong, canvas), 2.0 * width, 1.0);
+            addShadowedLine(mesh, lineOnCanvas(curve.pointsPx, curveTones().textStrong, canvas), 2.0 * width, 1.0);
         } else if (isSuspect) {
-            addDashes(mesh, lineOnCanvas(curve.pointsPx, tones().attention, canvas), width, 7.0 * ratio);
+            addDashes(mesh, lineOnCanvas(curve.pointsPx, curveTones().attention, canvas), width, 7.0 * ratio);
         } else {
-            addShadowedLine(mesh, lineOnCanvas(curve.pointsPx, tones().accent, canvas), width, 1.0);
+            addShadowedLine(mesh, lineOnCanvas(curve.pointsPx, curveTones().accent, canvas), width, 1.0);
         }
     }
     if (hovered_ >= 0 && edit_ == CurveEdit::Cut) {
-        addDot(mesh, {onCanvas(nearestPoint(curves_, hovered_, mouse_->imagePx), canvas), tones().attention},
+        addDot(mesh, {onCanvas(nearestPoint(curves_, hovered_, mouse_->imagePx), canvas), curveTones().attention},
                5.0 * ratio, 1.0);
     }
 }
@@ -114,7 +114,7 @@ void EditCurvesTool::addRegion(StrokeMesh& mesh, Canvas canvas) const
     const double ratio = view().devicePixelRatio();
     if (std::vector<Eigen::Vector2d> ring = outline(); isDragging_ && ring.size() > 1) {
         ring.push_back(ring.front());
-        const Color& tone = isKeeping_ ? tones().textStrong : tones().attention;
+        const Color& tone = isKeeping_ ? curveTones().textStrong : curveTones().attention;
         addDashes(mesh, lineOnCanvas(ring, tone, canvas), 1.4 * ratio, 5.0 * ratio);
     }
 }
@@ -123,10 +123,10 @@ void EditCurvesTool::addPath(StrokeMesh& mesh, Canvas canvas) const
 {
     const double ratio = view().devicePixelRatio();
     const double width = curveWidth * ratio;
-    addShadowedLine(mesh, lineOnCanvas(path_.points(), tones().textStrong, canvas), width, 1.0);
-    addDashes(mesh, lineOnCanvas(path_.aimed(), tones().textStrong, canvas), width, 5.0 * ratio);
+    addShadowedLine(mesh, lineOnCanvas(path_.points(), curveTones().textStrong, canvas), width, 1.0);
+    addDashes(mesh, lineOnCanvas(path_.aimed(), curveTones().textStrong, canvas), width, 5.0 * ratio);
     for (const Eigen::Vector2d& anchor : path_.anchors()) {
-        addDot(mesh, {onCanvas(anchor, canvas), tones().textStrong}, 4.0 * ratio, 1.0);
+        addDot(mesh, {onCanvas(anchor, canvas), curveTones().textStrong}, 4.0 * ratio, 1.0);
     }
 }
 
@@ -136,7 +136,7 @@ void EditCurvesTool::addBrush(StrokeMesh& mesh, Canvas canvas) const
     for (int k = 0; k <= 48; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / 48;
         const Eigen::Vector2d onRim = mouse_->imagePx + brushPx() * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-        circle.push_back({onCanvas(onRim, canvas), tones().textStrong});
+        circle.push_back({onCanvas(onRim, canvas), curveTones().textStrong});
     }
     addShadowedLine(mesh, circle, 1.4 * view().devicePixelRatio(), 0.9);
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr double signRadius = 10.0;
 constexpr double signGap = 26.0;
 
-const Palette& tones()
+const Palette& suspectTones()
 {
     return palette(ThemeMode::Dark);
 }
@@ -106,9 +106,9 @@ void EditCurvesTool::suspectKey(const QKeyEvent& event)
 void EditCurvesTool::paint(QPainter& painter) const
 {
     for (const Sign& sign : signs()) {
-        const Color& tone = sign.accepts ? tones().fine : tones().attention;
+        const Color& tone = sign.accepts ? suspectTones().fine : suspectTones().attention;
         painter.setPen(QPen(toQColor(tone), 1.5));
-        painter.setBrush(toQColor(tones().field, 0.85));
+        painter.setBrush(toQColor(suspectTones().field, 0.85));
         const double radius = sign.curveId == chosenSuspect_ ? signRadius + 2.0 : signRadius;
         painter.drawEllipse(sign.centre, radius, radius);
         painter.setPen(QPen(toQColor(tone), 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));

@@ -12,7 +12,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double reachPx = 10.0;
+constexpr double landmarkReachPx = 10.0;
 constexpr double armPx = 7.0;
 constexpr double ringPx = 5.0;
 
@@ -21,7 +21,7 @@ double distance(const QPointF& a, const QPointF& b)
     return std::hypot(a.x() - b.x(), a.y() - b.y());
 }
 
-const Palette& tones()
+const Palette& landmarkTones()
 {
     return palette(ThemeMode::Dark);   // the angiogram lies on black in every theme
 }
@@ -48,7 +48,7 @@ QString LandmarkTool::caption() const
 std::optional<LandmarkTool::Held> LandmarkTool::heldAt(const QPointF& position) const
 {
     std::optional<Held> nearest;
-    double nearestPx = reachPx;
+    double nearestPx = landmarkReachPx;
     for (std::size_t i = 0; i < marks_.pairs.size(); ++i) {
         const double away = distance(view().widgetFromImage(marks_.pairs[i].pixel), position);
         if (away < nearestPx) {
@@ -146,19 +146,19 @@ void LandmarkTool::paintPair(QPainter& painter, const QString& label, const std:
     const auto place = pixel ? std::optional(view().widgetFromImage(*pixel)) : std::nullopt;
     const auto shadow = pointInPatient ? view().placeOf(*pointInPatient) : std::nullopt;
     if (place && shadow) {
-        painter.setPen(QPen(toQColor(tones().attention), 1.2, Qt::DotLine));
+        painter.setPen(QPen(toQColor(landmarkTones().attention), 1.2, Qt::DotLine));
         painter.drawLine(*place, *shadow);
     }
     if (shadow) {
-        painter.setPen(QPen(toQColor(tones().attention), 1.6));
+        painter.setPen(QPen(toQColor(landmarkTones().attention), 1.6));
         painter.drawEllipse(*shadow, ringPx, ringPx);
     }
     if (place) {
-        painter.setPen(QPen(toQColor(tones().accent), 1.8));
+        painter.setPen(QPen(toQColor(landmarkTones().accent), 1.8));
         painter.drawLine(*place - QPointF(armPx, 0.0), *place + QPointF(armPx, 0.0));
         painter.drawLine(*place - QPointF(0.0, armPx), *place + QPointF(0.0, armPx));
     }
-    painter.setPen(toQColor(tones().textStrong));
+    painter.setPen(toQColor(landmarkTones().textStrong));
     painter.drawText(place.value_or(shadow.value_or(QPointF())) + QPointF(armPx, -armPx), label);
 }
 
@@ -178,7 +178,7 @@ void LandmarkTool::paint(QPainter& painter) const
     } else if (marks_.pendingPixel || marks_.pendingPointInPatient) {
         paintPair(painter, next, marks_.pendingPixel, marks_.pendingPointInPatient);
     }
-    painter.setPen(QPen(toQColor(tones().textStrong), 1.4));
+    painter.setPen(QPen(toQColor(landmarkTones().textStrong), 1.4));
     for (const Eigen::Vector3d& node : marks_.nodesInPatient) {
         if (const auto place = view().placeOf(node)) {
             painter.drawEllipse(*place, 3.5, 3.5);

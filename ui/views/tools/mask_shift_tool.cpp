@@ -9,13 +9,13 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double stepPx = 0.25;
-constexpr double finePace = 0.2;
+constexpr double fineMaskPace = 0.2;
 constexpr double coarsePace = 4.0;
 
 std::optional<Eigen::Vector2d> stepOf(const QKeyEvent& event)
 {
     const double pace = event.modifiers().testFlag(Qt::ShiftModifier)     ? coarsePace
-                        : event.modifiers().testFlag(Qt::ControlModifier) ? finePace
+                        : event.modifiers().testFlag(Qt::ControlModifier) ? fineMaskPace
                                                                           : 1.0;
     const double step = pace * stepPx;
     switch (event.key()) {
@@ -68,7 +68,7 @@ bool MaskShiftTool::startDrag(const ToolPoint& pressed)
 
 void MaskShiftTool::drag(const ToolPoint& point)
 {
-    const double pace = point.modifiers.testFlag(Qt::ControlModifier) ? finePace : 1.0;
+    const double pace = point.modifiers.testFlag(Qt::ControlModifier) ? fineMaskPace : 1.0;
     const Eigen::Vector2d step = pace * (point.imagePx - last_);
     last_ = point.imagePx;
     moveTo(shift_ + step);

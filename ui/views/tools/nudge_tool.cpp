@@ -14,9 +14,9 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double finePace = 0.1;
+constexpr double fineNudgePace = 0.1;
 
-Eigen::Vector2d toVector(const QPointF& point)
+Eigen::Vector2d nudgeVector(const QPointF& point)
 {
     return {point.x(), point.y()};
 }
@@ -58,16 +58,17 @@ NudgeGrip NudgeTool::grip() const
     }
     const double scale = pivotInCamera.z() / view().zoom();
     const double radius = std::clamp(0.12 * std::min(view().width(), view().height()), 44.0, 110.0);
-    return {
-        toVector(view().widgetFromImage(*pixel)), radius, {scale / std::abs(camera.fx), scale / std::abs(camera.fy)}};
+    return {nudgeVector(view().widgetFromImage(*pixel)),
+            radius,
+            {scale / std::abs(camera.fx), scale / std::abs(camera.fy)}};
 }
 
 bool NudgeTool::startDrag(const ToolPoint& pressed)
 {
     const NudgeGrip grasped = grip();
-    const PoseHandle handle = handleAt(grasped, toVector(pressed.position));
+    const PoseHandle handle = handleAt(grasped, nudgeVector(pressed.position));
     if (handle != PoseHandle::None) {
-        nudge_.emplace(handle, grasped, toVector(pressed.position));
+        nudge_.emplace(handle, grasped, nudgeVector(pressed.position));
         dragged_ = {};
         emit dragStarted();
     }
@@ -77,8 +78,8 @@ bool NudgeTool::startDrag(const ToolPoint& pressed)
 void NudgeTool::drag(const ToolPoint& point)
 {
     if (nudge_) {
-        const double pace = point.modifiers.testFlag(Qt::ControlModifier) ? finePace : 1.0;
-        dragged_ = asSeen(nudge_->moveTo(toVector(point.position), pace), view());
+        const double pace = point.modifiers.testFlag(Qt::ControlModifier) ? fineNudgePace : 1.0;
+        dragged_ = asSeen(nudge_->moveTo(nudgeVector(point.position), pace), view());
         view().update();
         emit dragged(dragged_);
     }
@@ -103,8 +104,8 @@ void NudgeTool::cancelDrag()
 void NudgeTool::hover(const ToolPoint& point)
 {
     const NudgeGrip grasped = grip();
-    const PoseHandle handle = handleAt(grasped, toVector(point.position));
-    hotAngleRad_ = screenAngleRad(grasped.centre, toVector(point.position));
+    const PoseHandle handle = handleAt(grasped, nudgeVector(point.position));
+    hotAngleRad_ = screenAngleRad(grasped.centre, nudgeVector(point.position));
     if (handle != hotHandle_ || handle == PoseHandle::Roll) {
         view().update();
     }

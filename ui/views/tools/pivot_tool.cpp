@@ -12,7 +12,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double reachPx = 12.0;   // widget px
+constexpr double pivotReachPx = 12.0;   // widget px
 constexpr double nodeReachPx = 8.0;   // a click so near to a bifurcation means it
 
 }   // namespace
@@ -63,7 +63,7 @@ std::optional<Eigen::Vector3d> PivotTool::placeAt(const ToolPoint& point) const
         return std::nullopt;
     }
     return core::placeUnderPixel(tree_, {view().camera(), view().cameraFromPatient()}, point.imagePx,
-                                 reachPx / view().zoom());
+                                 pivotReachPx / view().zoom());
 }
 
 bool PivotTool::click(const ToolPoint& point)
