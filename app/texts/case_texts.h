@@ -15,7 +15,8 @@ inline constexpr const char* notForClinicalUse = "Not for clinical use";
 /// "header", "derived", "user", "assumed" or "missing".
 std::string originText(core::Origin origin);
 
-/// Corner texts of PEERS §4 row 6: patient and study on top, geometry with its basis at the bottom right.
+/// Corner texts where readers of other viewers look for them: patient and study on top, geometry with its basis at the
+/// bottom right.
 /// The bottom left is the caller's: frame, window and zoom belong to the view.
 ui::CornerTexts cornerTexts(const core::RegistrationCase& registrationCase, Identity identity);
 

@@ -16,7 +16,8 @@ struct Color {
     std::array<double, 3> unit() const { return {red / 255.0, green / 255.0, blue / 255.0}; }   ///< as VTK wants it
 };
 
-/// Every tone of the window (WINDOW.md); the only place with a colour value.
+/// Every tone of the window; the only place with a colour value, so that Qt and VTK agree and a theme is one table.
+/// Black around the image, neutral greys elsewhere, nothing pure white: the image is what is looked at.
 struct Palette {
     Color title, window, panel, field, line;
     Color textStrong, text, label, hint;
