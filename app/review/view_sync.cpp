@@ -239,7 +239,7 @@ void ViewSync::setIdentityHidden(bool hidden)
 void ViewSync::showCornerTexts()
 {
     const Identity identity = identityHidden_ ? Identity::Hidden : Identity::Shown;
-    window_.angiogramView().setCornerTexts(cornerTexts(document_.current(), identity));
+    window_.angiogramView().setCornerTexts(windowTexts(cornerLines(document_.current(), identity)));
 }
 
 void ViewSync::showFrameNote()
