@@ -66,7 +66,10 @@ ViewSync::ViewSync(ui::MainWindow& window, const CaseDocument& document, QObject
     : QObject(parent), window_(window), document_(document)
 {
     connect(&opacification_, &QFutureWatcherBase::finished, this, &ViewSync::publishMeasured);
-    ui::speak(this, [this] { showFrameNote(); });
+    ui::speak(this, [this] {
+        showFrameNote();
+        showCornerTexts();
+    });
 }
 
 void ViewSync::refresh()
