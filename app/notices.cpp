@@ -2,7 +2,6 @@
 
 #include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
-#include "ui/words/core_texts.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -25,10 +24,10 @@ Notices::Notices(ui::MainWindow& window, std::function<bool()> isBusy, QObject* 
 void Notices::showNote(const QString& note)
 {
     if (isBusy_()) {
-        window_.strip().showStatus(ui::coreText(note));
+        window_.strip().showStatus(note);
         return;
     }
-    window_.strip().showIdle(ui::coreText(note));
+    window_.strip().showIdle(note);
     noteTimer_.start(6s);
 }
 
@@ -37,7 +36,7 @@ void Notices::showProblem(const QString& heading, const QString& reason, const Q
     QStringList details{tr("AngioPose %1").arg(QCoreApplication::applicationVersion()),
                         QDateTime::currentDateTime().toString(Qt::ISODate)};
     details += paths;
-    ui::MessageDialog::show({heading, ui::coreText(reason), details.join(QLatin1Char('\n'))}, &window_);
+    ui::MessageDialog::show({heading, reason, details.join(QLatin1Char('\n'))}, &window_);
 }
 
 }   // namespace angiopose::app

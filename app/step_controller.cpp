@@ -2,7 +2,7 @@
 
 #include "app/step_states.h"
 #include "ui/main_window.h"
-#include "ui/words/core_texts.h"
+#include "ui/words/message_text.h"
 
 namespace angiopose::app {
 
@@ -21,7 +21,7 @@ StepController::StepController(const Parts& parts, QObject* parent) : QObject(pa
 void StepController::show()
 {
     StepFacts facts;
-    facts.targetProblem = ui::coreText(on_.target.problem());
+    facts.targetProblem = ui::messageText(on_.target.problem());
     facts.isTracing = on_.target.isTracing();
     facts.isRunning = on_.registration.isRunning();
     facts.poseEdited = on_.pose.isMovedFromStart();

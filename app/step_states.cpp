@@ -1,7 +1,7 @@
 #include "app/step_states.h"
 
 #include "core/imaging/patient_match.h"
-#include "ui/words/core_texts.h"
+#include "ui/words/message_text.h"
 #include "ui/words/number.h"
 
 #include <QCoreApplication>
@@ -45,9 +45,9 @@ StepState angiogram(const core::RegistrationCase& current, const StepFacts& fact
     if (facts.isTracing) {
         return {StepMark::Open, StepWords::tr("tracing …"), {}};
     }
-    if (const std::string mismatch = core::findMismatch(current.scanIdentity, current.angiogram->identity);
+    if (const auto mismatch = core::findMismatch(current.scanIdentity, current.angiogram->identity);
         !mismatch.empty()) {
-        return {StepMark::Look, StepWords::tr("another patient?"), ui::coreText(mismatch)};
+        return {StepMark::Look, StepWords::tr("another patient?"), ui::messagesText(mismatch)};
     }
     if (core::givenTargetOf(current)) {
         return {StepMark::Done,
@@ -75,13 +75,13 @@ StepState geometry(const core::RegistrationCase& current)
         return {};
     }
     if (const auto camera = core::cameraOf(current); !camera) {
-        return {StepMark::Look, StepWords::tr("incomplete"), ui::coreText(camera.error().message)};
+        return {StepMark::Look, StepWords::tr("incomplete"), ui::messageText(camera.error().message)};
     }
     if (current.cameraOverride) {
         return {StepMark::Done, StepWords::tr("from the case"), {}};
     }
     if (const auto contradictions = core::contradictionsOf(current); !contradictions.empty()) {
-        return {StepMark::Look, StepWords::tr("contradictory"), ui::coreText(contradictions.front())};
+        return {StepMark::Look, StepWords::tr("contradictory"), ui::messageText(contradictions.front())};
     }
     if (isAssumed(current.cArm)) {
         return {StepMark::Look, StepWords::tr("partly assumed"),
@@ -94,7 +94,7 @@ StepState geometry(const core::RegistrationCase& current)
             return {StepMark::Look, StepWords::tr("pixel spacing derived"),
                     StepWords::tr(
                         "The header gives no pixel spacing: %1. Type it, or press Enter in the field to confirm it.")
-                        .arg(ui::coreText(current.cArm.columnSpacingMm.basis))};
+                        .arg(QString::fromStdString(current.cArm.columnSpacingMm.basis))};
         default:
             return {StepMark::Done, StepWords::tr("from the header"), {}};
     }
@@ -106,7 +106,7 @@ StepState startPose(const core::RegistrationCase& current)
         return {};
     }
     if (const auto start = core::startPoseOf(current); !start) {
-        return {StepMark::Look, StepWords::tr("missing"), ui::coreText(start.error().message)};
+        return {StepMark::Look, StepWords::tr("missing"), ui::messageText(start.error().message)};
     }
     return {StepMark::Done,
             current.hasInitialPose
@@ -137,7 +137,7 @@ StepState review(const core::RegistrationCase& current)
     if (!current.result->trustworthy) {
         const auto& warnings = current.result->warnings;
         return {StepMark::Look, StepWords::tr("look closely"),
-                warnings.empty() ? QString() : ui::coreText(warnings.front())};
+                warnings.empty() ? QString() : ui::messageText(warnings.front())};
     }
     return {StepMark::Done, StepWords::tr("%1 mm median").arg(ui::numberText(current.result->metrics.medianMm, 2)), {}};
 }

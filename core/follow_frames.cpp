@@ -1,5 +1,7 @@
 #include "core/follow_frames.h"
 
+#include "core/messages/says.h"
+
 #include <algorithm>
 
 namespace angiopose::core {
@@ -8,17 +10,13 @@ namespace {
 Status checkCase(const RegistrationCase& registrationCase)
 {
     if (!registrationCase.angiogram || registrationCase.angiogram->frameCount() < 2) {
-        return Error{"There is only one frame: nothing to follow. Open a run of several frames."};
+        return Error(says::followOneFrame());
     }
     if (registrationCase.givenTarget && !registrationCase.editedFrame) {
-        return Error{
-            "The vessels of this frame are given by a file, those of the others are not. Take the given "
-            "centreline out of the case to trace every frame."};
+        return Error(says::followGivenTarget());
     }
     if (!registrationCase.angiogram->gantry.angleIncrementsDeg.empty()) {
-        return Error{
-            "The gantry turns during this run: frames show other views, not only motion. Register the frames "
-            "one by one, or as views together."};
+        return Error(says::followGantryTurns());
     }
     return Done{};
 }

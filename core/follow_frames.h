@@ -4,6 +4,7 @@
 #include "core/registration_case.h"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace angiopose::core {
@@ -12,7 +13,7 @@ namespace angiopose::core {
 struct FollowedFrame {
     int frame = 0;
     TrackedFrame tracked;   ///< without a traced vessel: the pose of the frame before, not trustworthy
-    std::string problem;   ///< why nothing was traced; empty when something was
+    std::optional<Message> problem;   ///< why nothing was traced
 };
 
 /// Follows the vessels from the case's frame and pose to the end of the run, then back to its beginning

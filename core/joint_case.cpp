@@ -1,14 +1,11 @@
 #include "core/joint_case.h"
 
+#include "core/registration/register_views.h"
+
 #include <cassert>
 
 namespace angiopose::core {
 namespace {
-
-Error inView(std::size_t index, const Error& error)
-{
-    return {"View " + std::to_string(index + 1) + ": " + error.message};
-}
 
 RegistrationCase withVesselsOf(const RegistrationCase& first, RegistrationCase view)
 {

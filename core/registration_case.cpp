@@ -1,25 +1,26 @@
 #include "core/registration_case.h"
 
 #include "core/geometry/geometry_checks.h"
+#include "core/messages/says.h"
 
 namespace angiopose::core {
 
 Result<ProjectionCamera> cameraOf(const RegistrationCase& registrationCase)
 {
     if (registrationCase.cameraOverride) {
-        if (const std::string problem = findProblem(*registrationCase.cameraOverride); !problem.empty()) {
-            return Error{problem};
+        if (const auto problem = findProblem(*registrationCase.cameraOverride)) {
+            return Error(*problem);
         }
         return *registrationCase.cameraOverride;
     }
     if (!registrationCase.angiogram) {
-        return Error{"There is no angiogram yet. Open an image first."};
+        return Error(says::noAngiogram());
     }
     return cameraFromCArm(registrationCase.cArm, registrationCase.angiogram->width(),
                           registrationCase.angiogram->height());
 }
 
-std::vector<std::string> contradictionsOf(const RegistrationCase& registrationCase)
+Messages contradictionsOf(const RegistrationCase& registrationCase)
 {
     if (!registrationCase.angiogram || registrationCase.cameraOverride) {
         return {};
@@ -53,7 +54,7 @@ Result<RigidTransform> poseFromAngles(const RegistrationCase& registrationCase)
 {
     const auto& isocentre = registrationCase.cArm.isocentreInPatientMm.value;
     if (!isocentre && !registrationCase.tree) {
-        return Error{"There is no vessel tree yet. Open a centreline first."};
+        return Error(says::noVesselTree());
     }
     return cameraFromPatient(cArmOfFrame(registrationCase),
                              isocentre ? *isocentre : centroidInPatient(*registrationCase.tree));
@@ -102,7 +103,7 @@ Result<Centerline2d> targetOf(const RegistrationCase& registrationCase)
         return *given;
     }
     if (!registrationCase.angiogram || registrationCase.angiogram->frames.empty()) {
-        return Error{"There is no angiogram yet. Open an image first."};
+        return Error(says::noAngiogram());
     }
     auto trace = traceFrame(*registrationCase.angiogram, registrationCase.frame, registrationCase.traceOptions);
     if (!trace) {
@@ -131,7 +132,7 @@ std::shared_ptr<const ImageF> imageOf(const RegistrationCase& registrationCase, 
 Result<RegistrationInput> registrationInputOf(const RegistrationCase& registrationCase, Centerline2d target)
 {
     if (!registrationCase.tree) {
-        return Error{"There is no vessel tree yet. Open a centreline first."};
+        return Error(says::noVesselTree());
     }
     auto camera = cameraOf(registrationCase);
     if (!camera) {

@@ -97,7 +97,7 @@ Result<ProjectionCamera> cameraOf(const RegistrationCase& registrationCase);
 CArm cArmOfFrame(const RegistrationCase& registrationCase);
 
 /// What in the geometry of the case makes no sense, see findContradictions; nothing while a camera overrides it.
-std::vector<std::string> contradictionsOf(const RegistrationCase& registrationCase);
+Messages contradictionsOf(const RegistrationCase& registrationCase);
 
 /// The start pose of the case: given, or from the angles of the frame with the isocentre where the case has it, else in
 /// the tree's centroid.

@@ -6,6 +6,7 @@
 #include "io/dicom/open_dicom.h"
 #include "io/dicom/read_dicom.h"
 #include "io/dicom/write_dicom.h"
+#include "io/messages/says.h"
 #include "io/raster/read_raster.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
@@ -25,12 +26,12 @@ core::Result<core::Angiogram> rasterAngiogram(std::string_view content, const st
     }
     core::Angiogram angiogram;
     if (raster.value().wasColour) {
-        angiogram.warnings.emplace_back("Colour image converted to grey.");
+        angiogram.warnings.push_back(says::colourToGrey());
     }
     if (raster.value().hadAlpha) {
-        angiogram.warnings.emplace_back("The transparency of the image is ignored.");
+        angiogram.warnings.push_back(says::transparencyIgnored());
     }
-    angiogram.warnings.emplace_back("A plain image has no C-arm geometry: enter it in the geometry of the case.");
+    angiogram.warnings.push_back(says::plainImage());
     angiogram.frames = std::move(raster).value().frames;
     return angiogram;
 }
@@ -43,13 +44,11 @@ core::Result<core::Angiogram> angiogramFrom(std::string_view content, const std:
     if (looksLikeRaster(content)) {
         return rasterAngiogram(content, path);
     }
-    const std::string_view found = describeContent(content);
-    if (found.empty()) {
-        return fileError(path,
-                         "this is no image that this program reads. Choose a DICOM XA run, a PNG, TIFF or JPEG image.");
+    const auto* found = describeContent(content);
+    if (found == nullptr) {
+        return fileError(path, says::imageUnknown());
     }
-    return fileError(path, "this is " + std::string(found) +
-                               ", not an angiogram. Choose a DICOM XA run, a PNG, TIFF or JPEG image.");
+    return fileError(path, says::imageIsOther((*found)()));
 }
 
 }   // namespace
@@ -65,9 +64,7 @@ core::Result<core::Angiogram> readAngiogram(const std::string& path)
     if (content.starts_with("\x1f\x8b")) {   // gzip, as archives of DICOM files often are
         auto inflatedContent = inflated(content, Packing::Gzip, maxUnpackedBytes);
         if (!inflatedContent || !looksLikeDicom(*inflatedContent)) {
-            return fileError(path,
-                             "this is a gzip archive without a readable DICOM file in it. Unpack it and choose the "
-                             "angiogram itself.");
+            return fileError(path, says::imageGzipWithoutDicom());
         }
         unpacked = std::move(*inflatedContent);
         content = unpacked;
@@ -78,7 +75,7 @@ core::Result<core::Angiogram> readAngiogram(const std::string& path)
     }
     core::Angiogram result = std::move(angiogram).value();
     if (result.frames.size() == 1 && core::drawnMask(result.frames.front())) {
-        result.warnings.emplace_back("The picture is a mask of two levels: its vessels are taken as they are drawn.");
+        result.warnings.push_back(says::pictureIsMask());
     }
     result.suggestedFrame = result.frames.size() > 1 ? core::suggestFrame(result.frames, result.polarity) : 0;
     return result;
@@ -93,7 +90,7 @@ bool looksLikeImageFile(const std::string& path)
 core::Status writeAngiogram(const core::Angiogram& angiogram, const std::string& path)
 {
     const auto content = dicomText(angiogram);
-    return content ? writeAtomically(path, content.value()) : fileError(path, content.error().message);
+    return content ? writeAtomically(path, content.value()) : fileError(path, content.error());
 }
 
 }   // namespace angiopose::io

@@ -7,6 +7,7 @@
 #include "io/case/case_schema.h"
 #include "io/case/saved_files.h"
 #include "io/case/view_inputs.h"
+#include "io/messages/says.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -35,11 +36,11 @@ core::Result<std::string> readCaseText(const std::string& path)
     }
     const std::string_view content = input.value().view();
     if (content.size() > maxCaseBytes) {
-        return fileError(path, "it is too large for a case file. Choose an .angiopose file.");
+        return fileError(path, says::caseTooLarge());
     }
-    const std::string_view found = describeContent(content);
-    if (!found.empty() && found != "a JSON file") {
-        return fileError(path, "this is " + std::string(found) + ", not a case. Choose an .angiopose file.");
+    const auto* found = describeContent(content);
+    if (found != nullptr && found != &says::aJsonFile) {
+        return fileError(path, says::caseIsOther((*found)()));
     }
     if (const auto valid = checkJson(content, path); !valid) {
         return valid.error();
@@ -83,19 +84,19 @@ core::Result<CaseDocument> documentOf(const core::OtherView& other, std::vector<
 
 /// A view that cannot be had is a warning: the case opens without.
 void loadOtherViews(RegistrationCase& loaded, std::vector<CaseDocument> standing, const std::string& path,
-                    std::vector<std::string>& warnings)
+                    core::Messages& warnings)
 {
-    std::vector<std::string> found;
+    core::Messages found;
     for (core::OtherView& other : loaded.otherViews) {
         auto document = documentOf(other, standing);
         if (document) {
             other.view = std::make_shared<const RegistrationCase>(
                 loadOtherView(std::move(document).value(), loaded, path, found));
         } else {
-            found.push_back("Another view is left out: " + document.error().message);
+            found.push_back(says::caseViewLeftOut(document.error().message));
         }
     }
-    for (std::string& warning : found) {   // what holds for all images of a study is said once
+    for (core::Message& warning : found) {   // what holds for all images of a study is said once
         if (std::ranges::find(warnings, warning) == warnings.end()) {
             warnings.push_back(std::move(warning));
         }
@@ -125,8 +126,8 @@ std::string inputAt(const RegistrationCase& registrationCase, const std::string&
 
 }   // namespace
 
-core::Result<RegistrationCase> loadCase(const std::string& path, std::vector<std::string>& warnings,
-                                        const ReadObserver& observe, const MovedInputs& moved)
+core::Result<RegistrationCase> loadCase(const std::string& path, core::Messages& warnings, const ReadObserver& observe,
+                                        const MovedInputs& moved)
 {
     try {
         auto read = readDocument(path);
@@ -147,7 +148,7 @@ core::Result<RegistrationCase> loadCase(const std::string& path, std::vector<std
         loadOtherViews(values, std::move(standing), path, warnings);
         return values;
     } catch (const std::exception&) {   // a value the schema let through
-        return fileError(path, "a value in it has the wrong kind. Compare it with the published schema.");
+        return fileError(path, says::caseWrongKind());
     }
 }
 
@@ -170,11 +171,11 @@ core::Result<std::vector<MissingInput>> missingInputs(const std::string& casePat
         }
         return missing;
     } catch (const std::exception&) {
-        return fileError(casePath, "a value in it has the wrong kind. Compare it with the published schema.");
+        return fileError(casePath, says::caseWrongKind());
     }
 }
 
-core::Result<std::vector<std::string>> validateCase(const std::string& path)
+core::Result<core::Messages> validateCase(const std::string& path)
 {
     const auto text = readCaseText(path);
     if (!text) {
@@ -196,11 +197,11 @@ core::Result<std::vector<std::string>> validateCase(const std::string& path)
         }
         return std::move(document.problems);
     } catch (const std::exception&) {
-        return fileError(path, "a value in it has the wrong kind. Compare it with the published schema.");
+        return fileError(path, says::caseWrongKind());
     }
 }
 
-core::Result<std::vector<std::string>> doubtsOfCase(const std::string& path)
+core::Result<core::Messages> doubtsOfCase(const std::string& path)
 {
     const auto text = readCaseText(path);
     if (!text) {
@@ -218,29 +219,27 @@ core::Result<std::vector<std::string>> doubtsOfCase(const std::string& path)
         auto doubts = core::findContradictions(values.cArm, angiogram.value().gantry,
                                                {angiogram.value().width(), angiogram.value().height()});
         if (!values.cameraOverride && !values.hasInitialPose) {
-            for (std::string& missing : core::findMissing(values.cArm)) {
+            for (core::Message& missing : core::findMissing(values.cArm)) {
                 doubts.push_back(std::move(missing));
             }
         }
         return doubts;
     } catch (const std::exception&) {
-        return fileError(path, "a value in it has the wrong kind. Compare it with the published schema.");
+        return fileError(path, says::caseWrongKind());
     }
 }
 
-std::string findUnsavable(const RegistrationCase& registrationCase)
+std::optional<core::Message> findUnsavable(const RegistrationCase& registrationCase)
 {
     if (!registrationCase.tree && registrationCase.volume) {
-        return "a scan alone is no case yet: the case file needs traced vessels and an angiogram. Trace the vessels "
-               "and "
-               "open an angiogram before saving; the scan itself stays as it is.";
+        return says::caseScanAlone();
     }
     if (registrationCase.centerlineFile.path.empty() || registrationCase.imageFile.path.empty()) {
-        return "a case needs a vessel tree and an angiogram. Open both before saving.";
+        return says::caseIncomplete();
     }
     if (!core::isRigid(registrationCase.cameraFromPatient) ||
         (registrationCase.hasInitialPose && !core::isRigid(registrationCase.initialCameraFromPatient))) {
-        return "the pose is not a rigid motion of finite numbers. Reset the pose before saving.";
+        return says::casePoseNotRigid();
     }
     return {};
 }
@@ -248,10 +247,10 @@ std::string findUnsavable(const RegistrationCase& registrationCase)
 core::Status saveCase(const RegistrationCase& registrationCase, const std::string& path)
 {
     if (const std::string input = inputAt(registrationCase, path); !input.empty()) {
-        return fileError(path, "this is an input of the case and will not be overwritten. Choose another name.");
+        return fileError(path, says::caseIsInput());
     }
-    if (const std::string unsavable = findUnsavable(registrationCase); !unsavable.empty()) {
-        return fileError(path, unsavable);
+    if (const auto unsavable = findUnsavable(registrationCase)) {
+        return fileError(path, *unsavable);
     }
     RegistrationCase hashed = registrationCase;
     if (auto completed = completeFiles(hashed, path); !completed) {
@@ -261,7 +260,7 @@ core::Status saveCase(const RegistrationCase& registrationCase, const std::strin
         const fs::path folder = fs::weakly_canonical(fs::absolute(path).parent_path());
         return writeAtomically(path, caseDocumentText(hashed, folder));
     } catch (const std::exception&) {   // JSON is UTF-8, file names need not be
-        return fileError(path, "a file name or a text in the case is not UTF-8. Rename the file.");
+        return fileError(path, says::caseNotUtf8());
     }
 }
 

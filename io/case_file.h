@@ -5,6 +5,7 @@
 #include "io/moved_inputs.h"
 #include "io/support/read_observer.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,18 +18,18 @@ std::string_view caseSchema();
 /// An input whose content no longer matches its stored hash loads with a warning. Vessels given as a volume, a
 /// segmentation or a surface are traced: `observe` shows the progress and can stop it. Inputs in `moved` are read from
 /// there instead.
-core::Result<core::RegistrationCase> loadCase(const std::string& path, std::vector<std::string>& warnings,
+core::Result<core::RegistrationCase> loadCase(const std::string& path, core::Messages& warnings,
                                               const ReadObserver& observe = {}, const MovedInputs& moved = {});
 
 /// Schema and meaning only, without loading the inputs: every problem found, empty when the case is fine.
-core::Result<std::vector<std::string>> validateCase(const std::string& path);
+core::Result<core::Messages> validateCase(const std::string& path);
 
 /// What in a case's geometry is missing or makes no sense together with the header of its image, which is read.
 /// Nothing of it keeps the case from loading. Fails where the case or the image cannot be read.
-core::Result<std::vector<std::string>> doubtsOfCase(const std::string& path);
+core::Result<core::Messages> doubtsOfCase(const std::string& path);
 
-/// What the case lacks to be written as a file that opens again, in a sentence for the user; empty when nothing.
-std::string findUnsavable(const core::RegistrationCase& registrationCase);
+/// What the case lacks to be written as a file that opens again.
+std::optional<core::Message> findUnsavable(const core::RegistrationCase& registrationCase);
 
 /// Writes atomically (temporary file, flush, rename); paths relative to the case file, hashes of the inputs,
 /// keys unknown to this version kept.

@@ -2,6 +2,7 @@
 
 #include "core/tracing/trace_angiogram.h"
 #include "core/vessel/polyline.h"
+#include "io/messages/says.h"
 #include "io/raster/read_raster.h"
 #include "io/support/atomic_file.h"
 #include "io/support/csv_table.h"
@@ -31,16 +32,13 @@ core::Result<CurveColumns> columnsOf(const CsvTable& table)
 {
     const auto x = table.column("x"), y = table.column("y");
     if (!x || !y) {
-        return fileError(table.path,
-                         "the header row has no columns x and y. The first line must name the columns: x,y and, where "
-                         "known, branch,radius (px).");
+        return fileError(table.path, says::centrelineNoColumns());
     }
     if (table.column("z")) {
-        return fileError(table.path,
-                         "it has a column z: this is a 3-D centreline. Choose the centreline traced in the image.");
+        return fileError(table.path, says::centrelineIs3d());
     }
     if (table.rows.size() > maxPoints) {
-        return fileError(table.path, "it has more than a million points. Resample the centreline.");
+        return fileError(table.path, says::centrelineTooLong());
     }
     return CurveColumns{*x, *y, table.column("branch"), table.column("radius")};
 }
@@ -54,8 +52,7 @@ core::Status appendRow(const CsvTable& table, std::size_t row, const CurveColumn
         return u ? v.error() : u.error();
     }
     if (std::max(std::abs(u.value()), std::abs(v.value())) > maxCoordinatePx) {
-        return fileError(table.path, "line " + std::to_string(table.lineOfRow[row]) +
-                                         " lies far outside any image. Coordinates are in pixels.");
+        return fileError(table.path, says::centrelineOutside(table.lineOfRow[row]));
     }
     const auto id = columns.branch ? branchAt(table, row, *columns.branch) : core::Result<int>(1);
     if (!id) {
@@ -115,14 +112,14 @@ core::Result<Centerline2d> centerlineFromMask(std::string_view content, const st
     const core::ImageF& image = raster.value().frames.front();
     const auto [low, high] = std::minmax_element(image.pixels.begin(), image.pixels.end());
     if (*low == *high || !isMask(image, *low, *high)) {
-        return fileError(path, "this is not a mask of two levels. Draw the vessels white on black.");
+        return fileError(path, says::centrelineNoMask());
     }
     core::Mask2d mask(image.width, image.height);
     for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
         mask.pixels[i] = image.pixels[i] > 0.5F * (*low + *high) ? 255 : 0;
     }
     const auto traced = core::traceMask(mask);
-    return traced ? traced : fileError(path, traced.error().message);
+    return traced ? traced : fileError(path, traced.error());
 }
 
 }   // namespace
@@ -137,17 +134,16 @@ core::Result<Centerline2d> readCenterline2d(const std::string& path)
     if (looksLikeRaster(content)) {
         return centerlineFromMask(content, path);
     }
-    const std::string_view found = describeContent(content);
-    if (!found.empty()) {
-        return fileError(path,
-                         "this is " + std::string(found) + ", not a 2-D centreline. Choose a CSV table or a PNG mask.");
+    const auto* found = describeContent(content);
+    if (found != nullptr) {
+        return fileError(path, says::centrelineIsOther((*found)()));
     }
     auto centerline = centerlineFromTable(content, path);
     if (!centerline) {
         return centerline;
     }
-    if (const std::string problem = core::findProblem(centerline.value()); !problem.empty()) {
-        return fileError(path, problem);
+    if (const auto problem = core::findProblem(centerline.value())) {
+        return fileError(path, *problem);
     }
     return centerline;
 }

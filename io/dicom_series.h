@@ -7,6 +7,7 @@
 #include "io/series/slice_stack.h"
 #include "io/support/read_observer.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,12 +19,12 @@ struct DicomSeries {
     core::StudyIdentity identity;
     std::string description;
     int number = 0;   ///< Series Number
-    std::string part;   ///< what tells it from other volumes of its series, e.g. "part 2 of 10"; often empty
+    std::optional<core::Message> part;   ///< what tells it from other volumes of its series, e.g. "part 2 of 10"
     bool isAngiogram = false;   ///< a projection; `slices.front().path` is the run
     std::vector<SliceRecord> slices;   ///< ordered along the normal of their planes
     SliceStack stack;   ///< of a volume
-    std::vector<std::string> warnings;   ///< missing slices, tilt, uneven spacing, duplicates, …
-    std::string problem;   ///< why it cannot be opened; empty when it can
+    core::Messages warnings;   ///< missing slices, tilt, uneven spacing, duplicates, …
+    std::optional<core::Message> problem;   ///< why it cannot be opened
 };
 
 /// Series of all DICOM files in a folder and below it, largest volume first; other files are passed over. Fails when
@@ -35,8 +36,7 @@ core::Result<DicomSeries> seriesOfFile(const std::string& path, const ReadObserv
 
 /// The volume of a series, slices decoded one after the other into place. Values are Hounsfield units for CT.
 /// What was lost or mended is added to `warnings`.
-core::Result<core::Volume> readSeries(const DicomSeries& series, const ReadObserver& observe,
-                                      std::vector<std::string>& warnings);
+core::Result<core::Volume> readSeries(const DicomSeries& series, const ReadObserver& observe, core::Messages& warnings);
 
 /// SHA-256 over the hashes of the slices' files in their order: the identity of a series as an input of a case.
 core::Result<std::string> sha256OfSeries(const DicomSeries& series);

@@ -1,5 +1,6 @@
 #include "io/file_hash.h"
 
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 
@@ -13,7 +14,7 @@ core::Result<std::string> sha256OfText(std::string_view text)
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
     unsigned int size = 0;
     if (EVP_Digest(text.data(), text.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1) {
-        return core::Error{"SHA-256 cannot be computed. Check the OpenSSL installation."};
+        return core::Error(says::hashImpossible());
     }
     constexpr std::string_view digits = "0123456789abcdef";
     std::string hex;
@@ -31,7 +32,7 @@ core::Result<std::string> sha256OfFile(const std::string& path)
         return input.error();
     }
     const auto hash = sha256OfText(input.value().view());
-    return hash ? hash : fileError(path, hash.error().message);
+    return hash ? hash : fileError(path, hash.error());
 }
 
 }   // namespace angiopose::io

@@ -1,5 +1,6 @@
 #include "io/image_file.h"
 
+#include "io/messages/says.h"
 #include "io/raster/png_text.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
@@ -13,7 +14,7 @@ core::Status writePixels(const PngPixels& pixels, const std::string& path,
     const auto expected = static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height) *
                           static_cast<std::size_t>(pixels.channels);
     if (expected == 0 || pixels.bytes->size() != expected) {
-        return fileError(path, "there is no picture to write. Render or trace one first.");
+        return fileError(path, says::pictureMissing());
     }
     return writeAtomically(path, encodedPng(pixels, texts));
 }

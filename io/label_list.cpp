@@ -1,6 +1,7 @@
 #include "io/label_list.h"
 
 #include "io/dicom/open_dicom.h"
+#include "io/messages/says.h"
 #include "io/series/dicom_segmentation.h"
 #include "io/support/numbers.h"
 #include "io/volume/nrrd_fields.h"
@@ -127,14 +128,16 @@ std::vector<int> vesselsByName(const std::vector<ListedLabel>& labels)
     return found.size() == labels.size() ? std::vector<int>() : found;
 }
 
-std::string labelText(const std::vector<ListedLabel>& labels)
+std::vector<std::string> labelTexts(const std::vector<ListedLabel>& labels)
 {
-    std::string text;
+    std::vector<std::string> texts;
     for (std::size_t i = 0; i < std::min(labels.size(), mostMentioned); ++i) {
-        text += (i == 0 ? "" : ", ") + std::to_string(labels[i].label);
-        text += labels[i].name.empty() ? "" : " " + labels[i].name;
+        texts.push_back(std::to_string(labels[i].label) + (labels[i].name.empty() ? "" : " " + labels[i].name));
     }
-    return labels.size() > mostMentioned ? text + ", …" : text;
+    if (labels.size() > mostMentioned) {
+        texts.emplace_back("…");
+    }
+    return texts;
 }
 
 core::Result<std::vector<int>> labelsCalled(const std::vector<std::string>& wanted,
@@ -147,8 +150,9 @@ core::Result<std::vector<int>> labelsCalled(const std::vector<std::string>& want
             return number ? label.label == *number : lowered(label.name) == lowered(each);
         });
         if (found == labels.end()) {
-            return core::Error{"it has no label \"" + each.substr(0, 40) + "\" but " +
-                               (labels.empty() ? "none at all" : labelText(labels)) + ". Choose one of these."};
+            const std::string asked = each.substr(0, 40);
+            return core::Error(labels.empty() ? says::labelsNoSuchName(asked, says::labelsNone())
+                                              : says::labelsNoSuchName(asked, labelTexts(labels)));
         }
         numbers.push_back(found->label);
     }

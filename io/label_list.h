@@ -44,8 +44,8 @@ core::Result<LabelOverview> readLabelOverview(const std::string& path, const Rea
 /// when no name says so, or all do.
 std::vector<int> vesselsByName(const std::vector<ListedLabel>& labels);
 
-/// "4 celiac_trunk, 7" for messages; long lists are cut.
-std::string labelText(const std::vector<ListedLabel>& labels);
+/// "4 celiac_trunk", "7" for messages; long lists are cut.
+std::vector<std::string> labelTexts(const std::vector<ListedLabel>& labels);
 
 /// Numbers of labels given as numbers or names (in any case). Fails naming what there is instead.
 core::Result<std::vector<int>> labelsCalled(const std::vector<std::string>& wanted,

@@ -1,6 +1,7 @@
 #include "io/observer_log.h"
 
 #include "core/geometry/pose_difference.h"
+#include "io/messages/says.h"
 #include "io/snapshot_table.h"
 #include "io/support/atomic_file.h"
 #include "io/support/csv_table.h"
@@ -53,7 +54,7 @@ core::Status appendTrial(const ObserverTrial& trial, const std::string& path)
             return before.error();
         }
         if (!before.value().view().starts_with(header())) {
-            return fileError(path, "this is not a log of observer trials. Choose another name.");
+            return fileError(path, says::noObserverLog());
         }
         content = before.value().view();
         content += content.ends_with('\n') ? "" : "\n";

@@ -1,5 +1,6 @@
 #include "io/pose_file.h"
 
+#include "io/messages/says.h"
 #include "io/pose/itk_transform.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
@@ -24,11 +25,9 @@ core::Result<core::RigidTransform> poseFromJson(std::string_view text, const std
         const Json root = Json::parse(text);
         const Json& holder = root.contains("pose") ? root.at("pose") : root;
         const auto pose = poseFromRows(holder.at("cameraFromPatient").get<MatrixRows>());
-        return pose ? pose : fileError(path, pose.error().message);
+        return pose ? pose : fileError(path, pose.error());
     } catch (const Json::exception&) {
-        return fileError(path,
-                         "it has no matrix `cameraFromPatient` of four rows of four numbers, at the top or in "
-                         "`pose`. Give one.");
+        return fileError(path, says::poseNoMatrix());
     }
 }
 
@@ -51,23 +50,23 @@ core::Result<core::RigidTransform> readPose(const std::string& path)
     }
     const std::string_view content = input.value().view();
     if (content.size() > (16U << 20)) {
-        return fileError(path, "it is too large for a pose. Choose a .json or .tfm file.");
+        return fileError(path, says::poseTooLarge());
     }
     const std::string extension = extensionOf(path);
     if (content.starts_with("#Insight Transform File") || extension == ".tfm" || extension == ".txt") {
         const auto pose = poseFromItkText(content);
-        return pose ? pose : fileError(path, pose.error().message);
+        return pose ? pose : fileError(path, pose.error());
     }
-    if (describeContent(content) == "a JSON file" || extension == ".json") {
+    if (describeContent(content) == &says::aJsonFile || extension == ".json") {
         return poseFromJson(content, path);
     }
-    return fileError(path, "this is no pose. Choose a .json or an ITK .tfm file.");
+    return fileError(path, says::poseUnknown());
 }
 
 core::Status writePose(const core::RigidTransform& cameraFromPatient, const std::string& path)
 {
     if (!core::isRigid(cameraFromPatient)) {
-        return fileError(path, "the pose is not a rigid motion of finite numbers. Reset it before saving.");
+        return fileError(path, says::poseNotSaved());
     }
     const std::string extension = extensionOf(path);
     if (extension == ".tfm") {
@@ -76,7 +75,7 @@ core::Status writePose(const core::RigidTransform& cameraFromPatient, const std:
     if (extension == ".json") {
         return writeAtomically(path, jsonText(cameraFromPatient));
     }
-    return fileError(path, "poses are written as .json or .tfm. Change the extension.");
+    return fileError(path, says::poseExtension());
 }
 
 }   // namespace angiopose::io

@@ -4,6 +4,7 @@
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/json_text.h"
+#include "io/support/message_json.h"
 #include "io/support/pose_matrix.h"
 
 #include <exception>
@@ -112,7 +113,8 @@ std::string resultJson(const core::RegistrationCase& registrationCase, const cor
     root["perBranch"] = branchesJson(registrationCase, result);
     root["alternatives"] = alternativesJson(result);
     root["trustworthy"] = result.trustworthy;
-    root["warnings"] = result.warnings;
+    root["warnings"] = sentencesOf(result.warnings);
+    root["messages"] = Json::parse(messagesJson(result.warnings));
     root["stopReason"] = core::toText(result.stopReason);
     root["iterations"] = result.iterations;
     root["timeMs"] = {{"target", result.time.targetMs},

@@ -1,5 +1,6 @@
 #include "io/surface_file.h"
 
+#include "io/messages/says.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -43,22 +44,20 @@ core::Result<PolygonSet> parse(std::string_view content, const std::string& path
     if (extension == ".obj") {
         return parseObj(content, path);
     }
-    const std::string_view found = describeContent(content);
-    if (found.empty()) {
-        return fileError(path,
-                         "this is no surface that this program reads. Choose a .vtp, .vtk, .stl, .ply or .obj file.");
+    const auto* found = describeContent(content);
+    if (found == nullptr) {
+        return fileError(path, says::surfaceUnknown());
     }
-    return fileError(
-        path, "this is " + std::string(found) + ", not a surface. Choose a .vtp, .vtk, .stl, .ply or .obj file.");
+    return fileError(path, says::surfaceIsOther((*found)()));
 }
 
 /// Triangles of all polygons (fans); returns what is wrong.
-std::string appendTriangles(const PolygonSet& set, core::SurfaceMesh& mesh)
+std::optional<core::Message> appendTriangles(const PolygonSet& set, core::SurfaceMesh& mesh)
 {
     for (const auto& polygon : set.polygons) {
         for (const std::size_t index : polygon) {
             if (index >= set.points.size()) {
-                return "a triangle refers to a point that does not exist. The file is damaged; export it again.";
+                return says::surfaceBadIndex();
             }
         }
         for (std::size_t k = 2; k < polygon.size(); ++k) {
@@ -67,10 +66,10 @@ std::string appendTriangles(const PolygonSet& set, core::SurfaceMesh& mesh)
                                       static_cast<std::uint32_t>(polygon[k])});
         }
         if (mesh.triangles.size() > maxTriangles) {
-            return "it has more triangles than this program holds. Decimate the surface.";
+            return says::surfaceTooLarge();
         }
     }
-    return mesh.triangles.empty() ? "it holds no triangles. Choose the surface of a vessel." : std::string();
+    return mesh.triangles.empty() ? std::optional(says::surfaceNoTriangles()) : std::nullopt;
 }
 
 core::Result<core::SurfaceMesh> meshOf(const PolygonSet& set, double unitMm, const std::string& path)
@@ -78,15 +77,15 @@ core::Result<core::SurfaceMesh> meshOf(const PolygonSet& set, double unitMm, con
     core::SurfaceMesh mesh;
     for (Eigen::Vector3d point : set.points) {
         if (!point.allFinite() || point.cwiseAbs().maxCoeff() * unitMm > 1e6) {
-            return fileError(path, "a coordinate is not a number, or beyond a kilometre. Correct or export it again.");
+            return fileError(path, says::surfaceCoordinate());
         }
         if (set.isRas) {
             point.head<2>() *= -1.0;
         }
         mesh.pointsInPatient.emplace_back(point * unitMm);
     }
-    if (const std::string problem = appendTriangles(set, mesh); !problem.empty()) {
-        return fileError(path, problem);
+    if (const auto problem = appendTriangles(set, mesh)) {
+        return fileError(path, *problem);
     }
     return core::welded(mesh);
 }
@@ -101,20 +100,17 @@ double acrossMmOf(const core::SurfaceMesh& mesh)
     return (high - low).norm();
 }
 
-std::vector<std::string> doubtsAbout(const core::SurfaceMesh& mesh, double acrossMm)
+core::Messages doubtsAbout(const core::SurfaceMesh& mesh, double acrossMm)
 {
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     const core::MeshCheck check = core::checkMesh(mesh);
     if (!check.isClosed()) {
-        warnings.push_back("The surface is not closed (" + std::to_string(check.openEdges) + " open and " +
-                           std::to_string(check.crowdedEdges) +
-                           " crowded edges): its inside is decided by majority. Check the result, or close the holes.");
+        warnings.push_back(says::surfaceOpen(check.openEdges, check.crowdedEdges));
     } else if (!check.isOriented) {
-        warnings.emplace_back("The triangles do not agree on inside and outside; overlapping parts may cancel out.");
+        warnings.push_back(says::surfaceDisoriented());
     }
     if (!isUsualSize(acrossMm)) {
-        warnings.push_back("The surface is " + toText(std::round(10.0 * acrossMm) / 10.0) +
-                           " mm across, which is unusual: if its unit is not the millimetre, give the unit.");
+        warnings.push_back(says::surfaceUnusualSize(core::Quantity{acrossMm, 1, "mm"}));
     }
     return warnings;
 }
@@ -129,7 +125,7 @@ bool isUsualSize(double acrossMm)
 core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm)
 {
     if (!std::isfinite(unitMm) || unitMm <= 0.0) {
-        return fileError(path, "the unit must be a positive length in mm.");
+        return fileError(path, says::fileWrongUnit());
     }
     const auto input = openInput(path);
     if (!input) {
@@ -149,7 +145,7 @@ core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm)
     LoadedSurface loaded;
     loaded.mesh = std::move(mesh).value();
     if (loaded.mesh.triangles.empty()) {
-        return fileError(path, "none of its triangles has an area. Choose the surface of a vessel.");
+        return fileError(path, says::surfaceNoArea());
     }
     loaded.acrossMm = acrossMmOf(loaded.mesh);
     loaded.warnings = doubtsAbout(loaded.mesh, loaded.acrossMm);
@@ -159,7 +155,7 @@ core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm)
 core::Status writeSurface(const core::SurfaceMesh& mesh, const std::string& path)
 {
     if (extensionOf(path) != ".stl") {
-        return fileError(path, "surfaces are written as .stl. Change the extension.");
+        return fileError(path, says::surfaceExtension());
     }
     std::string content(84 + 50 * mesh.triangles.size(), '\0');
     const std::string title = "binary STL by AngioPose, SPACE=LPS, mm";

@@ -10,7 +10,7 @@ namespace angiopose::io {
 
 struct LoadedSurface {
     core::SurfaceMesh mesh;   ///< welded, patient LPS
-    std::vector<std::string> warnings;   ///< holes, a suspicious size
+    core::Messages warnings;   ///< holes, a suspicious size
     double acrossMm = 0.0;   ///< diagonal of the box around it
 };
 

@@ -5,6 +5,7 @@
 #include "io/dicom_series.h"
 #include "io/file_hash.h"
 #include "io/label_list.h"
+#include "io/messages/says.h"
 #include "io/series/dicom_segmentation.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -35,7 +36,7 @@ core::TracingObserver tracingObserver(const ReadObserver& observe)
 }
 
 /// What is known before tracing.
-LoadedVessels untraced(const core::VesselInput& input, std::vector<std::string> warnings)
+LoadedVessels untraced(const core::VesselInput& input, core::Messages warnings)
 {
     LoadedVessels loaded;
     loaded.input = input;
@@ -47,7 +48,7 @@ core::Result<LoadedVessels> withTree(LoadedVessels loaded, core::Result<core::Tr
                                      const std::string& path)
 {
     if (!traced) {
-        return fileError(path, traced.error().message);
+        return fileError(path, traced.error());
     }
     core::TracedVessels vessels = std::move(traced).value();
     loaded.tree = std::move(vessels.tree);
@@ -55,7 +56,7 @@ core::Result<LoadedVessels> withTree(LoadedVessels loaded, core::Result<core::Tr
     loaded.threshold = vessels.threshold;
     loaded.warnings.insert(loaded.warnings.end(), vessels.warnings.begin(), vessels.warnings.end());
     if (core::isCompact(loaded.tree)) {
-        loaded.warnings.emplace_back("What was traced is hardly longer than wide: check that it is a vessel.");
+        loaded.warnings.push_back(says::tracedIsCompact());
     }
     return loaded;
 }
@@ -72,9 +73,8 @@ core::Result<LoadedVessels> readCenterlines(const std::string& path, const core:
     loaded.input = input;
     loaded.tree = std::move(tree).value();
     if (!core::isUsualSize(loaded.tree)) {
-        loaded.warnings.push_back("The vessels are " + toText(std::round(100.0 * core::acrossMm(loaded.tree)) / 100.0) +
-                                  " mm across, or of a width that is unusual: if the unit of the file is not the "
-                                  "millimetre, give the unit.");
+        loaded.warnings.push_back(says::vesselsUnusualSize(
+            core::Quantity{std::round(100.0 * core::acrossMm(loaded.tree)) / 100.0, core::Quantity::asNeeded, "mm"}));
     }
     return loaded;
 }
@@ -92,7 +92,7 @@ core::Result<LoadedVessels> traceSurface(const std::string& path, const core::Ve
     }
     const auto mask = core::fillSurface(mesh, core::usualSpacingMm(mesh));
     if (!mask) {
-        return fileError(path, mask.error().message);
+        return fileError(path, mask.error());
     }
     return withTree(untraced(input, surface.value().warnings),
                     core::traceMask(mask.value(), input.tracing, tracingObserver(observe)), path);
@@ -104,13 +104,12 @@ core::Status chooseLabels(LoadedVessels& loaded, const core::LabelVolume& image,
 {
     const std::vector<ListedLabel> all = listedLabels(image, readLabelNames(path));
     if (all.empty()) {
-        return fileError(path, "nothing is marked in it: every voxel is background. Choose another segmentation.");
+        return fileError(path, says::labelsNothingMarked());
     }
     std::vector<int>& chosen = loaded.input.labels;
     for (const int label : chosen) {
         if (std::ranges::none_of(all, [label](const ListedLabel& each) { return each.label == label; })) {
-            return fileError(
-                path, "it has no label " + std::to_string(label) + " but " + labelText(all) + ". Choose one of these.");
+            return fileError(path, says::labelsNoSuchNumber(label, labelTexts(all)));
         }
     }
     const bool isByName = chosen.empty();
@@ -124,10 +123,10 @@ core::Status chooseLabels(LoadedVessels& loaded, const core::LabelVolume& image,
         (isChosen ? traced : leftOut).push_back(each);
     }
     if (all.size() > 1) {
-        loaded.warnings.push_back("Labels traced: " + labelText(traced) + ".");
+        loaded.warnings.push_back(says::labelsTraced(labelTexts(traced)));
     }
     if (isByName && !leftOut.empty()) {
-        loaded.warnings.push_back("Labels left out, by their names: " + labelText(leftOut) + ".");
+        loaded.warnings.push_back(says::labelsLeftOut(labelTexts(leftOut)));
     }
     return core::Done{};
 }
@@ -160,7 +159,7 @@ core::Result<LoadedVessels> traceVolume(const std::string& path, core::VesselInp
         input.seriesId = loaded.seriesId;
     }
     if (looksLikeLabels(loaded.volume)) {
-        loaded.warnings.emplace_back("The volume holds labels: its vessels are taken as they are marked.");
+        loaded.warnings.push_back(says::volumeHoldsLabels());
         input.kind = VesselInputKind::Segmentation;
         return traceLabelImage(untraced(input, loaded.warnings), labelsOf(loaded.volume), path, observe);
     }
@@ -195,8 +194,9 @@ core::Result<VesselInputKind> vesselInputKindOf(const std::string& path)
     }
     const std::string_view content = input.value().view();
     const std::string extension = extensionOf(path);
-    if (const auto summary = isVolumeFile(path) ? describeVolume(path) : core::Error{}) {
-        return summary.value().isDeclaredLabels ? VesselInputKind::Segmentation : VesselInputKind::Volume;
+    const bool isVolume = isVolumeFile(path);
+    if (const auto summary = isVolume ? std::optional(describeVolume(path)) : std::nullopt; summary && *summary) {
+        return summary->value().isDeclaredLabels ? VesselInputKind::Segmentation : VesselInputKind::Volume;
     }
     if (isVolumeFile(path) || isDicomFile(path)) {
         return isDicomSegmentation(path) ? VesselInputKind::Segmentation : VesselInputKind::Volume;
@@ -238,7 +238,7 @@ core::Result<std::string> sha256OfVesselInput(const std::string& path, const cor
             return sha256OfSeries(series);
         }
     }
-    return fileError(path, "the series of the case is not in this folder. Choose the folder it is in.");
+    return fileError(path, says::seriesOfCaseNotHere());
 }
 
 }   // namespace angiopose::io

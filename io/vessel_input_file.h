@@ -21,7 +21,7 @@ struct LoadedVessels {
     core::StudyIdentity identity;   ///< of a DICOM scan
     core::VoxelMask lumen;   ///< what was traced; empty for centrelines
     double threshold = 0.0;   ///< where the lumen begins, when a scan was traced
-    std::vector<std::string> warnings;
+    core::Messages warnings;
 };
 
 /// The lumen for keeping, moved out of `vessels`; null where there is none.

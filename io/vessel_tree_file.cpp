@@ -1,5 +1,6 @@
 #include "io/vessel_tree_file.h"
 
+#include "io/messages/says.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -13,8 +14,6 @@
 
 namespace angiopose::io {
 namespace {
-
-constexpr std::string_view knownFormats = "Choose a centreline file: .vtp, .vtk, .vtu, .csv, .swc or .mrk.json.";
 
 core::Result<LineSet> parseVtk(std::string_view content, double unitMm, const std::string& path)
 {
@@ -40,12 +39,12 @@ core::Result<LineSet> parseLines(std::string_view content, const std::string& pa
         return parseVtk(content, unitMm, path);
     }
     const std::string extension = extensionOf(path);
-    const std::string_view found = describeContent(content);
-    if (found == "a JSON file" && extension == ".json") {
+    const auto* found = describeContent(content);
+    if (found == &says::aJsonFile && extension == ".json") {
         return parseMarkups(content, path);
     }
-    if (!found.empty()) {
-        return fileError(path, "this is " + std::string(found) + ", not a centreline. " + std::string(knownFormats));
+    if (found != nullptr) {
+        return fileError(path, says::treeIsOther((*found)()));
     }
     if (extension == ".swc") {
         return parseSwc(content, unitMm, path);
@@ -54,9 +53,9 @@ core::Result<LineSet> parseLines(std::string_view content, const std::string& pa
         return parseTreeTable(content, unitMm, path);
     }
     if (extension == ".vtk" || extension == ".vtp" || extension == ".vtu") {
-        return fileError(path, "it does not begin like a VTK file. Export the centrelines again.");
+        return fileError(path, says::treeNoVtkBeginning());
     }
-    return fileError(path, "this is no centreline format AngioPose reads. " + std::string(knownFormats));
+    return fileError(path, says::treeFormatUnknown());
 }
 
 }   // namespace
@@ -64,7 +63,7 @@ core::Result<LineSet> parseLines(std::string_view content, const std::string& pa
 core::Result<core::VesselTree> readVesselTree(const std::string& path, const VesselTreeReadOptions& options)
 {
     if (!std::isfinite(options.unitMm) || options.unitMm <= 0.0) {
-        return fileError(path, "the unit must be a positive length in mm.");
+        return fileError(path, says::fileWrongUnit());
     }
     const auto input = openInput(path);
     if (!input) {
@@ -92,7 +91,7 @@ core::Status writeVesselTree(const core::VesselTree& tree, const std::string& pa
     if (path.ends_with(".mrk.json")) {
         return writeAtomically(path, markupsText(tree));
     }
-    return fileError(path, "vessel trees are written as .vtp, .csv, .swc or .mrk.json. Change the extension.");
+    return fileError(path, says::treeExtension());
 }
 
 }   // namespace angiopose::io

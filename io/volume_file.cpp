@@ -2,6 +2,7 @@
 
 #include "io/dicom/open_dicom.h"
 #include "io/dicom_series.h"
+#include "io/messages/says.h"
 #include "io/series/dicom_segmentation.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -20,43 +21,43 @@ core::Result<DicomSeries> chosenSeries(std::vector<DicomSeries> all, const std::
                                        const std::string& folder)
 {
     std::erase_if(all, [&](const DicomSeries& series) {
-        return seriesId.empty() ? series.isAngiogram || !series.problem.empty() : series.id != seriesId;
+        return seriesId.empty() ? series.isAngiogram || series.problem.has_value() : series.id != seriesId;
     });
     if (all.empty()) {
-        return fileError(folder, seriesId.empty() ? "no series in this folder makes a volume. Choose another folder."
-                                                  : "the series " + seriesId.substr(0, 80) +
-                                                        " is not in this folder. Choose the folder it is in.");
+        return fileError(
+            folder, seriesId.empty() ? says::seriesNoneMakesVolume() : says::seriesNotHere(seriesId.substr(0, 80)));
     }
     if (all.size() > 1) {
-        std::string names;
+        std::vector<std::string> names;
         for (std::size_t i = 0; i < std::min<std::size_t>(all.size(), 4); ++i) {
-            names += (i == 0 ? "" : ", ") + (all[i].description.empty() ? "no name" : all[i].description);
+            names.push_back(all[i].description.empty() ? "–" : all[i].description);
         }
-        return fileError(folder, "it holds " + std::to_string(all.size()) + " volumes (" + names +
-                                     (all.size() > 4 ? ", …" : "") +
-                                     "). Choose one by its series id; `info` lists them.");
+        if (all.size() > names.size()) {
+            names.emplace_back("…");
+        }
+        return fileError(folder, says::seriesSeveral(all.size(), names));
     }
     return std::move(all.front());
+}
+
+core::Result<DicomSeries> seriesInFolder(const std::string& folder, const std::string& seriesId,
+                                         const ReadObserver& observe)
+{
+    auto all = listSeries(folder, observe);
+    return all ? chosenSeries(std::move(all).value(), seriesId, folder) : all.error();
 }
 
 core::Result<LoadedVolume> readDicomVolume(const std::string& path, const std::string& seriesId,
                                            const ReadObserver& observe)
 {
-    core::Result<DicomSeries> series = core::Error{};
-    if (std::filesystem::is_directory(path)) {
-        auto all = listSeries(path, partOf(observe, 0.0, 0.1));
-        if (!all) {
-            return all.error();
-        }
-        series = chosenSeries(std::move(all).value(), seriesId, path);
-    } else {
-        series = seriesOfFile(path, partOf(observe, 0.0, 0.1));
-    }
+    const ReadObserver observeListing = partOf(observe, 0.0, 0.1);
+    const auto series = std::filesystem::is_directory(path) ? seriesInFolder(path, seriesId, observeListing)
+                                                            : seriesOfFile(path, observeListing);
     if (!series) {
         return series.error();
     }
-    if (!series.value().problem.empty()) {
-        return fileError(path, series.value().problem);
+    if (series.value().problem) {
+        return fileError(path, *series.value().problem);
     }
     LoadedVolume loaded;
     loaded.format = "DICOM series";
@@ -141,9 +142,7 @@ core::Result<core::LabelVolume> readLabels(const std::string& path, const ReadOb
     if (isDicomFile(path)) {
         auto labels = readDicomSegmentation(path, observe);
         const bool isSlice = labels && (labels.value().geometry.size.array() < 2).any();
-        return isSlice
-                   ? fileError(path, "it has one plane: a single slice is no volume. Choose the whole segmentation.")
-                   : std::move(labels);
+        return isSlice ? fileError(path, says::labelsOnePlane()) : std::move(labels);
     }
     const auto stored = openStored(path);
     return stored ? readLabelVoxels(stored.value(), observe) : stored.error();

@@ -17,7 +17,7 @@ struct LoadedVolume {
     core::StudyIdentity identity;   ///< of a DICOM series
     std::string seriesId;   ///< of a DICOM series, see `DicomSeries::id`
     bool isDeclaredLabels = false;   ///< the header calls the values labels
-    std::vector<std::string> warnings;
+    core::Messages warnings;
 };
 
 /// What a volume file says before its voxels are read.
@@ -28,7 +28,7 @@ struct VolumeSummary {
     double slope = 1.0;
     double intercept = 0.0;
     bool isDeclaredLabels = false;
-    std::vector<std::string> warnings;
+    core::Messages warnings;
 };
 
 /// True for content that `readVolume` understands without DICOM: NIfTI, NRRD, MetaImage (by the first bytes).

@@ -1,11 +1,11 @@
 # Fails when the window has words that German or Chinese lack, or the translations hold words the window no longer has.
-# Needs LUPDATE, ROOT, CORE_TEXTS (made in the build) and WORK, a folder to write to.
+# Needs LUPDATE, ROOT, MESSAGES (made in the build) and WORK, a folder to write to.
 file(GLOB translations "${ROOT}/resources/translations/*.ts")
 foreach(translation ${translations})
   get_filename_component(name "${translation}" NAME)
   configure_file("${translation}" "${WORK}/${name}" COPYONLY)
   execute_process(COMMAND ${LUPDATE} -silent -I ${ROOT} -no-obsolete -locations none -source-language en
-      ${ROOT}/ui ${ROOT}/app ${CORE_TEXTS} -ts ${WORK}/${name}
+      ${ROOT}/ui ${ROOT}/app ${MESSAGES} -ts ${WORK}/${name}
     RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
   if(failed)
     message(FATAL_ERROR "lupdate failed on ${name}")

@@ -3,6 +3,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/register_case.h"
 #include "app/cli/shard.h"
+#include "app/messages/says.h"
 #include "io/support/atomic_file.h"
 
 #include <cstdio>
@@ -39,18 +40,18 @@ core::Result<core::RegistrationResult> registerEntry(const io::BatchEntry& entry
 /// Whatever goes wrong with one case stays with it.
 BatchOutcome outcomeOf(const io::BatchEntry& entry, const std::string& folder)
 {
-    BatchOutcome outcome{entry, std::nullopt, ""};
+    BatchOutcome outcome{entry, std::nullopt, std::nullopt};
     try {
         auto result = registerEntry(entry, folder);
         if (result) {
             outcome.result = std::move(result).value();
         } else {
-            outcome.problem = result.error().message;
+            outcome.problem = result.error();
         }
     } catch (const std::bad_alloc&) {
-        outcome.problem = "There is not enough memory for this case.";
+        outcome.problem = says::notEnoughMemory();
     } catch (const std::exception& error) {
-        outcome.problem = std::string("Unexpected failure: ") + error.what();
+        outcome.problem = says::unexpectedFailure(error.what());
     }
     return outcome;
 }
@@ -59,7 +60,7 @@ core::Status makeFolder(const std::string& folder)
 {
     std::error_code failure;
     fs::create_directories(folder, failure);
-    return failure ? core::Status(core::Error{"The folder '" + folder + "' cannot be made: " + failure.message() + "."})
+    return failure ? core::Status(core::Error(says::folderNotMade(folder, failure.message())))
                    : core::Status(core::Done{});
 }
 
@@ -68,7 +69,7 @@ void printOutcome(const BatchOutcome& outcome)
     std::printf("%-16s %s\n", outcome.status().c_str(), outcome.entry.name.c_str());
     std::fflush(stdout);
     if (!outcome.result) {
-        printMessage(outcome.entry.name + ": " + outcome.problem);
+        printMessage(outcome.entry.name + ": " + outcome.problem->message.text());
     }
 }
 
@@ -91,15 +92,15 @@ int runBatch(const BatchArguments& arguments)
 {
     const auto shard = shardFrom(arguments.shard);
     if (!shard) {
-        printMessage(shard.error().message);
+        printMessage(shard.error().message.text());
         return exitUsage;
     }
     const auto entries = io::readManifest(arguments.manifestPath);
     if (!entries) {
-        return failInput(entries.error().message);
+        return failInput(entries.error());
     }
     if (const auto status = makeFolder(arguments.outputFolder); !status) {
-        return failInput(status.error().message);
+        return failInput(status.error());
     }
     const fs::path output(arguments.outputFolder);
     std::string summary = summaryHeader();
@@ -112,7 +113,7 @@ int runBatch(const BatchArguments& arguments)
         exitCode = worseOf(exitCode, outcome);
         // After each case, so that a power cut costs one of them.
         if (const auto status = io::writeAtomically((output / "summary.csv").string(), summary); !status) {
-            return failInput(status.error().message);
+            return failInput(status.error());
         }
         if (isInterrupted()) {
             return exitStopped;

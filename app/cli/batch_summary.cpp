@@ -14,11 +14,11 @@ std::string quoted(const std::string& text)
     return result + "\"";
 }
 
-std::string joined(const std::vector<std::string>& sentences)
+std::string joined(const core::Messages& messages)
 {
     std::string text;
-    for (const std::string& sentence : sentences) {
-        text += (text.empty() ? "" : " ") + sentence;
+    for (const core::Message& message : messages) {
+        text += (text.empty() ? "" : " ") + message.text();
     }
     return text;
 }
@@ -40,7 +40,7 @@ std::string figures(const core::RegistrationResult& result)
 std::string BatchOutcome::status() const
 {
     if (!result) {
-        return "failed";
+        return problem && problem->isStop() ? "stopped" : "failed";
     }
     if (result->stopReason == core::StopReason::StoppedByUser) {
         return "stopped";
@@ -56,7 +56,7 @@ std::string summaryHeader()
 
 std::string summaryRow(const BatchOutcome& outcome)
 {
-    const std::string message = outcome.result ? joined(outcome.result->warnings) : outcome.problem;
+    const std::string message = outcome.result ? joined(outcome.result->warnings) : outcome.problem->message.text();
     return std::to_string(outcome.entry.row) + "," + quoted(outcome.entry.name) + "," + quoted(outcome.entry.casePath) +
            "," + outcome.status() + "," +
            (outcome.result ? outcome.result->method + figures(*outcome.result) : outcome.entry.method + ",,,,,,,,") +

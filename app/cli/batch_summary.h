@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/registration/registration.h"
+#include "core/support/result.h"
 #include "io/case/batch_manifest.h"
 
 #include <optional>
@@ -12,7 +13,7 @@ namespace angiopose::app {
 struct BatchOutcome {
     io::BatchEntry entry;
     std::optional<core::RegistrationResult> result;   ///< nothing when the case failed
-    std::string problem;   ///< why it failed
+    std::optional<core::Error> problem;   ///< why it has none
 
     /// "done", "not trustworthy", "stopped" or "failed".
     std::string status() const;

@@ -1,13 +1,14 @@
 #include "app/cli/case_input.h"
 
 #include "app/cli/console.h"
+#include "app/messages/says.h"
 #include "io/case_file.h"
 
 namespace angiopose::app {
 
 core::Result<core::RegistrationCase> loadCaseForCommand(const std::string& path, std::optional<int> frame)
 {
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     auto loaded = [&] {
         ProgressLine progress("reading");
         return io::loadCase(path, warnings, [&progress](double fraction) {
@@ -22,8 +23,7 @@ core::Result<core::RegistrationCase> loadCaseForCommand(const std::string& path,
     core::RegistrationCase registrationCase = std::move(loaded).value();
     const int frameCount = registrationCase.angiogram ? registrationCase.angiogram->frameCount() : 0;
     if (*frame < 0 || *frame >= frameCount) {
-        return core::Error{path + ": frame " + std::to_string(*frame) +
-                           " does not exist. The angiogram has frames 0 to " + std::to_string(frameCount - 1) + "."};
+        return core::Error(says::frameBeyondRun(*frame, frameCount - 1).about(path));
     }
     registrationCase.frame = *frame;
     return registrationCase;

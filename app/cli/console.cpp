@@ -1,10 +1,13 @@
 #include "app/cli/console.h"
 
+#include "io/support/message_json.h"
+
 #include <unistd.h>
 
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 namespace angiopose::app {
 namespace {
@@ -25,17 +28,21 @@ void printMessage(std::string_view message)
     std::fprintf(stderr, "angiopose-cli: %.*s\n", static_cast<int>(message.size()), message.data());
 }
 
-void printWarnings(const std::vector<std::string>& warnings)
+void printWarnings(const core::Messages& warnings)
 {
-    for (const std::string& warning : warnings) {
-        printMessage("warning: " + warning);
+    for (const core::Message& warning : warnings) {
+        printMessage("warning: " + warning.text());
     }
 }
 
-int failInput(std::string_view message)
+int failInput(const core::Error& error, OutputFormat format)
 {
-    printMessage(message);
-    return isInterrupted() ? exitStopped : exitInput;
+    printMessage(error.message.text());
+    if (format == OutputFormat::Json) {
+        const auto json = nlohmann::ordered_json::parse("{\"error\":" + io::messageJson(error.message) + "}");
+        std::puts(json.dump(2).c_str());
+    }
+    return error.isStop() || isInterrupted() ? exitStopped : exitInput;
 }
 
 ProgressLine::ProgressLine(std::string label) : label_(std::move(label)), isTerminal_(isatty(STDERR_FILENO) == 1) {}

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "core/support/result.h"
+
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace angiopose::app {
 
@@ -19,10 +20,11 @@ enum class OutputFormat { Text, Json };
 
 /// One message to stderr, as "angiopose-cli: message".
 void printMessage(std::string_view message);
-void printWarnings(const std::vector<std::string>& warnings);
+void printWarnings(const core::Messages& warnings);
 
-/// Reports an input error and gives its exit code, or that of a stop by the user.
-int failInput(std::string_view message);
+/// Reports why there is no result and gives its exit code: that of a wrong input, or of a stop by the user. As JSON it
+/// is on stdout too: `{"error": {"id": …}}`.
+int failInput(const core::Error& error, OutputFormat format = OutputFormat::Text);
 
 /// A progress line on stderr, redrawn in place; silent where stderr is not a terminal.
 class ProgressLine {

@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "app/messages/says.h"
 #include "core/imaging/fill_surface.h"
 #include "io/angiogram_file.h"
 #include "io/centerline2d_file.h"
@@ -67,7 +68,7 @@ Status fillToVolume(const ConvertArguments& arguments)
     const double spacing = arguments.spacingMm > 0.0 ? arguments.spacingMm : core::usualSpacingMm(mesh);
     const auto mask = core::fillSurface(mesh, spacing);
     if (!mask) {
-        return core::Error{arguments.inputPath + ": " + mask.error().message};
+        return mask.error().about(arguments.inputPath);
     }
     core::LabelVolume labels(mask.value().geometry);
     std::copy(mask.value().voxels.begin(), mask.value().voxels.end(), labels.voxels.begin());
@@ -122,9 +123,7 @@ Status toCurves(const ConvertArguments& arguments)
         return kind.error();
     }
     if (kind.value() != VesselInputKind::Centerline) {
-        return core::Error{arguments.inputPath +
-                           ": it holds no centrelines yet. Trace them: angiopose-cli trace-vessel " +
-                           arguments.inputPath + " --output " + arguments.outputPath + "."};
+        return core::Error(says::convertNoCurves(arguments.inputPath, arguments.outputPath).about(arguments.inputPath));
     }
     return convertCurves(arguments);
 }
@@ -136,9 +135,7 @@ Status toVolume(const ConvertArguments& arguments)
         return kind.error();
     }
     if (kind.value() == VesselInputKind::Centerline) {
-        return core::Error{arguments.inputPath +
-                           ": it is neither a volume nor a surface, so it makes no volume. Choose a scan (DICOM, "
-                           "NIfTI, NRRD, MetaImage) or a surface, or give another output name."};
+        return core::Error(says::convertNoVolume().about(arguments.inputPath));
     }
     if (kind.value() == VesselInputKind::Segmentation) {
         return convertLabels(arguments);
@@ -164,9 +161,7 @@ Status convert(const ConvertArguments& arguments)
     if (endsWith(out, {".dcm"})) {
         return convertAngiogram(arguments);
     }
-    return core::Error{out +
-                       ": the extension is none that is written. Centrelines: .vtp, .csv, .swc, .mrk.json; volumes: "
-                       ".nii, .nii.gz, .nrrd, .mha; surfaces: .stl; poses: .json, .tfm; X-ray runs: .dcm."};
+    return core::Error(says::convertExtension().about(out));
 }
 
 }   // namespace
@@ -175,11 +170,10 @@ int runConvert(const ConvertArguments& arguments)
 {
     std::error_code absent;
     if (fs::equivalent(arguments.inputPath, arguments.outputPath, absent)) {
-        return failInput(arguments.outputPath +
-                         ": this is the input, which is never overwritten. Choose another name.");
+        return failInput(says::convertOntoInput().about(arguments.outputPath));
     }
     if (const Status converted = convert(arguments); !converted) {
-        return failInput(converted.error().message);
+        return failInput(converted.error());
     }
     std::printf("%s\n", arguments.outputPath.c_str());
     return exitDone;

@@ -2,6 +2,7 @@
 
 #include "app/texts/case_texts.h"
 #include "core/geometry/geometry_checks.h"
+#include "io/support/message_json.h"
 
 #include <string>
 #include <vector>
@@ -72,10 +73,19 @@ nlohmann::ordered_json geometryJson(const core::CArm& cArm, const core::Angiogra
     if (camera) {
         json["camera"] = cameraJson(camera.value());
     } else {
-        json["cameraMissing"] = camera.error().message;
+        json["cameraMissing"] = camera.error().message.text();
     }
-    json["contradictions"] = core::findContradictions(cArm, angiogram.gantry, {angiogram.width(), angiogram.height()});
-    json["missing"] = core::findMissing(cArm);
+    const core::Messages contradictions =
+        core::findContradictions(cArm, angiogram.gantry, {angiogram.width(), angiogram.height()});
+    const core::Messages missing = core::findMissing(cArm);
+    json["contradictions"] = io::sentencesOf(contradictions);
+    json["missing"] = io::sentencesOf(missing);
+    json["messages"] = Json::array();
+    for (const core::Messages& each : {contradictions, missing}) {
+        for (const core::Message& message : each) {
+            json["messages"].push_back(Json::parse(io::messageJson(message)));
+        }
+    }
     json["turnsDuringRun"] = !angiogram.gantry.angleIncrementsDeg.empty();
     Json& header = json["header"] = Json::object();
     for (const core::HeaderTag& tag : angiogram.gantry.tags) {

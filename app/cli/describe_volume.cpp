@@ -1,5 +1,6 @@
 #include "app/cli/describe_volume.h"
 
+#include "app/cli/add_warnings.h"
 #include "io/dicom_series.h"
 #include "io/label_list.h"
 #include "io/series/dicom_segmentation.h"
@@ -59,18 +60,18 @@ Json seriesJson(const io::DicomSeries& series)
               {"number", series.number},
               {"studyDate", series.identity.studyDate},
               {"images", series.slices.size()}};
-    if (!series.part.empty()) {
-        json["part"] = series.part;
+    if (series.part) {
+        json["part"] = series.part->text();
     }
     if (series.isAngiogram) {
         json["file"] = series.slices.front().path;
-    } else if (series.problem.empty()) {
+    } else if (!series.problem) {
         json["geometry"] = gridJson(series.stack.geometry);
     }
-    if (!series.problem.empty()) {
-        json["problem"] = series.problem;
+    if (series.problem) {
+        json["problem"] = series.problem->text();
     }
-    json["warnings"] = series.warnings;
+    addWarnings(json, series.warnings);
     return json;
 }
 
@@ -117,7 +118,7 @@ core::Result<Json> volumeJson(const std::string& path)
         json["kind"] = "label image";
         json["labels"] = labelsJson(*labels);
     }
-    json["warnings"] = volume.warnings;
+    addWarnings(json, volume.warnings);
     return json;
 }
 
@@ -152,14 +153,15 @@ core::Result<Json> surfaceJson(const std::string& path)
         low = low.cwiseMin(point);
         high = high.cwiseMax(point);
     }
-    return Json{{"kind", "surface"},
-                {"points", mesh.pointsInPatient.size()},
-                {"triangles", mesh.triangles.size()},
-                {"isClosed", check.isClosed()},
-                {"isOriented", check.isOriented},
-                {"lowestCornerInPatientMm", listOf(low)},
-                {"extentMm", listOf(Eigen::Vector3d(high - low))},
-                {"warnings", surface.value().warnings}};
+    Json json{{"kind", "surface"},
+              {"points", mesh.pointsInPatient.size()},
+              {"triangles", mesh.triangles.size()},
+              {"isClosed", check.isClosed()},
+              {"isOriented", check.isOriented},
+              {"lowestCornerInPatientMm", listOf(low)},
+              {"extentMm", listOf(Eigen::Vector3d(high - low))}};
+    addWarnings(json, surface.value().warnings);
+    return json;
 }
 
 }   // namespace angiopose::app

@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/shard.h"
+#include "app/messages/says.h"
 #include "core/evaluation/report/plot.h"
 #include "core/evaluation/report/result_table.h"
 #include "core/evaluation/run_experiment.h"
@@ -54,8 +55,7 @@ core::Result<core::RunSet> mergedRuns(const EvaluateArguments& arguments)
     }
     auto runs = core::merged(parts);
     if (runs && runs.value().protocol != arguments.protocol) {
-        return core::Error{"The folders to merge hold runs of '" + runs.value().protocol + "', not of '" +
-                           arguments.protocol + "'."};
+        return core::Error(says::mergeOfOthers(runs.value().protocol, arguments.protocol));
     }
     return runs;
 }
@@ -97,7 +97,7 @@ core::Status writeReport(const core::RunSet& runs, const fs::path& folder)
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure) {
-        return core::Error{"The folder '" + folder.string() + "' cannot be made: " + failure.message() + "."};
+        return core::Error(says::folderNotMade(folder.string(), failure.message()));
     }
     if (auto status = io::writeRuns(runs, folder.string()); !status) {
         return status;
@@ -120,13 +120,13 @@ int runEvaluate(const EvaluateArguments& arguments)
     if (!arguments.mergedFolders.empty()) {
         auto runs = mergedRuns(arguments);
         if (!runs) {
-            return failInput(runs.error().message);
+            return failInput(runs.error());
         }
         experiment.runs = std::move(runs).value();
     } else {
         const auto plan = planOf(arguments);
         if (!plan) {
-            printMessage(plan.error().message);
+            printMessage(plan.error().message.text());
             return exitUsage;
         }
         experiment = runWithProgress(plan.value());
@@ -136,7 +136,7 @@ int runEvaluate(const EvaluateArguments& arguments)
         return experiment.wasStopped ? exitStopped : exitInput;
     }
     if (const auto status = writeReport(experiment.runs, arguments.outputFolder); !status) {
-        return failInput(status.error().message);
+        return failInput(status.error());
     }
     std::printf("written        %s\n", (fs::path(arguments.outputFolder) / "tables.md").string().c_str());
     return experiment.wasStopped ? exitStopped : exitDone;

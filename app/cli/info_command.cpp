@@ -1,6 +1,8 @@
+#include "app/cli/add_warnings.h"
 #include "app/cli/commands.h"
 #include "app/cli/describe_geometry.h"
 #include "app/cli/describe_volume.h"
+#include "app/messages/says.h"
 #include "app/texts/number_text.h"
 #include "core/registration_case.h"
 #include "io/angiogram_file.h"
@@ -33,15 +35,16 @@ std::string extensionOf(const std::string& path)
 
 Json angiogramJson(const core::Angiogram& angiogram)
 {
-    return {{"kind", "angiogram"},
-            {"width", angiogram.width()},
-            {"height", angiogram.height()},
-            {"frames", angiogram.frameCount()},
-            {"suggestedFrame", angiogram.suggestedFrame},
-            {"vessels", angiogram.polarity == core::Polarity::VesselsDark ? "dark" : "bright"},
-            {"frameTimeMs", angiogram.frameTimeMs},
-            {"geometry", geometryJson(angiogram.cArm, angiogram)},
-            {"warnings", angiogram.warnings}};
+    Json json{{"kind", "angiogram"},
+              {"width", angiogram.width()},
+              {"height", angiogram.height()},
+              {"frames", angiogram.frameCount()},
+              {"suggestedFrame", angiogram.suggestedFrame},
+              {"vessels", angiogram.polarity == core::Polarity::VesselsDark ? "dark" : "bright"},
+              {"frameTimeMs", angiogram.frameTimeMs},
+              {"geometry", geometryJson(angiogram.cArm, angiogram)}};
+    addWarnings(json, angiogram.warnings);
+    return json;
 }
 
 Json treeJson(const core::VesselTree& tree)
@@ -69,7 +72,7 @@ Json treeJson(const core::VesselTree& tree)
             {"branches", branches}};
 }
 
-Json caseJson(const core::RegistrationCase& registrationCase, const std::vector<std::string>& warnings)
+Json caseJson(const core::RegistrationCase& registrationCase, const core::Messages& warnings)
 {
     Json json{{"kind", "case"}, {"title", registrationCase.title}, {"frame", registrationCase.frame}};
     if (registrationCase.tree) {
@@ -84,13 +87,13 @@ Json caseJson(const core::RegistrationCase& registrationCase, const std::vector<
         json["camera"]["origin"] = registrationCase.cameraOverride ? "user" : "derived";
     }
     json["startPose"] = registrationCase.hasInitialPose ? "given" : "from the angles";
-    json["warnings"] = warnings;
+    addWarnings(json, warnings);
     return json;
 }
 
 core::Result<Json> caseFileJson(const std::string& path)
 {
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     const auto loaded = io::loadCase(path, warnings);
     return loaded ? core::Result<Json>(caseJson(loaded.value(), warnings)) : loaded.error();
 }
@@ -146,12 +149,8 @@ core::Error unknownFile(const std::string& path)
     if (!input) {
         return input.error();
     }
-    const std::string found(io::describeContent(input.value().view()));
-    return {
-        path + ": this is " + (found.empty() ? "no file" : found + ", nothing") +
-        " that AngioPose reads. It reads cases (.angiopose), centrelines (VTP, VTK, CSV, SWC, .mrk.json), scans and "
-        "segmentations (DICOM, NIfTI, NRRD, MetaImage), surfaces (STL, PLY, OBJ), angiograms (DICOM, PNG, TIFF, JPEG) "
-        "and poses (.json, .tfm)."};
+    const auto* found = io::describeContent(input.value().view());
+    return (found == nullptr ? says::infoUnknown() : says::infoOther((*found)())).about(path);
 }
 
 core::Result<Json> describe(const std::string& path)
@@ -184,6 +183,9 @@ core::Result<Json> describe(const std::string& path)
 void printReadable(const Json& json, int indent)
 {
     for (const auto& [key, value] : json.items()) {
+        if (key == "messages") {   // said by `warnings`
+            continue;
+        }
         const std::string label =
             std::string(static_cast<std::size_t>(indent), ' ') + (json.is_array() ? "-" : key + ":");
         if (value.is_object() && value.contains("origin") && value.contains("value")) {
@@ -214,7 +216,7 @@ int runInfo(const FileArguments& arguments)
 {
     const auto description = describe(arguments.path);
     if (!description) {
-        return failInput(description.error().message);
+        return failInput(description.error(), arguments.format);
     }
     if (arguments.format == OutputFormat::Json) {
         std::puts(description.value().dump(2, ' ', false, Json::error_handler_t::replace).c_str());

@@ -4,6 +4,7 @@
 #include "app/cli/study_commands.h"
 #include "app/cli/usage_help.h"
 #include "app/cli/vessel_commands.h"
+#include "app/messages/says.h"
 
 #include <CLI/CLI.hpp>
 #include <clocale>
@@ -54,8 +55,8 @@ int main(int argc, char** argv)
     try {
         return parseAndRun(argc, argv);
     } catch (const std::bad_alloc&) {
-        return app::failInput("There is not enough memory for this input.");
+        return app::failInput(app::says::notEnoughMemory());
     } catch (const std::exception& error) {
-        return app::failInput(std::string("Unexpected failure: ") + error.what());
+        return app::failInput(app::says::unexpectedFailure(error.what()));
     }
 }

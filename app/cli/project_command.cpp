@@ -12,13 +12,13 @@ int runProject(const ProjectArguments& arguments)
 {
     auto loaded = loadCaseForCommand(arguments.casePath, arguments.frame);
     if (!loaded) {
-        return failInput(loaded.error().message);
+        return failInput(loaded.error());
     }
     core::RegistrationCase registrationCase = std::move(loaded).value();
     if (!arguments.posePath.empty()) {
         const auto pose = io::readPose(arguments.posePath);
         if (!pose) {
-            return failInput(pose.error().message);
+            return failInput(pose.error());
         }
         registrationCase.cameraFromPatient = pose.value();
         registrationCase.result.reset();
@@ -33,11 +33,11 @@ int runProject(const ProjectArguments& arguments)
     options.isStartBeside = arguments.startBeside;
     const auto picture = drawOverlay(registrationCase, {}, options);
     if (!picture) {
-        return failInput(arguments.casePath + ": " + picture.error().message);
+        return failInput(picture.error().about(arguments.casePath));
     }
     if (const auto status = io::writePng(picture.value(), arguments.outputPath, provenanceTexts(registrationCase));
         !status) {
-        return failInput(status.error().message);
+        return failInput(status.error());
     }
     std::printf("%s\n", arguments.outputPath.c_str());
     return exitDone;

@@ -1,6 +1,7 @@
 #include "app/cli/register_case.h"
 
 #include "app/cli/console.h"
+#include "app/messages/says.h"
 #include "app/texts/number_text.h"
 #include "app/texts/overlay_picture.h"
 #include "core/registration/option_text.h"
@@ -35,8 +36,7 @@ core::Result<core::PoseLocks> locksFrom(const std::vector<std::string>& ids)
         if (axis) {
             locks[static_cast<std::size_t>(*axis)] = true;
         } else if (id != "none") {
-            return core::Error{"There is no degree of freedom '" + id + "' to lock. Use " + core::poseAxisIds() +
-                               ", or none."};
+            return core::Error(says::noSuchFreedom(id, core::poseAxisIds()));
         }
     }
     return locks;
@@ -61,8 +61,8 @@ core::Status applyArguments(core::RegistrationCase& registrationCase, const Regi
         }
         registrationCase.options.locks = locks.value();
     }
-    if (const std::string problem = core::findProblem(registrationCase.options); !problem.empty()) {
-        return core::Error{problem};
+    if (const auto problem = core::findProblem(registrationCase.options)) {
+        return core::Error(*problem);
     }
     if (!arguments.auxiliaryBranchIds.empty()) {
         registrationCase.auxiliaryBranchIds = arguments.auxiliaryBranchIds;
@@ -99,7 +99,7 @@ core::Status writeOutputs(const RegisteredCase& registered, const std::string& f
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure) {
-        return core::Error{"The folder '" + folder.string() + "' cannot be made: " + failure.message() + "."};
+        return core::Error(says::folderNotMade(folder.string(), failure.message()));
     }
     if (auto status = io::writeResult(registrationCase, *registrationCase.result, (folder / "result.json").string());
         !status) {

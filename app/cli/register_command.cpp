@@ -38,8 +38,8 @@ void printSummary(const core::RegistrationResult& result, const std::string& fol
                                  fixedText(result.uncertainty.depthMm, 1) + " mm, rotation ±" +
                                  fixedText(result.uncertainty.rotationDeg.maxCoeff(), 2) + "°");
     printLine("trustworthy", result.trustworthy ? "yes" : "NO");
-    for (const std::string& warning : result.warnings) {
-        printLine("", warning);
+    for (const core::Message& warning : result.warnings) {
+        printLine("", warning.text());
     }
     printLine("written", (fs::path(folder) / "overlay.png").string() + ", result.json, pose.tfm");
 }
@@ -58,11 +58,11 @@ int runRegister(const RegisterArguments& arguments)
 {
     auto loaded = loadCaseForCommand(arguments.casePath, arguments.frame);
     if (!loaded) {
-        return failInput(loaded.error().message);
+        return failInput(loaded.error(), arguments.format);
     }
     core::RegistrationCase registrationCase = std::move(loaded).value();
     if (const auto status = applyArguments(registrationCase, arguments); !status) {
-        printMessage(status.error().message);
+        printMessage(status.error().message.text());
         return exitUsage;
     }
     for (const std::string& path : arguments.otherViews) {
@@ -73,11 +73,11 @@ int runRegister(const RegisterArguments& arguments)
     }
     const auto registered = registerCase(std::move(registrationCase), "registering");
     if (!registered) {
-        return failInput(arguments.casePath + ": " + registered.error().message);
+        return failInput(registered.error().about(arguments.casePath), arguments.format);
     }
     const std::string folder = outputFolderOf(arguments);
     if (const auto status = writeOutputs(registered.value(), folder); !status) {
-        return failInput(status.error().message);
+        return failInput(status.error(), arguments.format);
     }
     const core::RegistrationResult& result = *registered.value().registrationCase.result;
     if (arguments.format == OutputFormat::Json) {

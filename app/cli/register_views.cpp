@@ -1,7 +1,9 @@
 #include "app/cli/register_views.h"
 
+#include "app/cli/add_warnings.h"
 #include "app/cli/case_input.h"
 #include "app/cli/register_case.h"
+#include "app/messages/says.h"
 #include "app/texts/number_text.h"
 #include "core/case_views.h"
 #include "core/geometry/angle_units.h"
@@ -33,7 +35,7 @@ core::Result<core::RegistrationCase> readView(const core::RegistrationCase& firs
         return core::withView(first, *other.view);
     }
     if (other.file.path.empty()) {
-        return core::Error{other.view->imageFile.path + ": the image of this view could not be read."};
+        return core::Error(says::viewImageUnread().about(other.view->imageFile.path));
     }
     return loadCaseForCommand(other.file.path, std::nullopt);
 }
@@ -51,7 +53,7 @@ core::Result<Views> readViews(const core::RegistrationCase& first)
     for (const core::RegistrationCase& view : views.cases) {
         auto target = core::targetOf(view);
         if (!target) {
-            return core::Error{view.imageFile.path + ": " + target.error().message};
+            return target.error().about(view.imageFile.path);
         }
         views.targets.push_back(std::move(target).value());
     }
@@ -76,7 +78,7 @@ std::string viewFolder(const std::string& folder, std::size_t index)
 Json jointJson(const Views& views, const core::MultiViewResult& joint)
 {
     Json json{{"format", "angiopose-joint-result"}, {"version", 1}, {"trustworthy", joint.trustworthy}};
-    json["warnings"] = joint.warnings;
+    addWarnings(json, joint.warnings);
     json["uncertainty"] = {{"inPlaneSigmaMm", joint.uncertainty.inPlaneMm},
                            {"depthSigmaMm", joint.uncertainty.depthMm},
                            {"rotationSigmaDeg", joint.uncertainty.rotationDeg.maxCoeff()}};
@@ -124,8 +126,8 @@ void printSummary(const Views& views, const core::MultiViewResult& joint, const 
                 fixedText(joint.uncertainty.inPlaneMm, 2).c_str(), fixedText(joint.uncertainty.depthMm, 2).c_str(),
                 fixedText(joint.uncertainty.rotationDeg.maxCoeff(), 2).c_str());
     std::printf("%-14s %s\n", "trustworthy", joint.trustworthy ? "yes" : "NO");
-    for (const std::string& warning : joint.warnings) {
-        std::printf("%-14s %s\n", "", warning.c_str());
+    for (const core::Message& warning : joint.warnings) {
+        std::printf("%-14s %s\n", "", warning.text().c_str());
     }
     std::printf("%-14s %s\n", "written", (fs::path(folder) / "joint.json").string().c_str());
 }
@@ -136,19 +138,19 @@ int registerViewsOf(const core::RegistrationCase& first, const RegisterArguments
 {
     auto read = readViews(first);
     if (!read) {
-        return failInput(read.error().message);
+        return failInput(read.error(), arguments.format);
     }
     Views views = std::move(read).value();
     const auto inputs = core::jointInputsOf(views.cases, views.targets);
     if (!inputs) {
-        return failInput(arguments.casePath + ": " + inputs.error().message);
+        return failInput(inputs.error().about(arguments.casePath), arguments.format);
     }
     const auto joint = solve(inputs.value(), first.options);
     if (!joint) {
-        return failInput(arguments.casePath + ": " + joint.error().message);
+        return failInput(joint.error().about(arguments.casePath), arguments.format);
     }
     if (const auto status = writeViews(views, joint.value(), folder); !status) {
-        return failInput(status.error().message);
+        return failInput(status.error(), arguments.format);
     }
     if (arguments.format == OutputFormat::Json) {
         std::puts(jointJson(views, joint.value()).dump(2, ' ', false, Json::error_handler_t::replace).c_str());

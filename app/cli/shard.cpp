@@ -1,5 +1,7 @@
 #include "app/cli/shard.h"
 
+#include "app/messages/says.h"
+
 #include <charconv>
 
 namespace angiopose::app {
@@ -17,7 +19,7 @@ core::Result<core::Shard> shardFrom(const std::string& text)
             return core::Shard{part - 1, count};
         }
     }
-    return core::Error{"--shard needs a part and a number of parts such as 2/4, not '" + text + "'."};
+    return core::Error(says::shardUnclear(text));
 }
 
 }   // namespace angiopose::app

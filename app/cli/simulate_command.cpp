@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "app/messages/says.h"
 #include "core/registration_case.h"
 #include "core/simulation/simulated_case.h"
 #include "io/angiogram_file.h"
@@ -37,7 +38,7 @@ core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const fs::
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure) {
-        return core::Error{"The folder '" + folder.string() + "' cannot be made: " + failure.message() + "."};
+        return core::Error(says::folderNotMade(folder.string(), failure.message()));
     }
     if (auto status = io::writeVesselTree(simulated.tree, (folder / "tree.vtp").string()); !status) {
         return status;
@@ -66,7 +67,7 @@ int runSimulate(const SimulateArguments& arguments)
     const core::SimulatedCase simulated = core::simulateCase(arguments.seed, tree, dsa);
     const fs::path folder(arguments.outputFolder);
     if (const auto status = writeSimulatedCase(simulated, folder, arguments.seed); !status) {
-        return failInput(status.error().message);
+        return failInput(status.error());
     }
     std::printf("%s\n", (folder / "case.angiopose").string().c_str());
     return exitDone;

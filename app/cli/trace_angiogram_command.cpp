@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "app/messages/says.h"
 #include "core/tracing/steady_frame.h"
 #include "core/tracing/subtract_run.h"
 #include "core/tracing/trace_angiogram.h"
@@ -42,7 +43,7 @@ core::Status subtractIfAsked(const TraceAngiogramArguments& arguments, Angiogram
     }
     auto run = core::subtractRun(angiogram.frames, angiogram.polarity, chosen);
     if (!run) {
-        return core::Error{arguments.imagePath + ": " + run.error().message};
+        return run.error().about(arguments.imagePath);
     }
     std::printf("subtracted: mean of frames %s\n", joined(run.value().maskFrames).c_str());
     angiogram.frames = std::move(run).value().frames;
@@ -62,8 +63,7 @@ core::Result<Picture> chosenPicture(const TraceAngiogramArguments& arguments, co
     }
     const int frame = arguments.frame.value_or(angiogram.suggestedFrame);
     if (frame < 0 || frame >= angiogram.frameCount()) {
-        return core::Error{arguments.imagePath + ": frame " + std::to_string(frame) +
-                           " does not exist. It has frames 0 to " + std::to_string(angiogram.frameCount() - 1) + "."};
+        return core::Error(says::frameBeyondRun(frame, angiogram.frameCount() - 1).about(arguments.imagePath));
     }
     return Picture{core::steadyFrame(angiogram.frames, frame), "frame " + std::to_string(frame)};
 }
@@ -82,25 +82,25 @@ int runTraceAngiogram(const TraceAngiogramArguments& arguments)
 {
     auto read = io::readAngiogram(arguments.imagePath);
     if (!read) {
-        return failInput(read.error().message);
+        return failInput(read.error());
     }
     Angiogram angiogram = std::move(read).value();
     printWarnings(angiogram.warnings);
     if (const auto status = subtractIfAsked(arguments, angiogram); !status) {
-        return failInput(status.error().message);
+        return failInput(status.error());
     }
     const auto picture = chosenPicture(arguments, angiogram);
     if (!picture) {
-        return failInput(picture.error().message);
+        return failInput(picture.error());
     }
     core::TraceOptions options;
     options.sensitivity = arguments.sensitivity;
     const auto trace = core::traceAngiogram(picture.value().frame, angiogram.polarity, options);
     if (!trace) {
-        return failInput(arguments.imagePath + ": " + trace.error().message);
+        return failInput(trace.error().about(arguments.imagePath));
     }
     if (const auto status = writeTrace(trace.value(), arguments); !status) {
-        return failInput(status.error().message);
+        return failInput(status.error());
     }
     const std::size_t count = trace.value().centerline.curves.size();
     std::printf("%s: %zu %s, %zu points\n", picture.value().name.c_str(), count, count == 1 ? "curve" : "curves",

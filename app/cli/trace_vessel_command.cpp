@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "app/messages/says.h"
 #include "app/texts/number_text.h"
 #include "io/label_list.h"
 #include "io/support/input_bytes.h"
@@ -31,26 +32,25 @@ core::Result<std::vector<int>> labelsAskedFor(const TraceVesselArguments& argume
     }
     const auto listed = io::labelsIn(arguments.inputPath);
     if (!listed) {
-        return core::Error{arguments.inputPath +
-                           ": it is no label image, so it has no labels. Leave --label out, or choose a segmentation."};
+        return core::Error(says::traceNoLabels().about(arguments.inputPath));
     }
     auto labels = io::labelsCalled(arguments.labels, *listed);
-    return labels ? labels : core::Error{arguments.inputPath + ": " + labels.error().message};
+    return labels ? labels : labels.error().about(arguments.inputPath);
 }
 
 /// Of a file that is no volume, segmentation or surface.
-std::string whyNotTraced(const std::string& path)
+core::Error whyNotTraced(const std::string& path)
 {
     if (io::readVesselTree(path)) {
-        return path + ": it holds centrelines already, which need no tracing. `convert` changes their format.";
+        return says::traceCentrelines().about(path);
     }
     const std::string extension = io::extensionOf(path);
     if (extension == ".vtp" || extension == ".vtk" || extension == ".vtu") {   // neither lines nor triangles
         const auto surface = io::readSurface(path);
-        return surface ? path + ": it cannot be traced. Choose another surface." : surface.error().message;
+        return surface ? core::Error(says::traceOtherSurface().about(path)) : surface.error();
     }
     const auto volume = io::readVolume(path);   // says what the file is instead
-    return volume ? path + ": it cannot be traced. Choose a scan." : volume.error().message;
+    return volume ? core::Error(says::traceNoScan().about(path)) : volume.error();
 }
 
 core::LabelVolume labelsOf(const core::VoxelMask& mask)
@@ -82,7 +82,7 @@ int runTraceVessel(const TraceVesselArguments& arguments)
 {
     auto kind = io::vesselInputKindOf(arguments.inputPath);
     if (!kind) {
-        return failInput(kind.error().message);
+        return failInput(kind.error());
     }
     if (kind.value() == core::VesselInputKind::Centerline) {
         return failInput(whyNotTraced(arguments.inputPath));
@@ -92,7 +92,7 @@ int runTraceVessel(const TraceVesselArguments& arguments)
     }
     const auto labels = labelsAskedFor(arguments);
     if (!labels) {
-        return failInput(labels.error().message);
+        return failInput(labels.error());
     }
     core::VesselInput input = vesselInputOf(arguments, kind.value());
     input.labels = labels.value();
@@ -102,15 +102,15 @@ int runTraceVessel(const TraceVesselArguments& arguments)
         return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
     });
     if (!vessels) {
-        return failInput(vessels.error().message);
+        return failInput(vessels.error());
     }
     printWarnings(vessels.value().warnings);
     if (const auto written = io::writeVesselTree(vessels.value().tree, arguments.outputPath); !written) {
-        return failInput(written.error().message);
+        return failInput(written.error());
     }
     if (!arguments.maskPath.empty()) {
         if (const auto written = io::writeLabels(labelsOf(vessels.value().lumen), arguments.maskPath); !written) {
-            return failInput(written.error().message);
+            return failInput(written.error());
         }
     }
     printTree(vessels.value(), arguments.outputPath);

@@ -23,7 +23,7 @@ core::Result<std::vector<core::FollowedFrame>> followWithProgress(const core::Re
 void printFrames(const std::vector<core::FollowedFrame>& frames)
 {
     for (const core::FollowedFrame& frame : frames) {
-        const char* verdict = !frame.problem.empty()         ? "nothing traced"
+        const char* verdict = frame.problem                  ? "nothing traced"
                               : !frame.tracked.isTrustworthy ? "not explained"
                               : frame.tracked.searched       ? "found again"
                                                              : "followed";
@@ -37,22 +37,22 @@ int runTrack(const TrackArguments& arguments)
 {
     auto loaded = loadCaseForCommand(arguments.casePath, std::nullopt);
     if (!loaded) {
-        return failInput(loaded.error().message);
+        return failInput(loaded.error());
     }
     core::RegistrationCase registrationCase = std::move(loaded).value();
     if (!arguments.keepPose) {
         auto registered = registerCase(std::move(registrationCase), "registering");
         if (!registered) {
-            return failInput(arguments.casePath + ": " + registered.error().message);
+            return failInput(registered.error().about(arguments.casePath));
         }
         registrationCase = std::move(registered).value().registrationCase;
     }
     const auto frames = followWithProgress(registrationCase);
     if (!frames) {
-        return failInput(arguments.casePath + ": " + frames.error().message);
+        return failInput(frames.error().about(arguments.casePath));
     }
     if (const auto status = io::writePoseTable(frames.value(), arguments.outputPath); !status) {
-        return failInput(status.error().message);
+        return failInput(status.error());
     }
     printFrames(frames.value());
     if (isInterrupted()) {

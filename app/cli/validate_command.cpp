@@ -1,3 +1,4 @@
+#include "app/cli/add_warnings.h"
 #include "app/cli/commands.h"
 #include "io/case_file.h"
 
@@ -10,27 +11,34 @@ int runValidate(const FileArguments& arguments)
 {
     const auto problems = io::validateCase(arguments.path);
     if (!problems) {
-        return failInput(problems.error().message);
+        return failInput(problems.error(), arguments.format);
     }
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     if (problems.value().empty()) {
         auto doubts = io::doubtsOfCase(arguments.path);
-        warnings = doubts ? std::move(doubts).value() : std::vector{doubts.error().message};
+        warnings =
+            doubts ? std::move(doubts).value() : core::Messages{doubts.error().message.as(core::Severity::Warning)};
     }
     if (arguments.format == OutputFormat::Json) {
-        const nlohmann::json report{{"file", arguments.path},
-                                    {"valid", problems.value().empty()},
-                                    {"problems", problems.value()},
-                                    {"warnings", warnings}};
+        nlohmann::ordered_json report{{"file", arguments.path}, {"valid", problems.value().empty()}};
+        report["problems"] = nlohmann::json::array();
+        for (const core::Message& problem : problems.value()) {
+            report["problems"].push_back(problem.text());
+        }
+        addWarnings(report, warnings);
+        for (const core::Message& problem : problems.value()) {
+            report["messages"].push_back(
+                nlohmann::ordered_json::parse(io::messageJson(problem.as(core::Severity::Error))));
+        }
         std::puts(report.dump(2).c_str());
     } else if (problems.value().empty()) {
         std::printf("%s: valid\n", arguments.path.c_str());
     }
-    for (const std::string& problem : problems.value()) {
-        printMessage(arguments.path + ": " + problem);
+    for (const core::Message& problem : problems.value()) {
+        printMessage(arguments.path + ": " + problem.text());
     }
-    for (const std::string& warning : warnings) {
-        printMessage(arguments.path + ": warning: " + warning);
+    for (const core::Message& warning : warnings) {
+        printMessage(arguments.path + ": warning: " + warning.text());
     }
     return problems.value().empty() ? exitDone : exitInput;
 }

@@ -106,7 +106,7 @@ void CurveController::follow()
 
 void CurveController::showCurves()
 {
-    tool_->setReady(target_.current() || !target_.problem().isEmpty());
+    tool_->setReady(target_.current() || target_.problem().has_value());
     const std::vector<int>& accepted = document_.current().acceptedCurveIds;
     if (shownCurves_ && shownCurves_ == target_.current() && shownAccepted_ == accepted) {
         return;   // what is under way on them may go on

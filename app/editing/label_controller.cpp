@@ -3,7 +3,7 @@
 #include "ui/main_window.h"
 #include "ui/slices/label_choice.h"
 #include "ui/slices/slices_page.h"
-#include "ui/words/core_texts.h"
+#include "ui/words/message_text.h"
 #include "ui/words/spoken.h"
 
 namespace angiopose::app {
@@ -40,7 +40,7 @@ LabelController::LabelController(CaseDocument& document, ui::MainWindow& window,
     });
     connect(&job_, &LabelJob::finished, this, &LabelController::takeOverview);
     connect(&job_, &LabelJob::failed, &choice,
-            [&choice](const QString& reason) { choice.showProblem(ui::coreText(reason.toStdString())); });
+            [&choice](const core::Message& reason) { choice.showProblem(ui::messageText(reason)); });
     ui::speak(this, [this] { showTicks(); });
     followDocument();
 }

@@ -6,7 +6,7 @@
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/bind_tool.h"
 #include "ui/views/tree_view.h"
-#include "ui/words/core_texts.h"
+#include "ui/words/message_text.h"
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
@@ -191,12 +191,12 @@ void LandmarkController::placeVessels()
     const core::RegistrationCase& current = document_.current();
     const auto camera = core::cameraOf(current);
     if (!camera) {
-        emit refused(QString::fromStdString(camera.error().message));
+        emit refused(ui::messageText(camera.error().message));
         return;
     }
     const auto pose = core::poseFromLandmarks(current.landmarks, camera.value(), poseBefore());
     if (!pose) {
-        emit refused(QString::fromStdString(pose.error().message));
+        emit refused(ui::messageText(pose.error().message));
         return;
     }
     const core::RigidTransform& found = pose.value().cameraFromPatient;
@@ -244,7 +244,7 @@ void LandmarkController::showState()
         state.errorPx = core::landmarkErrorsPx(current.landmarks, camera.value(), current.cameraFromPatient);
         const auto pose = core::poseFromLandmarks(current.landmarks, camera.value(), poseBefore());
         state.isEnough = static_cast<bool>(pose);
-        state.verdict = pose ? verdictOf(pose.value()) : ui::coreText(pose.error().message);
+        state.verdict = pose ? verdictOf(pose.value()) : ui::messageText(pose.error().message);
     }
     window_.landmarks().showLandmarks(state);
 }

@@ -2,6 +2,7 @@
 
 #include "app/document/edit_case.h"
 #include "ui/main_window.h"
+#include "ui/words/message_text.h"
 
 namespace angiopose::app {
 
@@ -19,7 +20,7 @@ void StartPoseController::startFromAngles()
     wanted.hasInitialPose = false;
     const auto start = core::startPoseOf(wanted);
     if (!start) {
-        emit refused(QString::fromStdString(start.error().message));
+        emit refused(ui::messageText(start.error().message));
         return;
     }
     const bool isDone = document_.push(std::make_unique<PlaceVessels>(

@@ -7,6 +7,7 @@
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/bind_tool.h"
+#include "ui/words/message_text.h"
 #include "ui/words/spoken.h"
 
 #include <QSignalBlocker>
@@ -172,7 +173,7 @@ void SubtractionController::publish()
     }
     wish_.reset();
     if (!outcome) {
-        notices_.showNote(QString::fromStdString(outcome.error().message));
+        notices_.showNote(ui::messageText(outcome.error().message));
     } else if (core::storedRunOf(document_.current()) == done.stored) {
         take(done, outcome.value());
     }
@@ -228,7 +229,7 @@ void SubtractionController::showPreview()
     const Picture picture = takeResult(preview_);
     if (window_.angiogramView().tool() == shiftTool_) {
         if (!picture) {
-            notices_.showNote(QString::fromStdString(picture.error().message));
+            notices_.showNote(ui::messageText(picture.error().message));
             window_.angiogramView().setTool(nullptr);
             return;
         }

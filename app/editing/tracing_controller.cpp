@@ -5,6 +5,7 @@
 #include "ui/main_window.h"
 #include "ui/slices/slices_page.h"
 #include "ui/words/language.h"
+#include "ui/words/message_text.h"
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
@@ -76,9 +77,9 @@ TracingController::TracingController(CaseDocument& document, ui::MainWindow& win
             tr("Tracing the vessels of the scan … %1 %").arg(ui::numberText(100.0 * fraction, 0)), fraction);
     });
     connect(&job_, &VesselTraceJob::finished, this, &TracingController::finish);
-    connect(&job_, &VesselTraceJob::failed, this, [this](const QString& reason) {
+    connect(&job_, &VesselTraceJob::failed, this, [this](const core::Message& reason) {
         ended();
-        emit failed(reason);
+        emit failed(ui::messageText(reason));
     });
     connect(&job_, &VesselTraceJob::stopped, this, [this] {
         ended();
@@ -242,7 +243,10 @@ void TracingController::finish(const VesselTrace& result)
     }
     const int count = static_cast<int>(result.tree->branches.size());
     QStringList notes{count == 1 ? tr("Traced: 1 branch.") : tr("Traced: %1 branches.").arg(count)};
-    emit traced(ui::joinedSentences(notes + result.warnings));
+    for (const core::Message& warning : result.warnings) {
+        notes << ui::messageText(warning);
+    }
+    emit traced(ui::joinedSentences(notes));
 }
 
 void TracingController::ended()

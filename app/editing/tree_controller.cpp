@@ -5,6 +5,7 @@
 #include "core/vessel/edit_tree.h"
 #include "core/vessel/root_tree.h"
 #include "ui/panels/result_sentences.h"
+#include "ui/words/message_text.h"
 
 #include <algorithm>
 
@@ -15,7 +16,7 @@ constexpr double smoothWidthMm = 8.0;   // bends narrower than this are taken ou
 
 QString words(const core::Error& error)
 {
-    return QString::fromStdString(error.message);
+    return ui::messageText(error.message);
 }
 
 }   // namespace

@@ -1,10 +1,12 @@
 #include "app/files/case_report.h"
 
+#include "app/messages/says.h"
 #include "app/texts/geometry_state.h"
 #include "ui/panels/result_sentences.h"
-#include "ui/words/core_texts.h"
 #include "ui/words/language.h"
+#include "ui/words/message_text.h"
 #include "ui/words/number.h"
+#include "ui/words/terms.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
@@ -84,10 +86,10 @@ QString titleLines(const CaseReport& report)
                                      : QStringList(fromCore(part).replace(QLatin1Char('^'), QLatin1Char(' '))));
         }
     } else {
-        patient << ui::coreText(std::string("identity hidden"));
+        patient << ui::messageText(says::identityHidden());
     }
     return QStringLiteral("<h2>%1</h2><p><b style=\"color:#9a5b00\">%2</b> · %3</p>")
-        .arg(fromCore(report.shown.title).toHtmlEscaped(), ui::coreText(std::string(notForClinicalUse)).toHtmlEscaped(),
+        .arg(fromCore(report.shown.title).toHtmlEscaped(), ui::messageText(says::notForClinicalUse()).toHtmlEscaped(),
              patient.join(QStringLiteral(" · ")).toHtmlEscaped());
 }
 
@@ -105,7 +107,7 @@ QString resultPart(const CaseReport& report)
          QStringLiteral("%1 %").arg(ui::numberText(100.0 * metrics.coverage, 0))}};
     if (report.shown.result) {
         rows.emplace_back(ReportWords::tr("Method"), fromCore(judged.method) + QStringLiteral(" · ") +
-                                                         ui::coreText(std::string(core::toText(judged.stopReason))));
+                                                         ui::termText(core::toText(judged.stopReason)));
     } else {
         rows.emplace_back(ReportWords::tr("Method"), ReportWords::tr("pose set by hand"));
     }
@@ -148,7 +150,7 @@ QString geometryPart(const CaseReport& report)
         rows.emplace_back(QCoreApplication::translate("angiopose::ui::GeometryPanel", kind.label),
                           ui::numberText(*shown.value, kind.format.decimals) +
                               (isAngle ? QString() : QStringLiteral(" ")) + kind.format.unit +
-                              QStringLiteral(" (%1)").arg(ui::coreText(originText(shown.origin))));
+                              QStringLiteral(" (%1)").arg(ui::messageText(originWord(shown.origin))));
     }
     return heading(ReportWords::tr("Geometry")) + table(rows);
 }

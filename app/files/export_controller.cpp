@@ -14,7 +14,7 @@
 #include "io/vessel_tree_file.h"
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
-#include "ui/words/core_texts.h"
+#include "ui/words/message_text.h"
 
 #include <QFileDialog>
 
@@ -56,7 +56,7 @@ void ExportController::writeFile(const QString& path, const Write& write, const 
         },
         [this, then](const core::Result<QString>& written) {
             if (!written) {
-                emit failed(ui::coreText(written.error().message));
+                emit failed(ui::messageText(written.error().message));
                 return;
             }
             rememberSaveFolder(written.value());
@@ -143,7 +143,7 @@ void ExportController::askReport()
     }
     auto input = core::registrationInputOf(current, *target_.current());
     if (!input) {
-        emit failed(ui::coreText(input.error().message));
+        emit failed(ui::messageText(input.error().message));
         return;
     }
     ui::ExportChoice choice;

@@ -7,7 +7,7 @@
 #include "app/files/view_from_inputs.h"
 #include "app/settings.h"
 #include "core/case_views.h"
-#include "ui/words/core_texts.h"
+#include "ui/words/message_text.h"
 
 #include <QFileInfo>
 
@@ -146,9 +146,9 @@ void OpenController::load(const QStringList& paths, const OpenHints& hints)
         askedSeries_ = series;
         take(inputs, paths);
     });
-    connect(job_, &LoadJob::failed, this, [this, paths](const QString& reason) {
+    connect(job_, &LoadJob::failed, this, [this, paths](const core::Message& reason) {
         finish();
-        emit failed(reason, paths);
+        emit failed(ui::messageText(reason), paths);
     });
     const QString what = tr("Reading %1 …").arg(namesOf(paths));
     connect(job_, &LoadJob::advanced, this, [this, what](double fraction) { emit advanced(what, fraction); });
@@ -271,7 +271,7 @@ void OpenController::addView(const LoadedInputs& inputs, const QStringList& path
 {
     auto added = viewFrom(document_.current(), inputs, paths.front().toStdString());
     if (!added) {
-        emit failed(ui::coreText(added.error().message), paths);
+        emit failed(ui::messageText(added.error().message), paths);
         return;
     }
     auto views = document_.current().otherViews;

@@ -7,7 +7,7 @@
 #include "ui/dialogs/message_dialog.h"
 #include "ui/dialogs/missing_inputs.h"
 #include "ui/main_window.h"
-#include "ui/words/core_texts.h"
+#include "ui/words/message_text.h"
 #include "ui/words/number.h"
 
 #include <QFileDialog>
@@ -211,7 +211,7 @@ void OpenDialogs::openSample()
         if (path) {
             open_.open({path.value()});
         } else {
-            notices_.showProblem(tr("Could not make the sample case"), ui::coreText(path.error().message));
+            notices_.showProblem(tr("Could not make the sample case"), ui::messageText(path.error().message));
         }
     });
 }

@@ -3,7 +3,7 @@
 #include "app/files/assemble_case.h"
 #include "core/imaging/patient_match.h"
 #include "ui/actions/key_hint.h"
-#include "ui/words/core_texts.h"
+#include "ui/words/message_text.h"
 #include "ui/words/number.h"
 
 #include <QCoreApplication>
@@ -31,16 +31,17 @@ QString namesOf(const QStringList& paths)
 QStringList notesOf(const LoadedInputs& inputs, const core::RegistrationCase& opened)
 {
     QStringList notes;
-    for (const std::string& warning : inputs.warnings) {
-        notes << ui::coreText(warning);
+    for (const core::Message& warning : inputs.warnings) {
+        notes << ui::messageText(warning);
     }
     if (!inputs.wholeCase && inputs.vesselInput.unitMm != 1.0) {
         notes << NoteWords::tr("One unit of the file is %1 mm, as you chose.")
                      .arg(ui::briefNumber(inputs.vesselInput.unitMm, 6));
     }
     if (!inputs.wholeCase && opened.angiogram) {   // a case file has compared them itself
-        const std::string mismatch = core::findMismatch(opened.scanIdentity, opened.angiogram->identity);
-        notes << (mismatch.empty() ? QStringList() : QStringList(ui::coreText(mismatch)));
+        for (const core::Message& mismatch : core::findMismatch(opened.scanIdentity, opened.angiogram->identity)) {
+            notes << ui::messageText(mismatch);
+        }
     }
     return notes;
 }

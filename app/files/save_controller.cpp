@@ -7,8 +7,8 @@
 #include "io/case_file.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/dialogs/recovery_dialog.h"
-#include "ui/words/core_texts.h"
 #include "ui/words/language.h"
+#include "ui/words/message_text.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -95,7 +95,7 @@ bool SaveController::refusesToSave(const std::function<void()>& whenSaved)
         offerVessels(whenSaved);
         return true;
     }
-    QString why = ui::coreText(io::findUnsavable(document_.current()));
+    QString why = ui::messageText(io::findUnsavable(document_.current()));
     if (!why.isEmpty()) {
         why[0] = why[0].toUpper();
         emit failed(why);
@@ -134,7 +134,7 @@ void SaveController::saveTo(const QString& path, const std::function<void()>& wh
         },
         [this, path, state = document_.state(), whenSaved](const core::Result<QString>& written) {
             if (!written) {
-                emit failed(ui::coreText(written.error().message));
+                emit failed(ui::messageText(written.error().message));
                 return;
             }
             take(path, state);

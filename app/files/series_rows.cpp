@@ -1,7 +1,7 @@
 #include "app/files/series_rows.h"
 
 #include "app/texts/number_text.h"
-#include "ui/words/core_texts.h"
+#include "ui/words/message_text.h"
 #include "ui/words/number.h"
 
 #include <QCoreApplication>
@@ -24,7 +24,7 @@ QString numberedName(int number)
 QString sizeText(const io::DicomSeries& series)
 {
     const io::SliceRecord& first = series.slices.front();
-    const bool isPlanned = !series.isAngiogram && series.problem.empty();
+    const bool isPlanned = !series.isAngiogram && !series.problem;
     const Eigen::Vector3i size =
         isPlanned ? series.stack.geometry.size : Eigen::Vector3i(first.size.x(), first.size.y(), 0);
     const QString plane = QStringLiteral("%1 × %2").arg(size.x()).arg(size.y());
@@ -33,7 +33,7 @@ QString sizeText(const io::DicomSeries& series)
 
 QString spacingText(const io::DicomSeries& series)
 {
-    if (series.isAngiogram || !series.problem.empty()) {
+    if (series.isAngiogram || series.problem) {
         return {};
     }
     QStringList parts;
@@ -52,20 +52,20 @@ ui::SeriesRow rowOf(const io::DicomSeries& series)
     if (row.description.isEmpty()) {
         row.description = numberedName(series.number);
     }
-    if (!series.part.empty()) {
-        row.description += QStringLiteral(" (%1)").arg(ui::coreText(series.part));
+    if (series.part) {
+        row.description += QStringLiteral(" (%1)").arg(ui::messageText(series.part));
     }
     row.modality = QString::fromStdString(series.identity.modality);
     row.imageCount = static_cast<int>(series.slices.size());
     row.size = sizeText(series);
     row.spacingMm = spacingText(series);
     row.date = QString::fromStdString(series.identity.studyDate);
-    row.isOpenable = series.problem.empty();
+    row.isOpenable = !series.problem;
     if (!row.isOpenable) {
-        row.notes << ui::coreText(series.problem);
+        row.notes << ui::messageText(series.problem);
     }
-    for (const std::string& warning : series.warnings) {
-        row.notes << ui::coreText(warning);
+    for (const core::Message& warning : series.warnings) {
+        row.notes << ui::messageText(warning);
     }
     return row;
 }

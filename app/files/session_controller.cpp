@@ -2,11 +2,13 @@
 
 #include "app/files/case_pictures.h"
 #include "app/files/recent_cases.h"
+#include "app/messages/says.h"
 #include "app/settings.h"
 #include "core/imaging/patient_match.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
 #include "ui/words/language.h"
+#include "ui/words/message_text.h"
 #include "ui/words/spoken.h"
 
 #include <QFileInfo>
@@ -37,10 +39,10 @@ SessionController::SessionController(ui::MainWindow& window, CaseDocument& docum
 void SessionController::warnOfMismatch()
 {
     const core::RegistrationCase& current = document_.current();
-    const std::string mismatch =
-        current.angiogram ? core::findMismatch(current.scanIdentity, current.angiogram->identity) : "";
+    const core::Messages mismatch =
+        current.angiogram ? core::findMismatch(current.scanIdentity, current.angiogram->identity) : core::Messages();
     if (!mismatch.empty()) {
-        notices_.showProblem(tr("Not the same patient?"), QString::fromStdString(mismatch));
+        notices_.showProblem(tr("Not the same patient?"), ui::messagesText(mismatch));
     }
 }
 
@@ -182,7 +184,7 @@ void SessionController::pictureOpened()
     pictures_.run(
         [snapshot = document_.current(), path]() -> core::Result<QString> {
             if (!storeCasePicture(snapshot, path)) {
-                return core::Error{"There is nothing to show yet."};
+                return core::Error(says::notShown());
             }
             return path;
         },

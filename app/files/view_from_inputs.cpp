@@ -1,6 +1,7 @@
 #include "app/files/view_from_inputs.h"
 
 #include "app/files/assemble_case.h"
+#include "app/messages/says.h"
 #include "core/case_views.h"
 #include "core/joint_case.h"
 
@@ -35,7 +36,7 @@ core::Result<core::OtherView> viewFrom(const core::RegistrationCase& registratio
                                std::make_shared<const core::RegistrationCase>(core::viewOf(*inputs.wholeCase))};
     }
     if (!inputs.angiogram) {
-        return core::Error{path + ": this is no angiogram. Choose an XA image, or a case with one."};
+        return core::Error(says::openNoAngiogram().about(path));
     }
     core::RegistrationCase view = withImageOf(registrationCase, inputs);
     if (const auto fromShown = core::viewFromView(registrationCase, view)) {

@@ -7,7 +7,7 @@
 #include "ui/help/tour.h"
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
-#include "ui/words/core_texts.h"
+#include "ui/words/message_text.h"
 
 #include <QApplication>
 #include <QCursor>
@@ -92,7 +92,7 @@ void HelpController::fillGoodFit(int index)
                       if (path) {
                           goodFit_->showPicture(example, QImage(path.value()));
                       } else {
-                          goodFit_->showProblem(ui::coreText(path.error().message));
+                          goodFit_->showProblem(ui::messageText(path.error().message));
                       }
                   });
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/follow_frames.h"
+#include "core/support/result.h"
 
 #include <QFutureWatcher>
 #include <QObject>
@@ -24,7 +25,7 @@ public:
 signals:
     void advanced(double fraction);
     void finished(const std::vector<core::FollowedFrame>& frames);   ///< after a stop: those it came to
-    void failed(const QString& reason);
+    void failed(const core::Message& reason);
 
 private:
     using Outcome = core::Result<std::vector<core::FollowedFrame>>;

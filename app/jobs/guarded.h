@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/messages/says.h"
 #include "core/support/result.h"
 
 #include <exception>
@@ -14,9 +15,9 @@ core::Result<T> guarded(const Work& work)
     try {
         return work();
     } catch (const std::bad_alloc&) {
-        return core::Error{"There is not enough memory for this. Close other programs or use smaller inputs."};
+        return core::Error(says::notEnoughMemory());
     } catch (const std::exception& problem) {
-        return core::Error{std::string("A library gave up: ") + problem.what() + ". Check the inputs."};
+        return core::Error(says::libraryGaveUp(problem.what()));
     }
 }
 

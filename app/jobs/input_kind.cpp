@@ -1,5 +1,6 @@
 #include "app/jobs/input_kind.h"
 
+#include "app/messages/says.h"
 #include "io/series/slice_record.h"
 #include "io/vessel/tree_table.h"
 #include "io/volume_file.h"
@@ -48,14 +49,6 @@ bool isVtk(const QByteArray& head)
     return head.startsWith("# vtk DataFile") || head.contains("<VTKFile");
 }
 
-core::Error notOurs(const QFileInfo& file)
-{
-    return {
-        file.fileName().toStdString() +
-        " is not a file that AngioPose opens. Open a case (.angiopose), a centreline (VTP, VTK, CSV, SWC), a CT scan "
-        "(DICOM folder, NIfTI, NRRD, MetaImage), a surface (STL, PLY, OBJ) or an angiogram (DICOM, PNG, TIFF)."};
-}
-
 core::Result<InputKind> kindByName(const QFileInfo& file, const QByteArray& head)
 {
     static const QSet<QString> images{QStringLiteral("png"),   QStringLiteral("tif"),  QStringLiteral("tiff"),
@@ -81,7 +74,7 @@ core::Result<InputKind> kindByName(const QFileInfo& file, const QByteArray& head
     if (images.contains(suffix)) {
         return InputKind::Image;
     }
-    return notOurs(file);
+    return core::Error(says::openUnknown(file.fileName().toStdString()));
 }
 
 }   // namespace
@@ -91,18 +84,18 @@ core::Result<InputKind> inputKindOf(const QString& path)
     const QFileInfo info(path);
     const std::string name = info.fileName().toStdString();
     if (!info.exists()) {
-        return core::Error{path.toStdString() + " does not exist. Check the name, or whether its drive is mounted."};
+        return core::Error(says::openMissing(path.toStdString()));
     }
     if (info.isDir()) {
         return InputKind::Folder;
     }
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) {
-        return core::Error{name + " cannot be read: " + file.errorString().toStdString() + ". Check its permissions."};
+        return core::Error(says::openUnreadable(name, file.errorString().toStdString()));
     }
     const QByteArray head = file.read(headSize);
     if (head.isEmpty()) {
-        return core::Error{name + " is empty. Copy the file again from where it came from."};
+        return core::Error(says::openEmpty(name));
     }
     // A case file is told by its name: its content is validated on reading.
     if (info.suffix().compare(QLatin1String("angiopose"), Qt::CaseInsensitive) == 0) {

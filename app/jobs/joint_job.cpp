@@ -3,6 +3,7 @@
 #include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
 #include "app/jobs/publish_outcome.h"
+#include "app/messages/says.h"
 #include "core/joint_case.h"
 
 #include <QtConcurrentRun>
@@ -16,20 +17,15 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds jointReportPause{33};   // what the eye can follow
 
-core::Error inView(std::size_t index, const core::Error& error)
-{
-    return {"View " + std::to_string(index + 1) + ": " + error.message};
-}
-
 core::Result<std::vector<core::Centerline2d>> targetsOf(const std::vector<core::RegistrationCase>& views,
                                                         core::Centerline2d target, const std::atomic<bool>& isStopped)
 {
     std::vector<core::Centerline2d> targets{std::move(target)};
     for (std::size_t k = 1; k < views.size(); ++k) {
-        auto traced = isStopped ? core::Result<core::Centerline2d>(core::Error{"Stopped before the run began."})
+        auto traced = isStopped ? core::Result<core::Centerline2d>(core::Stopped{says::stoppedBeforeRun()})
                                 : core::targetOf(views[k]);
         if (!traced) {
-            return inView(k, traced.error());
+            return core::inView(k, traced.error());
         }
         targets.push_back(std::move(traced).value());
     }

@@ -2,6 +2,7 @@
 
 #include "core/registration/register_views.h"
 #include "core/registration_case.h"
+#include "core/support/result.h"
 
 #include <QFutureWatcher>
 #include <QObject>
@@ -26,7 +27,7 @@ public:
 signals:
     void advanced(const core::IterationReport& report);   ///< of the first view, at most thirty times a second
     void finished(const core::MultiViewResult& result);   ///< after a stop: best poses so far
-    void failed(const QString& reason);
+    void failed(const core::Message& reason);
 
 private:
     using Outcome = core::Result<core::MultiViewResult>;

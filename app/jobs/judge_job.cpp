@@ -68,7 +68,7 @@ void JudgeJob::publish()
     if (outcome) {
         emit judged(outcome.value());
     } else {
-        emit failed(QString::fromStdString(outcome.error().message));
+        emit failed(outcome.error().message);
     }
 }
 

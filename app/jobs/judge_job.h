@@ -38,7 +38,7 @@ public:
 
 signals:
     void judged(const app::SharedJudgement& judgement);
-    void failed(const QString& reason);
+    void failed(const core::Message& reason);
 
 private:
     void start(JudgeRequest request);

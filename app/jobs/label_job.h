@@ -33,7 +33,7 @@ public:
 
 signals:
     void finished(const app::LabelOverview& overview);
-    void failed(const QString& reason);
+    void failed(const core::Message& reason);
 
 private:
     std::shared_ptr<std::atomic<bool>> isDropped_;   ///< of the running read; null without one

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/jobs/read_inputs.h"
+#include "core/support/result.h"
 
 #include <QFutureWatcher>
 #include <QObject>
@@ -28,7 +29,7 @@ public:
 signals:
     void advanced(double fraction);
     void finished(const app::LoadedInputs& inputs);
-    void failed(const QString& reason);
+    void failed(const core::Message& reason);
 
 private:
     using Outcome = core::Result<LoadedInputs>;

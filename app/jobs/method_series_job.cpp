@@ -69,7 +69,7 @@ void MethodSeriesJob::solveOne(const core::RegistrationInput& input, const core:
     const auto outcome =
         guarded<core::RegistrationResult>([&] { return core::registerVessels(input, options, observe); });
     if (!outcome) {
-        const QString reason = QString::fromStdString(outcome.error().message);
+        const core::Message reason = outcome.error().message;
         QMetaObject::invokeMethod(
             this, [this, id, reason] { emit failed(id, reason); }, Qt::QueuedConnection);
     } else if (outcome.value().stopReason != core::StopReason::StoppedByUser) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/registration/registration.h"
+#include "core/support/result.h"
 
 #include <QFutureWatcher>
 #include <QObject>
@@ -26,7 +27,7 @@ public:
 signals:
     void advanced(const QString& methodId, double progress);   ///< over all methods, 0…1
     void solved(const core::RegistrationResult& result);   ///< once per method that reached its end
-    void failed(const QString& methodId, const QString& reason);   ///< the next method follows
+    void failed(const QString& methodId, const core::Message& reason);   ///< the next method follows
     void ended(bool wasStopped);
 
 private:

@@ -2,8 +2,6 @@
 
 #include "core/support/result.h"
 
-#include <QString>
-
 namespace angiopose::app {
 
 /// How a job ends: `finished` with what was found, or `failed` with the reason.
@@ -13,7 +11,7 @@ void publishOutcome(Job& job, const core::Result<Found>& outcome)
     if (outcome) {
         emit job.finished(outcome.value());
     } else {
-        emit job.failed(QString::fromStdString(outcome.error().message));
+        emit job.failed(outcome.error().message);
     }
 }
 

@@ -70,7 +70,7 @@ void RadiographJob::publish()
     if (outcome) {
         emit made(outcome.value());
     } else {
-        emit failed(QString::fromStdString(outcome.error().message));
+        emit failed(outcome.error().message);
     }
 }
 

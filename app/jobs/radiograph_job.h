@@ -2,6 +2,7 @@
 
 #include "core/imaging/image2d.h"
 #include "core/registration/registration.h"
+#include "core/support/result.h"
 
 #include <QFutureWatcher>
 #include <QObject>
@@ -28,7 +29,7 @@ public:
 
 signals:
     void made(const core::ImageF& picture);   ///< vessels bright on 0, at half the image's resolution
-    void failed(const QString& reason);
+    void failed(const core::Message& reason);
 
 private:
     void cancel();   ///< drops what waits and what is being made

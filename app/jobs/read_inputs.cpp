@@ -1,10 +1,12 @@
 #include "app/jobs/read_inputs.h"
 
 #include "app/jobs/input_kind.h"
+#include "app/messages/says.h"
 #include "io/angiogram_file.h"
 #include "io/case_file.h"
 #include "io/centerline2d_file.h"
 #include "io/file_hash.h"
+#include "io/messages/says.h"
 #include "io/subtraction_file.h"
 #include "io/surface_file.h"
 #include "io/vessel_input_file.h"
@@ -58,16 +60,16 @@ core::Result<LoadedInputs> readCase(const QString& path, const OpenHints& hints,
         return loaded.error();
     }
     for (const auto& [wanted, place] : inputs.moved) {
-        inputs.warnings.push_back(QFileInfo(QString::fromStdString(wanted)).fileName().toStdString() +
-                                  " has moved and was found as " + place + ". Save the case to remember.");
+        inputs.warnings.push_back(
+            says::openMoved(QFileInfo(QString::fromStdString(wanted)).fileName().toStdString(), place));
     }
     inputs.wholeCase = std::move(loaded).value();
     return inputs;
 }
 
-core::Error twice(const QString& path, const char* what)
+core::Error twice(const QString& path, const core::MessageKind<1>& what)
 {
-    return {QFileInfo(path).fileName().toStdString() + " is a second " + what + ". Open one " + what + " at a time."};
+    return what(QFileInfo(path).fileName().toStdString());
 }
 
 /// True for a slice beside the one that was opened: its series is there already.
@@ -108,7 +110,7 @@ core::Status addUntraced(LoadedInputs& inputs, const QString& path, const QStrin
     if (!addScan(inputs, path, seriesId, observe)) {
         return problem;
     }
-    inputs.warnings.push_back(problem.message);
+    inputs.warnings.push_back(problem.message.as(core::Severity::Warning));
     return core::Done{};
 }
 
@@ -133,7 +135,7 @@ core::Status addVessels(LoadedInputs& inputs, const QString& path, const OpenHin
                         const io::ReadObserver& observe)
 {
     if (inputs.tree) {
-        return isOfSameSeries(inputs, path) ? core::Status(core::Done{}) : twice(path, "vessel tree");
+        return isOfSameSeries(inputs, path) ? core::Status(core::Done{}) : twice(path, says::openSecondTree);
     }
     const auto kind = io::vesselInputKindOf(path.toStdString());
     if (!kind) {
@@ -177,7 +179,7 @@ core::Status addVessels(LoadedInputs& inputs, const QString& path, const OpenHin
 core::Status addImage(LoadedInputs& inputs, const QString& path)
 {
     if (inputs.angiogram) {
-        return twice(path, "angiogram");
+        return twice(path, says::openSecondAngiogram);
     }
     auto angiogram = io::readAngiogram(path.toStdString());
     if (!angiogram) {
@@ -196,7 +198,7 @@ core::Status addImage(LoadedInputs& inputs, const QString& path)
 core::Status addTarget(LoadedInputs& inputs, const QString& path)
 {
     if (inputs.target) {
-        return twice(path, "2-D centreline");
+        return twice(path, says::openSecondCentreline);
     }
     auto target = io::readCenterline2d(path.toStdString());
     if (!target) {
@@ -208,27 +210,27 @@ core::Status addTarget(LoadedInputs& inputs, const QString& path)
 }
 
 /// Why none of the series can be opened: every reason once, with the series it holds for.
-std::string reasonsOf(const std::vector<io::DicomSeries>& all)
+core::Message reasonsOf(const std::vector<io::DicomSeries>& all)
 {
     if (all.size() == 1) {
-        return all.front().problem;
+        return *all.front().problem;
     }
-    std::vector<std::pair<std::string, std::string>> namesByReason;
+    std::vector<std::pair<core::Message, std::string>> namesByReason;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const std::string name = all[i].description.empty() ? std::to_string(i + 1) : all[i].description;
         const auto known =
-            std::ranges::find(namesByReason, all[i].problem, [](const auto& each) { return each.first; });
+            std::ranges::find(namesByReason, *all[i].problem, [](const auto& each) { return each.first; });
         if (known == namesByReason.end()) {
-            namesByReason.emplace_back(all[i].problem, name);
+            namesByReason.emplace_back(*all[i].problem, name);
         } else {
             known->second += ", " + name;
         }
     }
-    std::string text = "none of its " + std::to_string(all.size()) + " series can be opened.";
+    core::Messages reasons;
     for (const auto& [reason, names] : namesByReason) {
-        text += "\n" + names + ": " + reason;
+        reasons.push_back(reason.about(names));
     }
-    return text;
+    return says::openNoSeries(all.size(), reasons);
 }
 
 /// Opens the chosen series of a folder, or the only one; several are offered.
@@ -242,7 +244,7 @@ core::Status addFolder(LoadedInputs& inputs, const QString& path, const OpenHint
     }
     std::vector<io::DicomSeries> all = std::move(listed).value();
     const auto opens = [&](const io::DicomSeries& series) {
-        return seriesId.isEmpty() ? series.problem.empty() : series.id == seriesId.toStdString();
+        return seriesId.isEmpty() ? !series.problem : series.id == seriesId.toStdString();
     };
     const auto count = std::count_if(all.begin(), all.end(), opens);
     if (count > 1 && seriesId.isEmpty()) {
@@ -250,8 +252,11 @@ core::Status addFolder(LoadedInputs& inputs, const QString& path, const OpenHint
         return core::Done{};
     }
     const auto found = std::find_if(all.begin(), all.end(), opens);
+    if (found == all.end() && !seriesId.isEmpty()) {
+        return core::Error(io::says::seriesNotHere(seriesId.toStdString()).about(path.toStdString()));
+    }
     if (found == all.end()) {
-        return core::Error{path.toStdString() + ": " + reasonsOf(all)};
+        return core::Error(reasonsOf(all).about(path.toStdString()));
     }
     return found->isAngiogram
                ? addImage(inputs, QString::fromStdString(found->slices.front().path))
@@ -277,7 +282,7 @@ core::Status addFile(LoadedInputs& inputs, const QString& path, const OpenHints&
         case InputKind::Case:
             break;
     }
-    return core::Error{QFileInfo(path).fileName().toStdString() + " is a case. Open it alone, without other files."};
+    return core::Error(says::openCaseAlone(QFileInfo(path).fileName().toStdString()));
 }
 
 void addVesselHash(LoadedInputs& inputs)

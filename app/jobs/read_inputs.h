@@ -33,7 +33,7 @@ struct LoadedInputs {
     core::SubtractionPlan headerPlan;   ///< of the angiogram
     core::InputFile targetFile;
     std::shared_ptr<const core::Centerline2d> target;
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     std::vector<io::DicomSeries> offered;   ///< of a folder with several: nothing is read until one is chosen
     std::vector<io::MissingInput> missing;   ///< of a case, found nowhere: nothing else is read
     io::MovedInputs moved;   ///< inputs of the case that were found elsewhere

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/registration/registration.h"
+#include "core/support/result.h"
 
 #include <QFutureWatcher>
 #include <QObject>
@@ -23,7 +24,7 @@ public:
 signals:
     void advanced(const core::IterationReport& report);   ///< at most thirty times a second
     void finished(const core::RegistrationResult& result);   ///< after a stop: best pose so far
-    void failed(const QString& reason);
+    void failed(const core::Message& reason);
 
 private:
     using Outcome = core::Result<core::RegistrationResult>;

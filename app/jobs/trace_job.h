@@ -43,7 +43,7 @@ public:
 
 signals:
     void finished(const app::SharedTrace& traced);
-    void failed(const QString& reason);
+    void failed(const core::Message& reason);
 
 private:
     void publish();

@@ -12,15 +12,6 @@ namespace {
 
 constexpr int tracePollMs = 60;
 
-QStringList textsOf(const std::vector<std::string>& warnings)
-{
-    QStringList texts;
-    for (const std::string& warning : warnings) {
-        texts << QString::fromStdString(warning);
-    }
-    return texts;
-}
-
 core::Result<VesselTrace> traceScan(const VesselTraceRequest& request, const io::ReadObserver& observe)
 {
     auto traced =
@@ -32,7 +23,7 @@ core::Result<VesselTrace> traceScan(const VesselTraceRequest& request, const io:
     core::TracedVessels vessels = std::move(traced).value();
     return VesselTrace{request.input, std::make_shared<const core::VoxelMask>(std::move(vessels.lumen)),
                        std::make_shared<const core::VesselTree>(std::move(vessels.tree)), vessels.threshold,
-                       textsOf(vessels.warnings)};
+                       vessels.warnings};
 }
 
 core::Result<VesselTrace> traceFile(const VesselTraceRequest& request, const io::ReadObserver& observe)
@@ -47,7 +38,7 @@ core::Result<VesselTrace> traceFile(const VesselTraceRequest& request, const io:
     traced.lumen = io::sharedLumen(vessels);
     traced.tree = std::make_shared<const core::VesselTree>(std::move(vessels.tree));
     traced.threshold = vessels.threshold;
-    traced.warnings = textsOf(vessels.warnings);
+    traced.warnings = vessels.warnings;
     return traced;
 }
 

@@ -24,7 +24,7 @@ struct VesselTrace {
     std::shared_ptr<const core::VoxelMask> lumen;
     std::shared_ptr<const core::VesselTree> tree;
     double threshold = 0.0;   ///< where the lumen begins
-    QStringList warnings;
+    core::Messages warnings;
 };
 
 /// Traces a tree off the GUI thread; asked to stop it ends within a second and leaves nothing. A destroyed job stops
@@ -42,7 +42,7 @@ public:
 signals:
     void advanced(double fraction);
     void finished(const app::VesselTrace& traced);
-    void failed(const QString& reason);
+    void failed(const core::Message& reason);
     void stopped();
 
 private:

@@ -22,7 +22,7 @@ core::RegistrationResult ownResult(const core::MultiViewResult& joint)
     core::RegistrationResult result = joint.views.front();
     result.uncertainty = joint.uncertainty;
     result.trustworthy = joint.trustworthy;
-    for (const std::string& warning : joint.warnings) {
+    for (const core::Message& warning : joint.warnings) {
         if (std::ranges::find(result.warnings, warning) == result.warnings.end()) {
             result.warnings.push_back(warning);
         }

@@ -5,7 +5,7 @@
 #include "app/review/snapshot_texts.h"
 #include "core/case_views.h"
 #include "ui/panels/snapshot_panel.h"
-#include "ui/words/core_texts.h"
+#include "ui/words/message_text.h"
 
 namespace angiopose::app {
 
@@ -34,12 +34,12 @@ QString RegistrationController::whyNotReady() const
         return tr("Open an angiogram first.");
     }
     if (const auto camera = core::cameraOf(current); !camera) {
-        return ui::coreText(camera.error().message);
+        return ui::messageText(camera.error().message);
     }
     if (const auto start = core::startPoseOf(current); !start) {
-        return ui::coreText(start.error().message);
+        return ui::messageText(start.error().message);
     }
-    return ui::coreText(core::findProblem(current.options));
+    return ui::messageText(core::findProblem(current.options));
 }
 
 void RegistrationController::start()
@@ -76,10 +76,9 @@ void RegistrationController::continueAfterTracing()
     if (phase_ != Phase::Tracing) {
         return;
     }
-    if (!target_.problem().isEmpty()) {
-        const QString problem = target_.problem();
+    if (const auto problem = target_.problem()) {
         end();
-        emit failed(problem);
+        emit failed(ui::messageText(*problem));
         return;
     }
     if (!target_.current()) {
@@ -88,7 +87,7 @@ void RegistrationController::continueAfterTracing()
     auto input = core::registrationInputOf(document_.current(), *target_.current());
     if (!input) {
         end();
-        emit failed(ui::coreText(input.error().message));
+        emit failed(ui::messageText(input.error().message));
         return;
     }
     phase_ = Phase::Solving;
@@ -123,11 +122,11 @@ void RegistrationController::applyJoint(const core::MultiViewResult& joint)
     emit finished(*poses.own.result);
 }
 
-void RegistrationController::giveUp(const QString& reason)
+void RegistrationController::giveUp(const core::Message& reason)
 {
     end();
     if (!stopWished_) {   // stopped before there was any pose: nothing to tell
-        emit failed(ui::coreText(reason.toStdString()));
+        emit failed(ui::messageText(reason));
     }
 }
 

@@ -35,7 +35,7 @@ private:
     void continueAfterTracing();
     void apply(const core::RegistrationResult& result);
     void applyJoint(const core::MultiViewResult& joint);
-    void giveUp(const QString& reason);
+    void giveUp(const core::Message& reason);
     void end();
 
     CaseDocument& document_;

@@ -2,8 +2,8 @@
 
 #include "app/document/edit_case.h"
 #include "ui/main_window.h"
-#include "ui/words/core_texts.h"
 #include "ui/words/number.h"
+#include "ui/words/terms.h"
 
 namespace angiopose::app {
 
@@ -89,7 +89,7 @@ void RunController::showProgress(const core::IterationReport& report)
     on_.sync.showPreview(report.cameraFromPatient, ResidualColors::Kept);
     on_.window.result().showProgress(report);
     on_.window.strip().showProgress(tr("Registering: %1 · %2 % · %3 px")
-                                        .arg(ui::coreText(report.stage))
+                                        .arg(ui::termText(report.stage))
                                         .arg(ui::numberText(100.0 * report.progress, 0))
                                         .arg(ui::numberText(report.medianDistancePx, 1)),
                                     report.progress);

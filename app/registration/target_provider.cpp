@@ -30,7 +30,7 @@ TargetProvider::TargetProvider(QObject* parent) : QObject(parent)
         remember(*std::exchange(asked_, std::nullopt), traced);
         startWanted();
     });
-    connect(&job_, &TraceJob::failed, this, [this](const QString& reason) {
+    connect(&job_, &TraceJob::failed, this, [this](const core::Message& reason) {
         if (wanted_ == std::exchange(asked_, std::nullopt)) {
             settle(SharedTrace(), reason);
         } else {
@@ -57,14 +57,14 @@ void TargetProvider::want(const core::RegistrationCase& registrationCase)
 void TargetProvider::startWanted()
 {
     if (!wanted_) {
-        settle(SharedTrace(), {});
+        settle(SharedTrace(), std::nullopt);
         return;
     }
     if (const SharedTrace trace = known(*wanted_)) {
-        settle(trace, {});
+        settle(trace, std::nullopt);
         return;
     }
-    settle(SharedTrace(), {});
+    settle(SharedTrace(), std::nullopt);
     if (!job_.isRunning()) {
         asked_ = wanted_;
         job_.start(*wanted_);
@@ -93,17 +93,18 @@ void TargetProvider::remember(const TraceRequest& asked, const SharedTrace& trac
     }
 }
 
-void TargetProvider::settle(const SharedTrace& trace, const QString& problem)
+void TargetProvider::settle(const SharedTrace& trace, const std::optional<core::Message>& problem)
 {
     settle(trace ? SharedCenterline(trace, &trace->centerline) : nullptr, trace, problem);
 }
 
 void TargetProvider::settleGiven(const SharedCenterline& given)
 {
-    settle(given, nullptr, {});
+    settle(given, nullptr, std::nullopt);
 }
 
-void TargetProvider::settle(const SharedCenterline& target, const SharedTrace& trace, const QString& problem)
+void TargetProvider::settle(const SharedCenterline& target, const SharedTrace& trace,
+                            const std::optional<core::Message>& problem)
 {
     if (target == current_ && problem == problem_) {
         return;

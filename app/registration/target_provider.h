@@ -21,7 +21,7 @@ public:
     void want(const core::RegistrationCase& registrationCase);
     const SharedCenterline& current() const { return current_; }   ///< null until ready
     const SharedTrace& trace() const { return trace_; }   ///< null while the target is a given one, or not ready
-    const QString& problem() const { return problem_; }   ///< why there is none, empty otherwise
+    const std::optional<core::Message>& problem() const { return problem_; }   ///< why there is none
     bool isTracing() const { return job_.isRunning(); }
 
 signals:
@@ -38,9 +38,9 @@ private:
     void startWanted();
     SharedTrace known(const TraceRequest& request);
     void remember(const TraceRequest& asked, const SharedTrace& traced);
-    void settle(const SharedTrace& trace, const QString& problem);
+    void settle(const SharedTrace& trace, const std::optional<core::Message>& problem);
     void settleGiven(const SharedCenterline& given);
-    void settle(const SharedCenterline& target, const SharedTrace& trace, const QString& problem);
+    void settle(const SharedCenterline& target, const SharedTrace& trace, const std::optional<core::Message>& problem);
 
     TraceJob job_;
     std::optional<TraceRequest> wanted_;
@@ -48,7 +48,7 @@ private:
     std::deque<Remembered> traced_;   ///< newest last
     SharedCenterline current_;
     SharedTrace trace_;
-    QString problem_;
+    std::optional<core::Message> problem_;
 };
 
 }   // namespace angiopose::app

@@ -2,11 +2,13 @@
 
 #include "app/document/edit_case.h"
 #include "app/files/save_folder.h"
+#include "app/messages/says.h"
 #include "app/review/snapshot_texts.h"
 #include "app/settings.h"
 #include "core/simulation/simulated_case.h"
 #include "core/support/random.h"
 #include "ui/main_window.h"
+#include "ui/words/message_text.h"
 #include "ui/words/number.h"
 
 #include <algorithm>
@@ -161,7 +163,7 @@ void BlindTrialController::log(const io::ObserverTrial& trial)
             if (written) {
                 emit logged(written.value());
             } else {
-                emit failed(QString::fromStdString(written.error().message));
+                emit failed(ui::messageText(written.error().message));
             }
         });
 }
@@ -170,7 +172,7 @@ void BlindTrialController::judge(const io::ObserverTrial& trial)
 {
     const bool isSameFrame = target_.current() && trial.frame == document_.current().frame;
     auto input = isSameFrame ? core::registrationInputOf(document_.current(), *target_.current())
-                             : core::Result<core::RegistrationInput>(core::Error{});
+                             : core::Result<core::RegistrationInput>(core::Error(says::notShown()));
     if (input) {
         judge_.request({std::move(input).value(), trial.finalPose});
         return;

@@ -3,7 +3,7 @@
 #include "core/geometry/pose_difference.h"
 #include "io/pose_table.h"
 #include "ui/main_window.h"
-#include "ui/words/core_texts.h"
+#include "ui/words/message_text.h"
 #include "ui/words/number.h"
 
 #include <algorithm>
@@ -32,9 +32,9 @@ FollowController::FollowController(const Parts& parts, QObject* parent) : QObjec
         }
     });
     connect(&job_, &FollowJob::finished, this, &FollowController::take);
-    connect(&job_, &FollowJob::failed, this, [this](const QString& reason) {
+    connect(&job_, &FollowJob::failed, this, [this](const core::Message& reason) {
         on_.window.strip().showIdle(tr("Ready"));
-        on_.notices.showProblem(tr("The vessels cannot be followed"), ui::coreText(reason.toStdString()));
+        on_.notices.showProblem(tr("The vessels cannot be followed"), ui::messageText(reason));
     });
     connect(&on_.document, &CaseDocument::changed, this, &FollowController::followDocument);
     connect(&on_.sync, &ViewSync::frameShown, this, &FollowController::showFrame);

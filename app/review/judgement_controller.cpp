@@ -2,7 +2,7 @@
 
 #include "app/texts/overlay_picture.h"
 #include "ui/main_window.h"
-#include "ui/words/core_texts.h"
+#include "ui/words/message_text.h"
 
 #include <algorithm>
 
@@ -43,10 +43,10 @@ JudgementController::JudgementController(const Parts& parts, QObject* parent) : 
         show();
         emit judged(judgement);
     });
-    connect(&job_, &JudgeJob::failed, this, [this](const QString& reason) {
+    connect(&job_, &JudgeJob::failed, this, [this](const core::Message& reason) {
         judgement_.reset();
         show();
-        on_.window.result().showNothing(ui::coreText(reason));
+        on_.window.result().showNothing(ui::messageText(reason));
     });
 }
 
@@ -86,8 +86,8 @@ void JudgementController::showNothing()
     on_.replay.knowUncertainty(std::nullopt);
     on_.sync.showJudgement(nullptr);
     if (!on_.registration.isRunning()) {
-        const QString problem = on_.target.problem();
-        on_.window.result().showNothing(problem.isEmpty() ? tr("nothing to judge yet") : ui::coreText(problem));
+        const auto& problem = on_.target.problem();
+        on_.window.result().showNothing(problem ? ui::messageText(*problem) : tr("nothing to judge yet"));
     }
 }
 

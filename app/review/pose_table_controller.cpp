@@ -4,7 +4,7 @@
 #include "app/review/snapshot_texts.h"
 #include "io/snapshot_table.h"
 #include "ui/main_window.h"
-#include "ui/words/core_texts.h"
+#include "ui/words/message_text.h"
 
 #include <algorithm>
 #include <utility>
@@ -123,13 +123,13 @@ void PoseTableController::run(const std::vector<std::string>& methodIds)
         return;
     }
     if (!target_.current()) {
-        table_->showIdle(target_.problem().isEmpty() ? tr("The vessels of this frame are still being traced.")
-                                                     : target_.problem());
+        table_->showIdle(target_.problem() ? ui::messageText(*target_.problem())
+                                           : tr("The vessels of this frame are still being traced."));
         return;
     }
     auto input = core::registrationInputOf(current, *target_.current());
     if (!input) {
-        table_->showIdle(ui::coreText(input.error().message));
+        table_->showIdle(ui::messageText(input.error().message));
         return;
     }
     origin_ = {document_.state().caseNumber, current.tree, current.angiogram, current.frame};
@@ -149,8 +149,8 @@ void PoseTableController::connectJob()
         }
     });
     connect(&job_, &MethodSeriesJob::solved, this, &PoseTableController::take);
-    connect(&job_, &MethodSeriesJob::failed, this, [this](const QString& methodId, const QString& reason) {
-        failures_ << tr("%1: %2").arg(ui::methodWords(methodId.toStdString()), reason);
+    connect(&job_, &MethodSeriesJob::failed, this, [this](const QString& methodId, const core::Message& reason) {
+        failures_ << tr("%1: %2").arg(ui::methodWords(methodId.toStdString()), ui::messageText(reason));
     });
     connect(&job_, &MethodSeriesJob::ended, this, &PoseTableController::finish);
 }

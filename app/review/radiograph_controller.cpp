@@ -2,7 +2,7 @@
 
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
-#include "ui/words/core_texts.h"
+#include "ui/words/message_text.h"
 
 namespace angiopose::app {
 RadiographController::RadiographController(const Parts& parts, QObject* parent) : QObject(parent), on_(parts)
@@ -21,7 +21,7 @@ RadiographController::RadiographController(const Parts& parts, QObject* parent) 
         }
     });
     connect(&job_, &RadiographJob::failed, this,
-            [this](const QString& reason) { on_.window.strip().showStatus(ui::coreText(reason.toStdString())); });
+            [this](const core::Message& reason) { on_.window.strip().showStatus(ui::messageText(reason)); });
 }
 
 void RadiographController::setWanted(bool wanted)

@@ -1,5 +1,6 @@
 #include "app/review/solution_controller.h"
 
+#include "app/messages/says.h"
 #include "app/texts/overlay_picture.h"
 #include "core/geometry/pose_difference.h"
 #include "ui/main_window.h"
@@ -125,7 +126,8 @@ void SolutionController::draw(const std::vector<core::RigidTransform>& poses)
             Pictures pictures;
             for (const core::RigidTransform& pose : poses) {
                 snapshot.cameraFromPatient = pose;
-                auto picture = *stop ? core::Result<core::ColorImage>(core::Error{}) : drawThumbnail(snapshot, widthPx);
+                auto picture = *stop ? core::Result<core::ColorImage>(core::Stopped{says::notShown()})
+                                     : drawThumbnail(snapshot, widthPx);
                 if (!picture) {
                     break;
                 }

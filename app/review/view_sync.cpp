@@ -66,7 +66,10 @@ ViewSync::ViewSync(ui::MainWindow& window, const CaseDocument& document, QObject
     : QObject(parent), window_(window), document_(document)
 {
     connect(&opacification_, &QFutureWatcherBase::finished, this, &ViewSync::publishMeasured);
-    ui::speak(this, [this] { showFrameNote(); });
+    ui::speak(this, [this] {
+        showFrameNote();
+        showCornerTexts();
+    });
 }
 
 void ViewSync::refresh()
@@ -239,7 +242,7 @@ void ViewSync::setIdentityHidden(bool hidden)
 void ViewSync::showCornerTexts()
 {
     const Identity identity = identityHidden_ ? Identity::Hidden : Identity::Shown;
-    window_.angiogramView().setCornerTexts(cornerTexts(document_.current(), identity));
+    window_.angiogramView().setCornerTexts(windowTexts(cornerLines(document_.current(), identity)));
 }
 
 void ViewSync::showFrameNote()

@@ -1,16 +1,20 @@
 #include "app/texts/case_texts.h"
 
-#include "app/texts/number_text.h"
+#include "app/messages/says.h"
+#include "ui/words/language.h"
+#include "ui/words/message_text.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace angiopose::app {
 namespace {
 
-void addLine(std::vector<std::string>& lines, std::string text)
+void addLine(core::Messages& lines, const std::string& text)
 {
     if (!text.empty()) {
-        lines.push_back(std::move(text));
+        lines.emplace_back(text);
     }
 }
 
@@ -32,9 +36,9 @@ std::string readableName(std::string name)
     return name;
 }
 
-std::vector<std::string> patientLines(const core::StudyIdentity& identity)
+core::Messages patientLines(const core::StudyIdentity& identity)
 {
-    std::vector<std::string> lines;
+    core::Messages lines;
     addLine(lines, readableName(identity.patientName));
     addLine(lines,
             joined({identity.patientId.empty() ? "" : "ID " + identity.patientId, identity.birthDate, identity.sex},
@@ -42,9 +46,9 @@ std::vector<std::string> patientLines(const core::StudyIdentity& identity)
     return lines;
 }
 
-std::vector<std::string> studyLines(const core::StudyIdentity& identity, Identity shown)
+core::Messages studyLines(const core::StudyIdentity& identity, Identity shown)
 {
-    std::vector<std::string> lines;
+    core::Messages lines;
     if (shown == Identity::Shown) {
         addLine(lines, identity.institution);
         addLine(lines, joined({identity.modality, identity.studyDate, identity.studyTime}, " "));
@@ -53,75 +57,117 @@ std::vector<std::string> studyLines(const core::StudyIdentity& identity, Identit
     return lines;
 }
 
-std::string anglesLine(const core::CArm& cArm)
+void addAngles(core::Messages& lines, const core::CArm& cArm)
 {
     if (!cArm.primaryAngleDeg.value || !cArm.secondaryAngleDeg.value) {
-        return {};
+        return;
     }
-    return primaryAngleText(*cArm.primaryAngleDeg.value) + " · " + secondaryAngleText(*cArm.secondaryAngleDeg.value);
+    const double primary = *cArm.primaryAngleDeg.value, secondary = *cArm.secondaryAngleDeg.value;
+    const core::Quantity primaryDeg{std::abs(primary), 1}, secondaryDeg{std::abs(secondary), 1};
+    lines.push_back(says::twoParts(primary < 0.0 ? says::angleRao(primaryDeg) : says::angleLao(primaryDeg),
+                                   secondary < 0.0 ? says::angleCau(secondaryDeg) : says::angleCra(secondaryDeg)));
 }
 
-std::string distancesLine(const core::CArm& cArm)
+void addDistances(core::Messages& lines, const core::CArm& cArm)
 {
-    std::vector<std::string> parts;
-    if (cArm.sourceToDetectorMm.value) {
-        parts.push_back("SID " + fixedText(*cArm.sourceToDetectorMm.value, 0));
+    const auto& sid = cArm.sourceToDetectorMm.value;
+    const auto& sod = cArm.sourceToPatientMm.value;
+    const core::Message origin = originWord(cArm.sourceToDetectorMm.origin);
+    if (sid && sod) {
+        lines.push_back(says::sidAndSod(core::Quantity{*sid}, core::inMm(*sod, 0), origin));
+    } else if (sid) {
+        lines.push_back(says::sidAlone(core::inMm(*sid, 0), origin));
+    } else if (sod) {
+        lines.push_back(says::sodAlone(core::inMm(*sod, 0), origin));
     }
-    if (cArm.sourceToPatientMm.value) {
-        parts.push_back("SOD " + fixedText(*cArm.sourceToPatientMm.value, 0));
-    }
-    return parts.empty() ? "" : joined(parts, " · ") + " mm (" + originText(cArm.sourceToDetectorMm.origin) + ")";
 }
 
-}   // namespace
-
-std::string originText(core::Origin origin)
+/// "0.391 mm/px detector (header)", with the scale at the vessel where the depth is known.
+void addPixelScale(core::Messages& lines, const core::RegistrationCase& registrationCase)
 {
-    switch (origin) {
-        case core::Origin::Header:
-            return "header";
-        case core::Origin::Derived:
-            return "derived";
-        case core::Origin::User:
-            return "user";
-        case core::Origin::Assumed:
-            return "assumed";
-        case core::Origin::Missing:
-            break;
-    }
-    return "missing";
-}
-
-std::string pixelScaleText(const core::RegistrationCase& registrationCase)
-{
-    std::vector<std::string> parts;
+    std::optional<core::Message> atDetector, atVessels;
     const auto& spacing = registrationCase.cArm.columnSpacingMm;
     if (spacing.value) {
-        parts.push_back(fixedText(*spacing.value, 3) + " mm/px detector (" + originText(spacing.origin) + ")");
+        atDetector = says::scaleAtDetector(core::Quantity{*spacing.value, 3, "mm/px"}, originWord(spacing.origin));
     }
     const auto camera = core::cameraOf(registrationCase);
     if (camera && registrationCase.tree) {
         const double depthMm =
             (registrationCase.cameraFromPatient * core::centroidInPatient(*registrationCase.tree)).z();
         if (depthMm > core::minProjectableDepthMm) {
-            parts.push_back(fixedText(core::millimetresPerPixel(camera.value(), depthMm), 3) + " mm/px at the vessels");
+            atVessels =
+                says::scaleAtVessels(core::Quantity{core::millimetresPerPixel(camera.value(), depthMm), 3, "mm/px"});
         }
     }
-    return joined(parts, " · ");
+    if (atDetector && atVessels) {
+        lines.push_back(says::twoParts(*atDetector, *atVessels));
+    } else if (atDetector || atVessels) {
+        lines.push_back(atDetector ? *atDetector : *atVessels);
+    }
 }
 
-ui::CornerTexts cornerTexts(const core::RegistrationCase& registrationCase, Identity identity)
+template <class ToText>
+ui::CornerTexts textsOf(const CornerLines& lines, const ToText& toText)
 {
-    ui::CornerTexts texts;
+    const auto all = [&toText](const core::Messages& messages) {
+        std::vector<std::string> texts;
+        for (const core::Message& message : messages) {
+            texts.push_back(toText(message));
+        }
+        return texts;
+    };
+    return {all(lines.topLeft), all(lines.topRight), all(lines.bottomLeft), all(lines.bottomRight)};
+}
+
+}   // namespace
+
+core::Message originWord(core::Origin origin)
+{
+    switch (origin) {
+        case core::Origin::Header:
+            return says::originHeader();
+        case core::Origin::Derived:
+            return says::originDerived();
+        case core::Origin::User:
+            return says::originUser();
+        case core::Origin::Assumed:
+            return says::originAssumed();
+        case core::Origin::Missing:
+            break;
+    }
+    return says::originMissing();
+}
+
+std::string originText(core::Origin origin)
+{
+    return originWord(origin).text();
+}
+
+ui::CornerTexts englishTexts(const CornerLines& lines)
+{
+    return textsOf(lines, [](const core::Message& message) { return message.text(); });
+}
+
+ui::CornerTexts windowTexts(const CornerLines& lines)
+{
+    ui::CornerTexts texts =
+        textsOf(lines, [](const core::Message& message) { return ui::messageText(message).toStdString(); });
+    texts.decimalSign = ui::languageLocale().decimalPoint() == QLatin1String(",") ? ',' : '.';
+    return texts;
+}
+
+CornerLines cornerLines(const core::RegistrationCase& registrationCase, Identity identity)
+{
+    CornerLines lines;
     if (registrationCase.angiogram) {
         const core::StudyIdentity& study = registrationCase.angiogram->identity;
-        texts.topLeft = identity == Identity::Shown ? patientLines(study) : std::vector<std::string>{"identity hidden"};
-        texts.topRight = studyLines(study, identity);
+        lines.topLeft = identity == Identity::Shown ? patientLines(study) : core::Messages{says::identityHidden()};
+        lines.topRight = studyLines(study, identity);
     }
-    addLine(texts.bottomRight, anglesLine(core::cArmOfFrame(registrationCase)));
-    addLine(texts.bottomRight, distancesLine(registrationCase.cArm));
-    addLine(texts.bottomRight, pixelScaleText(registrationCase));
-    return texts;
+    addAngles(lines.bottomRight, core::cArmOfFrame(registrationCase));
+    addDistances(lines.bottomRight, registrationCase.cArm);
+    addPixelScale(lines.bottomRight, registrationCase);
+    return lines;
 }
 
 }   // namespace angiopose::app

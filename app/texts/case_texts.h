@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/registration_case.h"
+#include "core/support/message.h"
 #include "ui/scenes/render_offscreen.h"
 
 #include <string>
@@ -9,18 +10,21 @@ namespace angiopose::app {
 
 enum class Identity { Shown, Hidden };
 
-/// The words that every picture of the program carries.
-inline constexpr const char* notForClinicalUse = "Not for clinical use";
-
 /// "header", "derived", "user", "assumed" or "missing".
+core::Message originWord(core::Origin origin);
 std::string originText(core::Origin origin);
 
-/// Corner texts where readers of other viewers look for them: patient and study on top, geometry with its basis at the
-/// bottom right.
-/// The bottom left is the caller's: frame, window and zoom belong to the view.
-ui::CornerTexts cornerTexts(const core::RegistrationCase& registrationCase, Identity identity);
+/// What stands in the corners of a picture, a line each.
+struct CornerLines {
+    core::Messages topLeft, topRight, bottomLeft, bottomRight;
+};
 
-/// "0.391 mm/px detector (header)", with the scale at the vessel where the depth is known.
-std::string pixelScaleText(const core::RegistrationCase& registrationCase);
+/// As English text, for files, or in the language of the window.
+ui::CornerTexts englishTexts(const CornerLines& lines);
+ui::CornerTexts windowTexts(const CornerLines& lines);
+
+/// Corner texts where readers of other viewers look for them: patient and study on top, geometry with its basis at the
+/// bottom right. The bottom left is the caller's: frame, window and zoom belong to the view.
+CornerLines cornerLines(const core::RegistrationCase& registrationCase, Identity identity);
 
 }   // namespace angiopose::app

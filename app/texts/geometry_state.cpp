@@ -1,7 +1,7 @@
 #include "app/texts/geometry_state.h"
 
 #include "core/geometry/geometry_checks.h"
-#include "ui/words/core_texts.h"
+#include "ui/words/message_text.h"
 
 #include <QStringList>
 
@@ -20,10 +20,10 @@ QString missingIn(const core::RegistrationCase& current)
         return {};
     }
     QStringList lines;
-    for (const std::string& sentence : core::findMissing(current.cArm)) {
-        lines << ui::coreText(sentence);
+    for (const core::Message& message : core::findMissing(current.cArm)) {
+        lines << ui::messageText(message);
     }
-    return lines.isEmpty() && isCameraMissing ? ui::coreText(camera.error().message) : lines.join(QLatin1Char('\n'));
+    return lines.isEmpty() && isCameraMissing ? ui::messageText(camera.error().message) : lines.join(QLatin1Char('\n'));
 }
 
 }   // namespace

@@ -1,12 +1,11 @@
 #include "app/texts/overlay_picture.h"
 
+#include "app/messages/says.h"
 #include "app/texts/number_text.h"
 #include "core/evaluation/branch_distances.h"
 #include "core/imaging/display_range.h"
 #include "ui/scenes/overlay_scene.h"
 #include "ui/scenes/render_offscreen.h"
-#include "ui/words/core_texts.h"
-#include "ui/words/language.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,37 +26,25 @@ ui::ViewRect wholeImage(const core::ImageF& frame)
     return {-0.5, frame.width - 0.5, -0.5, frame.height - 0.5};
 }
 
-void translate(ui::CornerTexts& texts)
-{
-    for (auto* lines : {&texts.topLeft, &texts.topRight, &texts.bottomLeft, &texts.bottomRight}) {
-        for (std::string& line : *lines) {
-            line = ui::coreText(line).toStdString();
-        }
-    }
-}
-
-/// `heading` tells two pictures beside each other apart; empty: there is one.
+/// `heading` tells two pictures beside each other apart.
 ui::CornerTexts exportTexts(const core::RegistrationCase& registrationCase, const OverlayPictureOptions& options,
-                            const std::string& heading)
+                            const std::optional<core::Message>& heading)
 {
-    ui::CornerTexts texts = cornerTexts(registrationCase, options.identity);
-    texts.topRight.insert(texts.topRight.begin(), notForClinicalUse);
-    if (!heading.empty()) {
-        texts.bottomLeft.push_back(heading);
+    CornerLines lines = cornerLines(registrationCase, options.identity);
+    lines.topRight.insert(lines.topRight.begin(), says::notForClinicalUse());
+    if (heading) {
+        lines.bottomLeft.push_back(*heading);
     }
     if (const int count = registrationCase.angiogram->frameCount(); count > 1) {
-        texts.bottomLeft.push_back("frame " + std::to_string(registrationCase.frame) + " of 0–" +
-                                   std::to_string(count - 1));
+        lines.bottomLeft.push_back(says::frameOfRun(registrationCase.frame, count - 1));
     }
     if (registrationCase.result) {
         const core::RegistrationResult& result = *registrationCase.result;
-        texts.bottomLeft.push_back(result.method + " · median " + fixedText(result.metrics.medianPx, 2) + " px" +
-                                   (result.trustworthy ? "" : " · not trustworthy"));
+        const core::Quantity median{result.metrics.medianPx, 2, "px"};
+        lines.bottomLeft.push_back(result.trustworthy ? says::poseOfMethod(result.method, median)
+                                                      : says::poseNotTrustworthy(result.method, median));
     }
-    if (options.language == PictureLanguage::Window) {
-        translate(texts);
-        texts.decimalSign = ui::languageLocale().decimalPoint() == QLatin1String(",") ? ',' : '.';
-    }
+    ui::CornerTexts texts = options.language == PictureLanguage::Window ? windowTexts(lines) : englishTexts(lines);
     texts.topLeft.insert(texts.topLeft.begin(), registrationCase.title);   // the user's words
     return texts;
 }
@@ -120,7 +107,8 @@ double styleScene(ui::OverlayScene& scene, const core::RegistrationCase& registr
 }
 
 core::Result<core::ColorImage> drawOne(const core::RegistrationCase& registrationCase, const core::Centerline2d& target,
-                                       const OverlayPictureOptions& options, const std::string& heading)
+                                       const OverlayPictureOptions& options,
+                                       const std::optional<core::Message>& heading)
 {
     const auto camera = core::cameraOf(registrationCase);
     if (!camera) {
@@ -166,10 +154,10 @@ core::Result<core::ColorImage> drawOverlay(const core::RegistrationCase& registr
                                            const core::Centerline2d& target, const OverlayPictureOptions& options)
 {
     if (!registrationCase.tree || !registrationCase.angiogram || registrationCase.angiogram->frames.empty()) {
-        return core::Error{"An overlay needs a vessel tree and an angiogram. Open both first."};
+        return core::Error(says::overlayIncomplete());
     }
     if (!options.isStartBeside) {
-        return drawOne(registrationCase, target, options, {});
+        return drawOne(registrationCase, target, options, std::nullopt);
     }
     const auto start = core::startPoseOf(registrationCase);
     if (!start) {
@@ -178,8 +166,8 @@ core::Result<core::ColorImage> drawOverlay(const core::RegistrationCase& registr
     core::RegistrationCase before = registrationCase;
     before.cameraFromPatient = start.value();
     before.result.reset();
-    const auto left = drawOne(before, target, options, "before: at the start pose");
-    const auto right = drawOne(registrationCase, target, options, "after: at this pose");
+    const auto left = drawOne(before, target, options, says::beforeAtStart());
+    const auto right = drawOne(registrationCase, target, options, says::afterAtPose());
     if (!left) {
         return left.error();
     }
@@ -193,7 +181,7 @@ core::Result<core::ColorImage> drawThumbnail(const core::RegistrationCase& regis
 {
     const auto& angiogram = registrationCase.angiogram;
     if (!registrationCase.tree || !angiogram || registrationCase.frame >= angiogram->frameCount()) {
-        return core::Error{"A picture needs a vessel tree and an angiogram. Open both first."};
+        return core::Error(says::pictureIncomplete());
     }
     const auto camera = core::cameraOf(registrationCase);
     if (!camera) {
@@ -211,7 +199,7 @@ std::map<std::string, std::string> provenanceTexts(const core::RegistrationCase&
 {
     std::map<std::string, std::string> texts{
         {"Software", std::string("AngioPose ") + ANGIOPOSE_VERSION},
-        {"Disclaimer", notForClinicalUse},
+        {"Disclaimer", says::notForClinicalUse().text()},
         {"Centreline", registrationCase.centerlineFile.sha256},
         {"Angiogram", registrationCase.imageFile.sha256 + " frame " + std::to_string(registrationCase.frame)},
         {"cameraFromPatient", poseText(registrationCase.cameraFromPatient)},

@@ -5,7 +5,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace angiopose::app {
@@ -15,7 +14,7 @@ struct ViewLook {
     std::shared_ptr<const core::RegistrationCase> view;   ///< which; null: the case's own
     std::optional<core::ColorImage> picture;
     std::optional<core::DistanceMetrics> metrics;
-    std::string problem;   ///< why there is no picture or no metrics
+    std::optional<core::Message> problem;   ///< why there is no picture or no metrics
     std::shared_ptr<const core::Centerline2d> target;   ///< as it was traced for the metrics
 };
 

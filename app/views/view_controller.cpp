@@ -6,7 +6,7 @@
 #include "core/case_views.h"
 #include "ui/main_window.h"
 #include "ui/panels/view_strip.h"
-#include "ui/words/core_texts.h"
+#include "ui/words/message_text.h"
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
@@ -151,7 +151,7 @@ void ViewController::showLines()
         } else {
             agreement = view && view->angiogram ? QStringLiteral("…") : tr("not found");
         }
-        const QString problem = look && !look->problem.empty() ? ui::coreText(look->problem) : QString();
+        const QString problem = look ? ui::messageText(look->problem) : QString();
         lines.push_back({ui::withDecimalSign(anglesOf(current, place)) + QLatin1Char('\n') + agreement,
                          problem.isEmpty()
                              ? tr("%1. A click shows it, Delete takes the shown view out.").arg(nameOf(current, place))

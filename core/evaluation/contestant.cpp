@@ -1,5 +1,6 @@
 #include "core/evaluation/contestant.h"
 
+#include "core/messages/says.h"
 #include "core/registration/option_text.h"
 
 #include <algorithm>
@@ -39,8 +40,7 @@ Result<std::string> assignmentOf(const std::string& setting, const std::string& 
     if (found.size() == 1) {
         return found.front();
     }
-    return Error{"Method '" + method + "' has " + (found.empty() ? "no" : "more than one") +
-                 " option with the choice '" + setting + "'. Write it as option=value."};
+    return Error(found.empty() ? says::noSuchChoice(method, setting) : says::choiceOfSeveral(method, setting));
 }
 
 std::vector<std::string> allMethods()
@@ -95,8 +95,8 @@ Result<Contestant> contestantFrom(const std::string& request)
         }
         contestant.choosesSpacing |= assignment.starts_with("resample=");
     }
-    if (std::string problem = findProblem(contestant.options); !problem.empty()) {
-        return Error{std::move(problem)};
+    if (const auto problem = findProblem(contestant.options)) {
+        return Error(*problem);
     }
     return contestant;
 }
@@ -117,7 +117,7 @@ Result<std::vector<Contestant>> contestantsFrom(const std::string& requests)
         }
     }
     if (contestants.empty()) {
-        return Error{"No method is named. See the methods in: angiopose-cli evaluate --help"};
+        return Error(says::noMethodNamed());
     }
     return contestants;
 }

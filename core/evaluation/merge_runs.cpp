@@ -1,4 +1,5 @@
 #include "core/evaluation/run_experiment.h"
+#include "core/messages/says.h"
 
 #include <algorithm>
 #include <map>
@@ -35,14 +36,12 @@ public:
     {
         const std::size_t condition = conditionIndex(protocol_, record.condition);
         if (condition == protocol_.conditions.size()) {
-            return Error{"The condition '" + record.condition + "' is not one of '" + std::string(protocol_.id) +
-                         "'. Merge runs of this program's version."};
+            return Error(says::foreignCondition(record.condition, protocol_.id));
         }
         const auto method = methods_.try_emplace(record.method, methods_.size()).first->second;
         const auto [place, isNew] = runs_.try_emplace({condition, record.trial, method}, record);
         if (!isNew && !agree(place->second, record)) {
-            return Error{"Two parts disagree about " + record.method + " in trial " + std::to_string(record.trial) +
-                         " of " + record.condition + ". Merge runs of the same program and settings."};
+            return Error(says::partsDisagree(record.method, record.trial, record.condition));
         }
         return Done{};
     }
@@ -68,14 +67,13 @@ Result<RunSet> merged(const std::vector<RunSet>& parts)
 {
     const Protocol* protocol = parts.empty() ? nullptr : findProtocol(parts.front().protocol);
     if (protocol == nullptr) {
-        return Error{"There are no runs to merge."};
+        return Error(says::nothingToMerge());
     }
     Merger merger(*protocol);
     for (const RunSet& part : parts) {
         if (part.protocol != parts.front().protocol || part.seed != parts.front().seed) {
-            return Error{"Runs of '" + part.protocol + "', seed " + std::to_string(part.seed) + ", and of '" +
-                         parts.front().protocol + "', seed " + std::to_string(parts.front().seed) +
-                         ", do not belong together. Merge parts of one experiment."};
+            return Error(says::runsOfOthers(part.protocol, std::to_string(part.seed), parts.front().protocol,
+                                            std::to_string(parts.front().seed)));
         }
         for (const RunRecord& record : part.runs) {
             if (const Status status = merger.add(record); !status) {

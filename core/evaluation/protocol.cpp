@@ -1,6 +1,7 @@
 #include "core/evaluation/protocol.h"
 
 #include "core/evaluation/protocols/protocol_rows.h"
+#include "core/messages/says.h"
 
 #include <algorithm>
 #include <sstream>
@@ -35,8 +36,7 @@ Result<std::vector<std::size_t>> conditionsFrom(const Protocol& protocol, const 
             }
         }
         if (!isKnown) {
-            return Error{"The experiment '" + std::string(protocol.id) + "' has no condition '" + request +
-                         "'. See the conditions in: angiopose-cli evaluate --help"};
+            return Error(says::noSuchCondition(protocol.id, request));
         }
     }
     std::vector<std::size_t> chosen;

@@ -1,6 +1,7 @@
 #include "core/geometry/c_arm.h"
 
 #include "core/geometry/angle_units.h"
+#include "core/messages/says.h"
 
 #include <cmath>
 #include <utility>
@@ -13,10 +14,9 @@ bool isPositive(const Sourced<double>& sourced)
     return sourced.value && std::isfinite(*sourced.value) && *sourced.value > 0.0;
 }
 
-Error missing(const std::string& what)
+Error missing(const Message& what)
 {
-    return {what +
-            " is missing or not positive. Enter it in the geometry of the case (the image header does not tell)."};
+    return says::valueMissing(what);
 }
 
 /// In-plane turn of the image; positive turns it clockwise on screen.
@@ -39,10 +39,10 @@ Eigen::Vector3d detectorDirection(double primaryAngleDeg, double secondaryAngleD
 Result<ProjectionCamera> cameraFromCArm(const CArm& cArm, int width, int height)
 {
     if (!isPositive(cArm.sourceToDetectorMm)) {
-        return missing("The distance source to detector (SID)");
+        return missing(says::theSid());
     }
     if (!isPositive(cArm.columnSpacingMm) || !isPositive(cArm.rowSpacingMm)) {
-        return missing("The detector pixel spacing");
+        return missing(says::theSpacing());
     }
     ProjectionCamera camera;
     camera.width = width;
@@ -54,8 +54,8 @@ Result<ProjectionCamera> cameraFromCArm(const CArm& cArm, int width, int height)
     const Eigen::Vector2d principal = cArm.principalPointPx.value.value_or(centre);
     camera.cx = principal.x();
     camera.cy = principal.y();
-    if (const std::string problem = findProblem(camera); !problem.empty()) {
-        return Error{problem};
+    if (const auto problem = findProblem(camera)) {
+        return Error(*problem);
     }
     return camera;
 }
@@ -63,10 +63,10 @@ Result<ProjectionCamera> cameraFromCArm(const CArm& cArm, int width, int height)
 Result<RigidTransform> cameraFromPatient(const CArm& cArm, const Eigen::Vector3d& isocentreInPatient)
 {
     if (!isPositive(cArm.sourceToPatientMm)) {
-        return missing("The distance source to patient (SOD)");
+        return missing(says::theSod());
     }
     if (!cArm.primaryAngleDeg.value || !cArm.secondaryAngleDeg.value) {
-        return Error{"The positioner angles (LAO/RAO, CRA/CAU) are missing. Enter them in the geometry of the case."};
+        return Error(says::anglesMissing());
     }
     const double alpha = *cArm.primaryAngleDeg.value * radiansPerDegree;
     const double beta = *cArm.secondaryAngleDeg.value * radiansPerDegree;

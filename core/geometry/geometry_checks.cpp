@@ -1,8 +1,8 @@
 #include "core/geometry/geometry_checks.h"
 
-#include <array>
+#include "core/messages/says.h"
+
 #include <cmath>
-#include <cstdio>
 
 namespace angiopose::core {
 namespace {
@@ -28,14 +28,7 @@ bool differ(double a, double b, double share)
     return std::abs(a - b) > share * std::abs(b);
 }
 
-std::string text(double value, int decimals)
-{
-    std::array<char, 48> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), "%.*f", decimals, value);
-    return buffer.data();
-}
-
-/// Collects sentences; each check says one thing.
+/// Collects messages; each check says one thing.
 class Checks {
 public:
     Checks(const CArm& cArm, const GantryHeader& header, const Eigen::Vector2i& imageSizePx)
@@ -43,7 +36,7 @@ public:
     {
     }
 
-    std::vector<std::string> run()
+    Messages run()
     {
         checkDistances();
         checkMagnification();
@@ -56,10 +49,10 @@ public:
     }
 
 private:
-    void say(bool isWrong, const std::string& sentence)
+    void say(bool isWrong, Message message)
     {
         if (isWrong) {
-            found_.push_back(sentence);
+            found_.push_back(std::move(message));
         }
     }
     bool hasSpacing() const { return isKnownPositive(cArm_.columnSpacingMm) && isKnownPositive(cArm_.rowSpacingMm); }
@@ -73,17 +66,12 @@ private:
     {
         if (isKnownPositive(cArm_.sourceToDetectorMm)) {
             const double sid = *cArm_.sourceToDetectorMm.value;
-            say(sid < leastSidMm || sid > mostSidMm, "A source to detector distance (SID) of " + text(sid, 0) +
-                                                         " mm is unlike a C-arm (500 to 2000 mm): check its unit.");
+            say(sid < leastSidMm || sid > mostSidMm, says::sidUnusual(inMm(sid, 0)));
         }
         if (hasDistances()) {
-            say(magnification() <= 1.0, "SOD (" + text(*cArm_.sourceToPatientMm.value, 0) +
-                                            " mm) is not smaller than SID (" +
-                                            text(*cArm_.sourceToDetectorMm.value, 0) +
-                                            " mm): the patient would lie behind the detector. Correct one of them.");
-            say(magnification() > mostMagnification, "SID is " + text(magnification(), 2) +
-                                                         " times SOD; angiograms are magnified 1.0 to 2.5 times. "
-                                                         "Check both distances.");
+            say(magnification() <= 1.0,
+                says::sodBeyondSid(inMm(*cArm_.sourceToPatientMm.value, 0), inMm(*cArm_.sourceToDetectorMm.value, 0)));
+            say(magnification() > mostMagnification, says::magnificationUnusual(Quantity{magnification(), 2}));
         }
     }
 
@@ -94,8 +82,7 @@ private:
             cArm_.sourceToDetectorMm.origin == Origin::User || cArm_.sourceToPatientMm.origin == Origin::User;
         if (hasDistances() && header_.magnification && !areTyped) {
             say(differ(magnification(), *header_.magnification, sameMagnification),
-                "The header's magnification of " + text(*header_.magnification, 3) + " (0018,1114) is not SID/SOD = " +
-                    text(magnification(), 3) + ": one of the three is stale. Check SID and SOD.");
+                says::magnificationStale(Quantity{*header_.magnification, 3}, Quantity{magnification(), 3}));
         }
     }
 
@@ -106,10 +93,9 @@ private:
         }
         const double column = *cArm_.columnSpacingMm.value, row = *cArm_.rowSpacingMm.value;
         say(std::min(row, column) < leastDetectorSpacingMm || std::max(row, column) > mostSpacingMm,
-            "A detector pixel spacing of " + text(column, 4) + " mm lies outside 0.05 to 2 mm: check its unit.");
+            says::spacingUnusual(inMm(column, 4)));
         say(differ(row / column, header_.pixelAspect, sameAspect),
-            "Pixels are " + text(row / column, 3) + " times as high as wide by their spacing, " +
-                text(header_.pixelAspect, 3) + " times by the pixel aspect: check the pixel spacing.");
+            says::aspectDiffers(Quantity{row / column, 3}, Quantity{header_.pixelAspect, 3}));
     }
 
     void checkExtent()
@@ -119,23 +105,20 @@ private:
         }
         const Eigen::Vector2d extentMm(sizePx_.x() * *cArm_.columnSpacingMm.value,
                                        sizePx_.y() * *cArm_.rowSpacingMm.value);
-        const std::string covers = "The image covers " + text(extentMm.x(), 0) + " x " + text(extentMm.y(), 0) +
-                                   " mm of the detector by its pixel spacing";
+        const Message covers = says::imageCovers(Quantity{extentMm.x()}, inMm(extentMm.y(), 0));
         say(extentMm.maxCoeff() < leastDetectorMm || extentMm.maxCoeff() > mostDetectorMm,
-            covers + ": no detector of a C-arm is like that. Check the pixel spacing.");
+            says::extentUnlikeDetector(covers));
         if (const auto& field = header_.fieldOfViewMm) {
             say(differ(extentMm.x(), field->x(), sameLength) || differ(extentMm.y(), field->y(), sameLength),
-                covers + ", the field of view is " + text(field->x(), 0) + " x " + text(field->y(), 0) +
-                    " mm: the image may be zoomed, cropped or resampled. Check the pixel spacing.");
+                says::extentUnlikeField(covers, Quantity{field->x()}, inMm(field->y(), 0)));
         }
         if (const auto& intensifier = header_.intensifierMm) {
             say(extentMm.maxCoeff() > (1.0 + sameLength) * *intensifier,
-                covers + ", more than the intensifier of " + text(*intensifier, 0) + " mm. Check the pixel spacing.");
+                says::extentBeyondIntensifier(covers, inMm(*intensifier, 0)));
         }
         if (const auto& detector = header_.detectorMm) {
             say((extentMm - (1.0 + sameLength) * *detector).maxCoeff() > 0.0,
-                covers + ", more than its active " + text(detector->x(), 0) + " x " + text(detector->y(), 0) +
-                    " mm. Check the pixel spacing.");
+                says::extentBeyondDetector(covers, Quantity{detector->x()}, inMm(detector->y(), 0)));
         }
     }
 
@@ -148,13 +131,9 @@ private:
         const double column = *cArm_.columnSpacingMm.value, pixel = header_.pixelSpacingMm->x();
         if (header_.isPixelSpacingCalibrated && hasDistances()) {
             say(differ(pixel * magnification(), column, 2.0 * sameLength),
-                "The calibrated pixel spacing of " + text(pixel, 4) + " mm times SID/SOD is " +
-                    text(pixel * magnification(), 4) + " mm, not the detector's " + text(column, 4) +
-                    " mm: the calibration or a distance is off.");
+                says::calibrationOff(inMm(pixel, 4), inMm(pixel * magnification(), 4), inMm(column, 4)));
         } else if (!header_.isPixelSpacingCalibrated) {
-            say(differ(pixel, column, sameLength), "Pixel Spacing (0028,0030) says " + text(pixel, 4) +
-                                                       " mm without a calibration, the detector's pixels are " +
-                                                       text(column, 4) + " mm: check which is meant.");
+            say(differ(pixel, column, sameLength), says::spacingsDiffer(inMm(pixel, 4), inMm(column, 4)));
         }
     }
 
@@ -163,9 +142,9 @@ private:
         const auto outside = [](const Sourced<double>& angle, double limitDeg) {
             return angle.value && !(std::abs(*angle.value) <= limitDeg);
         };
-        say(outside(cArm_.primaryAngleDeg, 180.0), "The primary angle (LAO/RAO) lies outside ±180°. Correct it.");
-        say(outside(cArm_.secondaryAngleDeg, 90.0), "The secondary angle (CRA/CAU) lies outside ±90°. Correct it.");
-        say(outside(cArm_.rollDeg, 180.0), "The roll lies outside ±180°. Correct it.");
+        say(outside(cArm_.primaryAngleDeg, 180.0), says::primaryAngleOutside());
+        say(outside(cArm_.secondaryAngleDeg, 90.0), says::secondaryAngleOutside());
+        say(outside(cArm_.rollDeg, 180.0), says::rollOutside());
     }
 
     void checkPrincipalPoint()
@@ -176,39 +155,35 @@ private:
         }
         const bool isInside =
             point->x() >= 0.0 && point->y() >= 0.0 && point->x() < sizePx_.x() && point->y() < sizePx_.y();
-        say(!isInside, "The principal point (" + text(point->x(), 0) + ", " + text(point->y(), 0) +
-                           " px) lies outside the image: right for a cropped image only.");
+        say(!isInside, says::principalPointOutside(Quantity{point->x()}, Quantity{point->y(), 0, "px"}));
     }
 
     const CArm& cArm_;
     const GantryHeader& header_;
     Eigen::Vector2i sizePx_;
-    std::vector<std::string> found_;
+    Messages found_;
 };
 
 }   // namespace
 
-std::vector<std::string> findContradictions(const CArm& cArm, const GantryHeader& header,
-                                            const Eigen::Vector2i& imageSizePx)
+Messages findContradictions(const CArm& cArm, const GantryHeader& header, const Eigen::Vector2i& imageSizePx)
 {
     return Checks(cArm, header, imageSizePx).run();
 }
 
-std::vector<std::string> findMissing(const CArm& cArm)
+Messages findMissing(const CArm& cArm)
 {
-    std::vector<std::string> missing;
-    const auto ask = [&missing](bool isThere, const char* sentence) {
+    Messages missing;
+    const auto ask = [&missing](bool isThere, const auto& message) {
         if (!isThere) {
-            missing.emplace_back(sentence);
+            missing.push_back(message().as(Severity::Note));
         }
     };
-    ask(isKnownPositive(cArm.sourceToDetectorMm),
-        "Source to detector distance (SID): type it, usually 900 to 1200 mm.");
-    ask(isKnownPositive(cArm.sourceToPatientMm), "Source to isocentre distance (SOD): type it, usually 700 to 800 mm.");
-    ask(isKnownPositive(cArm.columnSpacingMm) && isKnownPositive(cArm.rowSpacingMm),
-        "Detector pixel spacing: type it, or the width of the field of view on the detector divided by the columns.");
-    ask(cArm.primaryAngleDeg.value.has_value(), "LAO/RAO angle: type it, or place the vessels by landmarks.");
-    ask(cArm.secondaryAngleDeg.value.has_value(), "CRA/CAU angle: type it, or place the vessels by landmarks.");
+    ask(isKnownPositive(cArm.sourceToDetectorMm), says::askSid);
+    ask(isKnownPositive(cArm.sourceToPatientMm), says::askSod);
+    ask(isKnownPositive(cArm.columnSpacingMm) && isKnownPositive(cArm.rowSpacingMm), says::askSpacing);
+    ask(cArm.primaryAngleDeg.value.has_value(), says::askPrimaryAngle);
+    ask(cArm.secondaryAngleDeg.value.has_value(), says::askSecondaryAngle);
     return missing;
 }
 

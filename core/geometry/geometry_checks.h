@@ -2,20 +2,18 @@
 
 #include "core/geometry/c_arm.h"
 #include "core/geometry/gantry_header.h"
-
-#include <string>
-#include <vector>
+#include "core/support/message.h"
 
 namespace angiopose::core {
 
-/// Values that contradict each other, the header or physics, each in a sentence that says what to check
+/// Values that contradict each other, the header or physics, each with what to check
 /// (ALGORITHMS §5.2, §5.6): distances, magnification, pixel spacing against field of view, intensifier, detector and
 /// calibration, pixel aspect, angles, principal point. `imageSizePx`: columns, rows; zero when unknown.
 /// Values that are missing are no contradiction.
-std::vector<std::string> findContradictions(const CArm& cArm, const GantryHeader& header = {},
-                                            const Eigen::Vector2i& imageSizePx = Eigen::Vector2i::Zero());
+Messages findContradictions(const CArm& cArm, const GantryHeader& header = {},
+                            const Eigen::Vector2i& imageSizePx = Eigen::Vector2i::Zero());
 
-/// What the geometry still lacks for a camera and a start pose, one sentence each with how to supply it.
-std::vector<std::string> findMissing(const CArm& cArm);
+/// What the geometry still lacks for a camera and a start pose, each with how to supply it.
+Messages findMissing(const CArm& cArm);
 
 }   // namespace angiopose::core

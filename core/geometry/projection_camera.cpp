@@ -1,5 +1,7 @@
 #include "core/geometry/projection_camera.h"
 
+#include "core/messages/says.h"
+
 #include <cmath>
 
 namespace angiopose::core {
@@ -34,16 +36,16 @@ double millimetresPerPixel(const ProjectionCamera& camera, double depthMm)
     return depthMm / std::abs(camera.fx);
 }
 
-std::string findProblem(const ProjectionCamera& camera)
+std::optional<Message> findProblem(const ProjectionCamera& camera)
 {
     if (!std::isfinite(camera.fx) || !std::isfinite(camera.fy) || camera.fx == 0.0 || camera.fy == 0.0) {
-        return "The focal lengths fx and fy must be finite and not zero.";
+        return says::cameraFocalLengths();
     }
     if (!std::isfinite(camera.cx) || !std::isfinite(camera.cy)) {
-        return "The principal point cx, cy must be finite.";
+        return says::cameraPrincipalPoint();
     }
     if (camera.width <= 0 || camera.height <= 0) {
-        return "The camera needs the image size: width and height must be positive.";
+        return says::cameraImageSize();
     }
     return {};
 }

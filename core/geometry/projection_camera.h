@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/support/message.h"
+
 #include <Eigen/Core>
 #include <optional>
 #include <string>
@@ -36,6 +38,6 @@ Eigen::Vector3d rayThroughPixel(const ProjectionCamera& camera, const Eigen::Vec
 double millimetresPerPixel(const ProjectionCamera& camera, double depthMm);
 
 /// What makes this camera unusable, in words for the user; empty when it is fine.
-std::string findProblem(const ProjectionCamera& camera);
+std::optional<Message> findProblem(const ProjectionCamera& camera);
 
 }   // namespace angiopose::core

@@ -3,6 +3,7 @@
 #include "core/geometry/c_arm.h"
 #include "core/geometry/gantry_header.h"
 #include "core/imaging/image2d.h"
+#include "core/support/message.h"
 
 #include <map>
 #include <string>
@@ -39,7 +40,7 @@ struct Angiogram {
     CArm cArm;
     GantryHeader gantry;
     StudyIdentity identity;
-    std::vector<std::string> warnings;   ///< in plain words, e.g. "colour image converted to grey"
+    Messages warnings;   ///< e.g. that a colour image was converted to grey
 
     int width() const { return frames.empty() ? 0 : frames.front().width; }
     int height() const { return frames.empty() ? 0 : frames.front().height; }

@@ -1,5 +1,7 @@
 #include "core/imaging/fill_surface.h"
 
+#include "core/messages/says.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -181,15 +183,15 @@ double usualSpacingMm(const SurfaceMesh& mesh)
 Result<VoxelMask> fillSurface(const SurfaceMesh& mesh, double spacingMm)
 {
     if (mesh.triangles.empty() || !(spacingMm > 0.0)) {
-        return Error{"The surface has no triangles, or the voxel size is not positive. Choose another surface."};
+        return Error(says::surfaceEmpty());
     }
     const Box box = boxOf(mesh);
     const Eigen::Vector3d extent = box.high - box.low;
     if (!(extent.minCoeff() > 0.0)) {
-        return Error{"The surface is flat: it bounds no inside. Choose the wall of a vessel."};
+        return Error(says::surfaceFlat());
     }
     if (!((extent / spacingMm).prod() < maxVoxels)) {
-        return Error{"The voxel size is too fine for a surface of this extent. Choose a larger one."};
+        return Error(says::surfaceVoxelTooFine());
     }
     VoxelMask votes(gridAround(box, spacingMm));
     const MeshCheck check = checkMesh(mesh);
@@ -204,9 +206,7 @@ Result<VoxelMask> fillSurface(const SurfaceMesh& mesh, double spacingMm)
         inside += voxel;
     }
     if (inside == 0) {
-        return Error{
-            "Nothing lies inside the surface: it is too open, or thinner than a voxel. Close its holes, or "
-            "choose a smaller voxel size."};
+        return Error(says::surfaceNothingInside());
     }
     return votes;
 }

@@ -1,5 +1,7 @@
 #include "core/imaging/patient_match.h"
 
+#include "core/messages/says.h"
+
 #include <algorithm>
 #include <cctype>
 
@@ -27,38 +29,43 @@ bool differs(const std::string& a, const std::string& b)
 
 }   // namespace
 
-std::string findPatientMismatch(const StudyIdentity& scan, const StudyIdentity& run)
+std::optional<Message> findPatientMismatch(const StudyIdentity& scan, const StudyIdentity& run)
 {
-    std::string reasons;
-    int count = 0;
-    const auto add = [&](bool isDifferent, const char* what) {
+    Messages reasons;
+    const auto add = [&reasons](bool isDifferent, const auto& what) {
         if (isDifferent) {
-            reasons += (reasons.empty() ? "" : ", ") + std::string(what);
-            ++count;
+            reasons.push_back(what());
         }
     };
-    add(differs(scan.patientId, run.patientId), "number");
-    add(differs(scan.patientName, run.patientName), "name");
-    add(differs(scan.birthDate, run.birthDate), "birth date");
-    add(differs(scan.sex, run.sex) && bare(scan.sex) != "o" && bare(run.sex) != "o", "sex");
-    return reasons.empty() ? reasons
-                           : "Scan and angiogram seem to be of different patients (" + reasons +
-                                 (count > 1 ? " differ" : " differs") + "). Check that both are the right ones.";
+    add(differs(scan.patientId, run.patientId), says::patientNumber);
+    add(differs(scan.patientName, run.patientName), says::patientName);
+    add(differs(scan.birthDate, run.birthDate), says::patientBirthDate);
+    add(differs(scan.sex, run.sex) && bare(scan.sex) != "o" && bare(run.sex) != "o", says::patientSex);
+    if (reasons.empty()) {
+        return std::nullopt;
+    }
+    return reasons.size() > 1 ? says::patientDiffersInSeveral(reasons) : says::patientDiffers(reasons);
 }
 
-std::string findSideMismatch(const StudyIdentity& scan, const StudyIdentity& run)
+std::optional<Message> findSideMismatch(const StudyIdentity& scan, const StudyIdentity& run)
 {
     const std::string first = bare(scan.laterality), second = bare(run.laterality);
     const bool areOpposite = (first == "l" && second == "r") || (first == "r" && second == "l");
-    return areOpposite ? "The scan is of the patient's " + std::string(first == "l" ? "left" : "right") +
-                             " side, the angiogram of the other. Check that both are the right ones."
-                       : "";
+    if (!areOpposite) {
+        return std::nullopt;
+    }
+    return says::patientSideDiffers(first == "l" ? says::sideLeft() : says::sideRight());
 }
 
-std::string findMismatch(const StudyIdentity& scan, const StudyIdentity& run)
+Messages findMismatch(const StudyIdentity& scan, const StudyIdentity& run)
 {
-    const std::string patient = findPatientMismatch(scan, run), side = findSideMismatch(scan, run);
-    return patient.empty() || side.empty() ? patient + side : patient + " " + side;
+    Messages found;
+    for (const auto& mismatch : {findPatientMismatch(scan, run), findSideMismatch(scan, run)}) {
+        if (mismatch) {
+            found.push_back(*mismatch);
+        }
+    }
+    return found;
 }
 
 }   // namespace angiopose::core

@@ -1,3 +1,4 @@
+#include "core/messages/says.h"
 #include "core/registration/judging/judge_pose.h"
 
 namespace angiopose::core {
@@ -5,9 +6,7 @@ namespace angiopose::core {
 Result<RegistrationResult> evaluatePose(const RegistrationInput& input, const RigidTransform& cameraFromPatient)
 {
     if (!isRigid(cameraFromPatient)) {
-        return Error{
-            "The pose to judge is not a rigid motion: its rotation must be orthonormal with determinant +1 and "
-            "all numbers finite."};
+        return Error(says::judgedPoseNotRigid());
     }
     const RegistrationOptions options;
     const Result<RegistrationProblem> problem = makeProblem(input, options);

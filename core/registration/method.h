@@ -15,7 +15,7 @@ struct MethodSolution {
     StopReason stopReason = StopReason::IterationLimit;
     int iterations = 0;
     std::vector<Hypothesis> alternatives;   ///< best first, without the solution; empty when the method seeks none
-    std::vector<std::string> warnings;   ///< what only the method can know, plain words
+    Messages warnings;   ///< what only the method can know
     StageTimes time;   ///< totalMs stays 0
     std::shared_ptr<const TargetLines> targetLines;   ///< if the method built them, for judging
     std::optional<double> agreement;   ///< of the pose, see AgreementScore; if the method found it, for judging

@@ -1,6 +1,6 @@
 #include "core/registration/option_text.h"
 
-#include "core/support/format_number.h"
+#include "core/messages/says.h"
 
 #include <algorithm>
 #include <charconv>
@@ -16,11 +16,11 @@ Result<double> optionValue(const OptionField& field, const std::string& text)
     double value = 0.0;
     const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
     if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size()) {
-        return Error{"Option '" + std::string(field.key) + "' needs a value, not '" + text + "'."};
+        return Error(says::optionNeedsValue(field.key, text));
     }
     if (!(value >= field.min && value <= field.max)) {
-        return Error{"Option '" + std::string(field.key) + "' must lie between " + plainText(field.min) + " and " +
-                     plainText(field.max) + ", not " + text + "."};
+        return Error(says::optionValueOutOfRange(field.key, Quantity{field.min, Quantity::asNeeded},
+                                                 Quantity{field.max, Quantity::asNeeded}, text));
     }
     return value;
 }
@@ -40,7 +40,7 @@ Status setOption(RegistrationOptions& options, const std::string& assignment)
         field.write(options, value.value());
         return Done{};
     }
-    return Error{"Option '" + key + "' is unknown. See the options in: angiopose-cli register --help"};
+    return Error(says::noSuchOption(key));
 }
 
 }   // namespace angiopose::core

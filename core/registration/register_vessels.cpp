@@ -7,8 +7,8 @@ Result<RegistrationResult> registerVessels(const RegistrationInput& input, const
                                            const IterationObserver& observe)
 {
     Stopwatch stopwatch;
-    if (std::string unusable = findProblem(options); !unusable.empty()) {
-        return Error{std::move(unusable)};
+    if (const auto unusable = findProblem(options)) {
+        return Error(*unusable);
     }
     const Result<RegistrationProblem> problem = makeProblem(input, options);
     if (!problem) {

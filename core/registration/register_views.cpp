@@ -1,5 +1,6 @@
 #include "core/registration/register_views.h"
 
+#include "core/messages/says.h"
 #include "core/registration/alignment/agreement_score.h"
 #include "core/registration/alignment/joint_alignment.h"
 #include "core/registration/alignment/shape_tolerance.h"
@@ -197,23 +198,22 @@ Result<std::vector<std::unique_ptr<JointView>>> makeViews(std::span<const Regist
                                                           const RegistrationOptions& options)
 {
     if (inputs.size() < 2) {
-        return Error{"A joint registration needs at least two views."};
+        return Error(says::viewsTooFew());
     }
     if (isAnyLocked(options.locks)) {
-        return Error{"A joint registration cannot keep single degrees of freedom. Unlock them first."};
+        return Error(says::viewsCannotLock());
     }
     std::vector<std::unique_ptr<JointView>> views;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
         auto problem = makeProblem(inputs[k], options);
         if (!problem) {
-            return Error{"View " + std::to_string(k + 1) + ": " + problem.error().message};
+            return inView(k, problem.error());
         }
         views.push_back(std::make_unique<JointView>(std::move(problem).value()));
         const TreeSamples& tree = views.back()->problem.tree;
         const TreeSamples& firstTree = views.front()->problem.tree;
         if (tree.size() != firstTree.size() || (tree.centroid - firstTree.centroid).norm() > 1e-6) {
-            return Error{"View " + std::to_string(k + 1) +
-                         " uses another vessel tree or other branches than view 1. Give all views the same."};
+            return Error(says::viewsOfOtherTree(k + 1));
         }
     }
     return views;
@@ -228,7 +228,7 @@ Result<JointPose> bestJointPose(JointSolve& solve, std::span<const RegistrationI
     for (std::size_t k = 0; k < inputs.size(); ++k) {
         const auto alone = registerVessels(inputs[k], options, observe);
         if (!alone) {
-            return Error{"View " + std::to_string(k + 1) + ": " + alone.error().message};
+            return inView(k, alone.error());
         }
         std::vector<RigidTransform> starts{alone.value().cameraFromPatient};
         for (const Hypothesis& other : alone.value().alternatives) {
@@ -257,15 +257,14 @@ void addView(MultiViewResult& result, const JointView& view, const CentroidPose&
     solution.stopReason = StopReason::Converged;
     result.views.push_back(judgePose(view.problem, options, solution));
     result.views.back().method = options.method;
-    const std::string number = std::to_string(result.views.size());
+    const std::size_t number = result.views.size();
     if (!result.views.back().trustworthy) {
         result.trustworthy = false;
-        result.warnings.push_back("View " + number + " does not agree with the joint pose.");
+        result.warnings.push_back(says::viewDisagrees(number));
     }
     if (!isPlausible) {
         result.trustworthy = false;
-        result.warnings.push_back("The geometry of view " + number +
-                                  " is far from its header: check angles and distances.");
+        result.warnings.push_back(says::viewFarFromHeader(number));
     }
 }
 
@@ -295,6 +294,11 @@ Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
         addView(result, *views[k], solve.inView(pose, k), solve.isPlausible(pose.corrections[k]), options);
     }
     return result;
+}
+
+Error inView(std::size_t index, const Error& error)
+{
+    return error.isStop() ? error : Error(says::inView(index + 1, error.message));
 }
 
 }   // namespace angiopose::core

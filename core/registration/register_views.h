@@ -20,7 +20,7 @@ struct MultiViewResult {
     std::vector<Vector6d> corrections;
     PoseUncertainty uncertainty;   ///< of the first view's pose, from all views
     bool trustworthy = false;   ///< every view is, and no correction is implausible
-    std::vector<std::string> warnings;
+    Messages warnings;
 };
 
 /// Registers one tree to two or more views of the same moment (bi-plane), or to frames between which the gantry turned
@@ -30,5 +30,8 @@ struct MultiViewResult {
 Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
                                       const RegistrationOptions& options = {}, const MultiViewOptions& multiView = {},
                                       const IterationObserver& observe = {});
+
+/// What went wrong in one of several views, counted from 0; Stop stays Stop.
+Error inView(std::size_t index, const Error& error);
 
 }   // namespace angiopose::core

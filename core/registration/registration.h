@@ -103,7 +103,7 @@ struct RegistrationResult {
     std::vector<Hypothesis> alternatives;   ///< best first, without the result itself
     std::vector<IterationReport> history;   ///< for the convergence plot
     bool trustworthy = false;
-    std::vector<std::string> warnings;   ///< plain words; why it is not trustworthy, or what one view cannot tell
+    Messages warnings;   ///< why it is not trustworthy, or what one view cannot tell
     StageTimes time;
 };
 

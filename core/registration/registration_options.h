@@ -1,7 +1,9 @@
 #pragma once
 
 #include "core/geometry/pose_axis.h"
+#include "core/support/message.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -130,6 +132,6 @@ struct MethodInfo {
 std::span<const MethodInfo> methodInfos();
 
 /// The first setting that makes no sense, in words for the user; empty when all do.
-std::string findProblem(const RegistrationOptions& options);
+std::optional<Message> findProblem(const RegistrationOptions& options);
 
 }   // namespace angiopose::core

@@ -1,5 +1,6 @@
 #include "core/registration/registration_problem.h"
 
+#include "core/messages/says.h"
 #include "core/registration/matching/auxiliary_points.h"
 
 #include <algorithm>
@@ -82,12 +83,12 @@ TargetSamples samplesOf(const Centerline2d& target)
     return samples;
 }
 
-std::string findUnknownBranch(const VesselTree& tree, const std::vector<int>& branchIds, std::string_view role)
+std::optional<Message> findUnknownBranch(const VesselTree& tree, const std::vector<int>& branchIds,
+                                         const MessageKind<0>& role)
 {
     for (const int id : branchIds) {
         if (tree.find(id) == nullptr) {
-            return "Branch " + std::to_string(id) + " is chosen as " + std::string(role) +
-                   " but the vessel tree has no such branch. Choose among its branches.";
+            return says::chosenBranchMissing(id, role());
         }
     }
     return {};
@@ -105,37 +106,35 @@ bool isWhollyBehindSource(const VesselTree& tree, const RigidTransform& cameraFr
     return true;
 }
 
-std::string findProblem(const RegistrationInput& input, const VesselTree& usedTree)
+std::optional<Message> findProblem(const RegistrationInput& input, const VesselTree& usedTree)
 {
-    std::string problem = findProblem(input.tree);
-    if (problem.empty()) {
+    std::optional<Message> problem = findProblem(input.tree);
+    if (!problem) {
         problem = findProblem(input.target);
     }
-    if (problem.empty()) {
+    if (!problem) {
         problem = findProblem(input.camera);
     }
-    if (problem.empty()) {
-        problem = findUnknownBranch(input.tree, input.auxiliaryBranchIds, "auxiliary");
+    if (!problem) {
+        problem = findUnknownBranch(input.tree, input.auxiliaryBranchIds, says::roleAuxiliary);
     }
-    if (problem.empty()) {
-        problem = findUnknownBranch(input.tree, input.excludedBranchIds, "excluded");
+    if (!problem) {
+        problem = findUnknownBranch(input.tree, input.excludedBranchIds, says::roleExcluded);
     }
-    if (!problem.empty()) {
+    if (problem) {
         return problem;
     }
     if (usedTree.branches.empty()) {
-        return "All branches of the vessel tree are excluded. Include at least one branch.";
+        return says::allBranchesExcluded();
     }
     if (input.image && (input.image->width != input.camera.width || input.image->height != input.camera.height)) {
-        return "The image is not of the size that the camera takes. Use the camera that belongs to the image.";
+        return says::imageNotOfCamera();
     }
     if (!isRigid(input.initialCameraFromPatient)) {
-        return "The start pose is not a rigid motion: its rotation must be orthonormal with determinant +1 and all "
-               "numbers finite. Correct cameraFromPatient or derive the start pose from the angles.";
+        return says::startPoseNotRigid();
     }
     if (isWhollyBehindSource(usedTree, input.initialCameraFromPatient)) {
-        return "The start pose puts the whole vessel tree behind the X-ray source, where nothing projects. Check the "
-               "source-to-patient distance and the direction of the start pose.";
+        return says::startPoseBehindSource();
     }
     return {};
 }
@@ -161,8 +160,8 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
     const bool usesAll = input.excludedBranchIds.empty();
     const VesselTree remaining = usesAll ? VesselTree() : without(input.tree, input.excludedBranchIds);
     const VesselTree& tree = usesAll ? input.tree : remaining;
-    if (std::string problem = findProblem(input, tree); !problem.empty()) {
-        return Error{std::move(problem)};
+    if (const auto problem = findProblem(input, tree)) {
+        return Error(*problem);
     }
     RegistrationProblem problem;
     problem.camera = input.camera;

@@ -37,8 +37,8 @@ bool FrameTracker::isFit(double score) const
 
 Result<TrackedFrame> FrameTracker::next(const Centerline2d& target)
 {
-    if (std::string problem = findProblem(target); !problem.empty()) {
-        return Error{std::move(problem)};
+    if (const auto problem = findProblem(target)) {
+        return Error(*problem);
     }
     Stopwatch stopwatch;
     problem_.target = sampledTarget(target, options_);

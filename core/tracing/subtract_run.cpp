@@ -1,10 +1,11 @@
 #include "core/tracing/subtract_run.h"
 
+#include "core/messages/says.h"
 #include "core/support/parallel_for.h"
 #include "core/tracing/suggest_frame.h"
 
 #include <algorithm>
-#include <string>
+#include <optional>
 #include <utility>
 
 namespace angiopose::core {
@@ -14,21 +15,20 @@ constexpr std::size_t mostMaskFrames = 8;
 constexpr double emptyShare = 0.15;   // of the rise from the emptiest to the fullest frame
 constexpr double leastRise = 1.5;   // fullest to first frame, or the run begins with contrast
 
-std::string problemWith(const std::vector<ImageF>& frames, const SubtractionPlan& plan)
+std::optional<Message> problemWith(const std::vector<ImageF>& frames, const SubtractionPlan& plan)
 {
     if (frames.size() < 2) {
-        return "The run has one frame: there is nothing to subtract. Choose a run with frames before the contrast.";
+        return says::subtractionOneFrame();
     }
     const auto differs = [&](const ImageF& frame) {
         return frame.width != frames.front().width || frame.height != frames.front().height;
     };
     if (std::any_of(frames.begin(), frames.end(), differs)) {
-        return "The frames of the run differ in size and cannot be subtracted.";
+        return says::subtractionSizesDiffer();
     }
     for (const int index : plan.maskFrames) {
         if (index < 0 || index >= static_cast<int>(frames.size())) {
-            return "Mask frame " + std::to_string(index) + " does not exist. The run has frames 0 to " +
-                   std::to_string(frames.size() - 1) + ".";
+            return says::subtractionMaskMissing(index, frames.size() - 1);
         }
     }
     return {};
@@ -37,8 +37,8 @@ std::string problemWith(const std::vector<ImageF>& frames, const SubtractionPlan
 /// The plan with its mask frames chosen.
 Result<SubtractionPlan> settledPlan(const std::vector<ImageF>& frames, Polarity polarity, SubtractionPlan plan)
 {
-    if (const std::string problem = problemWith(frames, plan); !problem.empty()) {
-        return Error{problem};
+    if (const auto problem = problemWith(frames, plan)) {
+        return Error(*problem);
     }
     if (plan.interval) {
         plan.maskFrames.clear();
@@ -48,9 +48,7 @@ Result<SubtractionPlan> settledPlan(const std::vector<ImageF>& frames, Polarity 
         plan.maskFrames = suggestMaskFrames(frames, polarity);
     }
     if (plan.maskFrames.empty()) {
-        return Error{
-            "The run shows contrast medium from its first frame on, so no frame serves as mask. Name the mask "
-            "frames, or trace without subtraction."};
+        return Error(says::subtractionNoMask());
     }
     return plan;
 }
@@ -121,7 +119,7 @@ Result<SubtractedRun> subtractRun(const std::vector<ImageF>& frames, Polarity po
             run.maskShiftsPx[i] = result.maskShiftPx;
         },
         [&](double) { return !isStopWished || !isStopWished(); });
-    return isWhole ? Result<SubtractedRun>(std::move(run)) : Error{"The subtraction was stopped."};
+    return isWhole ? Result<SubtractedRun>(std::move(run)) : Stopped{says::subtractionStopped()};
 }
 
 Result<SubtractedFrame> subtractFrame(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,

@@ -2,6 +2,7 @@
 
 #include "core/imaging/grey_statistics.h"
 #include "core/imaging/mask_morphology.h"
+#include "core/messages/says.h"
 #include "core/support/at_once.h"
 #include "core/support/parallel_for.h"
 #include "core/tracing/bridge_gaps.h"
@@ -49,18 +50,17 @@ bool isFinite(const ImageF& frame)
     return largest < infinite;
 }
 
-std::string problemWith(const ImageF& frame)
+std::optional<Message> problemWith(const ImageF& frame)
 {
     if (frame.isEmpty()) {
-        return "The angiogram frame is empty. Choose another frame or file.";
+        return says::frameEmpty();
     }
     if (!isFinite(frame)) {
-        return "The angiogram frame has pixels that are not a number (NaN or infinite). Choose another frame, or "
-               "export the image again.";
+        return says::frameNotFinite();
     }
     const float first = frame.pixels.front();
     if (std::all_of(frame.pixels.begin(), frame.pixels.end(), [first](float value) { return value == first; })) {
-        return "The angiogram frame is of one colour: there is nothing to trace. Choose another frame or file.";
+        return says::frameOfOneColour();
     }
     return {};
 }
@@ -177,8 +177,8 @@ Result<AngiogramTrace> traceDrawn(Mask2d drawn, const TraceOptions& options)
 
 Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& options)
 {
-    if (const std::string problem = problemWith(frame); !problem.empty()) {
-        return Error{problem};
+    if (const auto problem = problemWith(frame)) {
+        return Error(*problem);
     }
     if (auto drawn = drawnMask(frame)) {
         return traceDrawn(std::move(*drawn), options);
@@ -199,9 +199,7 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
     }
     trace.centerline.curves = centredCurves(std::move(seen.paths), opacity, trace.fieldMask, maxRadiusPx);
     if (trace.centerline.curves.empty()) {
-        return Error{
-            "Nothing like a vessel was found in the angiogram frame. Choose a frame with more contrast, raise "
-            "the sensitivity, or check whether vessels are dark or bright."};
+        return Error(says::frameWithoutVessels());
     }
     trace.suspectCurves = suspectCurves(trace.centerline, std::max(frame.width, frame.height));
     return trace;
@@ -210,8 +208,7 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
 Result<AngiogramTrace> traceFrame(const Angiogram& run, int frame, const TraceOptions& options)
 {
     if (frame < 0 || frame >= run.frameCount()) {
-        return Error{"Frame " + std::to_string(frame) + " does not exist: the image has frames 0 to " +
-                     std::to_string(run.frameCount() - 1) + "."};
+        return Error(says::frameMissing(frame, run.frameCount() - 1));
     }
     return traceAngiogram(steadyFrame(run.frames, frame), run.polarity, options);
 }
@@ -224,8 +221,7 @@ Result<Centerline2d> traceMask(const Mask2d& mask, const TraceOptions& options)
         centerline.curves.push_back(smoothCurve(path, static_cast<int>(centerline.curves.size()) + 1));
     }
     if (centerline.curves.empty()) {
-        return Error{"The vessel mask has no vessel of at least " + std::to_string(options.minComponentLengthPx) +
-                     " px in it. Draw longer vessels, or lower the shortest length."};
+        return Error(says::maskWithoutVessels(Quantity{static_cast<double>(options.minComponentLengthPx), 0, "px"}));
     }
     return centerline;
 }

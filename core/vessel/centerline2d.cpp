@@ -1,5 +1,6 @@
 #include "core/vessel/centerline2d.h"
 
+#include "core/messages/says.h"
 #include "core/vessel/polyline.h"
 
 namespace angiopose::core {
@@ -37,17 +38,15 @@ Centerline2d resampled(const Centerline2d& centerline, double spacingPx)
     return result;
 }
 
-std::string findProblem(const Centerline2d& centerline)
+std::optional<Message> findProblem(const Centerline2d& centerline)
 {
     if (centerline.pointCount() == 0) {
-        return "The 2-D centreline is empty: no vessel was found in the image. Choose another frame or a higher "
-               "sensitivity, or give a centreline file.";
+        return says::centrelineEmpty();
     }
     for (const Curve2d& curve : centerline.curves) {
         for (const Eigen::Vector2d& point : curve.pointsPx) {
             if (!point.allFinite()) {
-                return "Curve " + std::to_string(curve.id) +
-                       " of the 2-D centreline has a coordinate that is not a number (NaN or infinite).";
+                return says::curveNotFinite(curve.id);
             }
         }
     }

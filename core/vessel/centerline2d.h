@@ -1,6 +1,9 @@
 #pragma once
 
+#include "core/support/message.h"
+
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +32,6 @@ std::vector<Eigen::Vector2d> tangentsOf(const std::vector<Eigen::Vector2d>& poin
 Centerline2d resampled(const Centerline2d& centerline, double spacingPx);
 
 /// What makes this centreline unusable (no points, NaN), in words for the user; empty when it is fine.
-std::string findProblem(const Centerline2d& centerline);
+std::optional<Message> findProblem(const Centerline2d& centerline);
 
 }   // namespace angiopose::core

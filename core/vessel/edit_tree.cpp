@@ -1,5 +1,6 @@
 #include "core/vessel/edit_tree.h"
 
+#include "core/messages/says.h"
 #include "core/tracing/smoothing_spline.h"
 #include "core/vessel/polyline.h"
 
@@ -16,7 +17,7 @@ namespace {
 
 Error noSuchBranch(int branchId)
 {
-    return Error{"The vessel tree has no branch " + std::to_string(branchId) + "."};
+    return says::noSuchBranch(branchId);
 }
 
 VesselBranch* findBranch(VesselTree& tree, int branchId)
@@ -128,7 +129,7 @@ Result<VesselTree> withoutSubtree(const VesselTree& tree, int branchId)
         }
     }
     if (gone.size() == tree.branches.size()) {
-        return Error{"Every branch hangs on branch " + std::to_string(branchId) + ": nothing would be left."};
+        return Error(says::allHangOnBranch(branchId));
     }
     return without(tree, {gone.begin(), gone.end()});
 }
@@ -140,7 +141,7 @@ Result<VesselTree> pruned(const VesselTree& tree, double minLengthMm, double min
         result = without(result, {*worst});
     }
     if (result.branches.empty()) {
-        return Error{"Every branch is shorter or thinner than asked: nothing would be left. Lower the limits."};
+        return Error(says::allPruned());
     }
     return result;
 }
@@ -153,9 +154,7 @@ Result<VesselTree> cutAt(const VesselTree& tree, int branchId, std::size_t point
         return noSuchBranch(branchId);
     }
     if (point < 1 || point + 3 > first->pointsInPatient.size()) {
-        return Error{"Branch " + std::to_string(branchId) +
-                     " cannot be cut so near to its end. Delete it instead, or "
-                     "cut farther in."};
+        return Error(says::cutTooNearEnd(branchId));
     }
     const auto at = static_cast<std::ptrdiff_t>(point) + 1;
     VesselBranch second{
@@ -198,7 +197,7 @@ Result<VesselTree> joinedOver(const VesselTree& tree, const BranchEnd& first, co
         return noSuchBranch(tree.find(first.branchId) == nullptr ? first.branchId : second.branchId);
     }
     if (first.branchId == second.branchId) {
-        return Error{"A branch cannot be joined to itself. Choose two branches."};
+        return Error(says::joinedToItself());
     }
     VesselTree result = without(tree, {second.branchId});
     VesselBranch& stays = *findBranch(result, first.branchId);

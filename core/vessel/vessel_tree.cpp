@@ -1,5 +1,6 @@
 #include "core/vessel/vessel_tree.h"
 
+#include "core/messages/says.h"
 #include "core/vessel/polyline.h"
 
 #include <Eigen/Geometry>
@@ -188,30 +189,29 @@ bool isUsualSize(const VesselTree& tree)
     return *middle >= thinnestMm && *middle <= widestMm;
 }
 
-std::string findProblem(const VesselTree& tree)
+std::optional<Message> findProblem(const VesselTree& tree)
 {
     if (tree.branches.empty()) {
-        return "The vessel tree has no branches. Load a centreline with at least one branch.";
+        return says::treeWithoutBranches();
     }
     std::set<int> ids;
     for (const VesselBranch& branch : tree.branches) {
-        const std::string name = "Branch " + std::to_string(branch.id);
         if (!ids.insert(branch.id).second) {
-            return name + " occurs twice in the vessel tree. Branch ids must be unique.";
+            return says::branchTwice(branch.id);
         }
         if (branch.pointsInPatient.size() < 2) {
-            return name + " of the vessel tree has fewer than two points. Remove it or add points.";
+            return says::branchTooFewPoints(branch.id);
         }
         const bool finite = std::all_of(branch.pointsInPatient.begin(), branch.pointsInPatient.end(),
                                         [](const Eigen::Vector3d& p) { return p.allFinite(); });
         if (!finite) {
-            return name + " of the vessel tree has a coordinate that is not a number (NaN or infinite).";
+            return says::branchNotFinite(branch.id);
         }
         if (branch.lengthMm() <= 0.0) {
-            return name + " of the vessel tree has no length: all its points coincide.";
+            return says::branchWithoutLength(branch.id);
         }
         if (!branch.radiusMm.empty() && branch.radiusMm.size() != branch.pointsInPatient.size()) {
-            return name + " of the vessel tree does not have one radius per point.";
+            return says::branchRadiiMissing(branch.id);
         }
     }
     return {};

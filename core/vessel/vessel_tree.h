@@ -1,6 +1,9 @@
 #pragma once
 
+#include "core/support/message.h"
+
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,6 +62,6 @@ double acrossMm(const VesselTree& tree);
 bool isUsualSize(const VesselTree& tree);
 
 /// What makes this tree unusable (no branch, one point, NaN, …), in words for the user; empty when it is fine.
-std::string findProblem(const VesselTree& tree);
+std::optional<Message> findProblem(const VesselTree& tree);
 
 }   // namespace angiopose::core

@@ -1,5 +1,6 @@
 #include "io/case/batch_manifest.h"
 
+#include "io/messages/says.h"
 #include "io/support/csv_table.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -29,10 +30,10 @@ std::string defaultName(std::size_t row, const std::string& casePath)
 
 core::Result<BatchEntry> parseEntry(const CsvTable& table, std::size_t row)
 {
-    const std::string line = "line " + std::to_string(table.lineOfRow[row]);
+    const int line = table.lineOfRow[row];
     const std::string casePath = cellOf(table, row, "case");
     if (casePath.empty()) {
-        return fileError(table.path, line + " names no case. Give the path of a case file.");
+        return fileError(table.path, says::batchNoCase(line));
     }
     BatchEntry entry;
     entry.row = static_cast<int>(row) + 1;
@@ -43,12 +44,12 @@ core::Result<BatchEntry> parseEntry(const CsvTable& table, std::size_t row)
         entry.name = defaultName(row, casePath);
     }
     if (entry.name.find('/') != std::string::npos || entry.name == "." || entry.name == "..") {
-        return fileError(table.path, line + ": the name '" + entry.name + "' is no folder name. Use one without '/'.");
+        return fileError(table.path, says::batchNoFolderName(line, entry.name));
     }
     if (const std::string frame = cellOf(table, row, "frame"); !frame.empty()) {
         entry.frame = parseInteger(frame);
         if (!entry.frame) {
-            return fileError(table.path, line + ": the frame '" + frame + "' is no whole number.");
+            return fileError(table.path, says::batchFrameNoNumber(line, frame));
         }
     }
     return entry;
@@ -67,7 +68,7 @@ core::Result<std::vector<BatchEntry>> readManifest(const std::string& path)
         return table.error();
     }
     if (!table.value().column("case") || table.value().rows.empty()) {
-        return fileError(path, "a batch needs a header row with the column case, and a row for each case.");
+        return fileError(path, says::batchNoHeader());
     }
     std::vector<BatchEntry> entries;
     std::set<std::string> names;
@@ -77,8 +78,7 @@ core::Result<std::vector<BatchEntry>> readManifest(const std::string& path)
             return entry.error();
         }
         if (!names.insert(entry.value().name).second) {
-            return fileError(path, "line " + std::to_string(table.value().lineOfRow[row]) + ": the name '" +
-                                       entry.value().name + "' is taken. Give each case its own.");
+            return fileError(path, says::batchNameTwice(table.value().lineOfRow[row], entry.value().name));
         }
         entries.push_back(std::move(entry).value());
     }

@@ -27,7 +27,7 @@ struct CaseDocument {
     std::optional<SubtractionKeys> subtraction;
     std::string sopInstanceUid;   ///< of the image, when noted
     std::vector<CaseDocument> views;   ///< of `values.otherViews`, in order, those without a file of their own
-    std::vector<std::string> problems;   ///< what makes no sense, each with key and remedy
+    core::Messages problems;   ///< what makes no sense, each with key and remedy
 };
 
 /// Content of a JSON text that follows the schema; unknown keys go to `values.extraKeys`.

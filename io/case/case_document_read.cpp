@@ -5,6 +5,7 @@
 #include "io/case/snapshot_json.h"
 #include "io/case/tree_values.h"
 #include "io/case/vessel_key.h"
+#include "io/messages/says.h"
 #include "io/support/json_text.h"
 #include "io/support/pose_matrix.h"
 
@@ -68,8 +69,7 @@ void readEditedTree(const Json& vessel, CaseDocument& document)
     }
     auto tree = treeFromJson(edited.dump());
     if (!tree) {
-        document.problems.push_back("vessel.editedTree: " + tree.error().message +
-                                    " Remove the key to go back to the vessels as they were before the edits.");
+        document.problems.push_back(says::caseEditedTree(tree.error().message).about("vessel.editedTree"));
         return;
     }
     document.values.tree = std::make_shared<const core::VesselTree>(std::move(tree).value());
@@ -115,8 +115,7 @@ void readVessel(const Json& vessel, CaseDocument& document)
             return;
         }
     }
-    document.problems.emplace_back(
-        "vessel: it names no input. Give the file of the vessels as centerline, segmentation, surface or volume.");
+    document.problems.push_back(says::caseNoInput().about("vessel"));
 }
 
 /// A 2-D centreline edited in the window says so, and for which frame.
@@ -180,8 +179,7 @@ void readAngiogram(const Json& angiogram, CaseDocument& document)
         options.minComponentLengthPx = trace.value("minComponentLengthPx", options.minComponentLengthPx);
         options.sensitivity = trace.value("sensitivity", options.sensitivity);
         if (options.maxVesselRadiusPx < options.minVesselRadiusPx) {
-            document.problems.emplace_back(
-                "angiogram.trace: maxVesselRadiusPx is below minVesselRadiusPx. Exchange them.");
+            document.problems.push_back(says::caseRadiiSwapped().about("angiogram.trace"));
         }
     }
 }
@@ -195,7 +193,7 @@ std::optional<core::RigidTransform> readPose(const Json& poses, const char* key,
     }
     const auto result = poseFromRows(pose["cameraFromPatient"].get<MatrixRows>());
     if (!result) {
-        document.problems.push_back(std::string("pose.") + key + ": " + result.error().message);
+        document.problems.push_back(result.error().message.about(std::string("pose.") + key));
         return std::nullopt;
     }
     return result.value();
@@ -232,12 +230,11 @@ void readOptions(const Json& root, CaseDocument& document)
     const auto methods = core::methodInfos();
     if (!isDefault &&
         std::none_of(methods.begin(), methods.end(), [&](const auto& info) { return info.id == options.method; })) {
-        std::string known;
+        std::vector<std::string> known;
         for (const core::MethodInfo& info : methods) {
-            known += (known.empty() ? "" : ", ") + std::string(info.id);
+            known.emplace_back(info.id);
         }
-        document.problems.push_back("method: \"" + options.method.substr(0, 40) + "\" is unknown. Use one of " + known +
-                                    ".");
+        document.problems.push_back(says::caseMethodUnknown(options.method.substr(0, 40), known).about("method"));
     }
     const Json& given = member(root, "options");
     for (const core::OptionField& field : core::optionFields()) {
@@ -247,8 +244,8 @@ void readOptions(const Json& root, CaseDocument& document)
         }
         const auto number = value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
         const std::string text = value.is_string() ? value.get<std::string>() : std::string();
-        if (std::string problem = setOption(options, field, number, text); !problem.empty()) {
-            document.problems.push_back(std::move(problem));
+        if (const auto problem = setOption(options, field, number, text)) {
+            document.problems.push_back(*problem);
         }
     }
 }
@@ -279,8 +276,8 @@ void readOtherViews(const Json& root, CaseDocument& document)
         CaseDocument& own = document.views.emplace_back();
         readView(view, own);
         own.values.viewExtraKeys = unknownKeys(view.dump(), knownViewKeys());
-        for (const std::string& problem : own.problems) {
-            document.problems.push_back("views: " + problem);
+        for (const core::Message& problem : own.problems) {
+            document.problems.push_back(problem.about("views"));
         }
         document.values.otherViews.emplace_back();
     }
@@ -309,7 +306,7 @@ CaseDocument parseCaseDocument(std::string_view json)
     const Json root = Json::parse(json);
     CaseDocument document;
     if (root["version"].get<double>() > 1.0) {
-        document.problems.emplace_back("version: the case was saved by a newer AngioPose. Update the program.");
+        document.problems.push_back(says::caseNewer().about("version"));
         return document;
     }
     document.values.title = root.value("title", "");

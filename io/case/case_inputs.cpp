@@ -2,6 +2,7 @@
 
 #include "io/case/view_inputs.h"
 #include "io/file_hash.h"
+#include "io/messages/says.h"
 #include "io/vessel_input_file.h"
 #include "io/volume_file.h"
 
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 using core::RegistrationCase;
 
 /// The scan that vessels of another origin lie in: good to have, but the case opens without it.
-void readScan(RegistrationCase& values, std::vector<std::string>& warnings)
+void readScan(RegistrationCase& values, core::Messages& warnings)
 {
     if (values.scanFile.path.empty()) {
         return;
@@ -38,7 +39,7 @@ void readScan(RegistrationCase& values, std::vector<std::string>& warnings)
 
 /// What an edited tree came from: its scan is read for the slices. The tree is the case's own, so that it opens
 /// without.
-void readOrigin(RegistrationCase& values, std::vector<std::string>& warnings, const ReadObserver& observe)
+void readOrigin(RegistrationCase& values, core::Messages& warnings, const ReadObserver& observe)
 {
     const std::string& path = values.centerlineFile.path;
     if (values.vesselInput.kind == core::VesselInputKind::Volume) {
@@ -54,11 +55,11 @@ void readOrigin(RegistrationCase& values, std::vector<std::string>& warnings, co
     if (const auto checked = checkHash(values.centerlineFile, sha256OfVesselInput(path, values.vesselInput), warnings);
         !checked) {
         values.centerlineFile = noted;
-        warnings.push_back(checked.error().message + " The edited vessels are in the case; it opens without the file.");
+        warnings.push_back(says::caseOpensWithout(checked.error().message));
     }
 }
 
-core::Status readVesselInput(RegistrationCase& values, std::vector<std::string>& warnings, const ReadObserver& observe)
+core::Status readVesselInput(RegistrationCase& values, core::Messages& warnings, const ReadObserver& observe)
 {
     if (values.isTreeEdited) {
         readOrigin(values, warnings, observe);
@@ -79,14 +80,12 @@ core::Status readVesselInput(RegistrationCase& values, std::vector<std::string>&
                      warnings);
 }
 
-void dropUnknownBranches(std::vector<int>& ids, const core::VesselTree& tree, const char* key,
-                         std::vector<std::string>& warnings)
+void dropUnknownBranches(std::vector<int>& ids, const core::VesselTree& tree, const char* key, core::Messages& warnings)
 {
     std::erase_if(ids, [&](int id) {
         const bool isUnknown = tree.find(id) == nullptr;
         if (isUnknown) {
-            warnings.push_back(std::string("vessel.") + key + ": the tree has no branch " + std::to_string(id) +
-                               "; it is left out.");
+            warnings.push_back(says::caseBranchLeftOut(id).about(std::string("vessel.") + key));
         }
         return isUnknown;
     });
@@ -124,8 +123,8 @@ void makePathsAbsolute(CaseDocument& document, const std::string& casePath)
     }
 }
 
-core::Result<RegistrationCase> loadInputs(CaseDocument document, const std::string& casePath,
-                                          std::vector<std::string>& warnings, const ReadObserver& observe)
+core::Result<RegistrationCase> loadInputs(CaseDocument document, const std::string& casePath, core::Messages& warnings,
+                                          const ReadObserver& observe)
 {
     RegistrationCase& values = document.values;
     if (auto read = readVesselInput(values, warnings, partOf(observe, 0.0, 0.9)); !read) {

@@ -1,6 +1,7 @@
 #include "io/case/case_schema.h"
 
 #include "io/case_file.h"
+#include "io/messages/says.h"
 
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -37,39 +38,38 @@ const valijson::Schema& parsedSchema()
     return *schema;
 }
 
-/// The validator's sentence in the user's terms; empty when it only repeats what an inner level said.
-std::string problemText(const std::string& key, const std::string& description)
+/// The validator's sentence in the user's terms; nothing when it only repeats what an inner level said.
+std::optional<core::Message> problemText(const std::string& key, const std::string& description)
 {
     if (description.starts_with("Missing required property")) {
         const std::size_t quote = description.find('\'');
         const std::string quoted = description.substr(quote, description.rfind('\'') + 1 - quote);
-        return key + ": the key " + quoted + " is missing. Add it.";
+        return says::caseKeyMissing(quoted).about(key);
     }
     if (description.starts_with("Failed to validate")) {
         return {};
     }
     if (description.find("'type' constraint") != std::string::npos) {
-        return key + ": the value is of the wrong kind. See the published schema.";
+        return says::caseValueOfWrongKind().about(key);
     }
     if (description.find("enum") != std::string::npos) {
-        return key + ": the value is not one of those allowed. See the published schema.";
+        return says::caseValueNotAllowed().about(key);
     }
-    return key + ": " + description + " Correct it.";
+    return says::caseValueWrong(description).about(key);
 }
 
 }   // namespace
 
-std::vector<std::string> findSchemaProblems(std::string_view json)
+core::Messages findSchemaProblems(std::string_view json)
 {
     const nlohmann::json document = nlohmann::json::parse(json);
     if (!document.is_object() || document.value("format", nlohmann::json()) != "angiopose-case") {
-        return {
-            "this JSON is not an AngioPose case (its format is not \"angiopose-case\"). Choose an .angiopose file."};
+        return {says::caseNotOne()};
     }
     const valijson::adapters::NlohmannJsonAdapter adapter(document);
     valijson::ValidationResults results;
     valijson::Validator validator;
-    std::vector<std::string> problems;
+    core::Messages problems;
     if (validator.validate(parsedSchema(), adapter, &results)) {
         return problems;
     }
@@ -78,13 +78,13 @@ std::vector<std::string> findSchemaProblems(std::string_view json)
         for (const std::string& part : error.context) {
             key += part;
         }
-        std::string problem = problemText(keyPath(key), error.description);
-        if (!problem.empty() && (problems.empty() || problems.back() != problem)) {
-            problems.push_back(std::move(problem));
+        const auto problem = problemText(keyPath(key), error.description);
+        if (problem && (problems.empty() || problems.back() != *problem)) {
+            problems.push_back(*problem);
         }
     }
     if (problems.empty()) {
-        problems.emplace_back("it does not follow the published schema. Compare it with a case that loads.");
+        problems.push_back(says::caseAgainstSchema());
     }
     return problems;
 }

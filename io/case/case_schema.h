@@ -1,12 +1,12 @@
 #pragma once
 
-#include <string>
+#include "core/support/message.h"
+
 #include <string_view>
-#include <vector>
 
 namespace angiopose::io {
 
-/// Where a JSON text breaks the published schema, each in one sentence; empty when it does not.
-std::vector<std::string> findSchemaProblems(std::string_view json);
+/// Where a JSON text breaks the published schema, empty where it does not.
+core::Messages findSchemaProblems(std::string_view json);
 
 }   // namespace angiopose::io

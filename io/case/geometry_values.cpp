@@ -75,8 +75,8 @@ void readCamera(const Json& camera, CaseDocument& document)
     const core::ProjectionCamera given{camera["fx"].get<double>(), camera["fy"].get<double>(),
                                        camera["cx"].get<double>(), camera["cy"].get<double>(),
                                        camera["width"].get<int>(), camera["height"].get<int>()};
-    if (const std::string problem = core::findProblem(given); !problem.empty()) {
-        document.problems.push_back("geometry.camera: " + problem);
+    if (const auto problem = core::findProblem(given)) {
+        document.problems.push_back(problem->about("geometry.camera"));
     }
     document.values.cameraOverride = given;
 }

@@ -1,5 +1,6 @@
 #include "io/case/option_values.h"
 
+#include "io/messages/says.h"
 #include "io/support/numbers.h"
 
 #include <algorithm>
@@ -24,8 +25,8 @@ std::string optionsJson(const core::RegistrationOptions& options)
     return json.dump();
 }
 
-std::string setOption(core::RegistrationOptions& options, const core::OptionField& field, std::optional<double> number,
-                      std::string_view text)
+std::optional<core::Message> setOption(core::RegistrationOptions& options, const core::OptionField& field,
+                                       std::optional<double> number, std::string_view text)
 {
     const auto choice = std::find(field.choices.begin(), field.choices.end(), text);
     if (!number && choice != field.choices.end()) {
@@ -35,14 +36,17 @@ std::string setOption(core::RegistrationOptions& options, const core::OptionFiel
         field.write(options, *number);
         return {};
     }
-    std::string remedy = "a number from " + toText(field.min) + " to " + toText(field.max);
-    if (!field.choices.empty()) {
-        remedy = "one of";
-        for (const std::string_view known : field.choices) {
-            remedy += (known == field.choices.front() ? " \"" : ", \"") + std::string(known) + "\"";
-        }
+    const std::string key = "options." + std::string(field.key);
+    if (field.choices.empty()) {
+        return says::caseOptionNumber(core::Quantity{field.min, core::Quantity::asNeeded},
+                                      core::Quantity{field.max, core::Quantity::asNeeded})
+            .about(key);
     }
-    return "options." + std::string(field.key) + ": give " + remedy + ".";
+    std::vector<std::string> choices;
+    for (const std::string_view known : field.choices) {
+        choices.push_back("\"" + std::string(known) + "\"");
+    }
+    return says::caseOptionChoice(choices).about(key);
 }
 
 }   // namespace angiopose::io

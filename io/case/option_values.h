@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/registration/registration_options.h"
+#include "core/support/message.h"
 
 #include <optional>
 #include <string>
@@ -11,8 +12,8 @@ namespace angiopose::io {
 /// `{"key": value, …}` over the option table; choices by their text.
 std::string optionsJson(const core::RegistrationOptions& options);
 
-/// Sets one option from a number, or from the text of a choice. Returns what is wrong, empty when set.
-std::string setOption(core::RegistrationOptions& options, const core::OptionField& field, std::optional<double> number,
-                      std::string_view text);
+/// Sets one option from a number, or from the text of a choice. Returns what is wrong, if anything.
+std::optional<core::Message> setOption(core::RegistrationOptions& options, const core::OptionField& field,
+                                       std::optional<double> number, std::string_view text);
 
 }   // namespace angiopose::io

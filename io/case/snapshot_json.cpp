@@ -83,14 +83,14 @@ std::string snapshotsJson(const std::vector<PoseSnapshot>& snapshots)
     return array.dump();
 }
 
-std::vector<PoseSnapshot> snapshotsFromJson(std::string_view json, std::vector<std::string>& problems)
+std::vector<PoseSnapshot> snapshotsFromJson(std::string_view json, core::Messages& problems)
 {
     std::vector<PoseSnapshot> snapshots;
     int number = 0;
     for (const Json& each : Json::parse(json)) {
         const auto pose = poseFromRows(each["cameraFromPatient"].get<MatrixRows>());
         if (!pose) {
-            problems.push_back("snapshots: " + std::to_string(number) + ": " + pose.error().message);
+            problems.push_back(pose.error().message.about("snapshots: " + std::to_string(number)));
             return {};
         }
         snapshots.push_back(snapshotFrom(each));

@@ -13,6 +13,6 @@ std::string snapshotsJson(const std::vector<core::PoseSnapshot>& snapshots);
 
 /// The snapshots of such an array (one that follows the schema), numbered from 1; adds to `problems` what makes no
 /// sense.
-std::vector<core::PoseSnapshot> snapshotsFromJson(std::string_view json, std::vector<std::string>& problems);
+std::vector<core::PoseSnapshot> snapshotsFromJson(std::string_view json, core::Messages& problems);
 
 }   // namespace angiopose::io

@@ -1,5 +1,7 @@
 #include "io/case/tree_values.h"
 
+#include "io/messages/says.h"
+
 #include <nlohmann/json.hpp>
 
 namespace angiopose::io {
@@ -67,11 +69,11 @@ core::Result<core::VesselTree> treeFromJson(std::string_view json)
     for (const Json& branch : root.at("branches")) {
         tree.branches.push_back(branchFrom(branch));
         if (tree.find(tree.branches.back().id) != &tree.branches.back()) {
-            return core::Error{"branch " + std::to_string(tree.branches.back().id) + " is there twice."};
+            return core::Error(says::caseBranchTwice(tree.branches.back().id));
         }
     }
-    if (std::string problem = core::findProblem(tree); !problem.empty()) {
-        return core::Error{std::move(problem)};
+    if (const auto problem = core::findProblem(tree)) {
+        return core::Error(*problem);
     }
     return tree;
 }

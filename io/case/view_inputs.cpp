@@ -6,6 +6,7 @@
 #include "io/centerline2d_file.h"
 #include "io/dicom/c_arm_tags.h"
 #include "io/file_hash.h"
+#include "io/messages/says.h"
 #include "io/subtraction_file.h"
 #include "io/support/file_error.h"
 
@@ -45,14 +46,14 @@ core::Status treatRun(CaseDocument& document)
     }
     auto treated = core::treatedRun(*values.angiogram, values.treatment);
     if (!treated) {
-        return core::Error{"angiogram.subtraction: " + treated.error().message};
+        return treated.error().about("angiogram.subtraction");
     }
     values.storedRun = values.angiogram;
     values.angiogram = std::make_shared<const core::Angiogram>(std::move(treated).value());
     return core::Done{};
 }
 
-core::Status readImage(RegistrationCase& values, std::vector<std::string>& warnings)
+core::Status readImage(RegistrationCase& values, core::Messages& warnings)
 {
     auto angiogram = io::readAngiogram(values.imageFile.path);
     if (!angiogram) {
@@ -85,47 +86,44 @@ void fillFrom(core::Sourced<Value>& value, const core::Sourced<Value>& header)
     }
 }
 
-/// What only shows once the inputs are there; empty when all fits.
-std::string findMisfit(const RegistrationCase& values)
+/// What only shows once the inputs are there.
+std::optional<core::Message> findMisfit(const RegistrationCase& values)
 {
     const core::Angiogram& angiogram = *values.angiogram;
     if (values.frame >= angiogram.frameCount()) {
-        return "angiogram.frame: " + std::to_string(values.frame) + " does not exist. The image has frames 0 to " +
-               std::to_string(angiogram.frameCount() - 1) + ".";
+        return says::caseFrameMissing(values.frame, angiogram.frameCount() - 1).about("angiogram.frame");
     }
     const auto& camera = values.cameraOverride;
     if (camera && (camera->width != angiogram.width() || camera->height != angiogram.height())) {
-        return "geometry.camera: it is for an image of " + std::to_string(camera->width) + " x " +
-               std::to_string(camera->height) + " pixels, but the angiogram has " + std::to_string(angiogram.width()) +
-               " x " + std::to_string(angiogram.height()) + ". Give the camera of this image.";
+        return says::caseCameraOfOtherImage(camera->width, camera->height, angiogram.width(), angiogram.height())
+            .about("geometry.camera");
     }
     return {};
 }
 
 /// Frame, geometry and the pose to start from.
-core::Status complete(CaseDocument& document, std::vector<std::string>& warnings)
+core::Status complete(CaseDocument& document, core::Messages& warnings)
 {
     RegistrationCase& values = document.values;
     const core::Angiogram& angiogram = *values.angiogram;
     values.frame = document.hasFrame ? values.frame : angiogram.suggestedFrame;
-    if (const std::string misfit = findMisfit(values); !misfit.empty()) {
-        return core::Error{misfit};
+    if (const auto misfit = findMisfit(values)) {
+        return core::Error(*misfit);
     }
     if (!document.sopInstanceUid.empty() && document.sopInstanceUid != angiogram.identity.sopInstanceUid) {
-        warnings.push_back(values.imageFile.path + ": this is another DICOM image than the one the case was made for.");
+        warnings.push_back(says::caseOtherImage().about(values.imageFile.path));
     }
     const bool isSpacingGiven = values.cameraOverride || values.cArm.columnSpacingMm.origin == core::Origin::User;
     std::copy_if(angiogram.warnings.begin(), angiogram.warnings.end(), std::back_inserter(warnings),
-                 [&](const std::string& warning) { return !isSpacingGiven || !isAboutMissingSpacing(warning); });
-    if (std::string mismatch = core::findMismatch(values.scanIdentity, angiogram.identity); !mismatch.empty()) {
-        warnings.push_back(std::move(mismatch));
+                 [&](const core::Message& warning) { return !isSpacingGiven || !isAboutMissingSpacing(warning); });
+    for (const core::Message& mismatch : core::findMismatch(values.scanIdentity, angiogram.identity)) {
+        warnings.push_back(mismatch);
     }
     fillFromHeader(values.cArm, angiogram.cArm);
     if (!document.hasCurrentPose) {
         const auto start = core::startPoseOf(values);
         if (!start) {
-            return core::Error{"pose.initial: it is missing, and the angles do not give a start pose. " +
-                               start.error().message};
+            return core::Error(says::caseNoStartPose(start.error().message).about("pose.initial"));
         }
         values.cameraFromPatient = start.value();
     }
@@ -134,14 +132,13 @@ core::Status complete(CaseDocument& document, std::vector<std::string>& warnings
 
 }   // namespace
 
-core::Status checkHash(core::InputFile& file, core::Result<std::string> hash, std::vector<std::string>& warnings)
+core::Status checkHash(core::InputFile& file, core::Result<std::string> hash, core::Messages& warnings)
 {
     if (!hash) {
         return hash.error();
     }
     if (!file.sha256.empty() && file.sha256 != hash.value()) {
-        warnings.push_back(file.path +
-                           ": the file has changed since the case was saved. Check that it is the right one.");
+        warnings.push_back(says::caseFileChanged().about(file.path));
     }
     file.sha256 = std::move(hash).value();
     return core::Done{};
@@ -161,28 +158,28 @@ void fillFromHeader(core::CArm& cArm, const core::CArm& header)
     fillFrom(cArm.isocentreInPatientMm, header.isocentreInPatientMm);
 }
 
-core::Status loadView(CaseDocument& document, const std::string& casePath, std::vector<std::string>& warnings)
+core::Status loadView(CaseDocument& document, const std::string& casePath, core::Messages& warnings)
 {
     if (const auto read = readImage(document.values, warnings); !read) {
         return read.error();
     }
     if (const auto completed = complete(document, warnings); !completed) {
-        return fileError(casePath, completed.error().message);
+        return fileError(casePath, completed.error());
     }
     if (const auto treated = treatRun(document); !treated) {
-        return fileError(casePath, treated.error().message);
+        return fileError(casePath, treated.error());
     }
     return core::Done{};
 }
 
 RegistrationCase loadOtherView(CaseDocument document, const RegistrationCase& first, const std::string& casePath,
-                               std::vector<std::string>& warnings)
+                               core::Messages& warnings)
 {
     RegistrationCase& values = document.values;
     values.tree = first.tree;
     values.scanIdentity = first.scanIdentity;
     if (const auto loaded = loadView(document, casePath, warnings); !loaded) {
-        warnings.push_back("Another view is left out: " + loaded.error().message);
+        warnings.push_back(says::caseViewLeftOut(loaded.error().message));
         values.angiogram.reset();
     }
     return core::viewOf(values);

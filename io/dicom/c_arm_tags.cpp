@@ -1,5 +1,6 @@
 #include "io/dicom/c_arm_tags.h"
 
+#include "io/messages/says.h"
 #include "io/support/numbers.h"
 
 #include <cmath>
@@ -27,9 +28,9 @@ constexpr DicomTag fieldOfViewTag = 0x00181149;
 constexpr DicomTag rowsTag = 0x00280010;
 constexpr DicomTag columnsTag = 0x00280011;
 
-std::string shortText(double value)
+core::Quantity millimetres(double value)
 {
-    return toText(std::round(value * 1e4) / 1e4);
+    return {std::round(value * 1e4) / 1e4, core::Quantity::asNeeded, "mm"};
 }
 
 /// Copies tags that the top level lacks out of the sequences of functional groups, two levels down.
@@ -71,7 +72,7 @@ void readDistances(const DicomDataset& data, CArm& cArm)
         cArm.sourceToPatientMm = fromHeader(data, enhancedSodTag, "(0018,9402) Distance Source to Isocenter");
     } else if (magnification && *magnification > 1.0 && cArm.sourceToDetectorMm.value) {
         cArm.sourceToPatientMm = {*cArm.sourceToDetectorMm.value / *magnification, Origin::Derived,
-                                  "SID / (0018,1114) magnification " + shortText(*magnification)};
+                                  "SID / (0018,1114) magnification " + toText(std::round(*magnification * 1e4) / 1e4)};
     }
 }
 
@@ -104,7 +105,7 @@ std::optional<Eigen::Vector2d> fieldSpacing(const DicomDataset& data)
 }
 
 /// ALGORITHMS §5.2 in its order: imager spacing, calibrated pixel spacing, field of view; else it stays missing.
-void readSpacing(const DicomDataset& data, CArm& cArm, std::vector<std::string>& warnings)
+void readSpacing(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
 {
     if (const auto imager = positivePair(data, imagerSpacingTag)) {
         setSpacing(cArm, *imager, Origin::Header, "(0018,1164) Imager Pixel Spacing");
@@ -116,38 +117,31 @@ void readSpacing(const DicomDataset& data, CArm& cArm, std::vector<std::string>&
         const double magnification = *cArm.sourceToDetectorMm.value / *cArm.sourceToPatientMm.value;
         setSpacing(cArm, *pixel * magnification, Origin::Derived,
                    "(0028,0030) Pixel Spacing (" + std::string(calibration.substr(0, 16)) + ") times SID/SOD");
-        warnings.push_back("The header gives no imager pixel spacing: " + shortText(*cArm.columnSpacingMm.value) +
-                           " mm is derived from the calibrated pixel spacing. Check it in the geometry.");
+        warnings.push_back(says::spacingFromCalibration(millimetres(*cArm.columnSpacingMm.value)));
     } else if (const auto field = fieldSpacing(data)) {
         setSpacing(cArm, *field, Origin::Derived,
                    "(0018,1149) field of view " + std::string(data.text(fieldOfViewTag, 0)) + " mm / " +
                        std::to_string(data.integer(columnsTag).value_or(0)) + " px");
-        warnings.push_back("The header gives no imager pixel spacing (0018,1164): " + shortText(field->y()) +
-                           " mm is derived from the field of view. Check it in the geometry.");
+        warnings.push_back(says::spacingFromField(millimetres(field->y())));
+    } else if (const auto intensifier = data.number(0x00181162); isPositive(intensifier)) {
+        warnings.push_back(says::spacingMissingIntensifier(
+            millimetres(*intensifier), millimetres(*intensifier / data.number(columnsTag).value_or(512.0))));
     } else {
-        std::string hint;
-        if (const auto intensifier = data.number(0x00181162); isPositive(intensifier)) {
-            hint = " The intensifier of " + shortText(*intensifier) + " mm suggests at most " +
-                   shortText(*intensifier / data.number(columnsTag).value_or(512.0)) + " mm.";
-        }
-        warnings.push_back("The header gives no imager pixel spacing (0018,1164): enter it in the geometry." + hint);
+        warnings.push_back(says::spacingMissing());
     }
 }
 
-void readAngles(const DicomDataset& data, CArm& cArm, std::vector<std::string>& warnings)
+void readAngles(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
 {
     cArm.primaryAngleDeg = fromHeader(data, primaryAngleTag, "(0018,1510) Positioner Primary Angle");
     cArm.secondaryAngleDeg = fromHeader(data, secondaryAngleTag, "(0018,1511) Positioner Secondary Angle");
     if (!cArm.primaryAngleDeg.value && data.find(0x00189463)) {
-        warnings.emplace_back(
-            "The header gives only isocentre angles (0018,9463), whose signs are not certain: enter "
-            "LAO/RAO and CRA/CAU in the geometry.");
+        warnings.push_back(says::anglesOfIsocentre());
     }
     const double detectorTilt =
         std::max(std::abs(data.number(0x00181530).value_or(0.0)), std::abs(data.number(0x00181531).value_or(0.0)));
     if (detectorTilt > 0.5) {
-        warnings.push_back("The detector is tilted by " + shortText(detectorTilt) +
-                           "° (0018,1530): the principal point is uncertain.");
+        warnings.push_back(says::detectorTilted(core::Quantity{detectorTilt, core::Quantity::asNeeded, "°"}));
     }
 }
 
@@ -185,7 +179,7 @@ void readPrincipalPoint(const DicomDataset& data, CArm& cArm)
 }
 
 /// Whether the image is shown as seen from the source. Patient orientation says it outright; the flip tag hints at it.
-void readMirror(const DicomDataset& data, CArm& cArm, std::vector<std::string>& warnings)
+void readMirror(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
 {
     const std::string_view row = data.text(0x00200020, 0);
     const double alpha = cArm.primaryAngleDeg.value.value_or(0.0) * std::numbers::pi / 180.0;
@@ -197,8 +191,7 @@ void readMirror(const DicomDataset& data, CArm& cArm, std::vector<std::string>& 
         cArm.mirrored = {true, Origin::Derived, "(0018,7034) Field of View Horizontal Flip"};
     }
     if (cArm.mirrored.value.value_or(false)) {
-        warnings.push_back("The image is taken as mirrored, after " + cArm.mirrored.basis +
-                           ". Check that left and right are where they belong.");
+        warnings.push_back(says::imageMirrored(cArm.mirrored.basis));
     }
 }
 
@@ -212,7 +205,7 @@ DicomDataset withFunctionalGroups(const DicomDataset& data)
     return flat;
 }
 
-core::CArm cArmOf(const DicomDataset& data, std::vector<std::string>& warnings)
+core::CArm cArmOf(const DicomDataset& data, core::Messages& warnings)
 {
     const DicomDataset flat = withFunctionalGroups(data);
     CArm cArm;
@@ -224,9 +217,10 @@ core::CArm cArmOf(const DicomDataset& data, std::vector<std::string>& warnings)
     return cArm;
 }
 
-bool isAboutMissingSpacing(std::string_view warning)
+bool isAboutMissingSpacing(const core::Message& warning)
 {
-    return warning.find("imager") != std::string_view::npos && warning.find("spacing") != std::string_view::npos;
+    return warning.is(says::spacingFromCalibration) || warning.is(says::spacingFromField) ||
+           warning.is(says::spacingMissing) || warning.is(says::spacingMissingIntensifier);
 }
 
 }   // namespace angiopose::io

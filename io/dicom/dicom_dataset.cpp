@@ -1,6 +1,7 @@
 #include "io/dicom/dicom_dataset.h"
 
 #include "io/dicom/dicom_elements.h"
+#include "io/messages/says.h"
 #include "io/support/numbers.h"
 
 #include <algorithm>
@@ -164,12 +165,11 @@ DicomParse parseElements(std::string_view bytes, DicomEncoding encoding)
             const auto found = undefinedValueSize(bytes, isPixels ? encoding : insideOf(element));
             size = found.value_or(bytes.size());
             if (!found && !isPixels) {
-                parse.problem = "the sequence " + tagName(head->tag) + " has no end";
+                parse.problem = says::dicomSequenceWithoutEnd(tagName(head->tag));
                 return parse;
             }
         } else if (size > bytes.size()) {
-            parse.problem = "the element " + tagName(head->tag) + " declares " + std::to_string(size) + " bytes, but " +
-                            std::to_string(bytes.size()) + " are left";
+            parse.problem = says::dicomElementTooLong(tagName(head->tag), size, bytes.size());
             element.value = bytes;
             parse.dataset.elements.emplace(head->tag, element);
             return parse;
@@ -179,7 +179,7 @@ DicomParse parseElements(std::string_view bytes, DicomEncoding encoding)
         bytes.remove_prefix(size);
     }
     if (bytes.find_first_not_of('\0') != std::string_view::npos) {
-        parse.problem = "it ends in the middle of an element";
+        parse.problem = says::dicomEndsWithin();
     }
     return parse;
 }

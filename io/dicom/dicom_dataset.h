@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/support/message.h"
+
 #include <array>
 #include <cstdint>
 #include <map>
@@ -41,7 +43,7 @@ struct DicomDataset {
 /// What reading elements came to.
 struct DicomParse {
     DicomDataset dataset;
-    std::string problem;   ///< the first element that does not fit the file; empty when all do
+    std::optional<core::Message> problem;   ///< the first element that does not fit the file
 };
 
 /// Elements up to the end of `bytes`, or up to the first one that is damaged. Never reads past what is there.

@@ -1,6 +1,7 @@
 #include "io/dicom/dicom_file.h"
 
 #include "io/dicom/dicom_elements.h"
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/inflate.h"
 
@@ -90,7 +91,7 @@ core::Result<DicomFile> parseDicom(std::string_view content, const std::string& 
     if (file.transferSyntax == deflatedSyntax) {
         auto unpacked = inflated(rest, Packing::RawDeflate, maxUnpackedBytes);
         if (!unpacked) {
-            return fileError(path, "its deflated content is damaged or cut short. Copy or export it again.");
+            return fileError(path, says::dicomDeflateDamaged());
         }
         file.unpacked = InputBytes(std::move(*unpacked));
         rest = file.unpacked.view();
@@ -99,7 +100,7 @@ core::Result<DicomFile> parseDicom(std::string_view content, const std::string& 
     file.dataset = std::move(parse.dataset);
     file.damage = std::move(parse.problem);
     if (file.dataset.elements.empty()) {
-        return fileError(path, "no DICOM element in it can be read. The file is damaged; copy or export it again.");
+        return fileError(path, says::dicomNoElement());
     }
     return file;
 }

@@ -12,7 +12,7 @@ namespace angiopose::io {
 struct DicomFile {
     std::string transferSyntax;   ///< UID; "" when the file does not say
     DicomDataset dataset;
-    std::string damage;   ///< what is wrong after the last good element; empty for a whole file
+    std::optional<core::Message> damage;   ///< what is wrong after the last good element
     InputBytes unpacked;
 };
 

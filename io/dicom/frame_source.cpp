@@ -2,6 +2,7 @@
 
 #include "io/dicom/decode_frame.h"
 #include "io/dicom/dicom_elements.h"
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 
 #include <algorithm>
@@ -123,20 +124,18 @@ core::Result<FrameReader> FrameReader::open(const DicomFile& file, const PixelLa
     if (!pixels->hasUndefinedLength) {
         const std::size_t needed = (bitsPerFrame(layout) * count + 7) / 8;
         if (pixels->value.size() < needed) {
-            return fileError(path, "its pixels are cut short: " + std::to_string(pixels->value.size()) + " of " +
-                                       std::to_string(needed) + " bytes are there. Copy or export it again.");
+            return fileError(path, says::dicomPixelsCutShort(pixels->value.size(), needed));
         }
         return reader;
     }
     auto fragments = fragmentsOf(*pixels);
     if (!fragments || fragments->size() < 2) {
-        return fileError(path, "its compressed pixels are cut short. Copy or export it again.");
+        return fileError(path, says::dicomPackedPixelsCutShort());
     }
     fragments->erase(fragments->begin());   // the offset table
     reader.streams_ = framesOfFragments(*fragments, count);
     if (reader.streams_.size() < count) {
-        return fileError(path, "only " + std::to_string(reader.streams_.size()) + " of its " + std::to_string(count) +
-                                   " frames are there. Copy or export it again.");
+        return fileError(path, says::dicomFramesMissing(reader.streams_.size(), count));
     }
     return reader;
 }
@@ -164,10 +163,7 @@ core::Result<ImageF> FrameReader::compressedFrame(std::size_t index) const
     const std::size_t needed = decoded.pixelsPerFrame() * static_cast<std::size_t>(decoded.samples) *
                                static_cast<std::size_t>(decoded.bitsAllocated) / 8;
     if (!bytes || bytes->size() < needed || layout_.bitsAllocated < 8) {
-        return fileError(path_, "frame " + std::to_string(index) + " cannot be decoded (transfer syntax " +
-                                    transferSyntax_.substr(0, 64) +
-                                    "): damaged, cut short, or a compression this program does not read. "
-                                    "Export the run again, uncompressed if possible.");
+        return fileError(path_, says::dicomFrameUndecodable(index, transferSyntax_.substr(0, 64)));
     }
     const SampleReader sample({bytes->data(), bytes->size()}, decoded, DicomEncoding{true, false});
     return imageFrom(sample, decoded, false, 0);
@@ -178,7 +174,7 @@ core::Result<ImageF> FrameReader::frame(int index) const
     auto image = pixels_.hasUndefinedLength ? compressedFrame(static_cast<std::size_t>(index))
                                             : nativeFrame(static_cast<std::size_t>(index));
     if (image && layout_.isFloat && !isFinite(image.value())) {
-        return fileError(path_, "a pixel is not a finite number. Export the image again.");
+        return fileError(path_, says::pixelNotFinite());
     }
     return image;
 }

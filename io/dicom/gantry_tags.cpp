@@ -1,6 +1,7 @@
 #include "io/dicom/gantry_tags.h"
 
 #include "io/dicom/c_arm_tags.h"
+#include "io/messages/says.h"
 #include "io/support/numbers.h"
 
 #include <algorithm>
@@ -198,7 +199,7 @@ std::vector<Eigen::Vector2d> storedIncrements(const DicomDataset& data, std::siz
     return increments;
 }
 
-void readIncrements(const DicomDataset& data, int frameCount, GantryHeader& header, std::vector<std::string>& warnings)
+void readIncrements(const DicomDataset& data, int frameCount, GantryHeader& header, core::Messages& warnings)
 {
     const auto frames = static_cast<std::size_t>(frameCount);
     std::vector<Eigen::Vector2d> increments = frameAngles(data);
@@ -214,16 +215,14 @@ void readIncrements(const DicomDataset& data, int frameCount, GantryHeader& head
     if (moves && increments.size() == frames) {
         header.angleIncrementsDeg = std::move(increments);
     } else if (moves || data.text(0x00181500) == "DYNAMIC") {
-        warnings.push_back("The C-arm moved during this run, but the header gives " +
-                           (increments.empty() ? std::string("no angles") : std::to_string(increments.size())) +
-                           " for its " + std::to_string(frameCount) +
-                           " frames: the angles are those of the first frame. Check them for the frame you use.");
+        warnings.push_back(says::gantryMoved(
+            increments.empty() ? says::gantryNoAngles() : says::gantryAngles(increments.size()), frameCount));
     }
 }
 
 }   // namespace
 
-GantryHeader gantryHeaderOf(const DicomDataset& data, int frameCount, std::vector<std::string>& warnings)
+GantryHeader gantryHeaderOf(const DicomDataset& data, int frameCount, core::Messages& warnings)
 {
     const DicomDataset flat = withFunctionalGroups(data);
     GantryHeader header;

@@ -1,6 +1,7 @@
 #include "io/dicom/open_dicom.h"
 
 #include "io/dicom/dicom_file.h"
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/inflate.h"
 
@@ -26,7 +27,7 @@ core::Result<InputBytes> openDicom(const std::string& path)
             return InputBytes(std::move(*unpacked));
         }
     }
-    return fileError(path, "this is not a DICOM file. Choose a scan.");
+    return fileError(path, says::dicomNotOne());
 }
 
 bool isDicomFile(const std::string& path)

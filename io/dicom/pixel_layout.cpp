@@ -1,6 +1,7 @@
 #include "io/dicom/pixel_layout.h"
 
 #include "io/dicom/dicom_elements.h"
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 
 #include <algorithm>
@@ -11,17 +12,17 @@ namespace {
 
 constexpr DicomTag floatPixelDataTag = 0x7fe00008;
 
-std::string missingImage(const DicomFile& file)
+core::Message missingImage(const DicomFile& file)
 {
     const std::string modality(file.dataset.text(0x00080060));
-    const std::string what = modality.empty() ? "this DICOM file" : "this DICOM file (" + modality.substr(0, 16) + ")";
-    if (!file.damage.empty()) {
-        return what + " is damaged before its pixels: " + file.damage + ". Copy or export it again.";
+    const core::Message what = modality.empty() ? says::dicomThisFile() : says::dicomThisFileOf(modality.substr(0, 16));
+    if (file.damage) {
+        return says::dicomDamagedBeforePixels(what, *file.damage);
     }
-    return what + " holds no image. Choose the X-ray angiography run.";
+    return says::dicomHoldsNoImage(what);
 }
 
-std::string findUnsupported(const PixelLayout& layout)
+std::optional<core::Message> findUnsupported(const PixelLayout& layout)
 {
     constexpr std::array<std::string_view, 7> colours = {"RGB",     "YBR_FULL",        "YBR_FULL_422",   "YBR_RCT",
                                                          "YBR_ICT", "YBR_PARTIAL_422", "YBR_PARTIAL_420"};
@@ -30,19 +31,18 @@ std::string findUnsupported(const PixelLayout& layout)
     const bool isColour =
         layout.samples == 3 && std::find(colours.begin(), colours.end(), layout.photometric) != colours.end();
     if (layout.photometric == "PALETTE COLOR") {
-        return "it is stored in palette colours. Export the angiogram in grey.";
+        return says::dicomPaletteColours();
     }
     if (!isGrey && !isColour) {
-        return "its pixels (" + layout.photometric.substr(0, 16) + ", " + std::to_string(layout.samples) +
-               " samples) are not grey or colour. Export the angiogram in grey.";
+        return says::dicomNotGrey(layout.photometric.substr(0, 16), layout.samples);
     }
     const int bits = layout.bitsAllocated;
     if ((bits != 1 && bits != 8 && bits != 16 && bits != 32) || (bits == 1 && layout.samples != 1)) {
-        return "its pixels have " + std::to_string(bits) + " bits. Export the angiogram with 8 or 16 bits.";
+        return says::dicomPixelBits(bits);
     }
     if (layout.bitsStored < 1 || layout.bitsStored > bits || layout.highBit >= bits ||
         layout.highBit + 1 < layout.bitsStored) {
-        return "its bits per pixel contradict each other. The header is damaged; export the run again.";
+        return says::dicomBitsContradict();
     }
     return {};
 }
@@ -76,16 +76,14 @@ core::Result<PixelLayout> pixelLayoutOf(const DicomFile& file, const std::string
         layout.photometric = layout.samples == 3 ? "RGB" : "MONOCHROME2";
     }
     if (layout.rows <= 0 || layout.columns <= 0 || layout.frames <= 0) {
-        return fileError(path, "its header gives no image size. The file is damaged; export the run again.");
+        return fileError(path, says::dicomNoImageSize());
     }
     if (layout.pixelsPerFrame() > maxFramePixels ||
         layout.pixelsPerFrame() > maxPixels / static_cast<std::size_t>(layout.frames)) {
-        return fileError(path, "it declares " + std::to_string(layout.frames) + " frames of " +
-                                   std::to_string(layout.columns) + " x " + std::to_string(layout.rows) +
-                                   " pixels, more than this program holds. Export fewer frames.");
+        return fileError(path, says::dicomTooManyFrames(layout.frames, layout.columns, layout.rows));
     }
-    if (const std::string unsupported = layout.isFloat ? "" : findUnsupported(layout); !unsupported.empty()) {
-        return fileError(path, unsupported);
+    if (const auto unsupported = layout.isFloat ? std::nullopt : findUnsupported(layout)) {
+        return fileError(path, *unsupported);
     }
     return layout;
 }

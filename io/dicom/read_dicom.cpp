@@ -6,6 +6,7 @@
 #include "io/dicom/dicom_text.h"
 #include "io/dicom/frame_source.h"
 #include "io/dicom/gantry_tags.h"
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 
 #include <algorithm>
@@ -85,23 +86,22 @@ void describe(const DicomFile& file, const PixelLayout& layout, Angiogram& angio
 {
     angiogram.identity = identityOf(file.dataset);
     if (layout.samples == 3) {
-        angiogram.warnings.emplace_back("Colour image converted to grey.");
+        angiogram.warnings.push_back(says::colourToGrey());
     }
-    if (!file.damage.empty()) {
-        angiogram.warnings.push_back("The end of the file is damaged (" + file.damage + "); the image is complete.");
+    if (file.damage) {
+        angiogram.warnings.push_back(says::dicomEndDamaged(*file.damage));
     }
     const std::string& modality = angiogram.identity.modality;
     if (isXray(modality)) {
         angiogram.cArm = cArmOf(file.dataset, angiogram.warnings);
         angiogram.gantry = gantryHeaderOf(file.dataset, angiogram.frameCount(), angiogram.warnings);
         const Eigen::Vector2i size(angiogram.width(), angiogram.height());
-        for (std::string& sentence : core::findContradictions(angiogram.cArm, angiogram.gantry, size)) {
-            angiogram.warnings.push_back(std::move(sentence));
+        for (const core::Message& contradiction : core::findContradictions(angiogram.cArm, angiogram.gantry, size)) {
+            angiogram.warnings.push_back(contradiction);
         }
     } else {
-        angiogram.warnings.push_back("This is " +
-                                     (modality.empty() ? "an image without modality" : "modality " + modality) +
-                                     ", not X-ray angiography: it has no C-arm geometry.");
+        angiogram.warnings.push_back(
+            says::dicomNotXray(modality.empty() ? says::anImageWithoutModality() : says::aModality(modality)));
     }
 }
 
@@ -110,9 +110,7 @@ core::Result<PixelLayout> runLayout(const DicomFile& file, const std::string& pa
 {
     auto layout = pixelLayoutOf(file, path);
     if (layout && (layout.value().rows < 8 || layout.value().columns < 8)) {
-        return fileError(path, "it is only " + std::to_string(layout.value().columns) + " x " +
-                                   std::to_string(layout.value().rows) +
-                                   " pixels. Choose the angiogram at its full size.");
+        return fileError(path, says::dicomThumbnail(layout.value().columns, layout.value().rows));
     }
     return layout;
 }

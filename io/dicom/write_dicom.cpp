@@ -1,6 +1,7 @@
 #include "io/dicom/write_dicom.h"
 
 #include "io/dicom/stored_values.h"
+#include "io/messages/says.h"
 #include "io/support/quiet_libraries.h"
 
 #include <gdcmDataElement.h>
@@ -56,23 +57,23 @@ private:
     gdcm::DataSet* data_;
 };
 
-std::string findUnwritable(const Angiogram& angiogram)
+std::optional<core::Message> findUnwritable(const Angiogram& angiogram)
 {
     if (angiogram.frames.empty() || angiogram.frames.front().isEmpty()) {
-        return "there are no frames to write. Load or simulate an angiogram first.";
+        return says::dicomNoFramesToWrite();
     }
     const int width = angiogram.width(), height = angiogram.height();
     for (const core::ImageF& frame : angiogram.frames) {
         if (frame.width != width || frame.height != height) {
-            return "the frames differ in size. All frames of a run must be equally large.";
+            return says::imageFramesDiffer();
         }
         if (!std::all_of(frame.pixels.begin(), frame.pixels.end(), [](float value) { return std::isfinite(value); })) {
-            return "a pixel is not a finite number. Correct the image before writing it.";
+            return says::pixelNotFiniteWriting();
         }
     }
     const std::size_t pixels = angiogram.frames.front().pixels.size() * angiogram.frames.size();
     const bool isTooLarge = width > 65535 || height > 65535 || pixels > (std::size_t{1} << 31) - 16;
-    return isTooLarge ? "the run is too large for an uncompressed DICOM file. Write fewer frames." : "";
+    return isTooLarge ? std::optional(says::dicomRunTooLarge()) : std::nullopt;
 }
 
 /// "2.25." and a decimal number below 10^36 that follows from the content (PS3.5 B.2).
@@ -214,8 +215,8 @@ void addPixels(DatasetWriter& out, const Angiogram& angiogram, const StoredValue
 core::Result<std::string> dicomText(const Angiogram& angiogram)
 {
     quietLibraries();
-    if (const std::string unwritable = findUnwritable(angiogram); !unwritable.empty()) {
-        return core::Error{unwritable};
+    if (const auto unwritable = findUnwritable(angiogram)) {
+        return core::Error(*unwritable);
     }
     try {
         const StoredValues stored = storedValuesOf(angiogram.frames);
@@ -228,11 +229,11 @@ core::Result<std::string> dicomText(const Angiogram& angiogram)
         addGeometry(out, angiogram);
         addPixels(out, angiogram, stored);
         if (!writer.Write()) {
-            return core::Error{"GDCM could not write the DICOM file. Choose another format."};
+            return core::Error(says::dicomNotWritten());
         }
         return std::move(stream).str();
     } catch (const std::exception&) {
-        return core::Error{"there is not enough memory to write this run. Write fewer frames."};
+        return core::Error(says::dicomNoMemoryToWrite());
     }
 }
 

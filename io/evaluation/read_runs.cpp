@@ -1,4 +1,5 @@
 #include "io/evaluation/run_files.h"
+#include "io/messages/says.h"
 #include "io/support/csv_table.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -15,8 +16,6 @@ namespace {
 using Key = std::tuple<std::string, std::string, std::uint64_t>;   ///< condition, method, trial
 using RunByKey = std::map<Key, core::RunRecord*>;
 
-const char* const remedy = " Give a folder that `angiopose-cli evaluate` wrote.";
-
 /// Columns by name; the cells of one row as what they stand for.
 class RowReader {
 public:
@@ -26,7 +25,7 @@ public:
     {
         const auto column = table_.column(name);
         if (!column) {
-            return fileError(table_.path, "the column " + std::string(name) + " is missing." + remedy);
+            return fileError(table_.path, says::runsColumnMissing(name));
         }
         columns_[std::string(name)] = *column;
         return core::Done{};
@@ -55,8 +54,7 @@ public:
 private:
     core::Error broken(std::size_t row, std::string_view name) const
     {
-        return fileError(table_.path, "line " + std::to_string(table_.lineOfRow[row]) + ", column " +
-                                          std::string(name) + " holds no number." + remedy);
+        return fileError(table_.path, says::runsNoNumber(table_.lineOfRow[row], name));
     }
 
     const CsvTable& table_;
@@ -134,7 +132,7 @@ core::Result<core::RunSet> parseRuns(const CsvTable& table)
             return seed.error();
         }
         if (row > 0 && (seed.value() != runs.seed || reader.text(row, "protocol") != runs.protocol)) {
-            return fileError(table.path, "it mixes experiments or seeds. Give each its own folder.");
+            return fileError(table.path, says::runsMixed());
         }
         runs.seed = seed.value();
         runs.protocol = reader.text(row, "protocol");

@@ -1,5 +1,6 @@
 #include "io/pose/itk_transform.h"
 
+#include "io/messages/says.h"
 #include "io/support/numbers.h"
 #include "io/support/pose_matrix.h"
 
@@ -101,13 +102,11 @@ core::Result<core::RigidTransform> poseFromItkText(std::string_view text)
 {
     const auto transform = parse(text);
     if (!transform || transform->count != 1) {
-        return core::Error{"it does not hold one ITK transform as text. Export a single rigid transform."};
+        return core::Error(says::poseNoTransform());
     }
     const auto motion = motionOf(*transform);
     if (!motion) {
-        return core::Error{"its transform \"" + transform->type.substr(0, 60) +
-                           "\" is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or "
-                           "VersorRigid3D)."};
+        return core::Error(says::poseNotRigidTransform(transform->type.substr(0, 60)));
     }
     auto pose = poseFromRows(rowsOf(*motion));
     if (!pose || transform->centre.size() < 3) {
@@ -119,7 +118,7 @@ core::Result<core::RigidTransform> poseFromItkText(std::string_view text)
         shifted.translation += centre - shifted.rotation * centre;
     }
     return shifted.translation.allFinite() ? core::Result<core::RigidTransform>(shifted)
-                                           : core::Error{"its centre is not finite. Export the transform again."};
+                                           : core::Error(says::poseCentreNotFinite());
 }
 
 std::string itkText(const core::RigidTransform& cameraFromPatient)

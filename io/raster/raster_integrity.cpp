@@ -1,6 +1,7 @@
 #include "io/raster/raster_integrity.h"
 
 #include "io/dicom/dicom_dataset.h"
+#include "io/messages/says.h"
 
 #include <zlib.h>
 
@@ -41,11 +42,11 @@ bool isWholeJpeg(std::string_view content)
 
 }   // namespace
 
-std::string findRasterDamage(std::string_view content)
+std::optional<core::Message> findRasterDamage(std::string_view content)
 {
     const bool isPng = content.starts_with(pngSignature);
     if ((isPng && !isWholePng(content)) || (content.starts_with("\xff\xd8") && !isWholeJpeg(content))) {
-        return "the image is damaged or cut short. Copy or export it again.";
+        return says::imageDamaged();
     }
     return {};
 }

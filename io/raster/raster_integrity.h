@@ -7,6 +7,6 @@ namespace angiopose::io {
 
 /// What shows that a PNG or JPEG is damaged or cut short, in words; empty when it is whole. The libraries would fill
 /// what is missing with grey.
-std::string findRasterDamage(std::string_view content);
+std::optional<core::Message> findRasterDamage(std::string_view content);
 
 }   // namespace angiopose::io

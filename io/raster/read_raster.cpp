@@ -1,5 +1,6 @@
 #include "io/raster/read_raster.h"
 
+#include "io/messages/says.h"
 #include "io/raster/raster_integrity.h"
 #include "io/raster/read_jpeg.h"
 #include "io/raster/read_tiff.h"
@@ -120,15 +121,13 @@ bool looksLikeRaster(std::string_view content)
 core::Result<Raster> readRaster(std::string_view content, const std::string& path)
 {
     quietLibraries();
-    if (const std::string damage = findRasterDamage(content); !damage.empty()) {
-        return fileError(path, damage);
+    if (const auto damage = findRasterDamage(content)) {
+        return fileError(path, *damage);
     }
     if (!content.starts_with("\x89PNG")) {
         auto raster = content.starts_with("\xff\xd8") ? readJpeg(content) : readTiff(path);
         return raster && isFinite(*raster) ? core::Result<Raster>(std::move(*raster))
-                                           : fileError(path,
-                                                       "the image is damaged or of an unusual kind. Export it in "
-                                                       "grey or RGB with 8 or 16 bits, without tiles.");
+                                           : fileError(path, says::imageUnusual());
     }
     try {
         const CapturedStderr unheard;   // libpng's warnings about what is not the picture
@@ -137,19 +136,16 @@ core::Result<Raster> readRaster(std::string_view content, const std::string& pat
         reader->ReadImageInformation();
         const auto shape = shapeOf(*reader);
         if (!shape) {
-            return fileError(path,
-                             "the image has fewer than 8 pixels on a side, or more than this program holds. Export the "
-                             "angiogram at its own size.");
+            return fileError(path, says::imageSize());
         }
         const std::vector<char> bytes = readBytes(*reader);
         auto raster = convert(reader->GetComponentType(), bytes, *shape);
         if (!raster || !isFinite(*raster)) {
-            return fileError(path, "its pixels are not finite numbers of a known kind. Export it with 8 or 16 bits.");
+            return fileError(path, says::imagePixelKind());
         }
         return std::move(*raster);
     } catch (const std::exception&) {   // itk::ExceptionObject, std::bad_alloc
-        return fileError(path,
-                         "the image cannot be decoded: damaged, cut short or of an unusual kind. Export it again.");
+        return fileError(path, says::imageUndecodable());
     }
 }
 

@@ -4,6 +4,7 @@
 #include "io/dicom/dicom_text.h"
 #include "io/dicom/frame_source.h"
 #include "io/dicom/open_dicom.h"
+#include "io/messages/says.h"
 #include "io/series/segmentation_grid.h"
 #include "io/support/file_error.h"
 
@@ -18,8 +19,6 @@ constexpr DicomTag sharedGroupsTag = 0x52009229;
 constexpr DicomTag perFrameGroupsTag = 0x52009230;
 constexpr DicomTag identificationTag = 0x0062000a;
 constexpr DicomTag segmentNumberTag = 0x0062000b;
-constexpr std::string_view noLabels = "it is a DICOM segmentation. Export it as a NIfTI or NRRD label image.";
-constexpr std::string_view cutShort = "its voxels are cut short. Copy or export it again.";
 constexpr std::size_t maxPixels = std::size_t{1} << 31;
 
 /// A 16-bit number, also where no VR says that it is one.
@@ -105,11 +104,11 @@ core::Result<core::LabelVolume> bitLabels(const Segmentation& segmentation, cons
     const SliceRecord& first = segmentation.frames.front();
     const auto perFrame = static_cast<std::size_t>(first.size.x()) * static_cast<std::size_t>(first.size.y());
     if (pixels == nullptr || pixels->hasUndefinedLength) {
-        return fileError(path, noLabels);
+        return fileError(path, says::seriesIsSegmentation());
     }
     const BitFrames bits(*pixels, perFrame);
     if (!bits.holds(segmentation.frames.size())) {
-        return fileError(path, cutShort);
+        return fileError(path, says::volumeCutShort());
     }
     core::LabelVolume labels(segmentation.grid.geometry);
     for (std::size_t k = 0; k < segmentation.frames.size(); ++k) {
@@ -176,21 +175,21 @@ core::Result<Segmentation> openSegmentation(const std::string& path)
     }
     segmentation.file = std::move(parsed).value();
     if (!isSegmentationClass(segmentation.file.dataset.text(0x00080016))) {
-        return fileError(path, "this DICOM file is no segmentation. Choose a label image.");
+        return fileError(path, says::labelsNoSegmentation());
     }
     auto images = readSliceRecords(path);
     if (!images) {
         return images.error();
     }
     segmentation.frames = std::move(images).value().slices;
-    if (segmentation.frames.empty() || !segmentation.file.damage.empty()) {
-        return fileError(path, cutShort);
+    if (segmentation.frames.empty() || segmentation.file.damage) {
+        return fileError(path, says::volumeCutShort());
     }
     const DicomDataset& data = segmentation.file.dataset;
     if (data.text(0x00080016) != labelMapClass) {
         segmentation.segments = segmentOfFrames(data, segmentation.frames.size());
         if (segmentation.segments.empty()) {
-            return fileError(path, noLabels);
+            return fileError(path, says::seriesIsSegmentation());
         }
     }
     auto grid = segmentationGrid(segmentation.frames, data, path);

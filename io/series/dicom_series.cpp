@@ -2,6 +2,7 @@
 
 #include "io/dicom/dicom_file.h"
 #include "io/file_hash.h"
+#include "io/messages/says.h"
 #include "io/series/group_slices.h"
 #include "io/support/input_bytes.h"
 
@@ -25,12 +26,11 @@ core::Result<std::vector<std::string>> filesIn(const std::string& folder, Reach 
     std::error_code failed;
     fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, failed);
     if (failed) {
-        return fileError(folder, "the folder cannot be read (" + failed.message() + "). Check the path.");
+        return fileError(folder, says::folderNotRead(failed.message()));
     }
     for (; at != fs::recursive_directory_iterator(); at.increment(failed)) {
         if (failed || files.size() > maxFiles) {
-            return fileError(folder, failed ? "the folder cannot be read to its end. Copy it to a local disk."
-                                            : "it holds more than 50000 files. Choose the folder of one study.");
+            return fileError(folder, failed ? says::folderNotReadToEnd() : says::folderTooFull());
         }
         if (reach == Reach::FolderOnly || at.depth() >= maxDepth) {
             at.disable_recursion_pending();
@@ -69,9 +69,7 @@ core::Result<std::vector<DicomSeries>> listSeries(const std::string& folder, con
 {
     auto series = scan(folder, Reach::Below, observe);
     if (series && series.value().empty()) {
-        return fileError(
-            folder,
-            "there is no DICOM image in this folder. Choose the folder of a DICOM scan, or a volume file itself.");
+        return fileError(folder, says::seriesNone());
     }
     return series;
 }
@@ -100,7 +98,7 @@ core::Result<DicomSeries> seriesOfFile(const std::string& path, const ReadObserv
     }
     // Dropped as a copy of another file beside it: alone then.
     std::vector<DicomSeries> alone = groupSlices({own.value()});
-    return alone.empty() ? core::Result<DicomSeries>(fileError(path, "this DICOM file holds no image. Choose a scan."))
+    return alone.empty() ? core::Result<DicomSeries>(fileError(path, says::seriesFileWithoutImage()))
                          : std::move(alone.front());
 }
 

@@ -1,5 +1,6 @@
 #include "io/series/group_slices.h"
 
+#include "io/messages/says.h"
 #include "io/series/dicom_segmentation.h"
 #include "io/series/split_phases.h"
 
@@ -91,30 +92,26 @@ void keepFirstPerPlace(DicomSeries& series)
     const auto end = std::unique(series.slices.begin(), series.slices.end(), isSamePlace);
     series.slices.erase(end, series.slices.end());
     if (const std::size_t dropped = before - series.slices.size(); dropped > 0) {
-        series.warnings.push_back(std::to_string(dropped) + " of " + std::to_string(before) +
-                                  " slices lie where another one does; the first recorded of each is used.");
+        series.warnings.push_back(says::seriesOverlap(dropped, before));
     }
 }
 
-std::string findSeriesProblem(const DicomSeries& series, const DicomImages& head)
+std::optional<core::Message> findSeriesProblem(const DicomSeries& series, const DicomImages& head)
 {
     const SliceRecord& first = series.slices.front();
     if (isSegmentationClass(head.sopClassUid)) {
-        return "it is a DICOM segmentation. Export it as a NIfTI or NRRD label image.";
+        return says::seriesIsSegmentation();
     }
     if (!first.position || !first.axes) {
-        return "its images do not say where they lie in the patient, so they make no volume. Choose another series.";
+        return says::seriesNoPlace();
     }
-    return first.spacingMm.isZero()
-               ? std::string(
-                     "its images do not say how large a pixel is, so they make no volume. Choose another series.")
-               : std::string();
+    return first.spacingMm.isZero() ? std::optional(says::seriesNoPixelSize()) : std::nullopt;
 }
 
 void planVolume(DicomSeries& series, const DicomImages& head)
 {
     series.problem = findSeriesProblem(series, head);
-    if (!series.problem.empty()) {
+    if (series.problem) {
         return;
     }
     keepFirstPerPlace(series);
@@ -147,14 +144,13 @@ std::vector<DicomSeries> volumesOf(const DicomImages& head, Slices slices, std::
             DicomSeries series = emptySeries(head);
             series.slices = std::move(part);
             if (copies > 0) {
-                series.warnings.push_back(std::to_string(copies) + " files of the series are there twice.");
+                series.warnings.push_back(says::seriesFilesTwice(copies));
             }
             if (damaged > 0) {
-                series.warnings.push_back(std::to_string(damaged) + " files of the series are damaged at their end.");
+                series.warnings.push_back(says::seriesFilesDamaged(damaged));
             }
             if (shapes.size() > 1) {
-                series.warnings.push_back("The series mixes images of " + std::to_string(shapes.size()) +
-                                          " sizes or orientations; each is listed by itself.");
+                series.warnings.push_back(says::seriesMixed(shapes.size()));
             }
             planVolume(series, head);
             volumes.push_back(std::move(series));
@@ -167,11 +163,11 @@ std::vector<DicomSeries> volumesOf(const DicomImages& head, Slices slices, std::
 void order(std::vector<DicomSeries>& volumes)
 {
     std::stable_sort(volumes.begin(), volumes.end(), [](const DicomSeries& a, const DicomSeries& b) {
-        return std::tuple(a.problem.empty(), a.slices.size()) > std::tuple(b.problem.empty(), b.slices.size());
+        return std::tuple(!a.problem, a.slices.size()) > std::tuple(!b.problem, b.slices.size());
     });
     for (std::size_t i = 0; i < volumes.size() && volumes.size() > 1; ++i) {
         volumes[i].id += i == 0 ? "" : "#" + std::to_string(i + 1);
-        volumes[i].part = "part " + std::to_string(i + 1) + " of " + std::to_string(volumes.size());
+        volumes[i].part = says::seriesPart(i + 1, volumes.size());
     }
 }
 
@@ -205,7 +201,7 @@ std::vector<DicomSeries> groupSlices(std::vector<DicomImages> files)
         std::size_t damaged = 0;
         for (const std::size_t i : members) {
             slices.insert(slices.end(), files[i].slices.begin(), files[i].slices.end());
-            damaged += files[i].damage.empty() ? 0 : 1;
+            damaged += files[i].damage ? 1 : 0;
         }
         std::vector<DicomSeries> volumes = volumesOf(files[members.front()], std::move(slices), damaged);
         order(volumes);

@@ -3,6 +3,7 @@
 #include "io/dicom/open_dicom.h"
 #include "io/dicom/pixel_layout.h"
 #include "io/dicom_series.h"
+#include "io/messages/says.h"
 #include "io/volume/quantization.h"
 
 #include <algorithm>
@@ -43,7 +44,7 @@ core::Result<std::unique_ptr<OpenFile>> openFile(const std::string& path)
         return layout.error();
     }
     if (layout.value().samples != 1) {
-        return fileError(path, "it is a colour image. Choose the scan itself, in grey values.");
+        return fileError(path, says::seriesColour());
     }
     auto reader = FrameReader::open(file, layout.value(), path);
     if (!reader) {
@@ -92,7 +93,7 @@ private:
         }
         ImageF image = std::move(frame).value();
         if (image.width != slice.size.x() || image.height != slice.size.y()) {
-            return fileError(slice.path, "its pixels are not of the size its header gives. Export it again.");
+            return fileError(slice.path, says::seriesSliceSize());
         }
         return image;
     }
@@ -138,8 +139,7 @@ core::Result<ValueRange> rescaledRange(const DicomSeries& series, const ReadObse
     return range;
 }
 
-core::Result<SeriesScale> scaleOf(const DicomSeries& series, const ReadObserver& observe,
-                                  std::vector<std::string>& warnings)
+core::Result<SeriesScale> scaleOf(const DicomSeries& series, const ReadObserver& observe, core::Messages& warnings)
 {
     SeriesScale scale;
     const std::vector<SliceRecord>& slices = series.slices;
@@ -161,8 +161,7 @@ core::Result<SeriesScale> scaleOf(const DicomSeries& series, const ReadObserver&
     scale.slope = scale.quantization.scale;
     scale.intercept = scale.quantization.offset;
     if (!range.value().isWhole || scale.slope != 1.0) {
-        warnings.push_back("Its slices are stored with different scales or as float. " +
-                           roundingNote(scale.slope, "series'"));
+        warnings.push_back(says::seriesScales(roundingNote(scale.slope, "series'")));
     }
     return scale;
 }
@@ -238,13 +237,11 @@ core::Status writeLayer(const DicomSeries& series, const SeriesScale& scale, std
 
 }   // namespace
 
-core::Result<core::Volume> readSeries(const DicomSeries& series, const ReadObserver& observe,
-                                      std::vector<std::string>& warnings)
+core::Result<core::Volume> readSeries(const DicomSeries& series, const ReadObserver& observe, core::Messages& warnings)
 {
     const std::string& path = series.slices.empty() ? series.id : series.slices.front().path;
-    if (!series.problem.empty() || series.isAngiogram) {
-        return fileError(path, series.isAngiogram ? "this is an X-ray run, not a volume. Open it as the angiogram."
-                                                  : series.problem);
+    if (series.problem || series.isAngiogram) {
+        return fileError(path, series.isAngiogram ? says::seriesIsXray() : *series.problem);
     }
     const bool isTwoPass = !hasOneScale(series.slices);
     const auto scale = scaleOf(series, partOf(observe, 0.0, 0.5), warnings);

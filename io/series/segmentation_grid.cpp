@@ -1,5 +1,6 @@
 #include "io/series/segmentation_grid.h"
 
+#include "io/messages/says.h"
 #include "io/series/slice_stack.h"
 #include "io/support/file_error.h"
 
@@ -11,7 +12,6 @@ namespace {
 
 constexpr DicomTag sharedGroupsTag = 0x52009229;
 constexpr std::size_t maxGridVoxels = std::size_t{1} << 31;
-constexpr std::string_view noLabels = "it is a DICOM segmentation. Export it as a NIfTI or NRRD label image.";
 constexpr double placeTolerance = 0.1;   // of a voxel
 
 bool isPlaced(const SliceRecord& frame, const SliceRecord& first)
@@ -59,9 +59,7 @@ core::Result<SegmentationGrid> segmentationGrid(const std::vector<SliceRecord>& 
     const SliceRecord& first = frames.front();
     if (!first.axes ||
         !std::all_of(frames.begin(), frames.end(), [&](const SliceRecord& frame) { return isPlaced(frame, first); })) {
-        return fileError(
-            path,
-            "its images do not say where they lie in the patient, so they make no volume. Choose another series.");
+        return fileError(path, says::seriesNoPlace());
     }
     const Eigen::Vector3d normal = normalOf(first);
     std::vector<double> depths;
@@ -83,12 +81,12 @@ core::Result<SegmentationGrid> segmentationGrid(const std::vector<SliceRecord>& 
         const Eigen::Vector3d voxel = voxelFromPatient * *frame.position;
         if (std::abs(voxel.x()) > placeTolerance || std::abs(voxel.y()) > placeTolerance ||
             std::abs(voxel.z() - std::round(voxel.z())) > placeTolerance) {
-            return fileError(path, noLabels);
+            return fileError(path, says::seriesIsSegmentation());
         }
         grid.layers.push_back(static_cast<int>(std::lround(voxel.z())));
     }
     if (grid.geometry.voxelCount() > maxGridVoxels) {
-        return fileError(path, noLabels);
+        return fileError(path, says::seriesIsSegmentation());
     }
     return grid;
 }

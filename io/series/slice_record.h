@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/imaging/angiogram.h"
+#include "core/support/message.h"
 #include "core/support/result.h"
 
 #include <Eigen/Core>
@@ -40,7 +41,7 @@ struct DicomImages {
     int seriesNumber = 0;
     std::string sopClassUid;
     std::string modality;
-    std::string damage;
+    std::optional<core::Message> damage;
     std::vector<SliceRecord> slices;   ///< empty: the file holds no image
 };
 

@@ -1,5 +1,6 @@
 #include "io/series/slice_stack.h"
 
+#include "io/messages/says.h"
 #include "io/support/numbers.h"
 #include "io/volume/volume_axes.h"
 
@@ -11,13 +12,19 @@
 namespace angiopose::io {
 namespace {
 
+constexpr std::size_t mostGapsNamed = 3;
 constexpr double slantToleranceMm = 0.05;   // less than this is rounding in the header
 constexpr double gridTolerance = 0.1;   // of a step: less is rounding in the header
 constexpr double wholeStepTolerance = 0.2;   // of a step: gaps this close to whole multiples are missing slices
 
-std::string rounded(double value, double unit = 100.0)
+double rounded(double length)
 {
-    return toText(std::round(value * unit) / unit);
+    return std::round(length * 100.0) / 100.0;
+}
+
+core::Quantity roundedMm(double length)
+{
+    return {rounded(length), core::Quantity::asNeeded, "mm"};
 }
 
 std::vector<double> gapsOf(const std::vector<double>& places)
@@ -39,10 +46,10 @@ double quantileOf(std::vector<double> values, double fraction)
 /// The step of slices that lie on a grid, some perhaps missing; 0 when they do not.
 double gridStep(const std::vector<double>& places)
 {
-    const std::vector<double> gaps = gapsOf(places);
-    const double usual = quantileOf(gaps, 0.5);
+    const std::vector<double> distances = gapsOf(places);
+    const double usual = quantileOf(distances, 0.5);
     double steps = 0.0;
-    for (const double gap : gaps) {
+    for (const double gap : distances) {
         const double count = std::round(gap / usual);
         if (count < 1.0 || std::abs(gap - count * usual) > wholeStepTolerance * usual) {
             return 0.0;
@@ -79,46 +86,45 @@ std::vector<StackLayer> layersOf(const std::vector<double>& places, double step)
 }
 
 /// "after slice 41": where whole slices are missing.
-std::string gapList(const std::vector<double>& places, double step)
+core::Message gaps(const std::vector<double>& places, double step)
 {
-    std::string text;
-    int named = 0;
+    std::vector<std::string> before;
     for (std::size_t i = 1; i < places.size(); ++i) {
-        if (places[i] - places[i - 1] > 1.5 * step && named++ < 3) {
-            text += text.empty() ? "after slice " + std::to_string(i) : ", " + std::to_string(i);
+        if (places[i] - places[i - 1] > 1.5 * step) {
+            before.push_back(std::to_string(i));
         }
     }
-    return named > 3 ? text + " and elsewhere" : text;
+    if (before.size() <= mostGapsNamed) {
+        return says::afterSlices(before);
+    }
+    before.resize(mostGapsNamed);
+    return says::afterSlicesAndElsewhere(before);
 }
 
-std::string missingSlices(std::size_t missing, std::size_t count)
+core::Message missingSlices(const std::vector<double>& places, double step, std::size_t layers)
 {
-    const std::string of = std::to_string(count);
-    return missing == 1 ? "1 of " + of + " slices is missing"
-                        : std::to_string(missing) + " of " + of + " slices are missing";
+    const std::size_t missing = layers - places.size();
+    return missing == 1 ? says::seriesSliceMissing(layers, gaps(places, step))
+                        : says::seriesSlicesMissing(missing, layers, gaps(places, step));
 }
 
 void placeLayers(const std::vector<double>& places, SliceStack& stack, double& step)
 {
-    const std::vector<double> gaps = gapsOf(places);
+    const std::vector<double> distances = gapsOf(places);
     const double regular = gridStep(places);
-    step = regular > 0.0 ? regular : quantileOf(gaps, 0.25);
+    step = regular > 0.0 ? regular : quantileOf(distances, 0.25);
     const double layers = (places.back() - places.front()) / step;
     if (layers > 4.0 * static_cast<double>(places.size()) + 16.0) {
-        stack.problem = "its slices lie too unevenly to make a volume of them (" + std::to_string(places.size()) +
-                        " over " + rounded(places.back() - places.front(), 1.0) +
-                        " mm). Copy all slices of the series, or choose another one.";
+        stack.problem = says::seriesTooUneven(places.size(), core::inMm(places.back() - places.front(), 0));
         return;
     }
     stack.layers = layersOf(places, step);
     if (regular > 0.0 && stack.layers.size() > places.size()) {
-        const std::size_t missing = stack.layers.size() - places.size();
-        stack.warnings.push_back(missingSlices(missing, stack.layers.size()) + " (" + gapList(places, step) +
-                                 "): filled in between their neighbours. Copy the series again if you can.");
+        stack.warnings.push_back(missingSlices(places, step, stack.layers.size()));
     } else if (regular == 0.0) {
-        const auto [least, most] = std::minmax_element(gaps.begin(), gaps.end());
-        stack.warnings.push_back("The slices are unevenly spaced (" + rounded(*least) + " to " + rounded(*most) +
-                                 " mm): resampled to " + rounded(step) + " mm.");
+        const auto [least, most] = std::minmax_element(distances.begin(), distances.end());
+        stack.warnings.push_back(says::seriesUnevenSlices(core::Quantity{rounded(*least), core::Quantity::asNeeded},
+                                                          roundedMm(*most), roundedMm(step)));
     }
 }
 
@@ -153,8 +159,8 @@ Eigen::Vector2i straighten(const std::vector<SliceRecord>& slices, double extent
     }
     origin += *first.axes * low;
     const double slantDeg = std::atan2((high - low).norm(), extentMm) * 180.0 / std::numbers::pi;
-    stack.warnings.push_back("The slices are not stacked upright (" + rounded(slantDeg, 10.0) +
-                             "° off, as with a tilted gantry): shifted within their planes to where they lie.");
+    stack.warnings.push_back(
+        says::seriesSlanted(core::Quantity{std::round(slantDeg * 10.0) / 10.0, core::Quantity::asNeeded, "°"}));
     return first.size + (high - low).cwiseQuotient(first.spacingMm).array().ceil().matrix().cast<int>();
 }
 
@@ -169,7 +175,7 @@ SliceStack stackOf(const std::vector<SliceRecord>& slices)
 {
     SliceStack stack;
     if (slices.size() < 2) {
-        stack.problem = "it is a single slice, not a volume. Copy all slices of the series, or choose another one.";
+        stack.problem = says::seriesSingleSlice();
         return stack;
     }
     std::vector<double> places;
@@ -180,14 +186,14 @@ SliceStack stackOf(const std::vector<SliceRecord>& slices)
     }
     double step = 0.0;
     placeLayers(places, stack, step);
-    if (!stack.problem.empty()) {
+    if (stack.problem) {
         return stack;
     }
     const SliceRecord& first = slices.front();
     Eigen::Vector3d origin = *first.position;
     const Eigen::Vector2i plane = straighten(slices, places.back() - places.front(), stack, origin);
     if ((plane.array() > 3 * first.size.array()).any()) {
-        stack.problem = "its slices lie beside each other rather than above. Choose another series.";
+        stack.problem = says::seriesBesideEachOther();
         return stack;
     }
     Eigen::Matrix3d steps;

@@ -21,8 +21,8 @@ struct SliceStack {
     core::VolumeGeometry geometry;
     std::vector<StackLayer> layers;   ///< one per k
     std::vector<Eigen::Vector2d> shiftVoxels;   ///< per slice: where its first pixel lies in the layer (i, j)
-    std::vector<std::string> warnings;
-    std::string problem;   ///< why there is no volume, with the remedy; empty when there is one
+    core::Messages warnings;
+    std::optional<core::Message> problem;   ///< why there is no volume, with the remedy
 };
 
 /// Plans the volume of slices that share size, spacing and orientation, ordered along the normal of their planes, each

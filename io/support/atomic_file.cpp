@@ -1,5 +1,6 @@
 #include "io/support/atomic_file.h"
 
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 
 #include <fcntl.h>
@@ -16,8 +17,7 @@ namespace {
 
 core::Error writeError(const std::string& path)
 {
-    return fileError(
-        path, std::string("it cannot be written (") + std::strerror(errno) + "). Choose another folder or make room.");
+    return fileError(path, says::fileNotWritten(std::strerror(errno)));
 }
 
 bool writeAll(int file, std::string_view content)
@@ -95,7 +95,7 @@ core::Result<AtomicFile> AtomicFile::create(const std::string& path)
     // Through a link: the file it points to is replaced, not the link.
     const std::filesystem::path target = std::filesystem::weakly_canonical(path, unresolved);
     if (unresolved || std::filesystem::is_directory(target, unresolved)) {
-        return fileError(path, "this is not a place for a file. Give a file name in an existing folder.");
+        return fileError(path, says::fileNoPlace());
     }
     std::string temporary = (target.parent_path() / ("." + target.filename().string() + ".XXXXXX")).string();
     const int file = ::mkstemp(temporary.data());

@@ -1,5 +1,6 @@
 #include "io/support/csv_table.h"
 
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
 #include "io/support/text_lines.h"
@@ -56,7 +57,7 @@ std::optional<std::size_t> CsvTable::column(std::string_view name) const
 core::Result<CsvTable> parseCsv(std::string_view text, const std::string& path)
 {
     if (!isText(text)) {
-        return fileError(path, "this is not a text table. Choose a CSV file with a header row.");
+        return fileError(path, says::tableNoText());
     }
     if (text.starts_with(byteOrderMark)) {
         text.remove_prefix(byteOrderMark.size());
@@ -75,9 +76,7 @@ core::Result<CsvTable> parseCsv(std::string_view text, const std::string& path)
             }
         }
         if (cells.size() != width) {
-            return fileError(path, "line " + std::to_string(lines.number()) + " has " + std::to_string(cells.size()) +
-                                       " columns, the first line has " + std::to_string(width) +
-                                       ". Separate columns by commas and use . as decimal point.");
+            return fileError(path, says::tableColumns(lines.number(), cells.size(), width));
         }
         table.rows.push_back(std::move(cells));
         table.lineOfRow.push_back(lines.number());
@@ -105,9 +104,7 @@ core::Result<double> numberAt(const CsvTable& table, std::size_t row, std::size_
         return *value;
     }
     const std::string name = column < table.columns.size() ? table.columns[column] : std::to_string(column + 1);
-    return fileError(table.path, "line " + std::to_string(table.lineOfRow[row]) + ", column " + name + ": \"" +
-                                     std::string(cell.substr(0, 40)) +
-                                     "\" is not a finite number. Correct or remove the line.");
+    return fileError(table.path, says::tableNoNumber(table.lineOfRow[row], name, cell.substr(0, 40)));
 }
 
 core::Result<int> branchAt(const CsvTable& table, std::size_t row, std::size_t column)
@@ -115,8 +112,7 @@ core::Result<int> branchAt(const CsvTable& table, std::size_t row, std::size_t c
     if (const auto id = parseInteger(table.rows[row][column])) {
         return *id;
     }
-    return fileError(table.path, "line " + std::to_string(table.lineOfRow[row]) +
-                                     ": the branch must be a whole number. Correct the line.");
+    return fileError(table.path, says::tableBranchNoNumber(table.lineOfRow[row]));
 }
 
 }   // namespace angiopose::io

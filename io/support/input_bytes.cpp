@@ -1,5 +1,6 @@
 #include "io/support/input_bytes.h"
 
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 
 #include <fcntl.h>
@@ -11,6 +12,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 namespace angiopose::io {
@@ -34,22 +36,21 @@ private:
     int value_;
 };
 
-/// Why this is no file to read; empty when it is one. Asked before opening: opening a pipe would wait for ever.
-std::string findObstacle(const std::string& path)
+/// Why this is no file to read. Asked before opening: opening a pipe would wait for ever.
+std::optional<core::Message> findObstacle(const std::string& path)
 {
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) {
-        return errno == ENOENT ? "there is no such file. Check the path."
-                               : std::string("it cannot be reached (") + std::strerror(errno) + "). Check the path.";
+        return errno == ENOENT ? says::fileMissing() : says::fileUnreachable(std::strerror(errno));
     }
     if (S_ISDIR(status.st_mode)) {
-        return "this is a folder. Choose a file in it.";
+        return says::fileIsFolder();
     }
     if (!S_ISREG(status.st_mode)) {
-        return "this is not a regular file. Choose a file on disk.";
+        return says::fileNotRegular();
     }
     if (status.st_size == 0) {
-        return "the file is empty. Export or copy it again.";
+        return says::fileEmpty();
     }
     return {};
 }
@@ -57,33 +58,33 @@ std::string findObstacle(const std::string& path)
 struct Signature {
     std::size_t offset;
     std::string_view bytes;
-    std::string_view meaning;
+    const core::MessageKind<0>* meaning;
 };
 
 constexpr std::array signatures = {
-    Signature{0, "\x1f\x8b", "a gzip archive"},
-    Signature{0, "PK\x03\x04", "a zip archive"},
-    Signature{0, "NRRD000", "an NRRD volume"},
-    Signature{344, "n+1", "a NIfTI volume"},
-    Signature{344, "ni1", "a NIfTI header"},
-    Signature{0, "\x89HDF", "an HDF5 file"},
-    Signature{0, "CDF\x01", "a NetCDF (MINC) volume"},
-    Signature{0, "ObjectType", "a MetaImage header"},
-    Signature{0, "TRACK", "a TrackVis tractogram"},
-    Signature{0, "mrtrix tracks", "an MRtrix tractogram"},
-    Signature{0, "ply", "a PLY surface"},
-    Signature{0, "solid", "an STL surface"},
-    Signature{0, "glTF", "a glTF scene"},
-    Signature{0, "%PDF", "a PDF document"},
-    Signature{128, "DICM", "a DICOM file"},
-    Signature{0, "\x89PNG", "a PNG image"},
-    Signature{0, "\xff\xd8\xff", "a JPEG image"},
-    Signature{0, {"II*\0", 4}, "a TIFF image"},
-    Signature{0, {"MM\0*", 4}, "a TIFF image"},
-    Signature{0, "# vtk DataFile", "a legacy VTK file"},
-    Signature{0, "<?xml", "an XML file"},
-    Signature{0, "<VTKFile", "a VTK XML file"},
-    Signature{0, "{", "a JSON file"},
+    Signature{0, "\x1f\x8b", &says::aGzipArchive},
+    Signature{0, "PK\x03\x04", &says::aZipArchive},
+    Signature{0, "NRRD000", &says::anNrrdVolume},
+    Signature{344, "n+1", &says::aNiftiVolume},
+    Signature{344, "ni1", &says::aNiftiHeader},
+    Signature{0, "\x89HDF", &says::anHdf5File},
+    Signature{0, "CDF\x01", &says::aNetCdfVolume},
+    Signature{0, "ObjectType", &says::aMetaImageHeader},
+    Signature{0, "TRACK", &says::aTrackVisTractogram},
+    Signature{0, "mrtrix tracks", &says::anMrtrixTractogram},
+    Signature{0, "ply", &says::aPlySurface},
+    Signature{0, "solid", &says::anStlSurface},
+    Signature{0, "glTF", &says::aGltfScene},
+    Signature{0, "%PDF", &says::aPdfDocument},
+    Signature{128, "DICM", &says::aDicomFile},
+    Signature{0, "\x89PNG", &says::aPngImage},
+    Signature{0, "\xff\xd8\xff", &says::aJpegImage},
+    Signature{0, {"II*\0", 4}, &says::aTiffImage},
+    Signature{0, {"MM\0*", 4}, &says::aTiffImage},
+    Signature{0, "# vtk DataFile", &says::aLegacyVtkFile},
+    Signature{0, "<?xml", &says::anXmlFile},
+    Signature{0, "<VTKFile", &says::aVtkXmlFile},
+    Signature{0, "{", &says::aJsonFile},
 };
 
 }   // namespace
@@ -112,25 +113,22 @@ InputBytes::~InputBytes()
 
 core::Result<InputBytes> openInput(const std::string& path)
 {
-    if (const std::string obstacle = findObstacle(path); !obstacle.empty()) {
-        return fileError(path, obstacle);
+    if (const auto obstacle = findObstacle(path)) {
+        return fileError(path, *obstacle);
     }
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     struct stat status {};
     if (file.value() < 0 || ::fstat(file.value(), &status) != 0) {
-        return fileError(
-            path, std::string("it cannot be opened (") + std::strerror(errno) + "). Check that you may read it.");
+        return fileError(path, says::fileNotOpened(std::strerror(errno)));
     }
     const auto size = static_cast<std::size_t>(status.st_size);
     void* mapping = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.value(), 0);
     if (mapping == MAP_FAILED) {
-        return fileError(path,
-                         std::string("it cannot be read (") + std::strerror(errno) + "). Copy it to a local disk.");
+        return fileError(path, says::fileNotRead(std::strerror(errno)));
     }
     InputBytes content(static_cast<const char*>(mapping), size);
     if (content.view().starts_with("version https://git-lfs.github.com/spec/")) {
-        return fileError(path,
-                         "this is a Git LFS pointer, not the file itself. Run `git lfs pull` where it came from.");
+        return fileError(path, says::fileIsLfsPointer());
     }
     return content;
 }
@@ -147,14 +145,14 @@ std::string extensionOf(const std::string& path)
     return extension;
 }
 
-std::string_view describeContent(std::string_view content)
+const core::MessageKind<0>* describeContent(std::string_view content)
 {
     for (const Signature& signature : signatures) {
         if (content.size() > signature.offset && content.substr(signature.offset).starts_with(signature.bytes)) {
             return signature.meaning;
         }
     }
-    return {};
+    return nullptr;
 }
 
 }   // namespace angiopose::io

@@ -32,7 +32,7 @@ core::Result<InputBytes> openInput(const std::string& path);
 /// Lower-case extension with its dot, ".nii.gz" as one; empty when there is none.
 std::string extensionOf(const std::string& path);
 
-/// A known format by its first bytes ("a NIfTI volume", "a gzip archive", …); empty when not recognised.
-std::string_view describeContent(std::string_view content);
+/// A known format by its first bytes ("a NIfTI volume", "a gzip archive", …); null when not recognised.
+const core::MessageKind<0>* describeContent(std::string_view content);
 
 }   // namespace angiopose::io

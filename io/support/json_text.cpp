@@ -1,5 +1,6 @@
 #include "io/support/json_text.h"
 
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 
 #include <algorithm>
@@ -100,8 +101,7 @@ std::string prettyJson(std::string_view json)
 core::Status checkJson(std::string_view text, const std::string& path)
 {
     if (nestingOf(text) > maxNesting) {
-        return fileError(path, "its JSON is nested more than " + std::to_string(maxNesting) +
-                                   " levels deep. This is no file of this program.");
+        return fileError(path, says::jsonTooDeep(maxNesting));
     }
     try {
         [[maybe_unused]] const Json parsed = Json::parse(text);
@@ -109,9 +109,9 @@ core::Status checkJson(std::string_view text, const std::string& path)
     } catch (const Json::parse_error& error) {
         const std::size_t end = std::min(error.byte, text.size());
         const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-        return fileError(path, "it is not valid JSON at line " + std::to_string(line) + ". Correct it there.");
+        return fileError(path, says::jsonInvalid(line));
     } catch (const Json::exception&) {
-        return fileError(path, "a number in it is too large for a double. Correct it.");
+        return fileError(path, says::jsonNumberTooLarge());
     }
 }
 

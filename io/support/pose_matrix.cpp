@@ -1,5 +1,7 @@
 #include "io/support/pose_matrix.h"
 
+#include "io/messages/says.h"
+
 #include <Eigen/LU>
 #include <algorithm>
 
@@ -16,7 +18,7 @@ core::Result<core::RigidTransform> poseFromRows(const MatrixRows& rows)
     const bool isFourByFour =
         rows.size() == 4 && std::all_of(rows.begin(), rows.end(), [](const auto& row) { return row.size() == 4; });
     if (!isFourByFour) {
-        return core::Error{"cameraFromPatient must have four rows of four numbers."};
+        return core::Error(says::poseRows());
     }
     Eigen::Matrix4d matrix;
     for (int i = 0; i < 4; ++i) {
@@ -25,23 +27,19 @@ core::Result<core::RigidTransform> poseFromRows(const MatrixRows& rows)
         }
     }
     if (!matrix.allFinite()) {
-        return core::Error{"cameraFromPatient has an entry that is not a finite number."};
+        return core::Error(says::poseNotFinite());
     }
     if ((matrix.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).cwiseAbs().maxCoeff() > 1e-9) {
-        return core::Error{"the last row of cameraFromPatient must be 0 0 0 1. Is the matrix transposed?"};
+        return core::Error(says::poseLastRow());
     }
     core::RigidTransform pose{matrix.topLeftCorner<3, 3>(), matrix.topRightCorner<3, 1>()};
     if (pose.rotation.determinant() < 0.0) {
-        return core::Error{
-            "cameraFromPatient is a reflection (determinant below 0). A mirrored image belongs into the "
-            "sign of fx, never into the rotation."};
+        return core::Error(says::poseReflection());
     }
     const Eigen::Matrix3d nearest = core::nearestRotation(pose.rotation);
     const double deviation = (pose.rotation - nearest).cwiseAbs().maxCoeff();
     if (!(deviation <= roundedTolerance)) {
-        return core::Error{
-            "the upper left 3 x 3 of cameraFromPatient is not a rotation (scale or shear). Give a rigid "
-            "pose in mm."};
+        return core::Error(says::poseNoRotation());
     }
     if (deviation > exactTolerance) {
         pose.rotation = nearest;

@@ -2,7 +2,7 @@
 
 #include "core/support/result.h"
 #include "core/support/verdict.h"
-#include "io/support/file_error.h"
+#include "io/messages/says.h"
 
 #include <functional>
 #include <string>
@@ -18,10 +18,10 @@ inline bool isStopWished(const ReadObserver& observe, double fraction)
     return observe && observe(fraction) == core::Verdict::Stop;
 }
 
-/// What a reading that was stopped fails with.
-inline core::Error stoppedReading(const std::string& path)
+/// The outcome of a reading that was stopped.
+inline core::Stopped stoppedReading(const std::string& path)
 {
-    return fileError(path, "reading was stopped.");
+    return {says::readingStopped().about(path)};
 }
 
 /// The same observer for a part of the work that goes from `first` to `last`.

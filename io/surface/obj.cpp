@@ -1,3 +1,4 @@
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
 #include "io/surface/surface_formats.h"
@@ -43,8 +44,7 @@ core::Result<PolygonSet> parseObj(std::string_view content, const std::string& p
                 const auto index = static_cast<std::size_t>(k) + 1;
                 const auto number = index < words.size() ? parseNumber(words[index]) : std::nullopt;
                 if (!number) {
-                    return fileError(path, "line " + std::to_string(line) +
-                                               " does not give a point. The file is damaged; export it again.");
+                    return fileError(path, says::objBadPoint(line));
                 }
                 point[k] = *number;
             }

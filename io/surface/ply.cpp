@@ -1,3 +1,4 @@
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
 #include "io/surface/surface_formats.h"
@@ -216,18 +217,17 @@ core::Result<PolygonSet> parsePly(std::string_view content, const std::string& p
 {
     const auto header = headerOf(content);
     if (!header) {
-        return fileError(path, "its PLY header is damaged or cut short. Export it again.");
+        return fileError(path, says::plyHeaderDamaged());
     }
     PolygonSet set;
     PlyBody body(content.substr(header->size), header->coding);
     for (const Element& element : header->elements) {
         if (element.properties.empty() && element.count > 0) {
-            return fileError(path, "its PLY header is damaged: the element \"" + element.name.substr(0, 24) +
-                                       "\" has no properties. Export it again.");
+            return fileError(path, says::plyElementEmpty(element.name.substr(0, 24)));
         }
         for (std::size_t i = 0; i < element.count; ++i) {
             if (!readEntry(body, element, set)) {
-                return fileError(path, "its PLY data are damaged or cut short. Export it again.");
+                return fileError(path, says::plyDataDamaged());
             }
         }
     }

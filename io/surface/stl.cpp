@@ -1,3 +1,4 @@
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
 #include "io/surface/surface_formats.h"
@@ -86,8 +87,7 @@ core::Result<PolygonSet> parseStl(std::string_view content, const std::string& p
     }
     const bool isText = content.substr(0, 512).find("solid") != std::string_view::npos;
     const auto set = isText ? parseText(content) : std::nullopt;
-    return set ? core::Result<PolygonSet>(*set)
-               : fileError(path, "its triangles are damaged or cut short. Copy or export it again.");
+    return set ? core::Result<PolygonSet>(*set) : fileError(path, says::surfaceCutShort());
 }
 
 }   // namespace angiopose::io

@@ -1,3 +1,4 @@
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
 #include "io/vessel/legacy_vtk_cells.h"
@@ -273,7 +274,7 @@ core::Result<VtkLines> parseLegacyVtk(std::string_view content, const std::strin
     const std::string title = upper(cursor.line());
     const std::string format = upper(cursor.token());
     if (format != "ASCII" && format != "BINARY") {
-        return fileError(path, "the third line of a legacy VTK file must be ASCII or BINARY. Export it again.");
+        return fileError(path, says::vtkThirdLine());
     }
     if (format == "BINARY") {
         cursor.setBinary();
@@ -281,13 +282,11 @@ core::Result<VtkLines> parseLegacyVtk(std::string_view content, const std::strin
     const bool hasDataSet = upper(cursor.token()) == "DATASET";
     const std::string kind = upper(cursor.token());
     if (!hasDataSet || (kind != "POLYDATA" && kind != "UNSTRUCTURED_GRID")) {
-        return fileError(path, "it holds " + (kind.empty() ? std::string("no data set") : kind.substr(0, 40)) +
-                                   ", not POLYDATA or UNSTRUCTURED_GRID. Export the centrelines as poly-lines.");
+        return fileError(path, kind.empty() ? says::vtkNoDataSet() : says::vtkOtherDataSet(kind.substr(0, 40)));
     }
     LegacyVtkParser parser(cursor);
     if (!parser.readSections()) {
-        return fileError(path, "the section \"" + std::string(parser.section().substr(0, 40)) +
-                                   "\" is damaged or cut short. Export it again.");
+        return fileError(path, says::vtkSectionDamaged(parser.section().substr(0, 40)));
     }
     VtkLines lines = std::move(parser).finish();
     lines.set.isRas |= title.find("SPACE=RAS") != std::string::npos;

@@ -1,5 +1,6 @@
 #include "io/vessel/markups.h"
 
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/json_text.h"
 
@@ -49,7 +50,7 @@ core::Result<LineSet> parseMarkups(std::string_view json, const std::string& pat
         for (const Json& markup : root.at("markups")) {
             const std::string unit = markup.value("coordinateUnits", "mm");
             if (isCurve(markup) && unit != "mm") {
-                return fileError(path, "its coordinates are in " + unit.substr(0, 20) + ". Export the curves in mm.");
+                return fileError(path, says::markupsUnit(unit.substr(0, 20)));
             }
             if (isCurve(markup)) {
                 appendCurve(markup, set);
@@ -57,9 +58,7 @@ core::Result<LineSet> parseMarkups(std::string_view json, const std::string& pat
         }
         return set;
     } catch (const std::exception&) {   // missing keys, wrong kinds, too few coordinates
-        return fileError(path,
-                         "it is not a Slicer markups file with curves. Export the centrelines as .mrk.json curves, "
-                         ".vtp, .vtk, .csv or .swc.");
+        return fileError(path, says::markupsNone());
     }
 }
 

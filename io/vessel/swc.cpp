@@ -1,5 +1,6 @@
 #include "io/vessel/swc.h"
 
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
 #include "io/support/text_lines.h"
@@ -126,11 +127,10 @@ core::Result<LineSet> parseSwc(std::string_view text, double unitMm, const std::
     for (TextLines lines(text); lines.next();) {
         const auto row = parseRow(lines.line());
         if (!row || !(std::abs((*row)[0]) < 1e9) || !(std::abs((*row)[6]) < 1e9)) {
-            return fileError(path, "line " + std::to_string(lines.number()) +
-                                       " is not `id type x y z radius parent`. Correct the line or export it again.");
+            return fileError(path, says::swcLine(lines.number()));
         }
         if (!indexOfId.emplace(static_cast<long>((*row)[0]), set.points.size()).second) {
-            return fileError(path, "line " + std::to_string(lines.number()) + " repeats an id. Ids must be unique.");
+            return fileError(path, says::swcIdTwice(lines.number()));
         }
         set.points.emplace_back(unitMm * (*row)[2], unitMm * (*row)[3], unitMm * (*row)[4]);
         set.radius.push_back(unitMm * (*row)[5]);
@@ -142,9 +142,7 @@ core::Result<LineSet> parseSwc(std::string_view text, double unitMm, const std::
         }
         const auto parent = indexOfId.find(parents[i].first);
         if (parent == indexOfId.end()) {
-            return fileError(path, "line " + std::to_string(parents[i].second) + " names a parent, " +
-                                       std::to_string(parents[i].first) +
-                                       ", that is not there. Export the whole tree.");
+            return fileError(path, says::swcParentMissing(parents[i].second, parents[i].first));
         }
         set.lines.push_back({parent->second, i});
     }

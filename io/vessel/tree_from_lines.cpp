@@ -1,3 +1,4 @@
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/vessel/line_set.h"
 #include "io/vessel/shared_trunk.h"
@@ -11,26 +12,23 @@ namespace {
 
 using core::VesselBranch;
 
-std::string findDamage(const LineSet& set)
+std::optional<core::Message> findDamage(const LineSet& set)
 {
     if (set.lines.empty()) {
-        return set.hasSurface ? "it holds a surface, not centrelines. Extract the centrelines first (e.g. with VMTK or "
-                                "Slicer) and open those."
-                              : "it holds no lines. Choose a file with vessel centrelines.";
+        return set.hasSurface ? says::treeIsSurface() : says::treeNoLines();
     }
     if (set.points.size() > maxCenterlinePoints) {
-        return "it has " + std::to_string(set.points.size()) + " points; a centreline tree has at most " +
-               std::to_string(maxCenterlinePoints) + ". Resample the centrelines.";
+        return says::treeTooManyPoints(set.points.size(), maxCenterlinePoints);
     }
     std::size_t total = 0;
     for (const auto& line : set.lines) {
         total += line.size();
         if (std::any_of(line.begin(), line.end(), [&](std::size_t i) { return i >= set.points.size(); })) {
-            return "a line refers to a point that does not exist. The file is damaged; export it again.";
+            return says::treeBadIndex();
         }
     }
     if (total > 4 * maxCenterlinePoints) {
-        return "its lines visit the same points too often. The file is damaged; export it again.";
+        return says::treePointsRepeated();
     }
     return {};
 }
@@ -73,8 +71,8 @@ void numberBranches(std::vector<VesselBranch>& branches, bool hasIds)
 
 core::Result<core::VesselTree> treeFromLines(LineSet set, const std::string& path)
 {
-    if (const std::string damage = findDamage(set); !damage.empty()) {
-        return fileError(path, damage);
+    if (const auto damage = findDamage(set)) {
+        return fileError(path, *damage);
     }
     set = chainSegments(std::move(set));
     core::VesselTree tree;
@@ -86,26 +84,22 @@ core::Result<core::VesselTree> treeFromLines(LineSet set, const std::string& pat
         }
     }
     if (tree.branches.empty()) {
-        return fileError(path, "none of its lines has two different points. Choose a file with vessel centrelines.");
+        return fileError(path, says::treeNoLength());
     }
     for (const VesselBranch& branch : tree.branches) {
         for (const Eigen::Vector3d& point : branch.pointsInPatient) {
             if (!point.allFinite() || point.cwiseAbs().maxCoeff() > 1e6) {
-                return fileError(path,
-                                 "a coordinate is not a number, or beyond a kilometre. Correct or export it again.");
+                return fileError(path, says::surfaceCoordinate());
             }
         }
     }
     if (tree.branches.size() > maxCenterlineBranches) {
-        return fileError(path, "it has " + std::to_string(tree.branches.size()) +
-                                   " separate lines; a centreline tree has "
-                                   "at most " +
-                                   std::to_string(maxCenterlineBranches) + ". Keep the vessels of interest.");
+        return fileError(path, says::treeTooManyLines(tree.branches.size(), maxCenterlineBranches));
     }
     tree.branches = withoutSharedTrunks(tree.branches);
     numberBranches(tree.branches, !set.ids.empty());
-    if (const std::string problem = core::findProblem(tree); !problem.empty()) {
-        return fileError(path, problem);
+    if (const auto problem = core::findProblem(tree)) {
+        return fileError(path, *problem);
     }
     return tree;
 }

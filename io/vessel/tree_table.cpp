@@ -1,5 +1,6 @@
 #include "io/vessel/tree_table.h"
 
+#include "io/messages/says.h"
 #include "io/support/csv_table.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
@@ -23,16 +24,14 @@ core::Result<TreeColumns> columnsOf(const CsvTable& table)
         if (!table.rows.empty() && table.rows.front().size() == 3) {
             return TreeColumns{};
         }
-        return fileError(table.path, "the first line must name the columns: x,y,z and, where known, radius,branch.");
+        return fileError(table.path, says::treeTableNoHeader());
     }
     const auto x = table.column("x"), y = table.column("y"), z = table.column("z");
     if (!x || !y || !z) {
-        return fileError(table.path, "the header row has no columns x, y and z. Name them (mm, patient LPS).");
+        return fileError(table.path, says::treeTableNoColumns());
     }
     if (table.column("id") && !table.column("branch")) {
-        return fileError(table.path,
-                         "it looks like a list of graph nodes (column id), which has no order along the vessels. "
-                         "Give a branch column, or export the centrelines themselves.");
+        return fileError(table.path, says::treeTableIsGraph());
     }
     return TreeColumns{*x, *y, *z, table.column("radius"), table.column("branch"), table.column("label")};
 }

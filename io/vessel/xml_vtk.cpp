@@ -1,3 +1,4 @@
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
 #include "io/support/quiet_libraries.h"
@@ -24,7 +25,7 @@ namespace {
 constexpr int maxDeclared = 20'000'000;
 
 /// The reader reserves what the header declares before it looks at the data: refuse what no centreline can need.
-std::string findImpossibleCount(std::string_view content)
+std::optional<core::Message> findImpossibleCount(std::string_view content)
 {
     constexpr std::array attributes = {"NumberOfPoints=\"", "NumberOfLines=\"",     "NumberOfVerts=\"",
                                        "NumberOfStrips=\"", "NumberOfPolys=\"",     "NumberOfCells=\"",
@@ -36,8 +37,7 @@ std::string findImpossibleCount(std::string_view content)
             const auto value = parseInteger(text);
             const int limit = attribute.starts_with("NumberOfComponents") ? 1000 : maxDeclared;
             if (!value || *value < 0 || *value > limit) {
-                return "it declares " + std::string(attribute) + std::string(text.substr(0, 40)) +
-                       "\", which cannot be. The file is damaged; export it again.";
+                return says::vtkXmlImpossibleCount(std::string(attribute) + std::string(text.substr(0, 40)) + "\"");
             }
             at = content.find(attribute, at);
         }
@@ -187,7 +187,7 @@ bool collectGridLines(vtkUnstructuredGrid* grid, VtkLines& lines)
 
 core::Result<VtkLines> linesOf(vtkPointSet* data, const std::string& path)
 {
-    const core::Error damaged = fileError(path, "the VTK XML data in it is damaged or cut short. Export it again.");
+    const core::Error damaged = fileError(path, says::vtkXmlDamaged());
     if (!data) {
         return damaged;
     }
@@ -215,19 +215,19 @@ core::Result<VtkLines> linesOf(vtkPointSet* data, const std::string& path)
 core::Result<VtkLines> parseXmlVtk(std::string_view content, const std::string& path)
 {
     quietLibraries();
-    if (const std::string impossible = findImpossibleCount(content); !impossible.empty()) {
-        return fileError(path, impossible);
+    if (const auto impossible = findImpossibleCount(content)) {
+        return fileError(path, *impossible);
     }
     const std::string_view head = content.substr(0, 4096);
     const bool isGrid = head.find("type=\"UnstructuredGrid\"") != std::string_view::npos;
     if (!isGrid && head.find("type=\"PolyData\"") == std::string_view::npos) {
-        return fileError(path, "it is not VTK XML PolyData or UnstructuredGrid. Export the centrelines as .vtp.");
+        return fileError(path, says::vtkXmlOther());
     }
     try {
         return linesOf(
             isGrid ? readWith<vtkXMLUnstructuredGridReader>(content) : readWith<vtkXMLPolyDataReader>(content), path);
     } catch (const std::bad_alloc&) {
-        return fileError(path, "it declares more data than memory holds. The file is damaged; export it again.");
+        return fileError(path, says::fileLargerThanMemory());
     }
 }
 

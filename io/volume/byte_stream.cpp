@@ -1,5 +1,6 @@
 #include "io/volume/byte_stream.h"
 
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 
@@ -76,7 +77,7 @@ core::Result<ByteStream> ByteStream::open(const VoxelSource& source)
     state->file.open(source.path, std::ios::binary);
     state->file.seekg(static_cast<std::streamoff>(source.offset));
     if (failed || !state->file) {
-        return fileError(source.path, "it cannot be read. Copy it to a local disk.");
+        return fileError(source.path, says::fileNotReadAtAll());
     }
     state->isPacked = source.packing != StreamPacking::None;
     if (state->isPacked) {

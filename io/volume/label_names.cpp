@@ -80,7 +80,10 @@ LabelNames labelNamesOf(const StoredVolume& stored)
     if (stored.format.starts_with("NIfTI")) {
         return labelTable(headOf(stored.source));
     }
-    const auto input = stored.format == "NRRD" ? openInput(stored.path) : core::Result<InputBytes>(core::Error{});
+    if (stored.format != "NRRD") {
+        return LabelNames();
+    }
+    const auto input = openInput(stored.path);
     return input ? slicerSegments(input.value().view()) : LabelNames();
 }
 

@@ -1,5 +1,6 @@
 #include "io/volume/meta_image.h"
 
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
 #include "io/volume/volume_axes.h"
@@ -74,40 +75,38 @@ std::optional<VoxelType> typeOf(const std::string& name)
     return found == types.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::string findUnsupported(const Fields& fields)
+std::optional<core::Message> findUnsupported(const Fields& fields)
 {
     const std::string object = field(fields, {"ObjectType"});
     if (!object.empty() && object != "Image") {
-        return "it holds a " + object.substr(0, 24) + ", not an image. Choose the scan.";
+        return says::volumeHoldsOther(object.substr(0, 24));
     }
     const int dimensions = parseInteger(field(fields, {"NDims"})).value_or(0);
     if (dimensions != 3) {
-        return "it is " + std::to_string(dimensions) +
-               "-dimensional, but a volume has three dimensions. Choose the whole scan.";
+        return says::volumeNotThreeDimensional(dimensions);
     }
     if (const std::string channels = field(fields, {"ElementNumberOfChannels"}); !channels.empty() && channels != "1") {
-        return "it has " + channels.substr(0, 8) + " values per voxel. Choose the scan itself, in grey values.";
+        return says::volumeChannels(channels.substr(0, 8));
     }
     const std::string type = field(fields, {"ElementType"});
     if (!typeOf(type)) {
-        return "its voxel type (\"" + type.substr(0, 24) + "\") is not read. Save it as 16-bit or float.";
+        return says::volumeVoxelType(type.substr(0, 24));
     }
     const std::string binary = field(fields, {"BinaryData"});
-    return !binary.empty() && !isTrue(binary) ? "its voxels are written as text. Save it with binary data."
-                                              : std::string();
+    return !binary.empty() && !isTrue(binary) ? std::optional(says::volumeText()) : std::nullopt;
 }
 
-AxesResult axesOf(const Fields& fields, std::vector<std::string>& warnings)
+AxesResult axesOf(const Fields& fields, core::Messages& warnings)
 {
     const auto sizes = numbersOf(field(fields, {"DimSize"}), 3);
     if (!sizes || *std::max_element(sizes->begin(), sizes->end()) > 1e9) {
-        return {{}, "its DimSize makes no sense. The file is damaged; export it again."};
+        return {{}, says::volumeDimSize()};
     }
     const auto spacing = numbersOf(field(fields, {"ElementSpacing", "ElementSize"}), 3);
     const auto matrix = numbersOf(field(fields, {"TransformMatrix", "Rotation", "Orientation"}), 9);
     const auto offset = numbersOf(field(fields, {"Offset", "Position", "Origin"}), 3);
     if (!spacing) {
-        warnings.emplace_back("The header gives no voxel size: 1 x 1 x 1 mm is assumed.");
+        warnings.push_back(says::volumeSizeAssumed());
     }
     Eigen::Matrix3d steps = Eigen::Matrix3d::Identity();
     for (int axis = 0; axis < 3; ++axis) {
@@ -123,14 +122,14 @@ AxesResult axesOf(const Fields& fields, std::vector<std::string>& warnings)
     return geometryFromSteps(size, steps, origin);
 }
 
-std::string findSource(const Fields& fields, std::size_t dataStart, VoxelSource& source)
+std::optional<core::Message> findSource(const Fields& fields, std::size_t dataStart, VoxelSource& source)
 {
     const std::string dataFile = field(fields, {"ElementDataFile"});
     if (dataFile.empty()) {
-        return "it does not say where its voxels are (ElementDataFile). Export it again.";
+        return says::volumeNoDataFile();
     }
     if (dataFile.starts_with("LIST") || dataFile.find('%') != std::string::npos) {
-        return "its voxels lie in several files. Save it as one file.";
+        return says::volumeSeveralFiles();
     }
     const bool isLocal = dataFile == "LOCAL" || dataFile == "Local" || dataFile == "local";
     source.offset = isLocal ? dataStart : 0;
@@ -142,7 +141,7 @@ std::string findSource(const Fields& fields, std::size_t dataStart, VoxelSource&
     const std::string headerSize = field(fields, {"HeaderSize"});
     const int bytes = headerSize.empty() ? 0 : parseInteger(headerSize).value_or(-2);
     if (bytes < -1) {
-        return "its HeaderSize makes no sense. Correct the header.";
+        return says::volumeHeaderSize();
     }
     source.isAtEnd = bytes == -1;
     source.skip = bytes > 0 ? static_cast<std::uint64_t>(bytes) : 0;
@@ -155,8 +154,8 @@ core::Result<StoredVolume> parseMetaImage(std::string_view content, const std::s
 {
     std::size_t dataStart = 0;
     const Fields fields = fieldsOf(content, dataStart);
-    if (const std::string problem = findUnsupported(fields); !problem.empty()) {
-        return fileError(path, problem);
+    if (const auto problem = findUnsupported(fields)) {
+        return fileError(path, *problem);
     }
     StoredVolume stored;
     stored.path = path;
@@ -164,13 +163,13 @@ core::Result<StoredVolume> parseMetaImage(std::string_view content, const std::s
     stored.type = *typeOf(field(fields, {"ElementType"}));
     stored.isBigEndian = isTrue(field(fields, {"BinaryDataByteOrderMSB", "ElementByteOrderMSB"}));
     const AxesResult axes = axesOf(fields, stored.warnings);
-    if (!axes.problem.empty()) {
-        return fileError(path, axes.problem);
+    if (axes.problem) {
+        return fileError(path, *axes.problem);
     }
     stored.geometry = axes.geometry;
     stored.source.path = path;
-    if (const std::string problem = findSource(fields, dataStart, stored.source); !problem.empty()) {
-        return fileError(path, problem);
+    if (const auto problem = findSource(fields, dataStart, stored.source)) {
+        return fileError(path, *problem);
     }
     return stored;
 }

@@ -1,5 +1,6 @@
 #include "io/volume/nifti.h"
 
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/volume/nifti_header.h"
@@ -44,29 +45,27 @@ std::optional<VoxelType> typeOf(int datatype)
     }
 }
 
-std::string findUnsupported(const NiftiHeader& header)
+std::optional<core::Message> findUnsupported(const NiftiHeader& header)
 {
     const std::int64_t dimensions = header.dim[0];
     if (dimensions < 1 || dimensions > 7) {
-        return "its header is damaged: it names " + std::to_string(dimensions) + " dimensions. Export it again.";
+        return says::volumeHeaderDimensions(dimensions);
     }
     std::int64_t volumes = 1;
     for (std::size_t i = 4; i <= static_cast<std::size_t>(dimensions); ++i) {
         volumes = std::max(volumes, header.dim[i]);
     }
     if (volumes > 1) {
-        return "it holds " + std::to_string(volumes) +
-               " volumes or values per voxel (4-D). Extract the one to use and open that.";
+        return says::volumeSeveralNifti(volumes);
     }
     if (header.datatype == 128 || header.datatype == 2304) {
-        return "its voxels are colours. Choose the scan itself, in grey values.";
+        return says::volumeColours();
     }
     if (!typeOf(header.datatype)) {
-        return "its voxel type (NIfTI datatype " + std::to_string(header.datatype) +
-               ") is not read. Save it as 16-bit or float.";
+        return says::volumeNiftiType(header.datatype);
     }
     if (!(header.dataOffset >= 0.0 && header.dataOffset < 1e9)) {
-        return "its header is damaged: the voxels begin at an impossible place. Export it again.";
+        return says::volumeImpossibleStart();
     }
     return {};
 }
@@ -119,7 +118,7 @@ double largestDifference(const NiftiMap& a, const NiftiMap& b, const NiftiHeader
 }
 
 /// Which of the two maps places the voxels in the patient. Codes above 2 mean an atlas.
-NiftiMap mapOf(const NiftiHeader& header, std::vector<std::string>& warnings)
+NiftiMap mapOf(const NiftiHeader& header, core::Messages& warnings)
 {
     NiftiMap qform = qformOf(header);
     const bool hasQform = header.qformCode > 0 && isInvertible(qform);
@@ -127,10 +126,7 @@ NiftiMap mapOf(const NiftiHeader& header, std::vector<std::string>& warnings)
     if (hasQform && hasSform) {
         const bool isAtlas = header.sformCode > 2 && header.qformCode <= 2;
         if (largestDifference(qform, header.sform, header) > 0.5) {
-            warnings.emplace_back(
-                isAtlas
-                    ? "Its two placements (qform and sform) differ; the qform, in the scanner's coordinates, is used."
-                    : "Its two placements (qform and sform) differ; the sform is used.");
+            warnings.emplace_back(isAtlas ? says::niftiQformUsed() : says::niftiSformUsed());
         }
         return isAtlas ? qform : header.sform;
     }
@@ -138,9 +134,7 @@ NiftiMap mapOf(const NiftiHeader& header, std::vector<std::string>& warnings)
         return header.sform;
     }
     if (!hasQform) {
-        warnings.emplace_back(
-            "The header does not say how the voxels lie in the patient: +x right to left, +y front to back and +z up "
-            "are assumed to be i, j reversed and k. Check left and right.");
+        warnings.push_back(says::volumeVoxelsAssumed());
         NiftiMap map = NiftiMap::Zero();
         map.diagonal() = Eigen::Vector3d(header.pixdim[1], header.pixdim[2], header.pixdim[3]);
         return map;
@@ -178,13 +172,11 @@ core::Result<StoredVolume> parseNifti(std::string_view head, StreamPacking packi
 {
     const auto parsed = niftiHeaderOf(head);
     if (!parsed) {
-        return fileError(path,
-                         "this is an Analyze 7.5 header, which does not say left from right. Convert it to NIfTI where "
-                         "the orientation is known.");
+        return fileError(path, says::volumeAnalyze());
     }
     const NiftiHeader& header = *parsed;
-    if (const std::string problem = findUnsupported(header); !problem.empty()) {
-        return fileError(path, problem);
+    if (const auto problem = findUnsupported(header)) {
+        return fileError(path, *problem);
     }
     StoredVolume stored;
     stored.path = path;
@@ -197,8 +189,8 @@ core::Result<StoredVolume> parseNifti(std::string_view head, StreamPacking packi
     const NiftiMap map = mapOf(header, stored.warnings) * millimetresPerUnit(header.units);
     const AxesResult axes = geometryFromSteps(size, lpsFromRas(Eigen::Matrix3d(map.leftCols<3>())),
                                               lpsFromRas(Eigen::Vector3d(map.col(3))));
-    if (!axes.problem.empty()) {
-        return fileError(path, axes.problem);
+    if (axes.problem) {
+        return fileError(path, *axes.problem);
     }
     stored.geometry = axes.geometry;
     stored.type = *typeOf(header.datatype);

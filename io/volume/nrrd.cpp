@@ -1,5 +1,6 @@
 #include "io/volume/nrrd.h"
 
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
 #include "io/volume/nrrd_fields.h"
@@ -38,48 +39,41 @@ double millimetresPer(const std::string& unit)
 }
 
 /// The three axes of space among those of the array; a fourth of one element is left out.
-std::string findSizes(const NrrdFields& fields, Eigen::Vector3i& size, std::vector<std::size_t>& axes)
+std::optional<core::Message> findSizes(const NrrdFields& fields, Eigen::Vector3i& size, std::vector<std::size_t>& axes)
 {
     const std::vector<std::string> sizes = wordsOf(field(fields, "sizes"));
     const std::vector<std::string> kinds = wordsOf(lowered(field(fields, "kinds")));
     const auto directions = vectorsOf(field(fields, "space directions"));
     if (sizes.size() < 3) {
-        return "it is " + std::to_string(sizes.size()) +
-               "-dimensional, but a volume has three dimensions. Choose the whole scan.";
+        return says::volumeNotThreeDimensional(sizes.size());
     }
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         const auto count = parseInteger(sizes[i]);
         if (!count || *count < 1) {
-            return "its sizes are no numbers. The file is damaged; export it again.";
+            return says::volumeSizesNoNumbers();
         }
         const bool isList = directions && i < directions->size() && !(*directions)[i];
         const bool isColour = i < kinds.size() && kinds[i].find("color") != std::string::npos;
         const bool isOther = isList || isColour || (sizes.size() > 3 && *count == 1);
         if (isOther && *count > 1) {
-            return isColour ? "its voxels are colours. Choose the scan itself, in grey values."
-                            : "it holds " + std::to_string(*count) +
-                                  " volumes, layers or values per voxel (4-D). Save the one to use and open that.";
+            return isColour ? says::volumeColours() : says::volumeSeveralNrrd(*count);
         }
         if (!isOther || sizes.size() == 3) {
             axes.push_back(i);
         }
     }
     if (axes.size() != 3) {
-        return "it has " + std::to_string(sizes.size()) +
-               " dimensions (4-D or more). Save the one volume to use and open that.";
+        return says::volumeDimensions(sizes.size());
     }
     for (std::size_t k = 0; k < 3; ++k) {
         size[static_cast<int>(k)] = *parseInteger(sizes[axes[k]]);
     }
     const bool looksLikeColour = sizes.size() == 3 && size[0] <= 4 && kinds.empty() && size[1] > 16 && size[2] > 16;
-    return looksLikeColour && size[0] > 1 ? "its first axis has " + std::to_string(size[0]) +
-                                                " entries: this is a colour picture, not a volume. Choose the scan."
-                                          : std::string();
+    return looksLikeColour && size[0] > 1 ? std::optional(says::volumeColourAxis(size[0])) : std::nullopt;
 }
 
 /// Steps as the file's space gives them, or as plain spacings.
-Eigen::Matrix3d stepsOf(const NrrdFields& fields, const std::vector<std::size_t>& axes,
-                        std::vector<std::string>& warnings)
+Eigen::Matrix3d stepsOf(const NrrdFields& fields, const std::vector<std::size_t>& axes, core::Messages& warnings)
 {
     const std::string space = lowered(field(fields, "space"));
     const auto signs = lpsSignsOf(space);
@@ -106,12 +100,10 @@ Eigen::Matrix3d stepsOf(const NrrdFields& fields, const std::vector<std::size_t>
         }
     }
     if (!hasDirections || !signs) {
-        warnings.emplace_back(
-            "The header does not say how the axes lie in the patient: i to the left, j to the back and k to the head "
-            "are assumed. Check left and right.");
+        warnings.push_back(says::volumeAxesAssumed());
     }
     if (hasDirections && steps.isIdentity(0.0)) {
-        warnings.emplace_back("The voxel size is given as 1 x 1 x 1 mm: check that it was not lost on the way.");
+        warnings.push_back(says::volumeSizeOfOne());
     }
     return signs ? Eigen::Matrix3d(signs->asDiagonal() * steps) : steps;
 }
@@ -137,44 +129,45 @@ std::optional<std::size_t> afterLines(std::string_view content, std::size_t at, 
     return at;
 }
 
-std::string findEncodingProblem(const std::string& encoding)
+std::optional<core::Message> findEncodingProblem(const std::string& encoding)
 {
     if (encoding == "raw" || encoding == "gzip" || encoding == "gz") {
         return {};
     }
     if (encoding == "bzip2" || encoding == "bz2") {
-        return "its voxels are packed with bzip2. Save it with gzip or raw encoding.";
+        return says::volumeBzip2();
     }
-    return "its voxels are written as text (" + encoding.substr(0, 16) + "). Save it with gzip or raw encoding.";
+    return says::volumeTextNrrd(encoding.substr(0, 16));
 }
 
 /// Fills in where the voxels lie; returns what is wrong.
-std::string findSource(const NrrdFields& fields, std::string_view content, std::size_t dataStart, VoxelSource& source)
+std::optional<core::Message> findSource(const NrrdFields& fields, std::string_view content, std::size_t dataStart,
+                                        VoxelSource& source)
 {
     const std::string encoding = lowered(field(fields, "encoding"));
-    if (std::string problem = findEncodingProblem(encoding); !problem.empty()) {
+    if (const auto problem = findEncodingProblem(encoding)) {
         return problem;
     }
     source.packing = encoding == "raw" ? StreamPacking::None : StreamPacking::Deflate;
     const int lines = parseInteger(field(fields, "line skip").empty() ? "0" : field(fields, "line skip")).value_or(-1);
     const int bytes = parseInteger(field(fields, "byte skip").empty() ? "0" : field(fields, "byte skip")).value_or(-2);
     if (lines < 0 || bytes < -1) {
-        return "its line skip or byte skip makes no sense. Correct the header.";
+        return says::volumeSkips();
     }
     const std::string dataFile = field(fields, fields.contains("data file") ? "data file" : "datafile");
     if (dataFile.starts_with("LIST") || dataFile.find('%') != std::string::npos) {
-        return "its voxels lie in several files. Save it as one file.";
+        return says::volumeSeveralFiles();
     }
     if (!dataFile.empty()) {
         source.path = (std::filesystem::path(source.path).parent_path() / dataFile).string();
         source.offset = 0;
         if (lines > 0) {
-            return "it skips lines of another file. Save header and voxels as one file.";
+            return says::volumeSkipsLinesElsewhere();
         }
     } else {
         const auto start = afterLines(content, dataStart, lines);
         if (!start) {
-            return "its voxels are cut short. Copy or export it again.";
+            return says::volumeCutShort();
         }
         source.offset = *start;
     }
@@ -194,24 +187,23 @@ core::Result<StoredVolume> parseNrrd(std::string_view content, const std::string
     stored.format = "NRRD";
     const auto type = nrrdTypeOf(lowered(field(fields, "type")));
     if (!type) {
-        return fileError(path, "its voxel type (\"" + field(fields, "type").substr(0, 24) +
-                                   "\") is not read. Save it as 16-bit or float.");
+        return fileError(path, says::volumeVoxelType(field(fields, "type").substr(0, 24)));
     }
     stored.type = *type;
     stored.isBigEndian = lowered(field(fields, "endian")) == "big";
     Eigen::Vector3i size;
     std::vector<std::size_t> axes;
-    if (const std::string problem = findSizes(fields, size, axes); !problem.empty()) {
-        return fileError(path, problem);
+    if (const auto problem = findSizes(fields, size, axes)) {
+        return fileError(path, *problem);
     }
     const AxesResult placed = geometryFromSteps(size, stepsOf(fields, axes, stored.warnings), originOf(fields));
-    if (!placed.problem.empty()) {
-        return fileError(path, placed.problem);
+    if (placed.problem) {
+        return fileError(path, *placed.problem);
     }
     stored.geometry = placed.geometry;
     stored.source.path = path;
-    if (const std::string problem = findSource(fields, content, dataStart, stored.source); !problem.empty()) {
-        return fileError(path, problem);
+    if (const auto problem = findSource(fields, content, dataStart, stored.source)) {
+        return fileError(path, *problem);
     }
     stored.isDeclaredLabels = path.ends_with(".seg.nrrd") || fields.contains("segment0_id");
     return stored;

@@ -1,5 +1,6 @@
 #include "io/volume/open_stored.h"
 
+#include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/volume/byte_stream.h"
@@ -71,14 +72,11 @@ core::Result<StoredVolume> openStored(const std::string& path)
     const FileHead head = headOf(content, path);
     const auto format = formatOf(head, path);
     if (!format) {
-        const std::string_view found = describeContent(content);
-        if (found.empty()) {
-            return fileError(path,
-                             "this is no volume that this program reads. Choose a DICOM folder, NIfTI, NRRD or "
-                             "MetaImage (.mha, .mhd).");
+        const auto* found = describeContent(content);
+        if (found == nullptr) {
+            return fileError(path, says::volumeUnknown());
         }
-        return fileError(path, "this is " + std::string(found) +
-                                   ", not a volume. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).");
+        return fileError(path, says::volumeIsOther((*found)()));
     }
     switch (*format) {
         case VolumeFormat::Nifti:

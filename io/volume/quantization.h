@@ -1,5 +1,7 @@
 #pragma once
 
+#include "io/messages/says.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -58,11 +60,11 @@ inline Quantization quantizationOf(const ValueRange& range)
 }
 
 /// "The float32 voxels are rounded to 16 bit, in steps of 0.00153."
-inline std::string roundingNote(double step, const std::string& type)
+inline core::Message roundingNote(double step, const std::string& type)
 {
     std::array<char, 32> text;
     std::snprintf(text.data(), text.size(), "%.3g", std::abs(step));
-    return "The " + type + " voxels are rounded to 16 bit, in steps of " + text.data() + ".";
+    return says::volumeRounded(type, text.data());
 }
 
 }   // namespace angiopose::io

@@ -1,5 +1,6 @@
 #include "io/volume/read_voxels.h"
 
+#include "io/messages/says.h"
 #include "io/support/numbers.h"
 #include "io/volume/byte_stream.h"
 #include "io/volume/nifti.h"
@@ -22,8 +23,7 @@ constexpr std::size_t chunkVoxels = std::size_t{1} << 18;
 constexpr double greatestInflation = 1100.0;   // deflate packs at most 1032 to 1
 core::Error cutShort(const StoredVolume& stored)
 {
-    return fileError(stored.source.path,
-                     "its voxels are cut short, or their packing is damaged. Copy or export it again.");
+    return fileError(stored.source.path, says::volumePackingDamaged());
 }
 
 double memoryBytes()
@@ -140,11 +140,10 @@ core::Result<ValueRange> rangeOf(const StoredVolume& stored, const ReadObserver&
 }
 
 void noteLosses(const StoredVolume& stored, const ValueRange& range, const Quantization& quantization,
-                std::vector<std::string>& warnings)
+                core::Messages& warnings)
 {
     if (range.missing > 0) {
-        warnings.push_back(std::to_string(range.missing) +
-                           " voxels are not numbers; they are taken as the lowest value.");
+        warnings.push_back(says::volumeNotNumbers(range.missing));
     }
     if (!range.isWhole || quantization.scale != 1.0) {
         warnings.push_back(roundingNote(stored.slope * quantization.scale, std::string(nameOf(stored.type))));
@@ -180,8 +179,7 @@ core::Result<core::Volume> quantized(const StoredVolume& stored, const Quantizat
 }
 
 template <class T>
-core::Result<core::Volume> readAs(const StoredVolume& stored, const ReadObserver& observe,
-                                  std::vector<std::string>& warnings)
+core::Result<core::Volume> readAs(const StoredVolume& stored, const ReadObserver& observe, core::Messages& warnings)
 {
     if constexpr (sizeof(T) <= 2) {
         const bool isWide = std::is_same_v<T, std::uint16_t>;
@@ -192,7 +190,7 @@ core::Result<core::Volume> readAs(const StoredVolume& stored, const ReadObserver
             return range.error();
         }
         if (range.value().missing == stored.geometry.voxelCount()) {
-            return fileError(stored.path, "none of its voxels is a number. Export the volume again.");
+            return fileError(stored.path, says::volumeNoNumbers());
         }
         const Quantization quantization = quantizationOf(range.value());
         noteLosses(stored, range.value(), quantization, warnings);
@@ -209,9 +207,7 @@ core::Result<core::LabelVolume> labelsAs(const StoredVolume& stored, const ReadO
             for (std::size_t i = 0; i < count; ++i) {
                 const double value = stored.slope * static_cast<double>(values[i]) + stored.intercept;
                 if (!(value >= 0.0 && value <= storedLevels && value == std::floor(value))) {
-                    return core::Status(fileError(stored.path, "it holds " + toText(value) +
-                                                                   ", which is no label: labels are whole numbers from "
-                                                                   "0. Choose a label image."));
+                    return core::Status(fileError(stored.path, says::labelsNoWholeNumber(toText(value))));
                 }
                 labels.voxels[first + i] = static_cast<std::uint16_t>(value);
             }
@@ -246,39 +242,33 @@ core::Status checkVoxels(const StoredVolume& stored)
 {
     const VoxelSource& source = stored.source;
     if (!std::filesystem::exists(source.path)) {
-        return fileError(stored.path, "its voxels are in " + std::filesystem::path(source.path).filename().string() +
-                                          ", which is not there. Copy both files together.");
+        return fileError(stored.path,
+                         says::volumeVoxelsNotThere(std::filesystem::path(source.path).filename().string()));
     }
     const auto stream = ByteStream::open(source);
     if (!stream) {
-        return source.path == stored.path ? stream.error()
-                                          : fileError(stored.path, "the file with its voxels cannot be read (" +
-                                                                       stream.error().message + ").");
+        return source.path == stored.path
+                   ? stream.error()
+                   : fileError(stored.path, says::volumeVoxelFileNotRead(stream.error().message));
     }
     if (isHeaderAmongVoxels(stored)) {
-        return fileError(stored.path,
-                         "its voxels begin with the header of another volume. Open that file itself, or "
-                         "give the bytes to skip: -1 where the voxels are the last ones.");
+        return fileError(stored.path, says::volumeVoxelsAreHeader());
     }
     const std::uint64_t needed = stored.geometry.voxelCount() * bytesOf(stored.type);
     const std::uint64_t there = stream.value().fileSize() - std::min(source.offset, stream.value().fileSize());
     if (source.packing == StreamPacking::None && there < needed + source.skip) {
-        return fileError(source.path, "its voxels are cut short: " + std::to_string(there) + " of " +
-                                          std::to_string(needed + source.skip) +
-                                          " bytes are there. Copy or export it again.");
+        return fileError(source.path, says::volumeCutShortBy(there, needed + source.skip));
     }
     if (static_cast<double>(needed) > greatestInflation * static_cast<double>(there)) {
         return cutShort(stored);
     }
     if (2.0 * static_cast<double>(stored.geometry.voxelCount()) > 0.9 * memoryBytes()) {
-        return fileError(stored.path,
-                         "the volume is larger than this computer's memory. Crop the scan to the vessels.");
+        return fileError(stored.path, says::volumeLargerThanMemory());
     }
     return core::Done{};
 }
 
-core::Result<core::Volume> readVoxels(const StoredVolume& stored, const ReadObserver& observe,
-                                      std::vector<std::string>& warnings)
+core::Result<core::Volume> readVoxels(const StoredVolume& stored, const ReadObserver& observe, core::Messages& warnings)
 {
     if (const auto plausible = checkVoxels(stored); !plausible) {
         return plausible.error();

@@ -58,7 +58,7 @@ struct StoredVolume {
     double intercept = 0.0;
     bool isDeclaredLabels = false;   ///< the header says that values are labels
     VoxelSource source;
-    std::vector<std::string> warnings;
+    core::Messages warnings;
 };
 
 }   // namespace angiopose::io

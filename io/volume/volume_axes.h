@@ -13,7 +13,7 @@ inline constexpr std::size_t maxVoxels = std::size_t{1} << 31;
 /// A geometry from the patient vectors between neighbouring voxels, or why there is none.
 struct AxesResult {
     core::VolumeGeometry geometry;
-    std::string problem;   ///< with the remedy; empty when the geometry holds
+    std::optional<core::Message> problem;   ///< with the remedy
 };
 
 /// `steps`: columns are the LPS vectors (mm) from a voxel to its neighbour along i, j, k. Rounding (up to 0.1°) off the

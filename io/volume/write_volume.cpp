@@ -1,3 +1,4 @@
+#include "io/messages/says.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -40,7 +41,7 @@ private:
     core::Status run(Bytes bytes, int flush)
     {
         if (!isReady_) {
-            return core::Error{"there is no memory left to pack the volume."};
+            return core::Error(says::volumeNoMemoryToPack());
         }
         stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
         stream_.avail_in = static_cast<uInt>(bytes.size());
@@ -159,18 +160,19 @@ core::Status writeNifti(const std::string& header, const Producer& bytes, bool i
 }
 
 /// What is wrong with the volume or the name; empty when it can be written.
-std::string findUnwritable(const core::VolumeGeometry& geometry, std::size_t voxels, const std::string& extension)
+std::optional<core::Message> findUnwritable(const core::VolumeGeometry& geometry, std::size_t voxels,
+                                            const std::string& extension)
 {
     if (voxels == 0 || voxels != geometry.voxelCount()) {
-        return "there are no voxels to write. Load a volume first.";
+        return says::volumeNothingToWrite();
     }
     const bool isNifti = extension == ".nii" || extension == ".nii.gz";
     if (!isNifti && extension != ".nrrd" && extension != ".mha") {
-        return "volumes are written as .nii, .nii.gz, .nrrd or .mha. Change the extension.";
+        return says::volumeExtension();
     }
     return isNifti && geometry.size.maxCoeff() > std::numeric_limits<std::int16_t>::max()
-               ? "NIfTI holds at most 32767 voxels along an axis. Write .nrrd or .mha."
-               : std::string();
+               ? std::optional(says::niftiTooLong())
+               : std::nullopt;
 }
 
 core::Status write(const core::VolumeGeometry& geometry, const Encoding& encoding, const std::string& niftiHead,
@@ -192,9 +194,8 @@ core::Status write(const core::VolumeGeometry& geometry, const Encoding& encodin
 
 core::Status writeVolume(const core::Volume& volume, const std::string& path)
 {
-    if (const std::string problem = findUnwritable(volume.geometry, volume.voxels.size(), extensionOf(path));
-        !problem.empty()) {
-        return fileError(path, problem);
+    if (const auto problem = findUnwritable(volume.geometry, volume.voxels.size(), extensionOf(path))) {
+        return fileError(path, *problem);
     }
     const Encoding encoding = fitsShort(volume) ? Encoding{"short", "MET_SHORT", valuesOf<std::int16_t>(volume)}
                                                 : Encoding{"float", "MET_FLOAT", valuesOf<float>(volume)};
@@ -204,9 +205,8 @@ core::Status writeVolume(const core::Volume& volume, const std::string& path)
 
 core::Status writeLabels(const core::LabelVolume& labels, const std::string& path)
 {
-    if (const std::string problem = findUnwritable(labels.geometry, labels.voxels.size(), extensionOf(path));
-        !problem.empty()) {
-        return fileError(path, problem);
+    if (const auto problem = findUnwritable(labels.geometry, labels.voxels.size(), extensionOf(path))) {
+        return fileError(path, *problem);
     }
     return write(labels.geometry, {"unsigned short", "MET_USHORT", bytesOf(labels.voxels)},
                  niftiHeader(labels.geometry, 1.0, 0.0, true), bytesOf(labels.voxels), path);

@@ -1789,10 +1789,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Addiert den oben gewählten Prior zur Anziehung.</translation>
     </message>
     <message>
-        <source>All branches of the vessel tree are excluded. Include at least one branch.</source>
-        <translation>Alle Äste des Gefäßbaums sind ausgeschlossen. Mindestens einen einschließen.</translation>
-    </message>
-    <message>
         <source>Alternates between a few auxiliary points and all points by kernel-weighted PnP (Song, Ghaffari).</source>
         <translation>Wechselt zwischen wenigen Hilfspunkten und allen Punkten, kerngewichtetes PnP (Song, Ghaffari).</translation>
     </message>
@@ -1805,20 +1801,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Wechsel</translation>
     </message>
     <message>
-        <source>An overlay needs a vessel tree and an angiogram. Open both first.</source>
-        <translation>Eine Überlagerung braucht Gefäßbaum und Angiogramm. Zuerst beide öffnen.</translation>
-    </message>
-    <message>
         <source>Annealed particles around the start, or a walk over the out-of-plane angles.</source>
         <translation>Abkühlende Partikel um den Start, oder ein Gang über die Winkel aus der Bildebene.</translation>
     </message>
     <message>
         <source>Another number draws other lots; the same repeats them.</source>
         <translation>Eine andere Zahl zieht andere Lose, dieselbe wiederholt sie.</translation>
-    </message>
-    <message>
-        <source>Another pose explains the image nearly as well: compare the alternatives.</source>
-        <translation>Eine andere Lage erklärt das Bild fast ebenso gut: die Alternativen vergleichen.</translation>
     </message>
     <message>
         <source>Attracted by</source>
@@ -1829,24 +1817,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Hilfspunkte</translation>
     </message>
     <message>
-        <source>Branch %1 cannot be cut so near to its end. Delete it instead, or cut farther in.</source>
-        <translation>Ast %1 lässt sich so nah am Ende nicht trennen. Stattdessen löschen oder weiter innen trennen.</translation>
-    </message>
-    <message>
-        <source>Branch %1 is chosen as %2 but the vessel tree has no such branch. Choose among its branches.</source>
-        <translation>Ast %1 ist als %2 gewählt, aber der Gefäßbaum hat ihn nicht. Unter seinen Ästen wählen.</translation>
-    </message>
-    <message>
         <source>Brightness under the vessels at their own width, evolution strategy (Jomier 2006; re-implementation, parameters ours).</source>
         <translation>Helligkeit unter den Gefäßen in ihrer eigenen Breite, Evolutionsstrategie (Jomier 2006; nachgebaut, eigene Parameter).</translation>
-    </message>
-    <message>
-        <source>Cases, vessels and angiograms (%1)</source>
-        <translation>Fälle, Gefäße und Angiogramme (%1)</translation>
-    </message>
-    <message>
-        <source>Choose a centreline file: .vtp, .vtk, .vtu, .csv, .swc or .mrk.json.</source>
-        <translation>Eine Mittelliniendatei wählen: .vtp, .vtk, .vtu, .csv, .swc oder .mrk.json.</translation>
     </message>
     <message>
         <source>Chosen branches (nodes where none is chosen), nodes, the widest branches up to a third of the length, or random points.</source>
@@ -1857,20 +1829,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Grobe Suche, dann robuste Punkt-Linien-Verfeinerung um den Schwerpunkt, mit Unsicherheit.</translation>
     </message>
     <message>
-        <source>Colour image converted to grey.</source>
-        <translation>Farbbild in Graustufen umgewandelt.</translation>
-    </message>
-    <message>
         <source>Covariance matrix adaptation, or one parent and one child at a time.</source>
         <translation>Anpassung der Kovarianzmatrix, oder je ein Elter und ein Kind.</translation>
-    </message>
-    <message>
-        <source>Curve %1 of the 2-D centreline has a coordinate that is not a number (NaN or infinite).</source>
-        <translation>Kurve %1 der 2-D-Mittellinie hat eine Koordinate, die keine Zahl ist (NaN oder unendlich).</translation>
-    </message>
-    <message>
-        <source>DICOM series</source>
-        <translation>DICOM-Serie</translation>
     </message>
     <message>
         <source>Damped steps on the Huber loss with fresh matches, or L-BFGS on the squared distances.</source>
@@ -1913,18 +1873,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gleiche Abstände</translation>
     </message>
     <message>
-        <source>Every branch hangs on branch %1: nothing would be left.</source>
-        <translation>Alle Äste hängen an Ast %1: nichts bliebe übrig.</translation>
-    </message>
-    <message>
-        <source>Every branch is shorter or thinner than asked: nothing would be left. Lower the limits.</source>
-        <translation>Jeder Ast ist kürzer oder dünner als verlangt: nichts bliebe übrig. Grenzen senken.</translation>
-    </message>
-    <message>
-        <source>Failed to validate</source>
-        <translation>Prüfung fehlgeschlagen</translation>
-    </message>
-    <message>
         <source>Final scale</source>
         <translation>Endskala</translation>
     </message>
@@ -1935,14 +1883,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>First reach</source>
         <translation>Erste Reichweite</translation>
-    </message>
-    <message>
-        <source>Frame %1 does not exist: the image has frames 0 to %2.</source>
-        <translation>Bild %1 gibt es nicht: die Aufnahme hat die Bilder 0 bis %2.</translation>
-    </message>
-    <message>
-        <source>GDCM could not write the DICOM file. Choose another format.</source>
-        <translation>GDCM konnte die DICOM-Datei nicht schreiben. Anderes Format wählen.</translation>
     </message>
     <message>
         <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image&apos;s brightness (Aylward 2003; re-implementation, parameters ours).</source>
@@ -2013,10 +1953,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Höchstens Iterationen</translation>
     </message>
     <message>
-        <source>Its slices are stored with different scales or as float. %1</source>
-        <translation>Ihre Schichten sind verschieden skaliert oder als Gleitkomma gespeichert. %1</translation>
-    </message>
-    <message>
         <source>Keeps the projected tree from shrinking; lower it where many branches are missing from the image.</source>
         <translation>Hindert den projizierten Baum am Schrumpfen; senken, wo viele Äste im Bild fehlen.</translation>
     </message>
@@ -2069,10 +2005,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Viele Lagen zugleich, nach Wahrscheinlichkeit neu gezogen, oder ein Gang über die Winkel aus der Bildebene (nach Tian 2022; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Mask frame %1 does not exist. The run has frames 0 to %2.</source>
-        <translation>Maskenbild %1 gibt es nicht. Die Serie hat die Bilder 0 bis %2.</translation>
-    </message>
-    <message>
         <source>Mask margin</source>
         <translation>Maskenrand</translation>
     </message>
@@ -2085,16 +2017,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zuordnen und Lösen enden nach so vielen Runden.</translation>
     </message>
     <message>
-        <source>Missing required property</source>
-        <translation>Pflichtangabe fehlt</translation>
-    </message>
-    <message>
         <source>NICP inside the alternating search (Song, Ghaffari; re-implementation, parameters ours).</source>
         <translation>NICP in der wechselnden Suche (Song, Ghaffari; nachgebaut, eigene Parameter).</translation>
-    </message>
-    <message>
-        <source>NIfTI holds at most 32767 voxels along an axis. Write .nrrd or .mha.</source>
-        <translation>NIfTI fasst höchstens 32767 Voxel je Achse. .nrrd oder .mha schreiben.</translation>
     </message>
     <message>
         <source>Narrows the kernel after five steps, or once no further point comes within its reach.</source>
@@ -2107,38 +2031,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Neighbours</source>
         <translation>Nachbarn</translation>
-    </message>
-    <message>
-        <source>this DICOM file is no segmentation. Choose a label image.</source>
-        <translation>Diese DICOM-Datei ist keine Segmentierung. Ein Labelbild wählen.</translation>
-    </message>
-    <message>
-        <source>No contrast-filled vessels were found: besides bone the brightest has %1, soft tissue %2, and it is not like a vessel. Is this the arterial phase? Choose the CT angiogram, or give the threshold at which the vessels begin.</source>
-        <translation>Es wurden keine kontrastierten Gefäße gefunden: Das Hellste außer Knochen hat %1, Weichgewebe %2, und es gleicht keinem Gefäß. Ist dies die arterielle Phase? Die CT-Angiographie wählen oder die Schwelle angeben, ab der die Gefäße beginnen.</translation>
-    </message>
-    <message>
-        <source>Nothing in the volume is like a vessel: no branch is long enough. Lower the threshold or the shortest branch length.</source>
-        <translation>Nichts im Volumen gleicht einem Gefäß: kein Ast ist lang genug. Schwelle oder kürzeste Astlänge senken.</translation>
-    </message>
-    <message>
-        <source>Nothing lies inside the surface: it is too open, or thinner than a voxel. Close its holes, or choose a smaller voxel size.</source>
-        <translation>In der Oberfläche liegt nichts: sie ist zu offen oder dünner als ein Voxel. Löcher schließen oder kleinere Voxel wählen.</translation>
-    </message>
-    <message>
-        <source>Nothing like a vessel was found in the angiogram frame. Choose a frame with more contrast, raise the sensitivity, or check whether vessels are dark or bright.</source>
-        <translation>Im Angiogrammbild wurde nichts Gefäßartiges gefunden. Ein Bild mit mehr Kontrast wählen, die Empfindlichkeit erhöhen, oder prüfen, ob Gefäße dunkel oder hell sind.</translation>
-    </message>
-    <message>
-        <source>One view does not tell the depth here: the distance from the source stays close to the start pose.</source>
-        <translation>Eine Projektion allein verrät die Tiefe hier nicht: der Abstand vom Fokus bleibt nahe der Startlage.</translation>
-    </message>
-    <message>
-        <source>Only %1 of the vessel tree lies inside the image.</source>
-        <translation>Nur %1 des Gefäßbaums liegen im Bild.</translation>
-    </message>
-    <message>
-        <source>Only %1 of the vessel tree lies on a traced vessel, and it explains %2 of the traced vessels.</source>
-        <translation>Nur %1 des Gefäßbaums liegen auf einem erkannten Gefäß, und er erklärt %2 der erkannten Gefäße.</translation>
     </message>
     <message>
         <source>Particles</source>
@@ -2221,18 +2113,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Höchstens Runden</translation>
     </message>
     <message>
-        <source>SHA-256 cannot be computed. Check the OpenSSL installation.</source>
-        <translation>SHA-256 lässt sich nicht berechnen. Die OpenSSL-Installation prüfen.</translation>
-    </message>
-    <message>
-        <source>SID / (0018,1114) magnification %1</source>
-        <translation>SID / (0018,1114) Vergrößerung %1</translation>
-    </message>
-    <message>
-        <source>Scans and surfaces (%1 *.dcm)</source>
-        <translation>CT-Daten und Oberflächen (%1 *.dcm)</translation>
-    </message>
-    <message>
         <source>Search</source>
         <translation>Suche</translation>
     </message>
@@ -2313,276 +2193,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Stärke des Zugs zur Startlage.</translation>
     </message>
     <message>
-        <source>The %1 voxels are rounded to 16 bit, in steps of %2.</source>
-        <translation>Die %1-Voxel werden auf 16 Bit gerundet, in Schritten von %2.</translation>
-    </message>
-    <message>
-        <source>The 2-D centreline is empty: no vessel was found in the image. Choose another frame or a higher sensitivity, or give a centreline file.</source>
-        <translation>Die 2-D-Mittellinie ist leer: im Bild wurde kein Gefäß gefunden. Anderes Bild oder höhere Empfindlichkeit wählen, oder eine Mittelliniendatei angeben.</translation>
-    </message>
-    <message>
-        <source>The angiogram frame has pixels that are not a number (NaN or infinite). Choose another frame, or export the image again.</source>
-        <translation>Das Angiogrammbild hat Pixel, die keine Zahl sind (NaN oder unendlich). Anderes Bild wählen oder neu exportieren.</translation>
-    </message>
-    <message>
-        <source>The angiogram frame is empty. Choose another frame or file.</source>
-        <translation>Das Angiogrammbild ist leer. Anderes Bild oder andere Datei wählen.</translation>
-    </message>
-    <message>
-        <source>The angiogram frame is of one colour: there is nothing to trace. Choose another frame or file.</source>
-        <translation>Das Angiogrammbild ist einfarbig: es gibt nichts zu erkennen. Anderes Bild oder andere Datei wählen.</translation>
-    </message>
-    <message>
-        <source>The camera needs the image size: width and height must be positive.</source>
-        <translation>Die Kamera braucht die Bildgröße: Breite und Höhe müssen positiv sein.</translation>
-    </message>
-    <message>
-        <source>The detector is tilted by %1° (0018,1530): the principal point is uncertain.</source>
-        <translation>Der Detektor ist um %1° gekippt (0018,1530): der Hauptpunkt ist unsicher.</translation>
-    </message>
-    <message>
-        <source>The detector pixel spacing</source>
-        <translation>Die Pixelgröße des Detektors</translation>
-    </message>
-    <message>
-        <source>The distance source to detector (SID)</source>
-        <translation>Der Abstand Fokus–Detektor (SID)</translation>
-    </message>
-    <message>
-        <source>The distance source to patient (SOD)</source>
-        <translation>Der Abstand Fokus–Patient (SOD)</translation>
-    </message>
-    <message>
-        <source>The end of the file is damaged (%1); the image is complete.</source>
-        <translation>Das Dateiende ist beschädigt (%1); das Bild ist vollständig.</translation>
-    </message>
-    <message>
-        <source>The focal lengths fx and fy must be finite and not zero.</source>
-        <translation>Die Brennweiten fx und fy müssen endlich und ungleich null sein.</translation>
-    </message>
-    <message>
-        <source>The frames of the run differ in size and cannot be subtracted.</source>
-        <translation>Die Bilder der Serie sind verschieden groß und lassen sich nicht subtrahieren.</translation>
-    </message>
-    <message>
-        <source>The geometry of view %1 is far from its header: check angles and distances.</source>
-        <translation>Die Geometrie der Projektion %1 weicht weit von ihrem Header ab: Winkel und Abstände prüfen.</translation>
-    </message>
-    <message>
-        <source>The header does not say how the axes lie in the patient: i to the left, j to the back and k to the head are assumed. Check left and right.</source>
-        <translation>Der Header sagt nicht, wie die Achsen im Patienten liegen: i nach links, j nach hinten, k zum Kopf angenommen. Links und rechts prüfen.</translation>
-    </message>
-    <message>
-        <source>The header does not say how the voxels lie in the patient: +x right to left, +y front to back and +z up are assumed to be i, j reversed and k. Check left and right.</source>
-        <translation>Der Header sagt nicht, wie die Voxel im Patienten liegen: +x rechts nach links, +y vorn nach hinten und +z aufwärts als i, umgekehrtes j und k angenommen. Links und rechts prüfen.</translation>
-    </message>
-    <message>
-        <source>The header gives no imager pixel spacing (0018,1164): %1 mm is derived from the field of view. Check it in the geometry.</source>
-        <translation>Der Header nennt keine Imager Pixel Spacing (0018,1164): %1 mm aus dem Bildfeld abgeleitet. In der Geometrie prüfen.</translation>
-    </message>
-    <message>
-        <source>The header gives no imager pixel spacing (0018,1164): enter it in the geometry.%1</source>
-        <translation>Der Header nennt keine Imager Pixel Spacing (0018,1164): in der Geometrie eintragen.%1</translation>
-    </message>
-    <message>
-        <source>The header gives no imager pixel spacing: %1 mm is derived from the calibrated pixel spacing. Check it in the geometry.</source>
-        <translation>Der Header nennt keine Imager Pixel Spacing: %1 mm aus der kalibrierten Pixelgröße abgeleitet. In der Geometrie prüfen.</translation>
-    </message>
-    <message>
-        <source>The header gives no voxel size: 1 x 1 x 1 mm is assumed.</source>
-        <translation>Der Header nennt keine Voxelgröße: 1 x 1 x 1 mm angenommen.</translation>
-    </message>
-    <message>
-        <source>The header gives only isocentre angles (0018,9463), whose signs are not certain: enter LAO/RAO and CRA/CAU in the geometry.</source>
-        <translation>Der Header nennt nur Isozentrumswinkel (0018,9463), deren Vorzeichen unsicher sind: LAO/RAO und CRA/CAU in der Geometrie eintragen.</translation>
-    </message>
-    <message>
-        <source>The image hardly tells how the vessels are tilted out of the image plane.</source>
-        <translation>Das Bild verrät kaum, wie die Gefäße aus der Bildebene gekippt sind.</translation>
-    </message>
-    <message>
-        <source>The image hardly tells how the vessels are turned in the image plane.</source>
-        <translation>Das Bild verrät kaum, wie die Gefäße in der Bildebene gedreht sind.</translation>
-    </message>
-    <message>
-        <source>The image hardly tells where along the vessels the tree lies.</source>
-        <translation>Das Bild verrät kaum, wo längs der Gefäße der Gefäßbaum liegt.</translation>
-    </message>
-    <message>
-        <source>The image is not of the size that the camera takes. Use the camera that belongs to the image.</source>
-        <translation>Das Bild hat nicht die Größe der Kamera. Die zum Bild gehörende Kamera verwenden.</translation>
-    </message>
-    <message>
-        <source>The image is taken as mirrored, after %1. Check that left and right are where they belong.</source>
-        <translation>Das Bild gilt als gespiegelt, nach %1. Prüfen, ob links und rechts stimmen.</translation>
-    </message>
-    <message>
-        <source>The image leaves the pose uncertain by about %1.</source>
-        <translation>Das Bild lässt die Lage um etwa %1 unsicher.</translation>
-    </message>
-    <message>
-        <source>The option %1 is out of range. Give a number from %2 to %3.</source>
-        <translation>Die Option %1 liegt außerhalb des Bereichs. Eine Zahl von %2 bis %3 angeben.</translation>
-    </message>
-    <message>
-        <source>The pose to judge is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers finite.</source>
-        <translation>Die zu beurteilende Lage ist keine starre Bewegung: die Drehung muss orthonormal mit Determinante +1 sein, alle Zahlen endlich.</translation>
-    </message>
-    <message>
-        <source>The positioner angles (LAO/RAO, CRA/CAU) are missing. Enter them in the geometry of the case.</source>
-        <translation>Die Durchleuchtungswinkel (LAO/RAO, CRA/CAU) fehlen. In der Geometrie des Falls eintragen.</translation>
-    </message>
-    <message>
-        <source>The principal point cx, cy must be finite.</source>
-        <translation>Der Hauptpunkt cx, cy muss endlich sein.</translation>
-    </message>
-    <message>
         <source>The refinement ends after so many steps.</source>
         <translation>Die Verfeinerung endet nach so vielen Schritten.</translation>
-    </message>
-    <message>
-        <source>The registration was stopped before its end.</source>
-        <translation>Die Registrierung wurde vor ihrem Ende angehalten.</translation>
-    </message>
-    <message>
-        <source>The run has one frame: there is nothing to subtract. Choose a run with frames before the contrast.</source>
-        <translation>Die Serie hat nur ein Bild: nichts zu subtrahieren. Eine Serie mit Bildern vor dem Kontrastmittel wählen.</translation>
-    </message>
-    <message>
-        <source>The run shows contrast medium from its first frame on, so no frame serves as mask. Name the mask frames, or trace without subtraction.</source>
-        <translation>Die Serie zeigt vom ersten Bild an Kontrastmittel, kein Bild taugt als Maske. Maskenbilder nennen oder ohne Subtraktion erkennen.</translation>
-    </message>
-    <message>
-        <source>The seed %1 mm (LPS) lies in no vessel. Place it inside one, or lower the threshold.</source>
-        <translation>Der Startpunkt %1 mm (LPS) liegt in keinem Gefäß. In eines setzen oder die Schwelle senken.</translation>
-    </message>
-    <message>
-        <source>The series mixes images of %1 sizes or orientations; each is listed by itself.</source>
-        <translation>Die Serie mischt Bilder in %1 Größen oder Ausrichtungen; jede ist einzeln aufgeführt.</translation>
-    </message>
-    <message>
-        <source>The slices are not stacked upright (%1° off, as with a tilted gantry): shifted within their planes to where they lie.</source>
-        <translation>Die Schichten sind nicht gerade gestapelt (%1°, wie bei geneigter Gantry): in ihren Ebenen an ihren Ort verschoben.</translation>
-    </message>
-    <message>
-        <source>The slices are unevenly spaced (%1 to %2 mm): resampled to %3 mm.</source>
-        <translation>Die Schichten sind ungleich beabstandet (%1 bis %2 mm): auf %3 mm umgerechnet.</translation>
     </message>
     <message>
         <source>The spread narrows by a quarter in each.</source>
         <translation>Die Streuung nimmt in jeder um ein Viertel ab.</translation>
     </message>
     <message>
-        <source>The start pose is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers finite. Correct cameraFromPatient or derive the start pose from the angles.</source>
-        <translation>Die Startlage ist keine starre Bewegung: die Drehung muss orthonormal mit Determinante +1 sein, alle Zahlen endlich. cameraFromPatient berichtigen oder die Startlage aus den Winkeln ableiten.</translation>
-    </message>
-    <message>
-        <source>The start pose puts the whole vessel tree behind the X-ray source, where nothing projects. Check the source-to-patient distance and the direction of the start pose.</source>
-        <translation>Die Startlage setzt den ganzen Gefäßbaum hinter den Röntgenfokus, wo nichts projiziert. Abstand Fokus–Patient und Richtung der Startlage prüfen.</translation>
-    </message>
-    <message>
-        <source>The surface has no triangles, or the voxel size is not positive. Choose another surface.</source>
-        <translation>Die Oberfläche hat keine Dreiecke, oder die Voxelgröße ist nicht positiv. Andere Oberfläche wählen.</translation>
-    </message>
-    <message>
-        <source>The surface is %1 mm across, which is unusual: if its unit is not the millimetre, give the unit.</source>
-        <translation>Die Oberfläche misst %1 mm, das ist ungewöhnlich: wenn ihre Einheit nicht Millimeter ist, die Einheit angeben.</translation>
-    </message>
-    <message>
-        <source>The surface is flat: it bounds no inside. Choose the wall of a vessel.</source>
-        <translation>Die Oberfläche ist flach: sie umschließt nichts. Eine Gefäßwand wählen.</translation>
-    </message>
-    <message>
-        <source>The surface is not closed (%1 open and %2 crowded edges): its inside is decided by majority. Check the result, or close the holes.</source>
-        <translation>Die Oberfläche ist nicht geschlossen (%1 offene und %2 mehrfache Kanten): ihr Inneres entscheidet die Mehrheit. Ergebnis prüfen oder Löcher schließen.</translation>
-    </message>
-    <message>
         <source>The traced vessels, or the brightness of the image at each vessel&apos;s own width.</source>
         <translation>Die erkannten Gefäße, oder die Bildhelligkeit in der Breite jedes Gefäßes.</translation>
-    </message>
-    <message>
-        <source>The transparency of the image is ignored.</source>
-        <translation>Die Transparenz des Bildes bleibt unbeachtet.</translation>
-    </message>
-    <message>
-        <source>The triangles do not agree on inside and outside; overlapping parts may cancel out.</source>
-        <translation>Die Dreiecke sind sich über innen und außen uneins; überlappende Teile können sich aufheben.</translation>
-    </message>
-    <message>
-        <source>The vessel mask has no vessel of at least %1 px in it. Draw longer vessels, or lower the shortest length.</source>
-        <translation>Die Gefäßmaske enthält kein Gefäß von mindestens %1 px. Längere Gefäße zeichnen oder die kürzeste Länge senken.</translation>
-    </message>
-    <message>
-        <source>The vessel tree has no branch %1.</source>
-        <translation>Der Gefäßbaum hat keinen Ast %1.</translation>
-    </message>
-    <message>
-        <source>The vessel tree has no branches. Load a centreline with at least one branch.</source>
-        <translation>Der Gefäßbaum hat keine Äste. Eine Mittellinie mit mindestens einem Ast laden.</translation>
-    </message>
-    <message>
-        <source>The vessels fit better %1 aside.</source>
-        <translation>Die Gefäße passen %1 daneben besser.</translation>
-    </message>
-    <message>
-        <source>The volume has more than 4 billion voxels. Crop or resample it first.</source>
-        <translation>Das Volumen hat mehr als 4 Milliarden Voxel. Zuerst zuschneiden oder umrechnen.</translation>
-    </message>
-    <message>
-        <source>The volume has no valid voxel spacing. Give the spacing in mm, or export the volume again.</source>
-        <translation>Das Volumen hat keinen gültigen Voxelabstand. Abstand in mm angeben oder neu exportieren.</translation>
-    </message>
-    <message>
-        <source>The volume holds labels: its vessels are taken as they are marked.</source>
-        <translation>Das Volumen enthält Labels: die Gefäße gelten, wie sie markiert sind.</translation>
-    </message>
-    <message>
-        <source>The volume is empty. Choose another series or file.</source>
-        <translation>Das Volumen ist leer. Andere Serie oder Datei wählen.</translation>
-    </message>
-    <message>
-        <source>The volume is of one value: there is nothing to trace. Choose another series or file.</source>
-        <translation>Das Volumen hat nur einen Wert: nichts zu erkennen. Andere Serie oder Datei wählen.</translation>
-    </message>
-    <message>
-        <source>The voxel size is given as 1 x 1 x 1 mm: check that it was not lost on the way.</source>
-        <translation>Die Voxelgröße ist mit 1 x 1 x 1 mm angegeben: prüfen, ob sie unterwegs verloren ging.</translation>
-    </message>
-    <message>
-        <source>The voxel size is too fine for a surface of this extent. Choose a larger one.</source>
-        <translation>Die Voxelgröße ist für eine so große Oberfläche zu fein. Größere wählen.</translation>
-    </message>
-    <message>
-        <source>There are places to avoid, but no seed. Place at least one seed in the vessels.</source>
-        <translation>Es gibt zu meidende Stellen, aber keinen Startpunkt. Mindestens einen in die Gefäße setzen.</translation>
-    </message>
-    <message>
-        <source>There is no angiogram yet. Open an image first.</source>
-        <translation>Noch kein Angiogramm. Zuerst ein Bild öffnen.</translation>
-    </message>
-    <message>
-        <source>There is no method &apos;%1&apos;. Choose one of: %2.</source>
-        <translation>Es gibt keine Methode „%1“. Wählbar: %2.</translation>
-    </message>
-    <message>
-        <source>There is no vessel in the volume: nothing is set. Lower the threshold, or load another file.</source>
-        <translation>Im Volumen ist kein Gefäß: nichts ist gesetzt. Schwelle senken oder andere Datei laden.</translation>
-    </message>
-    <message>
-        <source>There is no vessel tree yet. Open a centreline first.</source>
-        <translation>Noch kein Gefäßbaum. Zuerst eine Mittellinie öffnen.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this. Close other programs or use smaller inputs.</source>
-        <translation>Dafür reicht der Speicher nicht. Andere Programme schließen oder kleinere Daten verwenden.</translation>
-    </message>
-    <message>
-        <source>This is %1, not X-ray angiography: it has no C-arm geometry.</source>
-        <translation>Das ist %1, keine Röntgenangiographie: ohne C-Bogen-Geometrie.</translation>
-    </message>
-    <message>
-        <source>Tracing was stopped; nothing was kept.</source>
-        <translation>Die Erkennung wurde angehalten; nichts wurde behalten.</translation>
     </message>
     <message>
         <source>Transformation</source>
@@ -2605,14 +2225,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gefäßwände gegen Bildgradienten, Powell-Verfahren (Mitrović 2013; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>View %1 does not agree with the joint pose.</source>
-        <translation>Projektion %1 passt nicht zur gemeinsamen Lage.</translation>
-    </message>
-    <message>
-        <source>View %1 uses another vessel tree or other branches than view 1. Give all views the same.</source>
-        <translation>Projektion %1 verwendet einen anderen Gefäßbaum oder andere Äste als Projektion 1. Allen dasselbe geben.</translation>
-    </message>
-    <message>
         <source>Width of the mixtures&apos; Gaussians at first.</source>
         <translation>Anfängliche Breite der Gauß-Mischungen.</translation>
     </message>
@@ -2625,536 +2237,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>affin</translation>
     </message>
     <message>
-        <source>an HDF5 file</source>
-        <translation>eine HDF5-Datei</translation>
-    </message>
-    <message>
-        <source>an MRtrix tractogram</source>
-        <translation>ein MRtrix-Traktogramm</translation>
-    </message>
-    <message>
-        <source>an NRRD volume</source>
-        <translation>ein NRRD-Volumen</translation>
-    </message>
-    <message>
-        <source>an STL surface</source>
-        <translation>eine STL-Oberfläche</translation>
-    </message>
-    <message>
-        <source>an XML file</source>
-        <translation>eine XML-Datei</translation>
-    </message>
-    <message>
-        <source>an image without modality</source>
-        <translation>ein Bild ohne Modalität</translation>
-    </message>
-    <message>
-        <source>angiogram.frame: %1 does not exist. The image has frames 0 to %2.</source>
-        <translation>angiogram.frame: %1 gibt es nicht. Die Aufnahme hat die Bilder 0 bis %2.</translation>
-    </message>
-    <message>
-        <source>angiogram.trace: maxVesselRadiusPx is below minVesselRadiusPx. Exchange them.</source>
-        <translation>angiogram.trace: maxVesselRadiusPx liegt unter minVesselRadiusPx. Beide vertauschen.</translation>
-    </message>
-    <message>
-        <source>assumed</source>
-        <translation>angenommen</translation>
-    </message>
-    <message>
         <source>auxiliary</source>
         <translation>Hilfsäste</translation>
-    </message>
-    <message>
-        <source>birth date</source>
-        <translation>Geburtsdatum</translation>
-    </message>
-    <message>
-        <source>cameraFromPatient has an entry that is not a finite number.</source>
-        <translation>cameraFromPatient enthält einen Eintrag, der keine endliche Zahl ist.</translation>
-    </message>
-    <message>
-        <source>cameraFromPatient is a reflection (determinant below 0). A mirrored image belongs into the sign of fx, never into the rotation.</source>
-        <translation>cameraFromPatient ist eine Spiegelung (Determinante unter 0). Ein gespiegeltes Bild gehört ins Vorzeichen von fx, nie in die Drehung.</translation>
-    </message>
-    <message>
-        <source>cameraFromPatient must have four rows of four numbers.</source>
-        <translation>cameraFromPatient muss vier Zeilen zu vier Zahlen haben.</translation>
     </message>
     <message>
         <source>converged</source>
         <translation>konvergiert</translation>
     </message>
     <message>
-        <source>derived</source>
-        <translation>abgeleitet</translation>
-    </message>
-    <message>
-        <source>frame %1 cannot be decoded (transfer syntax %2): damaged, cut short, or a compression this program does not read. Export the run again, uncompressed if possible.</source>
-        <translation>Bild %1 lässt sich nicht dekodieren (Transfersyntax %2): beschädigt, unvollständig oder unbekannte Kompression. Serie neu exportieren, möglichst unkomprimiert.</translation>
-    </message>
-    <message>
         <source>full</source>
         <translation>alle Punkte</translation>
-    </message>
-    <message>
-        <source>geometry.camera: it is for an image of %1 x %2 pixels, but the angiogram has %3 x %4. Give the camera of this image.</source>
-        <translation>geometry.camera: gilt für ein Bild mit %1 x %2 Pixeln, das Angiogramm hat aber %3 x %4. Die Kamera dieses Bildes angeben.</translation>
-    </message>
-    <message>
-        <source>header</source>
-        <translation>Header</translation>
-    </message>
-    <message>
-        <source>identity hidden</source>
-        <translation>Patientendaten verborgen</translation>
-    </message>
-    <message>
-        <source>it cannot be opened (%1). Check that you may read it.</source>
-        <translation>lässt sich nicht öffnen (%1). Leserechte prüfen.</translation>
-    </message>
-    <message>
-        <source>it cannot be reached (%1). Check the path.</source>
-        <translation>ist nicht erreichbar (%1). Pfad prüfen.</translation>
-    </message>
-    <message>
-        <source>it cannot be read (%1). Copy it to a local disk.</source>
-        <translation>lässt sich nicht lesen (%1). Auf eine lokale Platte kopieren.</translation>
-    </message>
-    <message>
-        <source>it cannot be read. Copy it to a local disk.</source>
-        <translation>lässt sich nicht lesen. Auf eine lokale Platte kopieren.</translation>
-    </message>
-    <message>
-        <source>it cannot be written (%1). Choose another folder or make room.</source>
-        <translation>lässt sich nicht schreiben (%1). Anderen Ordner wählen oder Platz schaffen.</translation>
-    </message>
-    <message>
-        <source>it declares %1 frames of %2 x %3 pixels, more than this program holds. Export fewer frames.</source>
-        <translation>nennt %1 Bilder mit %2 x %3 Pixeln, mehr als dieses Programm fasst. Weniger Bilder exportieren.</translation>
-    </message>
-    <message>
-        <source>it declares %1, more than this program holds. Crop the scan to the vessels.</source>
-        <translation>nennt %1, mehr als dieses Programm fasst. Den Scan auf die Gefäße zuschneiden.</translation>
-    </message>
-    <message>
-        <source>it declares more data than memory holds. The file is damaged; export it again.</source>
-        <translation>nennt mehr Daten, als in den Speicher passen. Die Datei ist beschädigt; neu exportieren.</translation>
-    </message>
-    <message>
-        <source>it does not begin like a VTK file. Export the centrelines again.</source>
-        <translation>beginnt nicht wie eine VTK-Datei. Die Mittellinien neu exportieren.</translation>
-    </message>
-    <message>
-        <source>it does not follow the published schema. Compare it with a case that loads.</source>
-        <translation>folgt nicht dem veröffentlichten Schema. Mit einem ladbaren Fall vergleichen.</translation>
-    </message>
-    <message>
-        <source>it does not hold one ITK transform as text. Export a single rigid transform.</source>
-        <translation>enthält nicht eine ITK-Transformation als Text. Eine einzelne starre Transformation exportieren.</translation>
-    </message>
-    <message>
-        <source>it does not say where its voxels are (ElementDataFile). Export it again.</source>
-        <translation>sagt nicht, wo die Voxel liegen (ElementDataFile). Neu exportieren.</translation>
-    </message>
-    <message>
-        <source>it has %1 dimensions (4-D or more). Save the one volume to use and open that.</source>
-        <translation>hat %1 Dimensionen (4-D oder mehr). Das gewünschte Volumen einzeln speichern und öffnen.</translation>
-    </message>
-    <message>
-        <source>it has %1 points; a centreline tree has at most %2. Resample the centrelines.</source>
-        <translation>hat %1 Punkte; ein Gefäßbaum hat höchstens %2. Die Mittellinien ausdünnen.</translation>
-    </message>
-    <message>
-        <source>it has %1 separate lines; a centreline tree has at most %2. Keep the vessels of interest.</source>
-        <translation>hat %1 getrennte Linien; ein Gefäßbaum hat höchstens %2. Nur die wichtigen Gefäße behalten.</translation>
-    </message>
-    <message>
-        <source>it has %1 values per voxel. Choose the scan itself, in grey values.</source>
-        <translation>hat %1 Werte je Voxel. Den Scan selbst in Grauwerten wählen.</translation>
-    </message>
-    <message>
-        <source>it has %1: a single slice is no volume. Choose the whole scan.</source>
-        <translation>hat %1: eine einzelne Schicht ist kein Volumen. Den ganzen Scan wählen.</translation>
-    </message>
-    <message>
-        <source>it has a column z: this is a 3-D centreline. Choose the centreline traced in the image.</source>
-        <translation>hat eine Spalte z: das ist eine 3-D-Mittellinie. Die im Bild erkannte Mittellinie wählen.</translation>
-    </message>
-    <message>
-        <source>it has more than a million points. Resample the centreline.</source>
-        <translation>hat über eine Million Punkte. Die Mittellinie ausdünnen.</translation>
-    </message>
-    <message>
-        <source>it has more triangles than this program holds. Decimate the surface.</source>
-        <translation>hat mehr Dreiecke, als dieses Programm fasst. Die Oberfläche vereinfachen.</translation>
-    </message>
-    <message>
-        <source>it has no matrix `cameraFromPatient` of four rows of four numbers, at the top or in `pose`. Give one.</source>
-        <translation>hat keine Matrix `cameraFromPatient` mit vier Zeilen zu vier Zahlen, weder oben noch in `pose`. Eine angeben.</translation>
-    </message>
-    <message>
-        <source>it holds %1 volumes or values per voxel (4-D). Extract the one to use and open that.</source>
-        <translation>enthält %1 Volumen oder Werte je Voxel (4-D). Das gewünschte herauslösen und öffnen.</translation>
-    </message>
-    <message>
-        <source>it holds %1 volumes, layers or values per voxel (4-D). Save the one to use and open that.</source>
-        <translation>enthält %1 Volumen, Lagen oder Werte je Voxel (4-D). Das gewünschte einzeln speichern und öffnen.</translation>
-    </message>
-    <message>
-        <source>it holds %1, not POLYDATA or UNSTRUCTURED_GRID. Export the centrelines as poly-lines.</source>
-        <translation>enthält %1, nicht POLYDATA oder UNSTRUCTURED_GRID. Die Mittellinien als Polylinien exportieren.</translation>
-    </message>
-    <message>
-        <source>it holds %1, which is no label: labels are whole numbers from 0. Choose a label image.</source>
-        <translation>enthält %1, kein Label: Labels sind ganze Zahlen ab 0. Ein Labelbild wählen.</translation>
-    </message>
-    <message>
-        <source>it holds a %1, not an image. Choose the scan.</source>
-        <translation>enthält ein %1, kein Bild. Den Scan wählen.</translation>
-    </message>
-    <message>
-        <source>it holds a surface, not centrelines. Extract the centrelines first (e.g. with VMTK or Slicer) and open those.</source>
-        <translation>enthält eine Oberfläche, keine Mittellinien. Diese zuerst berechnen (etwa mit VMTK oder Slicer) und öffnen.</translation>
-    </message>
-    <message>
-        <source>it holds more than 50000 files. Choose the folder of one study.</source>
-        <translation>enthält über 50000 Dateien. Den Ordner einer einzelnen Untersuchung wählen.</translation>
-    </message>
-    <message>
-        <source>it holds no lines. Choose a file with vessel centrelines.</source>
-        <translation>enthält keine Linien. Eine Datei mit Gefäß-Mittellinien wählen.</translation>
-    </message>
-    <message>
-        <source>it holds no triangles. Choose the surface of a vessel.</source>
-        <translation>enthält keine Dreiecke. Die Oberfläche eines Gefäßes wählen.</translation>
-    </message>
-    <message>
-        <source>it is a DICOM segmentation. Export it as a NIfTI or NRRD label image.</source>
-        <translation>ist eine DICOM-Segmentierung. Als NIfTI- oder NRRD-Labelbild exportieren.</translation>
-    </message>
-    <message>
-        <source>it is a colour image. Choose the scan itself, in grey values.</source>
-        <translation>ist ein Farbbild. Den Scan selbst in Grauwerten wählen.</translation>
-    </message>
-    <message>
-        <source>it is a single slice, not a volume. Copy all slices of the series, or choose another one.</source>
-        <translation>ist eine einzelne Schicht, kein Volumen. Alle Schichten der Serie kopieren oder eine andere wählen.</translation>
-    </message>
-    <message>
-        <source>it is not VTK XML PolyData or UnstructuredGrid. Export the centrelines as .vtp.</source>
-        <translation>ist weder VTK-XML-PolyData noch UnstructuredGrid. Die Mittellinien als .vtp exportieren.</translation>
-    </message>
-    <message>
-        <source>it is not a Slicer markups file with curves. Export the centrelines as .mrk.json curves, .vtp, .vtk, .csv or .swc.</source>
-        <translation>ist keine Slicer-Markups-Datei mit Kurven. Die Mittellinien als .mrk.json-Kurven, .vtp, .vtk, .csv oder .swc exportieren.</translation>
-    </message>
-    <message>
-        <source>it is not valid JSON at line %1. Correct it there.</source>
-        <translation>ist in Zeile %1 kein gültiges JSON. Dort berichtigen.</translation>
-    </message>
-    <message>
-        <source>it is only %1 x %2 pixels. Choose the angiogram at its full size.</source>
-        <translation>hat nur %1 x %2 Pixel. Das Angiogramm in voller Größe wählen.</translation>
-    </message>
-    <message>
-        <source>it is stored in palette colours. Export the angiogram in grey.</source>
-        <translation>ist in Palettenfarben gespeichert. Das Angiogramm in Graustufen exportieren.</translation>
-    </message>
-    <message>
-        <source>it is too large for a case file. Choose an .angiopose file.</source>
-        <translation>ist zu groß für eine Falldatei. Eine .angiopose-Datei wählen.</translation>
-    </message>
-    <message>
-        <source>it is too large for a pose. Choose a .json or .tfm file.</source>
-        <translation>ist zu groß für eine Lage. Eine .json- oder .tfm-Datei wählen.</translation>
-    </message>
-    <message>
-        <source>it looks like a list of graph nodes (column id), which has no order along the vessels. Give a branch column, or export the centrelines themselves.</source>
-        <translation>sieht nach einer Liste von Graphknoten aus (Spalte id) ohne Reihenfolge längs der Gefäße. Eine Spalte branch angeben oder die Mittellinien selbst exportieren.</translation>
-    </message>
-    <message>
-        <source>it skips lines of another file. Save header and voxels as one file.</source>
-        <translation>überspringt Zeilen einer anderen Datei. Header und Voxel als eine Datei speichern.</translation>
     </message>
     <message>
         <source>iteration limit</source>
         <translation>Iterationsgrenze</translation>
     </message>
     <message>
-        <source>its DimSize makes no sense. The file is damaged; export it again.</source>
-        <translation>die DimSize ergibt keinen Sinn. Die Datei ist beschädigt; neu exportieren.</translation>
-    </message>
-    <message>
-        <source>its HeaderSize makes no sense. Correct the header.</source>
-        <translation>die HeaderSize ergibt keinen Sinn. Den Header berichtigen.</translation>
-    </message>
-    <message>
-        <source>its JSON is nested more than %1 levels deep. This is no file of this program.</source>
-        <translation>das JSON ist mehr als %1 Ebenen tief. Das ist keine Datei dieses Programms.</translation>
-    </message>
-    <message>
-        <source>its PLY data are damaged or cut short. Export it again.</source>
-        <translation>die PLY-Daten sind beschädigt oder unvollständig. Neu exportieren.</translation>
-    </message>
-    <message>
-        <source>its PLY header is damaged or cut short. Export it again.</source>
-        <translation>der PLY-Header ist beschädigt oder unvollständig. Neu exportieren.</translation>
-    </message>
-    <message>
-        <source>its PLY header is damaged: the element &quot;%1&quot; has no properties. Export it again.</source>
-        <translation>der PLY-Header ist beschädigt: das Element &quot;%1&quot; hat keine Eigenschaften. Neu exportieren.</translation>
-    </message>
-    <message>
-        <source>its axes are %1° apart instead of 90°. Resample the volume to perpendicular axes.</source>
-        <translation>die Achsen stehen %1° statt 90° zueinander. Das Volumen auf senkrechte Achsen umrechnen.</translation>
-    </message>
-    <message>
-        <source>its bits per pixel contradict each other. The header is damaged; export the run again.</source>
-        <translation>die Angaben der Bits je Pixel widersprechen sich. Der Header ist beschädigt; Serie neu exportieren.</translation>
-    </message>
-    <message>
-        <source>its centre is not finite. Export the transform again.</source>
-        <translation>der Mittelpunkt ist nicht endlich. Die Transformation neu exportieren.</translation>
-    </message>
-    <message>
-        <source>its compressed pixels are cut short. Copy or export it again.</source>
-        <translation>die komprimierten Pixel sind unvollständig. Neu kopieren oder exportieren.</translation>
-    </message>
-    <message>
-        <source>its coordinates are in %1. Export the curves in mm.</source>
-        <translation>die Koordinaten sind in %1. Die Kurven in mm exportieren.</translation>
-    </message>
-    <message>
-        <source>its deflated content is damaged or cut short. Copy or export it again.</source>
-        <translation>der gepackte Inhalt ist beschädigt oder unvollständig. Neu kopieren oder exportieren.</translation>
-    </message>
-    <message>
-        <source>its first axis has %1 entries: this is a colour picture, not a volume. Choose the scan.</source>
-        <translation>die erste Achse hat %1 Einträge: das ist ein Farbbild, kein Volumen. Den Scan wählen.</translation>
-    </message>
-    <message>
-        <source>its header gives %1. The file is damaged; export it again.</source>
-        <translation>der Header nennt %1. Die Datei ist beschädigt; neu exportieren.</translation>
-    </message>
-    <message>
-        <source>its header gives no image size. The file is damaged; export the run again.</source>
-        <translation>der Header nennt keine Bildgröße. Die Datei ist beschädigt; Serie neu exportieren.</translation>
-    </message>
-    <message>
-        <source>its header gives no usable voxel size or place. Export the volume again.</source>
-        <translation>der Header nennt keine brauchbare Voxelgröße oder Lage. Das Volumen neu exportieren.</translation>
-    </message>
-    <message>
-        <source>its header is damaged: it names %1 dimensions. Export it again.</source>
-        <translation>der Header ist beschädigt: er nennt %1 Dimensionen. Neu exportieren.</translation>
-    </message>
-    <message>
-        <source>its header is damaged: the voxels begin at an impossible place. Export it again.</source>
-        <translation>der Header ist beschädigt: die Voxel beginnen an unmöglicher Stelle. Neu exportieren.</translation>
-    </message>
-    <message>
-        <source>its images do not say how large a pixel is, so they make no volume. Choose another series.</source>
-        <translation>die Bilder nennen keine Pixelgröße und ergeben kein Volumen. Andere Serie wählen.</translation>
-    </message>
-    <message>
-        <source>its images do not say where they lie in the patient, so they make no volume. Choose another series.</source>
-        <translation>die Bilder nennen keine Lage im Patienten und ergeben kein Volumen. Andere Serie wählen.</translation>
-    </message>
-    <message>
-        <source>its line skip or byte skip makes no sense. Correct the header.</source>
-        <translation>line skip oder byte skip ergibt keinen Sinn. Den Header berichtigen.</translation>
-    </message>
-    <message>
-        <source>its lines visit the same points too often. The file is damaged; export it again.</source>
-        <translation>die Linien besuchen dieselben Punkte zu oft. Die Datei ist beschädigt; neu exportieren.</translation>
-    </message>
-    <message>
-        <source>its pixels (%1, %2 samples) are not grey or colour. Export the angiogram in grey.</source>
-        <translation>die Pixel (%1, %2 Werte) sind weder grau noch farbig. Das Angiogramm in Graustufen exportieren.</translation>
-    </message>
-    <message>
-        <source>its pixels are cut short: %1 of %2 bytes are there. Copy or export it again.</source>
-        <translation>die Pixel sind unvollständig: %1 von %2 Bytes vorhanden. Neu kopieren oder exportieren.</translation>
-    </message>
-    <message>
-        <source>its pixels are not finite numbers of a known kind. Export it with 8 or 16 bits.</source>
-        <translation>die Pixel sind keine endlichen Zahlen bekannter Art. Mit 8 oder 16 Bit exportieren.</translation>
-    </message>
-    <message>
-        <source>its pixels are not of the size its header gives. Export it again.</source>
-        <translation>die Pixel haben nicht die Größe laut Header. Neu exportieren.</translation>
-    </message>
-    <message>
-        <source>its pixels have %1 bits. Export the angiogram with 8 or 16 bits.</source>
-        <translation>die Pixel haben %1 Bit. Das Angiogramm mit 8 oder 16 Bit exportieren.</translation>
-    </message>
-    <message>
-        <source>its sizes are no numbers. The file is damaged; export it again.</source>
-        <translation>die Größen sind keine Zahlen. Die Datei ist beschädigt; neu exportieren.</translation>
-    </message>
-    <message>
-        <source>its slices lie beside each other rather than above. Choose another series.</source>
-        <translation>die Schichten liegen neben- statt übereinander. Andere Serie wählen.</translation>
-    </message>
-    <message>
-        <source>its slices lie too unevenly to make a volume of them (%1 over %2 mm). Copy all slices of the series, or choose another one.</source>
-        <translation>die Schichten liegen zu ungleich für ein Volumen (%1 auf %2 mm). Alle Schichten der Serie kopieren oder eine andere wählen.</translation>
-    </message>
-    <message>
-        <source>its transform &quot;%1&quot; is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
-        <translation>die Transformation &quot;%1&quot; ist nicht starr oder hat zu wenig Parameter. Eine starre exportieren (affine, Euler3D oder VersorRigid3D).</translation>
-    </message>
-    <message>
-        <source>its triangles are damaged or cut short. Copy or export it again.</source>
-        <translation>die Dreiecke sind beschädigt oder unvollständig. Neu kopieren oder exportieren.</translation>
-    </message>
-    <message>
-        <source>its voxel type (&quot;%1&quot;) is not read. Save it as 16-bit or float.</source>
-        <translation>der Voxeltyp (&quot;%1&quot;) wird nicht gelesen. Als 16 Bit oder float speichern.</translation>
-    </message>
-    <message>
-        <source>its voxel type (NIfTI datatype %1) is not read. Save it as 16-bit or float.</source>
-        <translation>der Voxeltyp (NIfTI-Datentyp %1) wird nicht gelesen. Als 16 Bit oder float speichern.</translation>
-    </message>
-    <message>
-        <source>its voxels are colours. Choose the scan itself, in grey values.</source>
-        <translation>die Voxel sind Farben. Den Scan selbst in Grauwerten wählen.</translation>
-    </message>
-    <message>
-        <source>its voxels are cut short, or their packing is damaged. Copy or export it again.</source>
-        <translation>die Voxel sind unvollständig oder falsch gepackt. Neu kopieren oder exportieren.</translation>
-    </message>
-    <message>
-        <source>its voxels are cut short. Copy or export it again.</source>
-        <translation>die Voxel sind unvollständig. Neu kopieren oder exportieren.</translation>
-    </message>
-    <message>
-        <source>its voxels are cut short: %1 of %2 bytes are there. Copy or export it again.</source>
-        <translation>die Voxel sind unvollständig: %1 von %2 Bytes vorhanden. Neu kopieren oder exportieren.</translation>
-    </message>
-    <message>
-        <source>its voxels are packed with bzip2. Save it with gzip or raw encoding.</source>
-        <translation>die Voxel sind mit bzip2 gepackt. Mit gzip oder roh speichern.</translation>
-    </message>
-    <message>
-        <source>its voxels are written as text (%1). Save it with gzip or raw encoding.</source>
-        <translation>die Voxel sind als Text geschrieben (%1). Mit gzip oder roh speichern.</translation>
-    </message>
-    <message>
-        <source>its voxels are written as text. Save it with binary data.</source>
-        <translation>die Voxel sind als Text geschrieben. Binär speichern.</translation>
-    </message>
-    <message>
-        <source>its voxels lie in several files. Save it as one file.</source>
-        <translation>die Voxel liegen in mehreren Dateien. Als eine Datei speichern.</translation>
-    </message>
-    <message>
-        <source>line %1 does not give a point. The file is damaged; export it again.</source>
-        <translation>Zeile %1 ergibt keinen Punkt. Die Datei ist beschädigt; neu exportieren.</translation>
-    </message>
-    <message>
-        <source>line %1 has %2 columns, the first line has %3. Separate columns by commas and use . as decimal point.</source>
-        <translation>Zeile %1 hat %2 Spalten, die erste hat %3. Spalten durch Kommas trennen, Dezimalpunkt verwenden.</translation>
-    </message>
-    <message>
-        <source>line %1 is not `id type x y z radius parent`. Correct the line or export it again.</source>
-        <translation>Zeile %1 ist nicht `id type x y z radius parent`. Berichtigen oder neu exportieren.</translation>
-    </message>
-    <message>
-        <source>line %1 lies far outside any image. Coordinates are in pixels.</source>
-        <translation>Zeile %1 liegt weit außerhalb jedes Bildes. Koordinaten sind in Pixeln.</translation>
-    </message>
-    <message>
-        <source>line %1 names a parent, %2, that is not there. Export the whole tree.</source>
-        <translation>Zeile %1 nennt ein Elternteil %2, das fehlt. Den ganzen Baum exportieren.</translation>
-    </message>
-    <message>
-        <source>line %1 repeats an id. Ids must be unique.</source>
-        <translation>Zeile %1 wiederholt eine id. Jede id muss einmalig sein.</translation>
-    </message>
-    <message>
-        <source>line %1, column %2: &quot;%3&quot; is not a finite number. Correct or remove the line.</source>
-        <translation>Zeile %1, Spalte %2: &quot;%3&quot; ist keine endliche Zahl. Berichtigen oder entfernen.</translation>
-    </message>
-    <message>
-        <source>line %1: the branch must be a whole number. Correct the line.</source>
-        <translation>Zeile %1: branch muss eine ganze Zahl sein. Berichtigen.</translation>
-    </message>
-    <message>
-        <source>method: &quot;%1&quot; is unknown. Use one of %2.</source>
-        <translation>method: &quot;%1&quot; ist unbekannt. Möglich: %2.</translation>
-    </message>
-    <message>
-        <source>missing</source>
-        <translation>fehlt</translation>
-    </message>
-    <message>
-        <source>modality %1</source>
-        <translation>Modalität %1</translation>
-    </message>
-    <message>
-        <source>name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>no DICOM element in it can be read. The file is damaged; copy or export it again.</source>
-        <translation>kein DICOM-Element darin ist lesbar. Die Datei ist beschädigt; neu kopieren oder exportieren.</translation>
-    </message>
-    <message>
-        <source>no data set</source>
-        <translation>kein Datensatz</translation>
-    </message>
-    <message>
         <source>no improvement</source>
         <translation>keine Verbesserung</translation>
-    </message>
-    <message>
-        <source>no name</source>
-        <translation>kein Name</translation>
-    </message>
-    <message>
-        <source>no series in this folder makes a volume. Choose another folder.</source>
-        <translation>keine Serie dieses Ordners ergibt ein Volumen. Anderen Ordner wählen.</translation>
-    </message>
-    <message>
-        <source>none of its lines has two different points. Choose a file with vessel centrelines.</source>
-        <translation>keine der Linien hat zwei verschiedene Punkte. Eine Datei mit Gefäß-Mittellinien wählen.</translation>
-    </message>
-    <message>
-        <source>none of its triangles has an area. Choose the surface of a vessel.</source>
-        <translation>keines der Dreiecke hat eine Fläche. Die Oberfläche eines Gefäßes wählen.</translation>
-    </message>
-    <message>
-        <source>none of its voxels is a number. Export the volume again.</source>
-        <translation>keines der Voxel ist eine Zahl. Das Volumen neu exportieren.</translation>
-    </message>
-    <message>
-        <source>number</source>
-        <translation>Nummer</translation>
-    </message>
-    <message>
-        <source>only %1 of its %2 frames are there. Copy or export it again.</source>
-        <translation>nur %1 von %2 Bildern vorhanden. Neu kopieren oder exportieren.</translation>
-    </message>
-    <message>
-        <source>options.%1: give %2.</source>
-        <translation>options.%1: angeben: %2.</translation>
-    </message>
-    <message>
-        <source>part %1 of %2</source>
-        <translation>Teil %1 von %2</translation>
-    </message>
-    <message>
-        <source>pose.initial: it is missing, and the angles do not give a start pose. %1</source>
-        <translation>pose.initial: fehlt, und die Winkel ergeben keine Startlage. %1</translation>
-    </message>
-    <message>
-        <source>poses are written as .json or .tfm. Change the extension.</source>
-        <translation>Lagen werden als .json oder .tfm geschrieben. Die Endung ändern.</translation>
-    </message>
-    <message>
-        <source>reading was stopped.</source>
-        <translation>das Lesen wurde angehalten.</translation>
     </message>
     <message>
         <source>refine</source>
@@ -3175,250 +2275,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>stopped by the user</source>
         <translation>von Hand angehalten</translation>
-    </message>
-    <message>
-        <source>surfaces are written as .stl. Change the extension.</source>
-        <translation>Oberflächen werden als .stl geschrieben. Die Endung ändern.</translation>
-    </message>
-    <message>
-        <source>the VTK XML data in it is damaged or cut short. Export it again.</source>
-        <translation>die VTK-XML-Daten sind beschädigt oder unvollständig. Neu exportieren.</translation>
-    </message>
-    <message>
-        <source>the element %1 declares %2 bytes, but %3 are left</source>
-        <translation>das Element %1 nennt %2 Bytes, es bleiben aber %3</translation>
-    </message>
-    <message>
-        <source>the file is empty. Export or copy it again.</source>
-        <translation>die Datei ist leer. Neu exportieren oder kopieren.</translation>
-    </message>
-    <message>
-        <source>the file with its voxels cannot be read (%1).</source>
-        <translation>die Datei mit den Voxeln lässt sich nicht lesen (%1).</translation>
-    </message>
-    <message>
-        <source>the first line must name the columns: x,y,z and, where known, radius,branch.</source>
-        <translation>die erste Zeile muss die Spalten nennen: x,y,z und, wo bekannt, radius,branch.</translation>
-    </message>
-    <message>
-        <source>the folder cannot be read (%1). Check the path.</source>
-        <translation>der Ordner lässt sich nicht lesen (%1). Pfad prüfen.</translation>
-    </message>
-    <message>
-        <source>the folder cannot be read to its end. Copy it to a local disk.</source>
-        <translation>der Ordner lässt sich nicht zu Ende lesen. Auf eine lokale Platte kopieren.</translation>
-    </message>
-    <message>
-        <source>the frames differ in size. All frames of a run must be equally large.</source>
-        <translation>die Bilder sind verschieden groß. Alle Bilder einer Serie müssen gleich groß sein.</translation>
-    </message>
-    <message>
-        <source>the header row has no columns x and y. The first line must name the columns: x,y and, where known, branch,radius (px).</source>
-        <translation>der Kopfzeile fehlen die Spalten x und y. Die erste Zeile muss die Spalten nennen: x,y und, wo bekannt, branch,radius (px).</translation>
-    </message>
-    <message>
-        <source>the header row has no columns x, y and z. Name them (mm, patient LPS).</source>
-        <translation>der Kopfzeile fehlen die Spalten x, y und z. Sie benennen (mm, Patient LPS).</translation>
-    </message>
-    <message>
-        <source>the image cannot be decoded: damaged, cut short or of an unusual kind. Export it again.</source>
-        <translation>das Bild lässt sich nicht dekodieren: beschädigt, unvollständig oder ungewöhnlich. Neu exportieren.</translation>
-    </message>
-    <message>
-        <source>the image has fewer than 8 pixels on a side, or more than this program holds. Export the angiogram at its own size.</source>
-        <translation>das Bild hat weniger als 8 Pixel je Seite, oder mehr als dieses Programm fasst. Das Angiogramm in eigener Größe exportieren.</translation>
-    </message>
-    <message>
-        <source>the image is damaged or cut short. Copy or export it again.</source>
-        <translation>das Bild ist beschädigt oder unvollständig. Neu kopieren oder exportieren.</translation>
-    </message>
-    <message>
-        <source>the image is damaged or of an unusual kind. Export it in grey or RGB with 8 or 16 bits, without tiles.</source>
-        <translation>das Bild ist beschädigt oder ungewöhnlich. In Grau oder RGB mit 8 oder 16 Bit ohne Kacheln exportieren.</translation>
-    </message>
-    <message>
-        <source>the last row of cameraFromPatient must be 0 0 0 1. Is the matrix transposed?</source>
-        <translation>die letzte Zeile von cameraFromPatient muss 0 0 0 1 sein. Ist die Matrix transponiert?</translation>
-    </message>
-    <message>
-        <source>the pose is not a rigid motion of finite numbers. Reset it before saving.</source>
-        <translation>die Lage ist keine starre Bewegung endlicher Zahlen. Vor dem Speichern zurücksetzen.</translation>
-    </message>
-    <message>
-        <source>the pose is not a rigid motion of finite numbers. Reset the pose before saving.</source>
-        <translation>die Lage ist keine starre Bewegung endlicher Zahlen. Vor dem Speichern zurücksetzen.</translation>
-    </message>
-    <message>
-        <source>the run is too large for an uncompressed DICOM file. Write fewer frames.</source>
-        <translation>die Serie ist zu groß für eine unkomprimierte DICOM-Datei. Weniger Bilder schreiben.</translation>
-    </message>
-    <message>
-        <source>the section &quot;%1&quot; is damaged or cut short. Export it again.</source>
-        <translation>der Abschnitt &quot;%1&quot; ist beschädigt oder unvollständig. Neu exportieren.</translation>
-    </message>
-    <message>
-        <source>the sequence %1 has no end</source>
-        <translation>die Sequenz %1 hat kein Ende</translation>
-    </message>
-    <message>
-        <source>the series %1 is not in this folder. Choose the folder it is in.</source>
-        <translation>die Serie %1 ist nicht in diesem Ordner. Den richtigen Ordner wählen.</translation>
-    </message>
-    <message>
-        <source>the series of the case is not in this folder. Choose the folder it is in.</source>
-        <translation>die Serie des Falls ist nicht in diesem Ordner. Den richtigen Ordner wählen.</translation>
-    </message>
-    <message>
-        <source>the third line of a legacy VTK file must be ASCII or BINARY. Export it again.</source>
-        <translation>die dritte Zeile einer alten VTK-Datei muss ASCII oder BINARY sein. Neu exportieren.</translation>
-    </message>
-    <message>
-        <source>the unit must be a positive length in mm.</source>
-        <translation>die Einheit muss eine positive Länge in mm sein.</translation>
-    </message>
-    <message>
-        <source>the upper left 3 x 3 of cameraFromPatient is not a rotation (scale or shear). Give a rigid pose in mm.</source>
-        <translation>die linken oberen 3 x 3 von cameraFromPatient sind keine Drehung (Skalierung oder Scherung). Eine starre Lage in mm angeben.</translation>
-    </message>
-    <message>
-        <source>the volume is larger than this computer&apos;s memory. Crop the scan to the vessels.</source>
-        <translation>das Volumen ist größer als der Speicher dieses Rechners. Den Scan auf die Gefäße zuschneiden.</translation>
-    </message>
-    <message>
-        <source>there are no frames to write. Load or simulate an angiogram first.</source>
-        <translation>keine Bilder zu schreiben. Zuerst ein Angiogramm laden oder simulieren.</translation>
-    </message>
-    <message>
-        <source>there are no voxels to write. Load a volume first.</source>
-        <translation>keine Voxel zu schreiben. Zuerst ein Volumen laden.</translation>
-    </message>
-    <message>
-        <source>there is no DICOM image in this folder. Choose the folder of a DICOM scan, or a volume file itself.</source>
-        <translation>in diesem Ordner ist kein DICOM-Bild. Den Ordner eines DICOM-Scans oder die Volumendatei selbst wählen.</translation>
-    </message>
-    <message>
-        <source>there is no memory left to pack the volume.</source>
-        <translation>kein Speicher mehr, um das Volumen zu packen.</translation>
-    </message>
-    <message>
-        <source>there is no picture to write. Render or trace one first.</source>
-        <translation>kein Bild zu schreiben. Zuerst eines erzeugen.</translation>
-    </message>
-    <message>
-        <source>there is no such file. Check the path.</source>
-        <translation>die Datei gibt es nicht. Pfad prüfen.</translation>
-    </message>
-    <message>
-        <source>there is not enough memory to write this run. Write fewer frames.</source>
-        <translation>der Speicher reicht nicht, um diese Serie zu schreiben. Weniger Bilder schreiben.</translation>
-    </message>
-    <message>
-        <source>this DICOM file (%1)</source>
-        <translation>diese DICOM-Datei (%1)</translation>
-    </message>
-    <message>
-        <source>this DICOM file holds no image. Choose a scan.</source>
-        <translation>diese DICOM-Datei enthält kein Bild. Einen Scan wählen.</translation>
-    </message>
-    <message>
-        <source>this JSON is not an AngioPose case (its format is not &quot;angiopose-case&quot;). Choose an .angiopose file.</source>
-        <translation>dieses JSON ist kein AngioPose-Fall (sein format ist nicht &quot;angiopose-case&quot;). Eine .angiopose-Datei wählen.</translation>
-    </message>
-    <message>
-        <source>this is %1, not a 2-D centreline. Choose a CSV table or a PNG mask.</source>
-        <translation>das ist %1, keine 2-D-Mittellinie. Eine CSV-Tabelle oder PNG-Maske wählen.</translation>
-    </message>
-    <message>
-        <source>this is %1, not a case. Choose an .angiopose file.</source>
-        <translation>das ist %1, kein Fall. Eine .angiopose-Datei wählen.</translation>
-    </message>
-    <message>
-        <source>this is %1, not a centreline. %2</source>
-        <translation>das ist %1, keine Mittellinie. %2</translation>
-    </message>
-    <message>
-        <source>this is %1, not a surface. Choose a .vtp, .vtk, .stl, .ply or .obj file.</source>
-        <translation>das ist %1, keine Oberfläche. Eine .vtp-, .vtk-, .stl-, .ply- oder .obj-Datei wählen.</translation>
-    </message>
-    <message>
-        <source>this is %1, not a volume. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).</source>
-        <translation>das ist %1, kein Volumen. Einen DICOM-Ordner, NIfTI, NRRD oder MetaImage (.mha, .mhd) wählen.</translation>
-    </message>
-    <message>
-        <source>this is %1, not an angiogram. Choose a DICOM XA run, a PNG, TIFF or JPEG image.</source>
-        <translation>das ist %1, kein Angiogramm. Eine DICOM-XA-Serie, ein PNG-, TIFF- oder JPEG-Bild wählen.</translation>
-    </message>
-    <message>
-        <source>this is a Git LFS pointer, not the file itself. Run `git lfs pull` where it came from.</source>
-        <translation>das ist ein Git-LFS-Verweis, nicht die Datei selbst. Am Ursprungsort `git lfs pull` ausführen.</translation>
-    </message>
-    <message>
-        <source>this is a folder. Choose a file in it.</source>
-        <translation>das ist ein Ordner. Eine Datei darin wählen.</translation>
-    </message>
-    <message>
-        <source>this is a gzip archive without a readable DICOM file in it. Unpack it and choose the angiogram itself.</source>
-        <translation>das ist ein gzip-Archiv ohne lesbare DICOM-Datei. Auspacken und das Angiogramm selbst wählen.</translation>
-    </message>
-    <message>
-        <source>this is an Analyze 7.5 header, which does not say left from right. Convert it to NIfTI where the orientation is known.</source>
-        <translation>das ist ein Analyze-7.5-Header, der links und rechts nicht unterscheidet. Wo die Ausrichtung bekannt ist, in NIfTI umwandeln.</translation>
-    </message>
-    <message>
-        <source>this is an X-ray run, not a volume. Open it as the angiogram.</source>
-        <translation>das ist eine Röntgenserie, kein Volumen. Als Angiogramm öffnen.</translation>
-    </message>
-    <message>
-        <source>this is an input of the case and will not be overwritten. Choose another name.</source>
-        <translation>das ist eine Eingabe des Falls und wird nicht überschrieben. Anderen Namen wählen.</translation>
-    </message>
-    <message>
-        <source>this is no centreline format AngioPose reads. %1</source>
-        <translation>dieses Mittellinienformat liest AngioPose nicht. %1</translation>
-    </message>
-    <message>
-        <source>this is no pose. Choose a .json or an ITK .tfm file.</source>
-        <translation>das ist keine Lage. Eine .json- oder ITK-.tfm-Datei wählen.</translation>
-    </message>
-    <message>
-        <source>this is not a DICOM file. Choose a scan.</source>
-        <translation>das ist keine DICOM-Datei. Einen Scan wählen.</translation>
-    </message>
-    <message>
-        <source>this is not a mask of two levels. Draw the vessels white on black.</source>
-        <translation>das ist keine Maske mit zwei Stufen. Die Gefäße weiß auf schwarz zeichnen.</translation>
-    </message>
-    <message>
-        <source>this is not a place for a file. Give a file name in an existing folder.</source>
-        <translation>hier kann keine Datei liegen. Einen Namen in einem vorhandenen Ordner angeben.</translation>
-    </message>
-    <message>
-        <source>this is not a regular file. Choose a file on disk.</source>
-        <translation>das ist keine gewöhnliche Datei. Eine Datei auf der Platte wählen.</translation>
-    </message>
-    <message>
-        <source>this is not a text table. Choose a CSV file with a header row.</source>
-        <translation>das ist keine Texttabelle. Eine CSV-Datei mit Kopfzeile wählen.</translation>
-    </message>
-    <message>
-        <source>user</source>
-        <translation>eingegeben</translation>
-    </message>
-    <message>
-        <source>version: the case was saved by a newer AngioPose. Update the program.</source>
-        <translation>version: der Fall stammt von einem neueren AngioPose. Das Programm aktualisieren.</translation>
-    </message>
-    <message>
-        <source>vessel.%1: the tree has no branch %2; it is left out.</source>
-        <translation>vessel.%1: der Baum hat keinen Ast %2; er wird ausgelassen.</translation>
-    </message>
-    <message>
-        <source>vessel: it names no input. Give the file of the vessels as centerline, segmentation, surface or volume.</source>
-        <translation>vessel: nennt keine Eingabe. Die Datei der Gefäße als centerline, segmentation, surface oder volume angeben.</translation>
-    </message>
-    <message>
-        <source>volumes are written as .nii, .nii.gz, .nrrd or .mha. Change the extension.</source>
-        <translation>Volumen werden als .nii, .nii.gz, .nrrd oder .mha geschrieben. Die Endung ändern.</translation>
     </message>
     <message>
         <source>chosen</source>
@@ -3544,801 +2400,2448 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>traced vessels</source>
         <translation>erkannte Gefäße</translation>
     </message>
+</context>
+<context>
+    <name>messages</name>
     <message>
-        <source> The intensifier of %1 mm suggests at most %2 mm.</source>
-        <translation> Der Bildverstärker mit %1 mm legt höchstens %2 mm nahe.</translation>
+        <source>The folder &apos;%1&apos; cannot be made: %2.</source>
+        <comment>folder.not-made</comment>
+        <translation>Der Ordner „%1“ lässt sich nicht anlegen: %2.</translation>
     </message>
     <message>
-        <source> · not trustworthy</source>
-        <translation> · nicht vertrauenswürdig</translation>
+        <source>Unexpected failure: %1</source>
+        <comment>run.unexpected-failure</comment>
+        <translation>Unerwarteter Fehler: %1</translation>
     </message>
     <message>
-        <source>%1 and elsewhere</source>
-        <translation>%1 und anderswo</translation>
+        <source>frame %1 does not exist. It has frames 0 to %2.</source>
+        <comment>command.frame-beyond-run</comment>
+        <translation>Bild %1 gibt es nicht. Die Aufnahme hat die Bilder 0 bis %2.</translation>
     </message>
     <message>
-        <source>%1 cannot be read: %2. Check its permissions.</source>
-        <translation>%1 lässt sich nicht lesen: %2. Die Rechte prüfen.</translation>
+        <source>--shard needs a part and a number of parts such as 2/4, not &apos;%1&apos;.</source>
+        <comment>command.shard-unclear</comment>
+        <translation>--shard braucht einen Teil und die Zahl der Teile wie 2/4, nicht „%1“.</translation>
     </message>
     <message>
-        <source>%1 does not exist. Check the name, or whether its drive is mounted.</source>
-        <translation>%1 gibt es nicht. Namen prüfen, oder ob das Laufwerk eingehängt ist.</translation>
+        <source>There is no degree of freedom &apos;%1&apos; to lock. Use %2, or none.</source>
+        <comment>command.no-such-freedom</comment>
+        <translation>Es gibt keinen Freiheitsgrad „%1“ zum Sperren. Möglich: %2 oder none.</translation>
     </message>
     <message>
-        <source>%1 files of the series are damaged at their end.</source>
-        <translation>%1 Dateien der Serie sind am Ende beschädigt.</translation>
+        <source>the image of this view could not be read.</source>
+        <comment>command.view-image-unread</comment>
+        <translation>das Bild dieser Ansicht konnte nicht gelesen werden.</translation>
     </message>
     <message>
-        <source>%1 files of the series are there twice.</source>
-        <translation>%1 Dateien der Serie sind doppelt vorhanden.</translation>
+        <source>The folders to merge hold runs of &apos;%1&apos;, not of &apos;%2&apos;.</source>
+        <comment>command.merge-of-others</comment>
+        <translation>Die zu vereinenden Ordner enthalten Läufe von „%1“, nicht von „%2“.</translation>
     </message>
     <message>
-        <source>%1 holds no image. Choose the X-ray angiography run.</source>
-        <translation>%1 enthält kein Bild. Die Röntgenangiographie-Serie wählen.</translation>
+        <source>it holds no centrelines yet. Trace them: angiopose-cli trace-vessel %1 --output %2.</source>
+        <comment>convert.no-curves</comment>
+        <translation>enthält noch keine Mittellinien. Gefäße verfolgen mit: angiopose-cli trace-vessel %1 --output %2.</translation>
     </message>
     <message>
-        <source>%1 is a case. Open it alone, without other files.</source>
-        <translation>%1 ist ein Fall. Allein öffnen, ohne andere Dateien.</translation>
+        <source>it is neither a volume nor a surface, so it makes no volume. Choose a scan (DICOM, NIfTI, NRRD, MetaImage) or a surface, or give another output name.</source>
+        <comment>convert.no-volume</comment>
+        <translation>ist weder Volumen noch Oberfläche und ergibt daher kein Volumen. CT-Daten (DICOM, NIfTI, NRRD, MetaImage) oder eine Oberfläche wählen, oder einen anderen Ausgabenamen angeben.</translation>
     </message>
     <message>
-        <source>%1 is a second %2. Open one %3 at a time.</source>
-        <translation>%1 ist das zweite seiner Art (%2). Nur eines auf einmal öffnen (%3).</translation>
+        <source>the extension is none that is written. Centrelines: .vtp, .csv, .swc, .mrk.json; volumes: .nii, .nii.gz, .nrrd, .mha; surfaces: .stl; poses: .json, .tfm; X-ray runs: .dcm.</source>
+        <comment>convert.extension</comment>
+        <translation>diese Endung wird nicht geschrieben. Mittellinien: .vtp, .csv, .swc, .mrk.json; Volumen: .nii, .nii.gz, .nrrd, .mha; Oberflächen: .stl; Lagen: .json, .tfm; Röntgenaufnahmen: .dcm.</translation>
     </message>
     <message>
-        <source>%1 is damaged before its pixels: %2. Copy or export it again.</source>
-        <translation>%1 ist vor den Pixeln beschädigt: %2. Neu kopieren oder exportieren.</translation>
+        <source>this is the input, which is never overwritten. Choose another name.</source>
+        <comment>convert.onto-input</comment>
+        <translation>das ist die Eingabe, die nie überschrieben wird. Einen anderen Namen wählen.</translation>
     </message>
     <message>
-        <source>%1 is empty. Copy the file again from where it came from.</source>
-        <translation>%1 ist leer. Die Datei vom Ursprungsort neu kopieren.</translation>
+        <source>it is no label image, so it has no labels. Leave --label out, or choose a segmentation.</source>
+        <comment>trace.no-labels</comment>
+        <translation>ist kein Label-Bild und hat daher keine Labels. --label weglassen oder eine Segmentierung wählen.</translation>
     </message>
     <message>
-        <source>%1 is missing or not positive. Enter it in the geometry of the case (the image header does not tell).</source>
-        <translation>%1 fehlt oder ist nicht positiv. In der Geometrie des Falls eintragen (der Bildheader nennt ihn nicht).</translation>
+        <source>it holds centrelines already, which need no tracing. `convert` changes their format.</source>
+        <comment>trace.centrelines</comment>
+        <translation>enthält schon Mittellinien, die nicht verfolgt werden müssen. `convert` ändert ihr Format.</translation>
     </message>
     <message>
-        <source>%1 is not a file that AngioPose opens. Open a case (.angiopose), a centreline (VTP, VTK, CSV, SWC), a CT scan (DICOM folder, NIfTI, NRRD, MetaImage), a surface (STL, PLY, OBJ) or an angiogram (DICOM, PNG, TIFF).</source>
-        <translation>%1 kann AngioPose nicht öffnen. Einen Fall (.angiopose), eine Mittellinie (VTP, VTK, CSV, SWC), ein CT (DICOM-Ordner, NIfTI, NRRD, MetaImage), eine Oberfläche (STL, PLY, OBJ) oder ein Angiogramm (DICOM, PNG, TIFF) öffnen.</translation>
+        <source>it cannot be traced. Choose another surface.</source>
+        <comment>trace.other-surface</comment>
+        <translation>lässt sich nicht verfolgen. Eine andere Oberfläche wählen.</translation>
     </message>
     <message>
-        <source>%1 mm/px at the vessels</source>
-        <translation>%1 mm/px an den Gefäßen</translation>
+        <source>it cannot be traced. Choose a scan.</source>
+        <comment>trace.no-scan</comment>
+        <translation>lässt sich nicht verfolgen. CT-Daten wählen.</translation>
     </message>
     <message>
-        <source>%1 mm/px detector (%2)</source>
-        <translation>%1 mm/px Detektor (%2)</translation>
+        <source>this is no file that AngioPose reads. It reads cases (.angiopose), centrelines (VTP, VTK, CSV, SWC, .mrk.json), scans and segmentations (DICOM, NIfTI, NRRD, MetaImage), surfaces (STL, PLY, OBJ), angiograms (DICOM, PNG, TIFF, JPEG) and poses (.json, .tfm).</source>
+        <comment>info.unknown</comment>
+        <translation>das ist keine Datei, die AngioPose liest. Gelesen werden Fälle (.angiopose), Mittellinien (VTP, VTK, CSV, SWC, .mrk.json), CT-Daten und Segmentierungen (DICOM, NIfTI, NRRD, MetaImage), Oberflächen (STL, PLY, OBJ), Angiogramme (DICOM, PNG, TIFF, JPEG) und Lagen (.json, .tfm).</translation>
     </message>
     <message>
-        <source>%1 occurs twice in the vessel tree. Branch ids must be unique.</source>
-        <translation>%1 kommt im Gefäßbaum doppelt vor. Ast-Nummern müssen einmalig sein.</translation>
+        <source>this is %1, nothing that AngioPose reads. It reads cases (.angiopose), centrelines (VTP, VTK, CSV, SWC, .mrk.json), scans and segmentations (DICOM, NIfTI, NRRD, MetaImage), surfaces (STL, PLY, OBJ), angiograms (DICOM, PNG, TIFF, JPEG) and poses (.json, .tfm).</source>
+        <comment>info.other</comment>
+        <translation>das ist %1, was AngioPose nicht liest. Gelesen werden Fälle (.angiopose), Mittellinien (VTP, VTK, CSV, SWC, .mrk.json), CT-Daten und Segmentierungen (DICOM, NIfTI, NRRD, MetaImage), Oberflächen (STL, PLY, OBJ), Angiogramme (DICOM, PNG, TIFF, JPEG) und Lagen (.json, .tfm).</translation>
     </message>
     <message>
-        <source>%1 of %2 slices lie where another one does; the first recorded of each is used.</source>
-        <translation>%1 von %2 Schichten liegen auf einer anderen; die jeweils zuerst aufgenommene gilt.</translation>
-    </message>
-    <message>
-        <source>%1 of the vessel tree does not have one radius per point.</source>
-        <translation>%1 des Gefäßbaums hat nicht je Punkt einen Radius.</translation>
-    </message>
-    <message>
-        <source>%1 of the vessel tree has a coordinate that is not a number (NaN or infinite).</source>
-        <translation>%1 des Gefäßbaums hat eine Koordinate, die keine Zahl ist (NaN oder unendlich).</translation>
-    </message>
-    <message>
-        <source>%1 of the vessel tree has fewer than two points. Remove it or add points.</source>
-        <translation>%1 des Gefäßbaums hat weniger als zwei Punkte. Entfernen oder Punkte ergänzen.</translation>
-    </message>
-    <message>
-        <source>%1 of the vessel tree has no length: all its points coincide.</source>
-        <translation>%1 des Gefäßbaums hat keine Länge: alle Punkte fallen zusammen.</translation>
-    </message>
-    <message>
-        <source>%1 voxels are not numbers; they are taken as the lowest value.</source>
-        <translation>%1 Voxel sind keine Zahlen; sie gelten als kleinster Wert.</translation>
-    </message>
-    <message>
-        <source>%1 · median %2 px%3</source>
-        <translation>%1 · Median %2 px%3</translation>
-    </message>
-    <message>
-        <source>%1: %2 Correct it.</source>
-        <translation>%1: %2 Berichtigen.</translation>
-    </message>
-    <message>
-        <source>%1: the file has changed since the case was saved. Check that it is the right one.</source>
-        <translation>%1: die Datei hat sich seit dem Speichern des Falls geändert. Prüfen, ob es die richtige ist.</translation>
-    </message>
-    <message>
-        <source>%1: the key %2 is missing. Add it.</source>
-        <translation>%1: der Schlüssel %2 fehlt. Ergänzen.</translation>
-    </message>
-    <message>
-        <source>%1: the value is not one of those allowed. See the published schema.</source>
-        <translation>%1: der Wert ist nicht erlaubt. Siehe das veröffentlichte Schema.</translation>
-    </message>
-    <message>
-        <source>%1: the value is of the wrong kind. See the published schema.</source>
-        <translation>%1: der Wert ist von falscher Art. Siehe das veröffentlichte Schema.</translation>
-    </message>
-    <message>
-        <source>%1: this is another DICOM image than the one the case was made for.</source>
-        <translation>%1: das ist ein anderes DICOM-Bild als das des Falls.</translation>
-    </message>
-    <message>
-        <source>(0018,1149) field of view %1 mm / %2 px</source>
-        <translation>(0018,1149) Bildfeld %1 mm / %2 px</translation>
-    </message>
-    <message>
-        <source>(0028,0030) Pixel Spacing (%1) times SID/SOD</source>
-        <translation>(0028,0030) Pixel Spacing (%1) mal SID/SOD</translation>
-    </message>
-    <message>
-        <source>A branch cannot be joined to itself. Choose two branches.</source>
-        <translation>Ein Ast lässt sich nicht mit sich selbst verbinden. Zwei Äste wählen.</translation>
-    </message>
-    <message>
-        <source>A joint registration needs at least two views.</source>
-        <translation>Eine gemeinsame Registrierung braucht mindestens zwei Projektionen.</translation>
-    </message>
-    <message>
-        <source>A library gave up: </source>
-        <translation>Eine Bibliothek gab auf: </translation>
+        <source>There is not enough memory for this. Close other programs or use smaller inputs.</source>
+        <comment>run.not-enough-memory</comment>
+        <translation>Dafür reicht der Speicher nicht. Andere Programme schließen oder kleinere Daten verwenden.</translation>
     </message>
     <message>
         <source>A library gave up: %1. Check the inputs.</source>
+        <comment>run.library-gave-up</comment>
         <translation>Eine Bibliothek gab auf: %1. Die Eingaben prüfen.</translation>
     </message>
     <message>
-        <source>A plain image has no C-arm geometry: enter it in the geometry of the case.</source>
-        <translation>Ein einfaches Bild hat keine C-Bogen-Geometrie: in der Geometrie des Falls eintragen.</translation>
+        <source>Stopped before the run began.</source>
+        <comment>run.stopped-before</comment>
+        <translation>Angehalten, bevor der Lauf begann.</translation>
     </message>
     <message>
-        <source>a DICOM file</source>
-        <translation>eine DICOM-Datei</translation>
+        <source>There is nothing to show yet.</source>
+        <comment>run.not-shown</comment>
+        <translation>Es gibt noch nichts zu zeigen.</translation>
     </message>
     <message>
-        <source>a JPEG image</source>
-        <translation>ein JPEG-Bild</translation>
-    </message>
-    <message>
-        <source>a JSON file</source>
-        <translation>eine JSON-Datei</translation>
-    </message>
-    <message>
-        <source>a MetaImage header</source>
-        <translation>ein MetaImage-Header</translation>
-    </message>
-    <message>
-        <source>a NIfTI header</source>
-        <translation>ein NIfTI-Header</translation>
-    </message>
-    <message>
-        <source>a NIfTI volume</source>
-        <translation>ein NIfTI-Volumen</translation>
-    </message>
-    <message>
-        <source>a NetCDF (MINC) volume</source>
-        <translation>ein NetCDF-Volumen (MINC)</translation>
-    </message>
-    <message>
-        <source>a PDF document</source>
-        <translation>ein PDF-Dokument</translation>
-    </message>
-    <message>
-        <source>a PLY surface</source>
-        <translation>eine PLY-Oberfläche</translation>
-    </message>
-    <message>
-        <source>a PNG image</source>
-        <translation>ein PNG-Bild</translation>
-    </message>
-    <message>
-        <source>a TIFF image</source>
-        <translation>ein TIFF-Bild</translation>
-    </message>
-    <message>
-        <source>a TrackVis tractogram</source>
-        <translation>ein TrackVis-Traktogramm</translation>
-    </message>
-    <message>
-        <source>a VTK XML file</source>
-        <translation>eine VTK-XML-Datei</translation>
-    </message>
-    <message>
-        <source>a case needs a vessel tree and an angiogram. Open both before saving.</source>
-        <translation>ein Fall braucht Gefäßbaum und Angiogramm. Vor dem Speichern beide öffnen.</translation>
-    </message>
-    <message>
-        <source>a coordinate is not a number, or beyond a kilometre. Correct or export it again.</source>
-        <translation>eine Koordinate ist keine Zahl oder über einen Kilometer groß. Berichtigen oder neu exportieren.</translation>
-    </message>
-    <message>
-        <source>a file name or a text in the case is not UTF-8. Rename the file.</source>
-        <translation>ein Dateiname oder Text im Fall ist nicht UTF-8. Die Datei umbenennen.</translation>
-    </message>
-    <message>
-        <source>a glTF scene</source>
-        <translation>eine glTF-Szene</translation>
-    </message>
-    <message>
-        <source>a gzip archive</source>
-        <translation>ein gzip-Archiv</translation>
-    </message>
-    <message>
-        <source>a legacy VTK file</source>
-        <translation>eine alte VTK-Datei</translation>
-    </message>
-    <message>
-        <source>a line refers to a point that does not exist. The file is damaged; export it again.</source>
-        <translation>eine Linie verweist auf einen Punkt, den es nicht gibt. Die Datei ist beschädigt; neu exportieren.</translation>
-    </message>
-    <message>
-        <source>a number from %1 to %2</source>
-        <translation>eine Zahl von %1 bis %2</translation>
-    </message>
-    <message>
-        <source>a number in it is too large for a double. Correct it.</source>
-        <translation>eine Zahl darin ist zu groß für double. Berichtigen.</translation>
-    </message>
-    <message>
-        <source>a pixel is not a finite number. Correct the image before writing it.</source>
-        <translation>ein Pixel ist keine endliche Zahl. Das Bild vor dem Schreiben berichtigen.</translation>
-    </message>
-    <message>
-        <source>a pixel is not a finite number. Export the image again.</source>
-        <translation>ein Pixel ist keine endliche Zahl. Das Bild neu exportieren.</translation>
-    </message>
-    <message>
-        <source>a triangle refers to a point that does not exist. The file is damaged; export it again.</source>
-        <translation>ein Dreieck verweist auf einen Punkt, den es nicht gibt. Die Datei ist beschädigt; neu exportieren.</translation>
-    </message>
-    <message>
-        <source>a value in it has the wrong kind. Compare it with the published schema.</source>
-        <translation>ein Wert darin ist von falscher Art. Mit dem veröffentlichten Schema vergleichen.</translation>
-    </message>
-    <message>
-        <source>a zip archive</source>
-        <translation>ein zip-Archiv</translation>
-    </message>
-    <message>
-        <source>%1 (%2): filled in between their neighbours. Copy the series again if you can.</source>
-        <translation>%1 (%2): zwischen den Nachbarn ergänzt. Die Serie wenn möglich neu kopieren.</translation>
-    </message>
-    <message>
-        <source>%1 loops were opened at their thinnest places: look there for vessels that only touch.</source>
-        <translation>%1 Schleifen wurden an den dünnsten Stellen geöffnet: dort nach Gefäßen sehen, die sich nur berühren.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 slices are missing</source>
-        <translation>%1 von %2 Schichten fehlen</translation>
-    </message>
-    <message>
-        <source>%1 pieces that do not connect to the traced vessels were left out. Place a seed in each that belongs to the tree.</source>
-        <translation>%1 Stücke ohne Verbindung zu den erkannten Gefäßen wurden ausgelassen. In jedes, das zum Baum gehört, einen Startpunkt setzen.</translation>
-    </message>
-    <message>
-        <source>1 loop was opened at the thinnest place: look there for vessels that only touch.</source>
-        <translation>1 Schleife wurde an der dünnsten Stelle geöffnet: dort nach Gefäßen sehen, die sich nur berühren.</translation>
-    </message>
-    <message>
-        <source>1 of %1 slices is missing</source>
-        <translation>1 von %1 Schichten fehlt</translation>
-    </message>
-    <message>
-        <source>A piece that does not connect to the traced vessels was left out. Place a seed in it if it belongs to the tree.</source>
-        <translation>Ein Stück ohne Verbindung zu den erkannten Gefäßen wurde ausgelassen. Einen Startpunkt hineinsetzen, wenn es zum Baum gehört.</translation>
-    </message>
-    <message>
-        <source>Its two placements (qform and sform) differ; the qform, in the scanner&apos;s coordinates, is used.</source>
-        <translation>Ihre zwei Lageangaben (qform und sform) weichen ab; die qform in Gerätekoordinaten gilt.</translation>
-    </message>
-    <message>
-        <source>Its two placements (qform and sform) differ; the sform is used.</source>
-        <translation>Ihre zwei Lageangaben (qform und sform) weichen ab; die sform gilt.</translation>
-    </message>
-    <message>
-        <source>after slice %1</source>
-        <translation>nach Schicht %1</translation>
-    </message>
-    <message>
-        <source>it declares %1&quot;, which cannot be. The file is damaged; export it again.</source>
-        <translation>nennt %1&quot;, was nicht sein kann. Die Datei ist beschädigt; neu exportieren.</translation>
-    </message>
-    <message>
-        <source>it holds %1 volumes (%2). Choose one by its series id; `info` lists them.</source>
-        <translation>enthält %1 Volumen (%2). Eines über seine Serien-ID wählen; `info` zeigt sie.</translation>
-    </message>
-    <message>
-        <source> differ</source>
-        <translation> verschieden</translation>
-    </message>
-    <message>
-        <source> differs</source>
-        <translation> verschieden</translation>
-    </message>
-    <message>
-        <source>%1 The edited vessels are in the case; it opens without the file.</source>
-        <translation>%1 Die bearbeiteten Gefäße sind im Fall; er öffnet ohne die Datei.</translation>
-    </message>
-    <message>
-        <source>%1 has moved and was found as %2. Save the case to remember.</source>
-        <translation>%1 wurde verschoben und als %2 gefunden. Zum Merken den Fall speichern.</translation>
-    </message>
-    <message>
-        <source>%1 solves for all six degrees of freedom at once and cannot keep one. Unlock them, or choose another method.</source>
-        <translation>%1 löst alle sechs Freiheitsgrade zugleich und kann keinen festhalten. Entsperren oder andere Methode wählen.</translation>
-    </message>
-    <message>
-        <source>%1, more than its active %2 x %3 mm. Check the pixel spacing.</source>
-        <translation>%1, mehr als seine aktiven %2 x %3 mm. Die Pixelgröße prüfen.</translation>
-    </message>
-    <message>
-        <source>%1, more than the intensifier of %2 mm. Check the pixel spacing.</source>
-        <translation>%1, mehr als der Bildverstärker von %2 mm. Die Pixelgröße prüfen.</translation>
-    </message>
-    <message>
-        <source>%1, the field of view is %2 x %3 mm: the image may be zoomed, cropped or resampled. Check the pixel spacing.</source>
-        <translation>%1, das Bildfeld ist %2 x %3 mm: das Bild ist vielleicht gezoomt, beschnitten oder umgerechnet. Die Pixelgröße prüfen.</translation>
-    </message>
-    <message>
-        <source>%1: no detector of a C-arm is like that. Check the pixel spacing.</source>
-        <translation>%1: so ist kein Detektor eines C-Bogens. Die Pixelgröße prüfen.</translation>
-    </message>
-    <message>
-        <source>A detector pixel spacing of %1 mm lies outside 0.05 to 2 mm: check its unit.</source>
-        <translation>Eine Pixelgröße von %1 mm liegt außerhalb 0,05 bis 2 mm: die Einheit prüfen.</translation>
-    </message>
-    <message>
-        <source>A joint registration cannot keep single degrees of freedom. Unlock them first.</source>
-        <translation>Eine gemeinsame Registrierung kann einzelne Freiheitsgrade nicht festhalten. Zuerst entsperren.</translation>
-    </message>
-    <message>
-        <source>A landmark is not a finite number. Remove it.</source>
-        <translation>Eine Landmarke ist keine endliche Zahl. Entfernen.</translation>
+        <source>An overlay needs a vessel tree and an angiogram. Open both first.</source>
+        <comment>picture.overlay-incomplete</comment>
+        <translation>Eine Überlagerung braucht Gefäßbaum und Angiogramm. Zuerst beide öffnen.</translation>
     </message>
     <message>
         <source>A picture needs a vessel tree and an angiogram. Open both first.</source>
+        <comment>picture.incomplete</comment>
         <translation>Ein Bild braucht Gefäßbaum und Angiogramm. Zuerst beide öffnen.</translation>
     </message>
     <message>
-        <source>A source to detector distance (SID) of %1 mm is unlike a C-arm (500 to 2000 mm): check its unit.</source>
-        <translation>Ein Abstand Fokus–Detektor (SID) von %1 mm passt zu keinem C-Bogen (500 bis 2000 mm): die Einheit prüfen.</translation>
+        <source>%1 does not exist. Check the name, or whether its drive is mounted.</source>
+        <comment>open.missing</comment>
+        <translation>%1 gibt es nicht. Namen prüfen, oder ob das Laufwerk eingehängt ist.</translation>
     </message>
     <message>
-        <source>All six degrees of freedom are locked: nothing is left to find. Unlock at least one.</source>
-        <translation>Alle sechs Freiheitsgrade sind gesperrt: nichts bleibt zu finden. Mindestens einen entsperren.</translation>
+        <source>%1 cannot be read: %2. Check its permissions.</source>
+        <comment>open.unreadable</comment>
+        <translation>%1 lässt sich nicht lesen: %2. Die Rechte prüfen.</translation>
     </message>
     <message>
-        <source>CRA/CAU angle: type it, or place the vessels by landmarks.</source>
-        <translation>Winkel CRA/CAU: eintragen, oder die Gefäße nach Landmarken legen.</translation>
+        <source>%1 is empty. Copy the file again from where it came from.</source>
+        <comment>open.empty</comment>
+        <translation>%1 ist leer. Die Datei vom Ursprungsort neu kopieren.</translation>
     </message>
     <message>
-        <source>Detector Active Dimension(s)</source>
-        <translation>Detector Active Dimension(s)</translation>
+        <source>%1 is not a file that AngioPose opens. Open a case (.angiopose), a centreline (VTP, VTK, CSV, SWC), a CT scan (DICOM folder, NIfTI, NRRD, MetaImage), a surface (STL, PLY, OBJ) or an angiogram (DICOM, PNG, TIFF).</source>
+        <comment>open.unknown</comment>
+        <translation>%1 kann AngioPose nicht öffnen. Einen Fall (.angiopose), eine Mittellinie (VTP, VTK, CSV, SWC), ein CT (DICOM-Ordner, NIfTI, NRRD, MetaImage), eine Oberfläche (STL, PLY, OBJ) oder ein Angiogramm (DICOM, PNG, TIFF) öffnen.</translation>
     </message>
     <message>
-        <source>Detector Active Origin</source>
-        <translation>Detector Active Origin</translation>
+        <source>%1 is a case. Open it alone, without other files.</source>
+        <comment>open.case-alone</comment>
+        <translation>%1 ist ein Fall. Allein öffnen, ohne andere Dateien.</translation>
     </message>
     <message>
-        <source>Detector Element Spacing</source>
-        <translation>Detector Element Spacing</translation>
+        <source>%1 is a second vessel tree. Open one vessel tree at a time.</source>
+        <comment>open.second-tree</comment>
+        <translation>%1 ist ein zweiter Gefäßbaum. Nur einen auf einmal öffnen.</translation>
     </message>
     <message>
-        <source>Detector Primary Angle</source>
-        <translation>Detector Primary Angle</translation>
+        <source>%1 is a second 2-D centreline. Open one 2-D centreline at a time.</source>
+        <comment>open.second-centreline</comment>
+        <translation>%1 ist eine zweite 2-D-Mittellinie. Nur eine auf einmal öffnen.</translation>
     </message>
     <message>
-        <source>Detector Secondary Angle</source>
-        <translation>Detector Secondary Angle</translation>
+        <source>%1 is a second angiogram. Open one angiogram at a time.</source>
+        <comment>open.second-angiogram</comment>
+        <translation>%1 ist ein zweites Angiogramm. Nur eines auf einmal öffnen.</translation>
     </message>
     <message>
-        <source>Detector pixel spacing: type it, or the width of the field of view on the detector divided by the columns.</source>
-        <translation>Pixelgröße des Detektors: eintragen, oder die Breite des Bildfelds auf dem Detektor geteilt durch die Spalten.</translation>
+        <source>%1 has moved and was found as %2. Save the case to remember.</source>
+        <comment>open.moved</comment>
+        <translation>%1 wurde verschoben und als %2 gefunden. Zum Merken den Fall speichern.</translation>
     </message>
     <message>
-        <source>Distance Source to Detector</source>
-        <translation>Distance Source to Detector</translation>
+        <source>this is no angiogram. Choose an XA image, or a case with one.</source>
+        <comment>open.no-angiogram</comment>
+        <translation>das ist kein Angiogramm. Eine XA-Aufnahme oder einen Fall mit einer wählen.</translation>
     </message>
     <message>
-        <source>Distance Source to Isocenter</source>
-        <translation>Distance Source to Isocenter</translation>
+        <source>none of its %1 series can be opened. %2</source>
+        <comment>open.no-series</comment>
+        <translation>keine der %1 Serien darin lässt sich öffnen. %2</translation>
     </message>
     <message>
-        <source>Distance Source to Patient</source>
-        <translation>Distance Source to Patient</translation>
+        <source>Not for clinical use</source>
+        <comment>picture.not-for-clinical-use</comment>
+        <translation>Nicht für den klinischen Einsatz</translation>
     </message>
     <message>
-        <source>Estimated Radiographic Magnification Factor</source>
-        <translation>Estimated Radiographic Magnification Factor</translation>
+        <source>identity hidden</source>
+        <comment>picture.identity-hidden</comment>
+        <translation>Patientendaten verborgen</translation>
     </message>
     <message>
-        <source>Field of View Dimension(s)</source>
-        <translation>Field of View Dimension(s)</translation>
+        <source>before: at the start pose</source>
+        <comment>picture.before</comment>
+        <translation>vorher: in der Startlage</translation>
     </message>
     <message>
-        <source>Field of View Horizontal Flip</source>
-        <translation>Field of View Horizontal Flip</translation>
+        <source>after: at this pose</source>
+        <comment>picture.after</comment>
+        <translation>nachher: in dieser Lage</translation>
     </message>
     <message>
-        <source>Field of View Origin</source>
-        <translation>Field of View Origin</translation>
+        <source>frame %1 of 0–%2</source>
+        <comment>picture.frame</comment>
+        <translation>Bild %1 von 0–%2</translation>
     </message>
     <message>
-        <source>Field of View Rotation</source>
-        <translation>Field of View Rotation</translation>
+        <source>%1 · median %2</source>
+        <comment>picture.pose</comment>
+        <translation>%1 · Median %2</translation>
     </message>
     <message>
-        <source>Field of View Shape</source>
-        <translation>Field of View Shape</translation>
+        <source>%1 · median %2 · not trustworthy</source>
+        <comment>picture.pose-not-trustworthy</comment>
+        <translation>%1 · Median %2 · nicht vertrauenswürdig</translation>
     </message>
     <message>
-        <source>Imager Pixel Spacing</source>
-        <translation>Imager Pixel Spacing</translation>
+        <source>%1 · %2</source>
+        <comment>picture.two-parts</comment>
+        <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>Intensifier Size</source>
-        <translation>Intensifier Size</translation>
+        <source>LAO %1</source>
+        <comment>picture.lao</comment>
+        <translation>LAO %1</translation>
     </message>
     <message>
-        <source>LAO/RAO angle: type it, or place the vessels by landmarks.</source>
-        <translation>Winkel LAO/RAO: eintragen, oder die Gefäße nach Landmarken legen.</translation>
+        <source>RAO %1</source>
+        <comment>picture.rao</comment>
+        <translation>RAO %1</translation>
     </message>
     <message>
-        <source>Manufacturer&apos;s Model Name</source>
-        <translation>Manufacturer&apos;s Model Name</translation>
+        <source>CRA %1</source>
+        <comment>picture.cra</comment>
+        <translation>CRA %1</translation>
     </message>
     <message>
-        <source>No pose lays these landmarks onto their pixels. Check that each pair shows the same place.</source>
-        <translation>Keine Lage legt diese Landmarken auf ihre Pixel. Prüfen, ob jedes Paar dieselbe Stelle zeigt.</translation>
+        <source>CAU %1</source>
+        <comment>picture.cau</comment>
+        <translation>CAU %1</translation>
     </message>
     <message>
-        <source>Patient Orientation</source>
-        <translation>Patient Orientation</translation>
+        <source>SID %1 · SOD %2 (%3)</source>
+        <comment>picture.sid-and-sod</comment>
+        <translation>SID %1 · SOD %2 (%3)</translation>
     </message>
     <message>
-        <source>Patient Position</source>
-        <translation>Patient Position</translation>
+        <source>SID %1 (%2)</source>
+        <comment>picture.sid</comment>
+        <translation>SID %1 (%2)</translation>
     </message>
     <message>
-        <source>Pixel Aspect Ratio</source>
-        <translation>Pixel Aspect Ratio</translation>
+        <source>SOD %1 (%2)</source>
+        <comment>picture.sod</comment>
+        <translation>SOD %1 (%2)</translation>
     </message>
     <message>
-        <source>Pixel Spacing</source>
-        <translation>Pixel Spacing</translation>
+        <source>%1 detector (%2)</source>
+        <comment>picture.scale-at-detector</comment>
+        <translation>%1 Detektor (%2)</translation>
     </message>
     <message>
-        <source>Pixel Spacing (0028,0030) says %1 mm without a calibration, the detector&apos;s pixels are %2 mm: check which is meant.</source>
-        <translation>Pixel Spacing (0028,0030) nennt ohne Kalibrierung %1 mm, die Detektorpixel messen %2 mm: prüfen, was gemeint ist.</translation>
+        <source>%1 at the vessels</source>
+        <comment>picture.scale-at-vessels</comment>
+        <translation>%1 an den Gefäßen</translation>
     </message>
     <message>
-        <source>Pixel Spacing Calibration Type</source>
-        <translation>Pixel Spacing Calibration Type</translation>
+        <source>header</source>
+        <comment>origin.header</comment>
+        <translation>Header</translation>
     </message>
     <message>
-        <source>Pixels are %1 times as high as wide by their spacing, %2 times by the pixel aspect: check the pixel spacing.</source>
-        <translation>Nach ihrem Abstand sind Pixel %1-mal so hoch wie breit, nach dem Seitenverhältnis %2-mal: die Pixelgröße prüfen.</translation>
+        <source>derived</source>
+        <comment>origin.derived</comment>
+        <translation>abgeleitet</translation>
     </message>
     <message>
-        <source>Positioner Isocenter Detector Rotation Angle</source>
-        <translation>Positioner Isocenter Detector Rotation Angle</translation>
+        <source>user</source>
+        <comment>origin.user</comment>
+        <translation>eingegeben</translation>
     </message>
     <message>
-        <source>Positioner Isocenter Primary Angle</source>
-        <translation>Positioner Isocenter Primary Angle</translation>
+        <source>assumed</source>
+        <comment>origin.assumed</comment>
+        <translation>angenommen</translation>
     </message>
     <message>
-        <source>Positioner Isocenter Secondary Angle</source>
-        <translation>Positioner Isocenter Secondary Angle</translation>
+        <source>missing</source>
+        <comment>origin.missing</comment>
+        <translation>fehlt</translation>
     </message>
     <message>
-        <source>Positioner Motion</source>
-        <translation>Positioner Motion</translation>
+        <source>Method &apos;%1&apos; has no option with the choice &apos;%2&apos;. Write it as option=value.</source>
+        <comment>contest.no-such-choice</comment>
+        <translation>Das Verfahren „%1“ hat keine Option mit der Wahl „%2“. Als option=wert schreiben.</translation>
     </message>
     <message>
-        <source>Positioner Primary Angle</source>
-        <translation>Positioner Primary Angle</translation>
+        <source>Method &apos;%1&apos; has more than one option with the choice &apos;%2&apos;. Write it as option=value.</source>
+        <comment>contest.choice-of-several</comment>
+        <translation>Das Verfahren „%1“ hat mehr als eine Option mit der Wahl „%2“. Als option=wert schreiben.</translation>
     </message>
     <message>
-        <source>Positioner Primary Angle Increment</source>
-        <translation>Positioner Primary Angle Increment</translation>
+        <source>No method is named. See the methods in: angiopose-cli evaluate --help</source>
+        <comment>contest.no-method-named</comment>
+        <translation>Kein Verfahren ist genannt. Die Verfahren stehen in: angiopose-cli evaluate --help</translation>
     </message>
     <message>
-        <source>Positioner Secondary Angle</source>
-        <translation>Positioner Secondary Angle</translation>
+        <source>The experiment &apos;%1&apos; has no condition &apos;%2&apos;. See the conditions in: angiopose-cli evaluate --help</source>
+        <comment>experiment.no-such-condition</comment>
+        <translation>Das Experiment „%1“ hat keine Bedingung „%2“. Die Bedingungen stehen in: angiopose-cli evaluate --help</translation>
     </message>
     <message>
-        <source>Positioner Secondary Angle Increment</source>
-        <translation>Positioner Secondary Angle Increment</translation>
+        <source>The condition &apos;%1&apos; is not one of &apos;%2&apos;. Merge runs of this program&apos;s version.</source>
+        <comment>merge.foreign-condition</comment>
+        <translation>Die Bedingung „%1“ ist keine von „%2“. Läufe dieser Programmversion vereinen.</translation>
     </message>
     <message>
-        <source>SID is %1 times SOD; angiograms are magnified 1.0 to 2.5 times. Check both distances.</source>
-        <translation>SID ist das %1-fache von SOD; Angiogramme sind 1,0- bis 2,5-fach vergrößert. Beide Abstände prüfen.</translation>
+        <source>Two parts disagree about %1 in trial %2 of %3. Merge runs of the same program and settings.</source>
+        <comment>merge.parts-disagree</comment>
+        <translation>Zwei Teile widersprechen sich zu %1 im Versuch %2 von %3. Läufe desselben Programms und derselben Einstellungen vereinen.</translation>
     </message>
     <message>
-        <source>SOD (%1 mm) is not smaller than SID (%2 mm): the patient would lie behind the detector. Correct one of them.</source>
-        <translation>SOD (%1 mm) ist nicht kleiner als SID (%2 mm): der Patient läge hinter dem Detektor. Eines berichtigen.</translation>
+        <source>There are no runs to merge.</source>
+        <comment>merge.nothing</comment>
+        <translation>Es gibt keine Läufe zu vereinen.</translation>
     </message>
     <message>
-        <source>Scan and angiogram seem to be of different patients (%1). Check that both are the right ones.</source>
-        <translation>CT und Angiogramm scheinen von verschiedenen Patienten zu sein (%1). Prüfen, ob beide stimmen.</translation>
+        <source>Runs of &apos;%1&apos;, seed %2, and of &apos;%3&apos;, seed %4, do not belong together. Merge parts of one experiment.</source>
+        <comment>merge.runs-of-others</comment>
+        <translation>Läufe von „%1“, Startwert %2, und von „%3“, Startwert %4, gehören nicht zusammen. Teile eines Experiments vereinen.</translation>
+    </message>
+    <message>
+        <source>The focal lengths fx and fy must be finite and not zero.</source>
+        <comment>camera.focal-lengths</comment>
+        <translation>Die Brennweiten fx und fy müssen endlich und ungleich null sein.</translation>
+    </message>
+    <message>
+        <source>The principal point cx, cy must be finite.</source>
+        <comment>camera.principal-point</comment>
+        <translation>Der Hauptpunkt cx, cy muss endlich sein.</translation>
+    </message>
+    <message>
+        <source>The camera needs the image size: width and height must be positive.</source>
+        <comment>camera.image-size</comment>
+        <translation>Die Kamera braucht die Bildgröße: Breite und Höhe müssen positiv sein.</translation>
+    </message>
+    <message>
+        <source>The picture must be 1 to %1 px wide and high; choose another size.</source>
+        <comment>picture.size</comment>
+        <translation>Das Bild muss 1 bis %1 px breit und hoch sein; eine andere Größe wählen.</translation>
+    </message>
+    <message>
+        <source>%1 is missing or not positive. Enter it in the geometry of the case (the image header does not tell).</source>
+        <comment>geometry.value-missing</comment>
+        <translation>%1 fehlt oder ist nicht positiv. In der Geometrie des Falls eintragen (der Bildheader nennt ihn nicht).</translation>
+    </message>
+    <message>
+        <source>The distance source to detector (SID)</source>
+        <comment>geometry.the-sid</comment>
+        <translation>Der Abstand Fokus–Detektor (SID)</translation>
+    </message>
+    <message>
+        <source>The distance source to patient (SOD)</source>
+        <comment>geometry.the-sod</comment>
+        <translation>Der Abstand Fokus–Patient (SOD)</translation>
+    </message>
+    <message>
+        <source>The detector pixel spacing</source>
+        <comment>geometry.the-spacing</comment>
+        <translation>Die Pixelgröße des Detektors</translation>
+    </message>
+    <message>
+        <source>The positioner angles (LAO/RAO, CRA/CAU) are missing. Enter them in the geometry of the case.</source>
+        <comment>geometry.angles-missing</comment>
+        <translation>Die Durchleuchtungswinkel (LAO/RAO, CRA/CAU) fehlen. In der Geometrie des Falls eintragen.</translation>
     </message>
     <message>
         <source>Source to detector distance (SID): type it, usually 900 to 1200 mm.</source>
+        <comment>geometry.ask-sid</comment>
         <translation>Abstand Fokus–Detektor (SID): eintragen, meist 900 bis 1200 mm.</translation>
     </message>
     <message>
         <source>Source to isocentre distance (SOD): type it, usually 700 to 800 mm.</source>
+        <comment>geometry.ask-sod</comment>
         <translation>Abstand Fokus–Isozentrum (SOD): eintragen, meist 700 bis 800 mm.</translation>
     </message>
     <message>
-        <source>Table Angle</source>
-        <translation>Table Angle</translation>
+        <source>Detector pixel spacing: type it, or the width of the field of view on the detector divided by the columns.</source>
+        <comment>geometry.ask-spacing</comment>
+        <translation>Pixelgröße des Detektors: eintragen, oder die Breite des Bildfelds auf dem Detektor geteilt durch die Spalten.</translation>
     </message>
     <message>
-        <source>Table Cradle Tilt Angle</source>
-        <translation>Table Cradle Tilt Angle</translation>
+        <source>LAO/RAO angle: type it, or place the vessels by landmarks.</source>
+        <comment>geometry.ask-primary-angle</comment>
+        <translation>Winkel LAO/RAO: eintragen, oder die Gefäße nach Landmarken legen.</translation>
     </message>
     <message>
-        <source>Table Head Tilt Angle</source>
-        <translation>Table Head Tilt Angle</translation>
+        <source>CRA/CAU angle: type it, or place the vessels by landmarks.</source>
+        <comment>geometry.ask-secondary-angle</comment>
+        <translation>Winkel CRA/CAU: eintragen, oder die Gefäße nach Landmarken legen.</translation>
     </message>
     <message>
-        <source>Table Height</source>
-        <translation>Table Height</translation>
+        <source>A source to detector distance (SID) of %1 is unlike a C-arm (500 to 2000 mm): check its unit.</source>
+        <comment>geometry.sid-unusual</comment>
+        <translation>Ein Abstand Fokus–Detektor (SID) von %1 passt zu keinem C-Bogen (500 bis 2000 mm): die Einheit prüfen.</translation>
     </message>
     <message>
-        <source>Table Horizontal Rotation Angle</source>
-        <translation>Table Horizontal Rotation Angle</translation>
+        <source>SOD (%1) is not smaller than SID (%2): the patient would lie behind the detector. Correct one of them.</source>
+        <comment>geometry.sod-beyond-sid</comment>
+        <translation>SOD (%1) ist nicht kleiner als SID (%2): der Patient läge hinter dem Detektor. Eines berichtigen.</translation>
     </message>
     <message>
-        <source>Table Lateral Increment</source>
-        <translation>Table Lateral Increment</translation>
+        <source>SID is %1 times SOD; angiograms are magnified 1.0 to 2.5 times. Check both distances.</source>
+        <comment>geometry.magnification-unusual</comment>
+        <translation>SID ist das %1-fache von SOD; Angiogramme sind 1,0- bis 2,5-fach vergrößert. Beide Abstände prüfen.</translation>
     </message>
     <message>
-        <source>Table Longitudinal Increment</source>
-        <translation>Table Longitudinal Increment</translation>
+        <source>The header&apos;s magnification of %1 (0018,1114) is not SID/SOD = %2: one of the three is stale. Check SID and SOD.</source>
+        <comment>geometry.magnification-stale</comment>
+        <translation>Die Vergrößerung des Headers von %1 (0018,1114) ist nicht SID/SOD = %2: eine der drei Angaben ist veraltet. SID und SOD prüfen.</translation>
     </message>
     <message>
-        <source>Table Motion</source>
-        <translation>Table Motion</translation>
+        <source>A detector pixel spacing of %1 lies outside 0.05 to 2 mm: check its unit.</source>
+        <comment>geometry.spacing-unusual</comment>
+        <translation>Eine Pixelgröße von %1 liegt außerhalb 0,05 bis 2 mm: die Einheit prüfen.</translation>
     </message>
     <message>
-        <source>Table Vertical Increment</source>
-        <translation>Table Vertical Increment</translation>
+        <source>Pixels are %1 times as high as wide by their spacing, %2 times by the pixel aspect: check the pixel spacing.</source>
+        <comment>geometry.aspect-differs</comment>
+        <translation>Nach ihrem Abstand sind Pixel %1-mal so hoch wie breit, nach dem Seitenverhältnis %2-mal: die Pixelgröße prüfen.</translation>
     </message>
     <message>
-        <source>Table X Position to Isocenter</source>
-        <translation>Table X Position to Isocenter</translation>
+        <source>The image covers %1 x %2 of the detector by its pixel spacing</source>
+        <comment>geometry.image-covers</comment>
+        <translation>Nach der Pixelgröße bedeckt das Bild %1 x %2 des Detektors</translation>
     </message>
     <message>
-        <source>Table Y Position to Isocenter</source>
-        <translation>Table Y Position to Isocenter</translation>
+        <source>%1: no detector of a C-arm is like that. Check the pixel spacing.</source>
+        <comment>geometry.extent-unlike-detector</comment>
+        <translation>%1: so ist kein Detektor eines C-Bogens. Die Pixelgröße prüfen.</translation>
     </message>
     <message>
-        <source>Table Z Position to Isocenter</source>
-        <translation>Table Z Position to Isocenter</translation>
+        <source>%1, the field of view is %2 x %3: the image may be zoomed, cropped or resampled. Check the pixel spacing.</source>
+        <comment>geometry.extent-unlike-field</comment>
+        <translation>%1, das Bildfeld ist %2 x %3: das Bild ist vielleicht gezoomt, beschnitten oder umgerechnet. Die Pixelgröße prüfen.</translation>
     </message>
     <message>
-        <source>The C-arm moved during this run, but the header gives %1 for its %2 frames: the angles are those of the first frame. Check them for the frame you use.</source>
-        <translation>Der C-Bogen hat sich bewegt, der Header nennt aber %1 für %2 Bilder: die Winkel sind die des ersten Bildes. Für das benutzte Bild prüfen.</translation>
+        <source>%1, more than the intensifier of %2. Check the pixel spacing.</source>
+        <comment>geometry.extent-beyond-intensifier</comment>
+        <translation>%1, mehr als der Bildverstärker von %2. Die Pixelgröße prüfen.</translation>
     </message>
     <message>
-        <source>The calibrated pixel spacing of %1 mm times SID/SOD is %2 mm, not the detector&apos;s %3 mm: the calibration or a distance is off.</source>
-        <translation>Die kalibrierte Pixelgröße von %1 mm mal SID/SOD ergibt %2 mm, nicht die %3 mm des Detektors: Kalibrierung oder Abstand stimmt nicht.</translation>
+        <source>%1, more than its active %2 x %3. Check the pixel spacing.</source>
+        <comment>geometry.extent-beyond-detector</comment>
+        <translation>%1, mehr als seine aktiven %2 x %3. Die Pixelgröße prüfen.</translation>
     </message>
     <message>
-        <source>The gantry turns during this run: frames show other views, not only motion. Register the frames one by one, or as views together.</source>
-        <translation>Der C-Bogen dreht sich während der Serie: die Bilder zeigen andere Projektionen, nicht nur Bewegung. Bilder einzeln oder gemeinsam als Projektionen registrieren.</translation>
+        <source>The calibrated pixel spacing of %1 times SID/SOD is %2, not the detector&apos;s %3: the calibration or a distance is off.</source>
+        <comment>geometry.calibration-off</comment>
+        <translation>Die kalibrierte Pixelgröße von %1 mal SID/SOD ergibt %2, nicht die %3 des Detektors: Kalibrierung oder Abstand stimmt nicht.</translation>
     </message>
     <message>
-        <source>The image covers %1 x %2 mm of the detector by its pixel spacing</source>
-        <translation>Nach der Pixelgröße bedeckt das Bild %1 x %2 mm des Detektors</translation>
+        <source>Pixel Spacing (0028,0030) says %1 without a calibration, the detector&apos;s pixels are %2: check which is meant.</source>
+        <comment>geometry.spacings-differ</comment>
+        <translation>Pixel Spacing (0028,0030) nennt ohne Kalibrierung %1, die Detektorpixel messen %2: prüfen, was gemeint ist.</translation>
+    </message>
+    <message>
+        <source>The primary angle (LAO/RAO) lies outside ±180°. Correct it.</source>
+        <comment>geometry.primary-angle-outside</comment>
+        <translation>Der Primärwinkel (LAO/RAO) liegt außerhalb ±180°. Berichtigen.</translation>
+    </message>
+    <message>
+        <source>The secondary angle (CRA/CAU) lies outside ±90°. Correct it.</source>
+        <comment>geometry.secondary-angle-outside</comment>
+        <translation>Der Sekundärwinkel (CRA/CAU) liegt außerhalb ±90°. Berichtigen.</translation>
+    </message>
+    <message>
+        <source>The roll lies outside ±180°. Correct it.</source>
+        <comment>geometry.roll-outside</comment>
+        <translation>Das Rollen liegt außerhalb ±180°. Berichtigen.</translation>
+    </message>
+    <message>
+        <source>The principal point (%1, %2) lies outside the image: right for a cropped image only.</source>
+        <comment>geometry.principal-point-outside</comment>
+        <translation>Der Hauptpunkt (%1, %2) liegt außerhalb des Bildes: nur bei beschnittenem Bild richtig.</translation>
+    </message>
+    <message>
+        <source>Scan and angiogram seem to be of different patients (%1 differs). Check that both are the right ones.</source>
+        <comment>patient.differs</comment>
+        <translation>CT und Angiogramm scheinen von verschiedenen Patienten zu sein (%1 verschieden). Prüfen, ob beide stimmen.</translation>
+    </message>
+    <message>
+        <source>Scan and angiogram seem to be of different patients (%1 differ). Check that both are the right ones.</source>
+        <comment>patient.differs-in-several</comment>
+        <translation>CT und Angiogramm scheinen von verschiedenen Patienten zu sein (%1 verschieden). Prüfen, ob beide stimmen.</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <comment>patient.number</comment>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <comment>patient.name</comment>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>birth date</source>
+        <comment>patient.birth-date</comment>
+        <translation>Geburtsdatum</translation>
+    </message>
+    <message>
+        <source>sex</source>
+        <comment>patient.sex</comment>
+        <translation>Geschlecht</translation>
+    </message>
+    <message>
+        <source>The scan is of the patient&apos;s %1 side, the angiogram of the other. Check that both are the right ones.</source>
+        <comment>patient.side-differs</comment>
+        <translation>Das CT zeigt die Seite %1 des Patienten, das Angiogramm die andere. Prüfen, ob beide stimmen.</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <comment>patient.side-left</comment>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <comment>patient.side-right</comment>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>There is no angiogram yet. Open an image first.</source>
+        <comment>case.no-angiogram</comment>
+        <translation>Noch kein Angiogramm. Zuerst ein Bild öffnen.</translation>
+    </message>
+    <message>
+        <source>There is no vessel tree yet. Open a centreline first.</source>
+        <comment>case.no-vessel-tree</comment>
+        <translation>Noch kein Gefäßbaum. Zuerst eine Mittellinie öffnen.</translation>
+    </message>
+    <message>
+        <source>All six degrees of freedom are locked: nothing is left to find. Unlock at least one.</source>
+        <comment>options.all-locked</comment>
+        <translation>Alle sechs Freiheitsgrade sind gesperrt: nichts bleibt zu finden. Mindestens einen entsperren.</translation>
+    </message>
+    <message>
+        <source>%1 solves for all six degrees of freedom at once and cannot keep one. Unlock them, or choose another method.</source>
+        <comment>options.method-cannot-lock</comment>
+        <translation>%1 löst alle sechs Freiheitsgrade zugleich und kann keinen festhalten. Entsperren oder andere Methode wählen.</translation>
+    </message>
+    <message>
+        <source>There is no method &apos;%1&apos;. Choose one of: %2.</source>
+        <comment>options.no-such-method</comment>
+        <translation>Es gibt keine Methode „%1“. Wählbar: %2.</translation>
+    </message>
+    <message>
+        <source>The option %1 is out of range. Give a number from %2 to %3.</source>
+        <comment>options.out-of-range</comment>
+        <translation>Die Option %1 liegt außerhalb des Bereichs. Eine Zahl von %2 bis %3 angeben.</translation>
+    </message>
+    <message>
+        <source>Option &apos;%1&apos; needs a value, not &apos;%2&apos;.</source>
+        <comment>options.needs-value</comment>
+        <translation>Die Option „%1“ braucht einen Wert, nicht „%2“.</translation>
+    </message>
+    <message>
+        <source>Option &apos;%1&apos; must lie between %2 and %3, not %4.</source>
+        <comment>options.value-out-of-range</comment>
+        <translation>Die Option „%1“ muss zwischen %2 und %3 liegen, nicht %4.</translation>
+    </message>
+    <message>
+        <source>Option &apos;%1&apos; is unknown. See the options in: angiopose-cli register --help</source>
+        <comment>options.no-such-option</comment>
+        <translation>Die Option „%1“ ist unbekannt. Die Optionen stehen in: angiopose-cli register --help</translation>
+    </message>
+    <message>
+        <source>Branch %1 is chosen as %2 but the vessel tree has no such branch. Choose among its branches.</source>
+        <comment>input.chosen-branch-missing</comment>
+        <translation>Ast %1 ist als %2 gewählt, aber der Gefäßbaum hat ihn nicht. Unter seinen Ästen wählen.</translation>
+    </message>
+    <message>
+        <source>auxiliary</source>
+        <comment>input.role-auxiliary</comment>
+        <translation>Hilfsäste</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <comment>input.role-excluded</comment>
+        <translation>ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>All branches of the vessel tree are excluded. Include at least one branch.</source>
+        <comment>input.all-branches-excluded</comment>
+        <translation>Alle Äste des Gefäßbaums sind ausgeschlossen. Mindestens einen einschließen.</translation>
+    </message>
+    <message>
+        <source>The image is not of the size that the camera takes. Use the camera that belongs to the image.</source>
+        <comment>input.image-not-of-camera</comment>
+        <translation>Das Bild hat nicht die Größe der Kamera. Die zum Bild gehörende Kamera verwenden.</translation>
+    </message>
+    <message>
+        <source>The start pose is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers finite. Correct cameraFromPatient or derive the start pose from the angles.</source>
+        <comment>input.start-pose-not-rigid</comment>
+        <translation>Die Startlage ist keine starre Bewegung: die Drehung muss orthonormal mit Determinante +1 sein, alle Zahlen endlich. cameraFromPatient berichtigen oder die Startlage aus den Winkeln ableiten.</translation>
+    </message>
+    <message>
+        <source>The start pose puts the whole vessel tree behind the X-ray source, where nothing projects. Check the source-to-patient distance and the direction of the start pose.</source>
+        <comment>input.start-pose-behind-source</comment>
+        <translation>Die Startlage setzt den ganzen Gefäßbaum hinter den Röntgenfokus, wo nichts projiziert. Abstand Fokus–Patient und Richtung der Startlage prüfen.</translation>
+    </message>
+    <message>
+        <source>The pose to judge is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers finite.</source>
+        <comment>input.judged-pose-not-rigid</comment>
+        <translation>Die zu beurteilende Lage ist keine starre Bewegung: die Drehung muss orthonormal mit Determinante +1 sein, alle Zahlen endlich.</translation>
+    </message>
+    <message>
+        <source>There are no landmarks yet. Click a place on the vessels and the same place in the image.</source>
+        <comment>landmarks.missing</comment>
+        <translation>Noch keine Landmarken. Eine Stelle an den Gefäßen und dieselbe im Bild anklicken.</translation>
+    </message>
+    <message>
+        <source>Without angles a pose needs four landmarks; there are %1. Add landmarks, or type the angles: then one is enough.</source>
+        <comment>landmarks.too-few</comment>
+        <translation>Ohne Winkel braucht eine Lage vier Landmarken; es sind %1. Hinzufügen, oder die Winkel eintragen: dann genügt eine.</translation>
+    </message>
+    <message>
+        <source>A landmark is not a finite number. Remove it.</source>
+        <comment>landmarks.not-finite</comment>
+        <translation>Eine Landmarke ist keine endliche Zahl. Entfernen.</translation>
     </message>
     <message>
         <source>The landmarks all lie in one place. Choose some farther apart.</source>
+        <comment>landmarks.in-one-place</comment>
         <translation>Die Landmarken liegen alle an einer Stelle. Weiter auseinander liegende wählen.</translation>
     </message>
     <message>
         <source>The landmarks lie on one line, so the turn about it stays open. Add one off that line.</source>
+        <comment>landmarks.on-one-line</comment>
         <translation>Die Landmarken liegen auf einer Linie, die Drehung um sie bleibt offen. Eine daneben hinzufügen.</translation>
     </message>
     <message>
-        <source>The primary angle (LAO/RAO) lies outside ±180°. Correct it.</source>
-        <translation>Der Primärwinkel (LAO/RAO) liegt außerhalb ±180°. Berichtigen.</translation>
+        <source>No pose lays these landmarks onto their pixels. Check that each pair shows the same place.</source>
+        <comment>landmarks.no-pose</comment>
+        <translation>Keine Lage legt diese Landmarken auf ihre Pixel. Prüfen, ob jedes Paar dieselbe Stelle zeigt.</translation>
     </message>
     <message>
-        <source>The principal point (%1, %2 px) lies outside the image: right for a cropped image only.</source>
-        <translation>Der Hauptpunkt (%1, %2 px) liegt außerhalb des Bildes: nur bei beschnittenem Bild richtig.</translation>
+        <source>View %1: %2</source>
+        <comment>views.in-view</comment>
+        <translation>Ansicht %1: %2</translation>
     </message>
     <message>
-        <source>The roll lies outside ±180°. Correct it.</source>
-        <translation>Das Rollen liegt außerhalb ±180°. Berichtigen.</translation>
+        <source>A joint registration needs at least two views.</source>
+        <comment>views.too-few</comment>
+        <translation>Eine gemeinsame Registrierung braucht mindestens zwei Projektionen.</translation>
     </message>
     <message>
-        <source>The scan is of the patient&apos;s %1 side, the angiogram of the other. Check that both are the right ones.</source>
-        <translation>Das CT zeigt die Seite %1 des Patienten, das Angiogramm die andere. Prüfen, ob beide stimmen.</translation>
+        <source>A joint registration cannot keep single degrees of freedom. Unlock them first.</source>
+        <comment>views.cannot-lock</comment>
+        <translation>Eine gemeinsame Registrierung kann einzelne Freiheitsgrade nicht festhalten. Zuerst entsperren.</translation>
     </message>
     <message>
-        <source>The secondary angle (CRA/CAU) lies outside ±90°. Correct it.</source>
-        <translation>Der Sekundärwinkel (CRA/CAU) liegt außerhalb ±90°. Berichtigen.</translation>
+        <source>View %1 uses another vessel tree or other branches than view 1. Give all views the same.</source>
+        <comment>views.other-tree</comment>
+        <translation>Projektion %1 verwendet einen anderen Gefäßbaum oder andere Äste als Projektion 1. Allen dasselbe geben.</translation>
     </message>
     <message>
-        <source>The subtraction was stopped.</source>
-        <translation>Die Subtraktion wurde angehalten.</translation>
+        <source>View %1 does not agree with the joint pose.</source>
+        <comment>views.disagrees</comment>
+        <translation>Projektion %1 passt nicht zur gemeinsamen Lage.</translation>
     </message>
     <message>
-        <source>The vessels of this frame are given by a file, those of the others are not. Take the given centreline out of the case to trace every frame.</source>
-        <translation>Die Gefäße dieses Bildes stammen aus einer Datei, die der anderen nicht. Die gegebene Mittellinie aus dem Fall nehmen, um jedes Bild zu erfassen.</translation>
-    </message>
-    <message>
-        <source>There are no landmarks yet. Click a place on the vessels and the same place in the image.</source>
-        <translation>Noch keine Landmarken. Eine Stelle an den Gefäßen und dieselbe im Bild anklicken.</translation>
+        <source>The geometry of view %1 is far from its header: check angles and distances.</source>
+        <comment>views.far-from-header</comment>
+        <translation>Die Geometrie der Projektion %1 weicht weit von ihrem Header ab: Winkel und Abstände prüfen.</translation>
     </message>
     <message>
         <source>There is only one frame: nothing to follow. Open a run of several frames.</source>
+        <comment>follow.one-frame</comment>
         <translation>Nur ein Bild: nichts zu verfolgen. Eine Serie mit mehreren Bildern öffnen.</translation>
     </message>
     <message>
-        <source>Without angles a pose needs four landmarks; there are %1. Add landmarks, or type the angles: then one is enough.</source>
-        <translation>Ohne Winkel braucht eine Lage vier Landmarken; es sind %1. Hinzufügen, oder die Winkel eintragen: dann genügt eine.</translation>
+        <source>The vessels of this frame are given by a file, those of the others are not. Take the given centreline out of the case to trace every frame.</source>
+        <comment>follow.given-target</comment>
+        <translation>Die Gefäße dieses Bildes stammen aus einer Datei, die der anderen nicht. Die gegebene Mittellinie aus dem Fall nehmen, um jedes Bild zu erfassen.</translation>
     </message>
     <message>
-        <source>branch %1 is there twice.</source>
-        <translation>Ast %1 ist doppelt vorhanden.</translation>
+        <source>The gantry turns during this run: frames show other views, not only motion. Register the frames one by one, or as views together.</source>
+        <comment>follow.gantry-turns</comment>
+        <translation>Der C-Bogen dreht sich während der Serie: die Bilder zeigen andere Projektionen, nicht nur Bewegung. Bilder einzeln oder gemeinsam als Projektionen registrieren.</translation>
     </message>
     <message>
-        <source>left</source>
-        <translation>links</translation>
+        <source>Only %1 of the vessel tree lies inside the image.</source>
+        <comment>trust.outside-image</comment>
+        <translation>Nur %1 des Gefäßbaums liegen im Bild.</translation>
     </message>
     <message>
-        <source>no angles</source>
-        <translation>keine Winkel</translation>
+        <source>Only %1 of the vessel tree lies on a traced vessel, and it explains %2 of the traced vessels.</source>
+        <comment>trust.little-agreement</comment>
+        <translation>Nur %1 des Gefäßbaums liegen auf einem erkannten Gefäß, und er erklärt %2 der erkannten Gefäße.</translation>
     </message>
     <message>
-        <source>right</source>
-        <translation>rechts</translation>
+        <source>The vessels fit better %1 aside.</source>
+        <comment>trust.better-aside</comment>
+        <translation>Die Gefäße passen %1 daneben besser.</translation>
     </message>
     <message>
-        <source>this is not a log of observer trials. Choose another name.</source>
-        <translation>das ist kein Protokoll von Beobachterversuchen. Anderen Namen wählen.</translation>
+        <source>The image hardly tells how the vessels are tilted out of the image plane.</source>
+        <comment>trust.out-of-plane-uncertain</comment>
+        <translation>Das Bild verrät kaum, wie die Gefäße aus der Bildebene gekippt sind.</translation>
     </message>
     <message>
-        <source>vessel.editedTree: %1 Remove the key to go back to the vessels as they were before the edits.</source>
-        <translation>vessel.editedTree: %1 Den Schlüssel entfernen, um zu den unbearbeiteten Gefäßen zurückzukehren.</translation>
+        <source>The image hardly tells how the vessels are turned in the image plane.</source>
+        <comment>trust.in-plane-turn-uncertain</comment>
+        <translation>Das Bild verrät kaum, wie die Gefäße in der Bildebene gedreht sind.</translation>
+    </message>
+    <message>
+        <source>The image hardly tells where along the vessels the tree lies.</source>
+        <comment>trust.shift-uncertain</comment>
+        <translation>Das Bild verrät kaum, wo längs der Gefäße der Gefäßbaum liegt.</translation>
+    </message>
+    <message>
+        <source>The image leaves the pose uncertain by about %1.</source>
+        <comment>trust.pose-uncertain</comment>
+        <translation>Das Bild lässt die Lage um etwa %1 unsicher.</translation>
+    </message>
+    <message>
+        <source>Another pose explains the image nearly as well: compare the alternatives.</source>
+        <comment>trust.rival</comment>
+        <translation>Eine andere Lage erklärt das Bild fast ebenso gut: die Alternativen vergleichen.</translation>
+    </message>
+    <message>
+        <source>The registration was stopped before its end.</source>
+        <comment>trust.stopped</comment>
+        <translation>Die Registrierung wurde vor ihrem Ende angehalten.</translation>
+    </message>
+    <message>
+        <source>One view does not tell the depth here: the distance from the source stays close to the start pose.</source>
+        <comment>trust.depth-unknown</comment>
+        <translation>Eine Projektion allein verrät die Tiefe hier nicht: der Abstand vom Fokus bleibt nahe der Startlage.</translation>
+    </message>
+    <message>
+        <source>The angiogram frame is empty. Choose another frame or file.</source>
+        <comment>frame.empty</comment>
+        <translation>Das Angiogrammbild ist leer. Anderes Bild oder andere Datei wählen.</translation>
+    </message>
+    <message>
+        <source>The angiogram frame has pixels that are not a number (NaN or infinite). Choose another frame, or export the image again.</source>
+        <comment>frame.not-finite</comment>
+        <translation>Das Angiogrammbild hat Pixel, die keine Zahl sind (NaN oder unendlich). Anderes Bild wählen oder neu exportieren.</translation>
+    </message>
+    <message>
+        <source>The angiogram frame is of one colour: there is nothing to trace. Choose another frame or file.</source>
+        <comment>frame.one-colour</comment>
+        <translation>Das Angiogrammbild ist einfarbig: es gibt nichts zu erkennen. Anderes Bild oder andere Datei wählen.</translation>
+    </message>
+    <message>
+        <source>Nothing like a vessel was found in the angiogram frame. Choose a frame with more contrast, raise the sensitivity, or check whether vessels are dark or bright.</source>
+        <comment>frame.no-vessels</comment>
+        <translation>Im Angiogrammbild wurde nichts Gefäßartiges gefunden. Ein Bild mit mehr Kontrast wählen, die Empfindlichkeit erhöhen, oder prüfen, ob Gefäße dunkel oder hell sind.</translation>
+    </message>
+    <message>
+        <source>Frame %1 does not exist: the image has frames 0 to %2.</source>
+        <comment>frame.missing</comment>
+        <translation>Bild %1 gibt es nicht: die Aufnahme hat die Bilder 0 bis %2.</translation>
+    </message>
+    <message>
+        <source>The vessel mask has no vessel of at least %1 in it. Draw longer vessels, or lower the shortest length.</source>
+        <comment>frame.mask-without-vessels</comment>
+        <translation>Die Gefäßmaske enthält kein Gefäß von mindestens %1. Längere Gefäße zeichnen oder die kürzeste Länge senken.</translation>
+    </message>
+    <message>
+        <source>The run has one frame: there is nothing to subtract. Choose a run with frames before the contrast.</source>
+        <comment>subtraction.one-frame</comment>
+        <translation>Die Serie hat nur ein Bild: nichts zu subtrahieren. Eine Serie mit Bildern vor dem Kontrastmittel wählen.</translation>
+    </message>
+    <message>
+        <source>The frames of the run differ in size and cannot be subtracted.</source>
+        <comment>subtraction.sizes-differ</comment>
+        <translation>Die Bilder der Serie sind verschieden groß und lassen sich nicht subtrahieren.</translation>
+    </message>
+    <message>
+        <source>Mask frame %1 does not exist. The run has frames 0 to %2.</source>
+        <comment>subtraction.mask-frame-missing</comment>
+        <translation>Maskenbild %1 gibt es nicht. Die Serie hat die Bilder 0 bis %2.</translation>
+    </message>
+    <message>
+        <source>The run shows contrast medium from its first frame on, so no frame serves as mask. Name the mask frames, or trace without subtraction.</source>
+        <comment>subtraction.no-mask</comment>
+        <translation>Die Serie zeigt vom ersten Bild an Kontrastmittel, kein Bild taugt als Maske. Maskenbilder nennen oder ohne Subtraktion erkennen.</translation>
+    </message>
+    <message>
+        <source>The subtraction was stopped.</source>
+        <comment>subtraction.stopped</comment>
+        <translation>Die Subtraktion wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>The volume is empty. Choose another series or file.</source>
+        <comment>volume.empty</comment>
+        <translation>Das Volumen ist leer. Andere Serie oder Datei wählen.</translation>
+    </message>
+    <message>
+        <source>The volume has more than 4 billion voxels. Crop or resample it first.</source>
+        <comment>volume.too-large</comment>
+        <translation>Das Volumen hat mehr als 4 Milliarden Voxel. Zuerst zuschneiden oder umrechnen.</translation>
+    </message>
+    <message>
+        <source>The volume has no valid voxel spacing. Give the spacing in mm, or export the volume again.</source>
+        <comment>volume.no-spacing</comment>
+        <translation>Das Volumen hat keinen gültigen Voxelabstand. Abstand in mm angeben oder neu exportieren.</translation>
+    </message>
+    <message>
+        <source>The volume is of one value: there is nothing to trace. Choose another series or file.</source>
+        <comment>volume.one-value</comment>
+        <translation>Das Volumen hat nur einen Wert: nichts zu erkennen. Andere Serie oder Datei wählen.</translation>
+    </message>
+    <message>
+        <source>Tracing was stopped; nothing was kept.</source>
+        <comment>tracing.stopped</comment>
+        <translation>Die Erkennung wurde angehalten; nichts wurde behalten.</translation>
+    </message>
+    <message>
+        <source>There is no vessel in the volume: nothing is set. Lower the threshold, or load another file.</source>
+        <comment>tracing.nothing-set</comment>
+        <translation>Im Volumen ist kein Gefäß: nichts ist gesetzt. Schwelle senken oder andere Datei laden.</translation>
+    </message>
+    <message>
+        <source>Nothing in the volume is like a vessel: no branch is long enough. Lower the threshold or the shortest branch length.</source>
+        <comment>tracing.no-long-branch</comment>
+        <translation>Nichts im Volumen gleicht einem Gefäß: kein Ast ist lang genug. Schwelle oder kürzeste Astlänge senken.</translation>
     </message>
     <message>
         <source>No contrast-filled vessels were found: soft tissue has %1, and nothing even is as much brighter as contrast medium makes blood. Is this the arterial phase? Choose the CT angiogram, or give the threshold at which the vessels begin.</source>
+        <comment>tracing.no-contrast</comment>
         <translation>Es wurden keine kontrastierten Gefäße gefunden: Weichgewebe hat %1, und nichts Gleichmäßiges ist so viel heller, wie Kontrastmittel das Blut macht. Ist dies die arterielle Phase? Die CT-Angiographie wählen oder die Schwelle angeben, ab der die Gefäße beginnen.</translation>
     </message>
     <message>
-        <source>Another view is left out: %1</source>
-        <translation>Eine weitere Ansicht wird ausgelassen: %1</translation>
+        <source>No contrast-filled vessels were found: besides bone the brightest has %1, soft tissue %2, and it is not like a vessel. Is this the arterial phase? Choose the CT angiogram, or give the threshold at which the vessels begin.</source>
+        <comment>tracing.brightest-is-no-vessel</comment>
+        <translation>Es wurden keine kontrastierten Gefäße gefunden: Das Hellste außer Knochen hat %1, Weichgewebe %2, und es gleicht keinem Gefäß. Ist dies die arterielle Phase? Die CT-Angiographie wählen oder die Schwelle angeben, ab der die Gefäße beginnen.</translation>
     </message>
     <message>
-        <source>Stopped before the run began.</source>
-        <translation>Angehalten, bevor der Lauf begann.</translation>
+        <source>There are places to avoid, but no seed. Place at least one seed in the vessels.</source>
+        <comment>tracing.avoid-without-seed</comment>
+        <translation>Es gibt zu meidende Stellen, aber keinen Startpunkt. Mindestens einen in die Gefäße setzen.</translation>
     </message>
     <message>
-        <source>frame %1 of 0–%2</source>
-        <translation>Bild %1 von 0–%2</translation>
+        <source>(%1, %2, %3)</source>
+        <comment>tracing.place</comment>
+        <translation>(%1, %2, %3)</translation>
     </message>
     <message>
-        <source>Not for clinical use</source>
-        <translation>Nicht für den klinischen Einsatz</translation>
+        <source>The seed %1 mm (LPS) lies in no vessel. Place it inside one, or lower the threshold.</source>
+        <comment>tracing.seed-in-no-vessel</comment>
+        <translation>Der Startpunkt %1 mm (LPS) liegt in keinem Gefäß. In eines setzen oder die Schwelle senken.</translation>
     </message>
     <message>
-        <source>Labels left out, by their names: %1.</source>
-        <translation>Nach ihren Namen weggelassene Labels: %1.</translation>
-    </message>
-    <message>
-        <source>Labels traced: %1.</source>
-        <translation>Erfasste Labels: %1.</translation>
-    </message>
-    <message>
-        <source>it has no label &quot;%1&quot; but %2. Choose one of these.</source>
-        <translation>sie hat kein Label „%1“, aber %2. Wählen Sie eines davon.</translation>
-    </message>
-    <message>
-        <source>it has no label %1 but %2. Choose one of these.</source>
-        <translation>sie hat kein Label %1, aber %2. Wählen Sie eines davon.</translation>
-    </message>
-    <message>
-        <source>it has one plane: a single slice is no volume. Choose the whole segmentation.</source>
-        <translation>sie hat eine Ebene: Eine einzelne Schicht ist kein Volumen. Wählen Sie die ganze Segmentierung.</translation>
-    </message>
-    <message>
-        <source>none at all</source>
-        <translation>gar keines</translation>
-    </message>
-    <message>
-        <source>What was traced is hardly longer than wide: check that it is a vessel.</source>
-        <translation>Das Erfasste ist kaum länger als breit: prüfen, ob es ein Gefäß ist.</translation>
-    </message>
-    <message>
-        <source>it is %1-dimensional, but a volume has three dimensions. Choose the whole scan.</source>
-        <translation>ist %1-dimensional, ein Volumen hat aber drei Dimensionen. Den ganzen Scan wählen.</translation>
-    </message>
-    <message>
-        <source>its voxels are in %1, which is not there. Copy both files together.</source>
-        <translation>die Voxel stehen in %1, das fehlt. Beide Dateien zusammen kopieren.</translation>
-    </message>
-    <message>
-        <source>its voxels begin with the header of another volume. Open that file itself, or give the bytes to skip: -1 where the voxels are the last ones.</source>
-        <translation>die Voxel beginnen mit dem Kopf eines anderen Volumens. Jene Datei selbst öffnen oder die zu überspringenden Bytes angeben: -1, wo die Voxel am Ende stehen.</translation>
-    </message>
-    <message>
-        <source>nothing is marked in it: every voxel is background. Choose another segmentation.</source>
-        <translation>nichts ist darin markiert: alle Voxel sind Hintergrund. Eine andere Segmentierung wählen.</translation>
-    </message>
-    <message>
-        <source>this is no image that this program reads. Choose a DICOM XA run, a PNG, TIFF or JPEG image.</source>
-        <translation>das ist kein Bild, das dieses Programm liest. Eine DICOM-XA-Serie, ein PNG-, TIFF- oder JPEG-Bild wählen.</translation>
-    </message>
-    <message>
-        <source>this is no surface that this program reads. Choose a .vtp, .vtk, .stl, .ply or .obj file.</source>
-        <translation>das ist keine Oberfläche, die dieses Programm liest. Eine .vtp-, .vtk-, .stl-, .ply- oder .obj-Datei wählen.</translation>
-    </message>
-    <message>
-        <source>this is no volume that this program reads. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).</source>
-        <translation>das ist kein Volumen, das dieses Programm liest. Einen DICOM-Ordner, NIfTI, NRRD oder MetaImage (.mha, .mhd) wählen.</translation>
-    </message>
-    <message>
-        <source>No seed was placed, and nothing is like a great vessel: the largest piece was traced. Place a seed in the vessels if it is not them.</source>
-        <translation>Kein Startpunkt gesetzt, und nichts gleicht einem großen Gefäß: Das größte Stück wurde erfasst. Einen Startpunkt in die Gefäße setzen, wenn es nicht diese sind.</translation>
+        <source>The seed %1 mm (LPS) lies in nothing filled: the vessel %2 away was taken.</source>
+        <comment>tracing.seed-moved</comment>
+        <translation>Der Startpunkt %1 mm (LPS) liegt in nichts Gefülltem: Das Gefäß im Abstand von %2 wurde genommen.</translation>
     </message>
     <message>
         <source>No seed was placed: the great vessel at %1 mm (LPS) was found and traced. Place a seed in another vessel if it is the wrong one.</source>
+        <comment>tracing.no-seed-found-vessel</comment>
         <translation>Kein Startpunkt gesetzt: Das große Gefäß bei %1 mm (LPS) wurde gefunden und erfasst. Einen Startpunkt in ein anderes Gefäß setzen, wenn es das falsche ist.</translation>
     </message>
     <message>
-        <source>The seed %1 mm (LPS) lies in nothing filled: the vessel %2 mm away was taken.</source>
-        <translation>Der Startpunkt %1 mm (LPS) liegt in nichts Gefülltem: Das Gefäß im Abstand von %2 mm wurde genommen.</translation>
+        <source>No seed was placed, and nothing is like a great vessel: the largest piece was traced. Place a seed in the vessels if it is not them.</source>
+        <comment>tracing.no-seed-largest-piece</comment>
+        <translation>Kein Startpunkt gesetzt, und nichts gleicht einem großen Gefäß: Das größte Stück wurde erfasst. Einen Startpunkt in die Gefäße setzen, wenn es nicht diese sind.</translation>
     </message>
     <message>
-        <source>a scan alone is no case yet: the case file needs traced vessels and an angiogram. Trace the vessels and open an angiogram before saving; the scan itself stays as it is.</source>
-        <translation>ein CT allein ist noch kein Fall: die Falldatei braucht erfasste Gefäße und ein Angiogramm. Vor dem Speichern die Gefäße erfassen und ein Angiogramm öffnen; das CT selbst bleibt, wie es ist.</translation>
+        <source>A piece that does not connect to the traced vessels was left out. Place a seed in it if it belongs to the tree.</source>
+        <comment>tracing.one-piece-left-out</comment>
+        <translation>Ein Stück ohne Verbindung zu den erkannten Gefäßen wurde ausgelassen. Einen Startpunkt hineinsetzen, wenn es zum Baum gehört.</translation>
     </message>
     <message>
-        <source>none of its %1 series can be opened.</source>
-        <translation>keine der %1 Serien darin lässt sich öffnen.</translation>
+        <source>%1 pieces that do not connect to the traced vessels were left out. Place a seed in each that belongs to the tree.</source>
+        <comment>tracing.pieces-left-out</comment>
+        <translation>%1 Stücke ohne Verbindung zu den erkannten Gefäßen wurden ausgelassen. In jedes, das zum Baum gehört, einen Startpunkt setzen.</translation>
     </message>
     <message>
-        <source>after: at this pose</source>
-        <translation>nachher: in dieser Lage</translation>
+        <source>1 loop was opened at the thinnest place: look there for vessels that only touch.</source>
+        <comment>tracing.one-loop-opened</comment>
+        <translation>1 Schleife wurde an der dünnsten Stelle geöffnet: dort nach Gefäßen sehen, die sich nur berühren.</translation>
     </message>
     <message>
-        <source>before: at the start pose</source>
-        <translation>vorher: in der Startlage</translation>
-    </message>
-    <message>
-        <source>The picture is a mask of two levels: its vessels are taken as they are drawn.</source>
-        <translation>Das Bild ist eine Maske aus zwei Stufen: Die Gefäße werden übernommen, wie sie gezeichnet sind.</translation>
-    </message>
-    <message>
-        <source>Nothing in the scan is as dark as air in Hounsfield units: if its values are others, bone cannot be told from blood for sure. Look for bone among the vessels, or export the scan in Hounsfield units.</source>
-        <translation>Nichts im Scan ist so dunkel wie Luft in Hounsfield-Einheiten: Hat er andere Werte, lässt sich Knochen nicht sicher von Blut unterscheiden. Unter den Gefäßen nach Knochen suchen oder den Scan in Hounsfield-Einheiten exportieren.</translation>
-    </message>
-    <message>
-        <source>%1 parts less bright than the vessels were left out, as veins and organs are. Place seeds in those that belong to the tree.</source>
-        <translation>%1 Teile, die weniger hell sind als die Gefäße, wurden weggelassen: so sehen Venen und Organe aus. In die, die zum Baum gehören, einen Startpunkt setzen.</translation>
+        <source>%1 loops were opened at their thinnest places: look there for vessels that only touch.</source>
+        <comment>tracing.loops-opened</comment>
+        <translation>%1 Schleifen wurden an den dünnsten Stellen geöffnet: dort nach Gefäßen sehen, die sich nur berühren.</translation>
     </message>
     <message>
         <source>A part less bright than the vessels was left out, as veins and organs are. Place a seed in it if it belongs to the tree.</source>
+        <comment>tracing.one-dim-part-left-out</comment>
         <translation>Ein Teil, der weniger hell ist als die Gefäße, wurde weggelassen: so sehen Venen und Organe aus. Einen Startpunkt hineinsetzen, wenn er zum Baum gehört.</translation>
     </message>
     <message>
-        <source>The vessels are %1 mm across, or of a width that is unusual: if the unit of the file is not the millimetre, give the unit.</source>
-        <translation>Die Gefäße messen %1 mm im Ganzen oder sind ungewöhnlich breit oder schmal: ist die Einheit der Datei nicht der Millimeter, die Einheit angeben.</translation>
+        <source>%1 parts less bright than the vessels were left out, as veins and organs are. Place seeds in those that belong to the tree.</source>
+        <comment>tracing.dim-parts-left-out</comment>
+        <translation>%1 Teile, die weniger hell sind als die Gefäße, wurden weggelassen: so sehen Venen und Organe aus. In die, die zum Baum gehören, einen Startpunkt setzen.</translation>
+    </message>
+    <message>
+        <source>A wide vessel that was not traced runs beside the traced ones for %1: the other lumen, if the aorta is torn. Place a seed in each lumen to trace both.</source>
+        <comment>tracing.other-lumen-beside</comment>
+        <translation>Ein weites Gefäß, das nicht erfasst wurde, läuft %1 weit neben den erfassten: bei einer eingerissenen Aorta das andere Lumen. In jedes Lumen einen Startpunkt setzen, um beide zu erfassen.</translation>
+    </message>
+    <message>
+        <source>Nothing in the scan is as dark as air in Hounsfield units: if its values are others, bone cannot be told from blood for sure. Look for bone among the vessels, or export the scan in Hounsfield units.</source>
+        <comment>tracing.perhaps-no-hounsfield</comment>
+        <translation>Nichts im Scan ist so dunkel wie Luft in Hounsfield-Einheiten: Hat er andere Werte, lässt sich Knochen nicht sicher von Blut unterscheiden. Unter den Gefäßen nach Knochen suchen oder den Scan in Hounsfield-Einheiten exportieren.</translation>
+    </message>
+    <message>
+        <source>The vessel tree has no branches. Load a centreline with at least one branch.</source>
+        <comment>tree.no-branches</comment>
+        <translation>Der Gefäßbaum hat keine Äste. Eine Mittellinie mit mindestens einem Ast laden.</translation>
+    </message>
+    <message>
+        <source>Branch %1 occurs twice in the vessel tree. Branch ids must be unique.</source>
+        <comment>tree.branch-twice</comment>
+        <translation>Ast %1 kommt im Gefäßbaum doppelt vor. Ast-Nummern müssen einmalig sein.</translation>
+    </message>
+    <message>
+        <source>Branch %1 of the vessel tree has fewer than two points. Remove it or add points.</source>
+        <comment>tree.branch-too-few-points</comment>
+        <translation>Ast %1 des Gefäßbaums hat weniger als zwei Punkte. Entfernen oder Punkte ergänzen.</translation>
+    </message>
+    <message>
+        <source>Branch %1 of the vessel tree has a coordinate that is not a number (NaN or infinite).</source>
+        <comment>tree.branch-not-finite</comment>
+        <translation>Ast %1 des Gefäßbaums hat eine Koordinate, die keine Zahl ist (NaN oder unendlich).</translation>
+    </message>
+    <message>
+        <source>Branch %1 of the vessel tree has no length: all its points coincide.</source>
+        <comment>tree.branch-without-length</comment>
+        <translation>Ast %1 des Gefäßbaums hat keine Länge: alle Punkte fallen zusammen.</translation>
+    </message>
+    <message>
+        <source>Branch %1 of the vessel tree does not have one radius per point.</source>
+        <comment>tree.branch-radii-missing</comment>
+        <translation>Ast %1 des Gefäßbaums hat nicht je Punkt einen Radius.</translation>
+    </message>
+    <message>
+        <source>The vessel tree has no branch %1.</source>
+        <comment>tree.no-such-branch</comment>
+        <translation>Der Gefäßbaum hat keinen Ast %1.</translation>
+    </message>
+    <message>
+        <source>Every branch hangs on branch %1: nothing would be left.</source>
+        <comment>edit.all-hang-on-branch</comment>
+        <translation>Alle Äste hängen an Ast %1: nichts bliebe übrig.</translation>
+    </message>
+    <message>
+        <source>Every branch is shorter or thinner than asked: nothing would be left. Lower the limits.</source>
+        <comment>edit.all-pruned</comment>
+        <translation>Jeder Ast ist kürzer oder dünner als verlangt: nichts bliebe übrig. Grenzen senken.</translation>
+    </message>
+    <message>
+        <source>Branch %1 cannot be cut so near to its end. Delete it instead, or cut farther in.</source>
+        <comment>edit.cut-too-near-end</comment>
+        <translation>Ast %1 lässt sich so nah am Ende nicht trennen. Stattdessen löschen oder weiter innen trennen.</translation>
+    </message>
+    <message>
+        <source>A branch cannot be joined to itself. Choose two branches.</source>
+        <comment>edit.joined-to-itself</comment>
+        <translation>Ein Ast lässt sich nicht mit sich selbst verbinden. Zwei Äste wählen.</translation>
+    </message>
+    <message>
+        <source>The 2-D centreline is empty: no vessel was found in the image. Choose another frame or a higher sensitivity, or give a centreline file.</source>
+        <comment>centreline.empty</comment>
+        <translation>Die 2-D-Mittellinie ist leer: im Bild wurde kein Gefäß gefunden. Anderes Bild oder höhere Empfindlichkeit wählen, oder eine Mittelliniendatei angeben.</translation>
+    </message>
+    <message>
+        <source>Curve %1 of the 2-D centreline has a coordinate that is not a number (NaN or infinite).</source>
+        <comment>centreline.curve-not-finite</comment>
+        <translation>Kurve %1 der 2-D-Mittellinie hat eine Koordinate, die keine Zahl ist (NaN oder unendlich).</translation>
+    </message>
+    <message>
+        <source>The surface has no triangles, or the voxel size is not positive. Choose another surface.</source>
+        <comment>surface.empty</comment>
+        <translation>Die Oberfläche hat keine Dreiecke, oder die Voxelgröße ist nicht positiv. Andere Oberfläche wählen.</translation>
+    </message>
+    <message>
+        <source>The surface is flat: it bounds no inside. Choose the wall of a vessel.</source>
+        <comment>surface.flat</comment>
+        <translation>Die Oberfläche ist flach: sie umschließt nichts. Eine Gefäßwand wählen.</translation>
+    </message>
+    <message>
+        <source>The voxel size is too fine for a surface of this extent. Choose a larger one.</source>
+        <comment>surface.voxel-too-fine</comment>
+        <translation>Die Voxelgröße ist für eine so große Oberfläche zu fein. Größere wählen.</translation>
+    </message>
+    <message>
+        <source>Nothing lies inside the surface: it is too open, or thinner than a voxel. Close its holes, or choose a smaller voxel size.</source>
+        <comment>surface.nothing-inside</comment>
+        <translation>In der Oberfläche liegt nichts: sie ist zu offen oder dünner als ein Voxel. Löcher schließen oder kleinere Voxel wählen.</translation>
+    </message>
+    <message>
+        <source>it is too large for a case file. Choose an .angiopose file.</source>
+        <comment>case.too-large</comment>
+        <translation>ist zu groß für eine Falldatei. Eine .angiopose-Datei wählen.</translation>
+    </message>
+    <message>
+        <source>this is %1, not a case. Choose an .angiopose file.</source>
+        <comment>case.is-other</comment>
+        <translation>das ist %1, kein Fall. Eine .angiopose-Datei wählen.</translation>
+    </message>
+    <message>
+        <source>this JSON is not an AngioPose case (its format is not &quot;angiopose-case&quot;). Choose an .angiopose file.</source>
+        <comment>case.not-one</comment>
+        <translation>dieses JSON ist kein AngioPose-Fall (sein format ist nicht &quot;angiopose-case&quot;). Eine .angiopose-Datei wählen.</translation>
+    </message>
+    <message>
+        <source>a value in it has the wrong kind. Compare it with the published schema.</source>
+        <comment>case.wrong-kind</comment>
+        <translation>ein Wert darin ist von falscher Art. Mit dem veröffentlichten Schema vergleichen.</translation>
+    </message>
+    <message>
+        <source>the case was saved by a newer AngioPose. Update the program.</source>
+        <comment>case.newer</comment>
+        <translation>der Fall stammt von einem neueren AngioPose. Das Programm aktualisieren.</translation>
+    </message>
+    <message>
+        <source>the key %1 is missing. Add it.</source>
+        <comment>case.key-missing</comment>
+        <translation>der Schlüssel %1 fehlt. Ergänzen.</translation>
+    </message>
+    <message>
+        <source>the value is not one of those allowed. See the published schema.</source>
+        <comment>case.value-not-allowed</comment>
+        <translation>der Wert ist nicht erlaubt. Siehe das veröffentlichte Schema.</translation>
+    </message>
+    <message>
+        <source>the value is of the wrong kind. See the published schema.</source>
+        <comment>case.value-of-wrong-kind</comment>
+        <translation>der Wert ist von falscher Art. Siehe das veröffentlichte Schema.</translation>
+    </message>
+    <message>
+        <source>%1 Correct it.</source>
+        <comment>case.value-wrong</comment>
+        <translation>%1 Berichtigen.</translation>
+    </message>
+    <message>
+        <source>it does not follow the published schema. Compare it with a case that loads.</source>
+        <comment>case.against-schema</comment>
+        <translation>folgt nicht dem veröffentlichten Schema. Mit einem ladbaren Fall vergleichen.</translation>
+    </message>
+    <message>
+        <source>this is an input of the case and will not be overwritten. Choose another name.</source>
+        <comment>case.is-input</comment>
+        <translation>das ist eine Eingabe des Falls und wird nicht überschrieben. Anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>a file name or a text in the case is not UTF-8. Rename the file.</source>
+        <comment>case.not-utf8</comment>
+        <translation>ein Dateiname oder Text im Fall ist nicht UTF-8. Die Datei umbenennen.</translation>
+    </message>
+    <message>
+        <source>a scan alone is no case yet: the case file needs traced vessels and an angiogram. Trace the vessels and open an angiogram before saving; the scan itself stays as it is.</source>
+        <comment>case.scan-alone</comment>
+        <translation>ein CT allein ist noch kein Fall: die Falldatei braucht erfasste Gefäße und ein Angiogramm. Vor dem Speichern die Gefäße erfassen und ein Angiogramm öffnen; das CT selbst bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>a case needs a vessel tree and an angiogram. Open both before saving.</source>
+        <comment>case.incomplete</comment>
+        <translation>ein Fall braucht Gefäßbaum und Angiogramm. Vor dem Speichern beide öffnen.</translation>
+    </message>
+    <message>
+        <source>the pose is not a rigid motion of finite numbers. Reset the pose before saving.</source>
+        <comment>case.pose-not-rigid</comment>
+        <translation>die Lage ist keine starre Bewegung endlicher Zahlen. Vor dem Speichern zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>%1 does not exist. The image has frames 0 to %2.</source>
+        <comment>case.frame-missing</comment>
+        <translation>%1 gibt es nicht. Die Aufnahme hat die Bilder 0 bis %2.</translation>
+    </message>
+    <message>
+        <source>it is for an image of %1 x %2 pixels, but the angiogram has %3 x %4. Give the camera of this image.</source>
+        <comment>case.camera-of-other-image</comment>
+        <translation>gilt für ein Bild mit %1 x %2 Pixeln, das Angiogramm hat aber %3 x %4. Die Kamera dieses Bildes angeben.</translation>
+    </message>
+    <message>
+        <source>maxVesselRadiusPx is below minVesselRadiusPx. Exchange them.</source>
+        <comment>case.radii-swapped</comment>
+        <translation>maxVesselRadiusPx liegt unter minVesselRadiusPx. Beide vertauschen.</translation>
+    </message>
+    <message>
+        <source>it names no input. Give the file of the vessels as centerline, segmentation, surface or volume.</source>
+        <comment>case.no-input</comment>
+        <translation>nennt keine Eingabe. Die Datei der Gefäße als centerline, segmentation, surface oder volume angeben.</translation>
+    </message>
+    <message>
+        <source>%1 Remove the key to go back to the vessels as they were before the edits.</source>
+        <comment>case.edited-tree</comment>
+        <translation>%1 Den Schlüssel entfernen, um zu den unbearbeiteten Gefäßen zurückzukehren.</translation>
+    </message>
+    <message>
+        <source>branch %1 is there twice.</source>
+        <comment>case.branch-twice</comment>
+        <translation>Ast %1 ist doppelt vorhanden.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is unknown. Use one of %2.</source>
+        <comment>case.method-unknown</comment>
+        <translation>&quot;%1&quot; ist unbekannt. Möglich: %2.</translation>
+    </message>
+    <message>
+        <source>give a number from %1 to %2.</source>
+        <comment>case.option-number</comment>
+        <translation>eine Zahl von %1 bis %2 angeben.</translation>
+    </message>
+    <message>
+        <source>give one of %1.</source>
+        <comment>case.option-choice</comment>
+        <translation>eines von %1 angeben.</translation>
+    </message>
+    <message>
+        <source>it is missing, and the angles do not give a start pose. %1</source>
+        <comment>case.no-start-pose</comment>
+        <translation>fehlt, und die Winkel ergeben keine Startlage. %1</translation>
+    </message>
+    <message>
+        <source>the file has changed since the case was saved. Check that it is the right one.</source>
+        <comment>case.file-changed</comment>
+        <translation>die Datei hat sich seit dem Speichern des Falls geändert. Prüfen, ob es die richtige ist.</translation>
+    </message>
+    <message>
+        <source>this is another DICOM image than the one the case was made for.</source>
+        <comment>case.other-image</comment>
+        <translation>das ist ein anderes DICOM-Bild als das des Falls.</translation>
+    </message>
+    <message>
+        <source>%1 The edited vessels are in the case; it opens without the file.</source>
+        <comment>case.opens-without</comment>
+        <translation>%1 Die bearbeiteten Gefäße sind im Fall; er öffnet ohne die Datei.</translation>
+    </message>
+    <message>
+        <source>the tree has no branch %1; it is left out.</source>
+        <comment>case.branch-left-out</comment>
+        <translation>der Baum hat keinen Ast %1; er wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Another view is left out: %1</source>
+        <comment>case.view-left-out</comment>
+        <translation>Eine weitere Ansicht wird ausgelassen: %1</translation>
+    </message>
+    <message>
+        <source>line %1 names no case. Give the path of a case file.</source>
+        <comment>batch.no-case</comment>
+        <translation>Zeile %1 nennt keinen Fall. Den Pfad einer Falldatei angeben.</translation>
+    </message>
+    <message>
+        <source>line %1: the name &apos;%2&apos; is no folder name. Use one without &apos;/&apos;.</source>
+        <comment>batch.no-folder-name</comment>
+        <translation>Zeile %1: „%2“ ist kein Ordnername. Einen ohne „/“ wählen.</translation>
+    </message>
+    <message>
+        <source>line %1: the frame &apos;%2&apos; is no whole number.</source>
+        <comment>batch.frame-no-number</comment>
+        <translation>Zeile %1: das Bild „%2“ ist keine ganze Zahl.</translation>
+    </message>
+    <message>
+        <source>a batch needs a header row with the column case, and a row for each case.</source>
+        <comment>batch.no-header</comment>
+        <translation>ein Stapel braucht eine Kopfzeile mit der Spalte case und eine Zeile je Fall.</translation>
+    </message>
+    <message>
+        <source>line %1: the name &apos;%2&apos; is taken. Give each case its own.</source>
+        <comment>batch.name-twice</comment>
+        <translation>Zeile %1: der Name „%2“ ist vergeben. Jedem Fall einen eigenen geben.</translation>
+    </message>
+    <message>
+        <source>the column %1 is missing. Give a folder that `angiopose-cli evaluate` wrote.</source>
+        <comment>runs.column-missing</comment>
+        <translation>die Spalte %1 fehlt. Einen Ordner angeben, den `angiopose-cli evaluate` geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>line %1, column %2 holds no number. Give a folder that `angiopose-cli evaluate` wrote.</source>
+        <comment>runs.no-number</comment>
+        <translation>Zeile %1, Spalte %2 enthält keine Zahl. Einen Ordner angeben, den `angiopose-cli evaluate` geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>it mixes experiments or seeds. Give each its own folder.</source>
+        <comment>runs.mixed</comment>
+        <translation>mischt Experimente oder Startwerte. Jedem einen eigenen Ordner geben.</translation>
+    </message>
+    <message>
+        <source>reading was stopped.</source>
+        <comment>file.reading-stopped</comment>
+        <translation>das Lesen wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>there is no such file. Check the path.</source>
+        <comment>file.missing</comment>
+        <translation>die Datei gibt es nicht. Pfad prüfen.</translation>
+    </message>
+    <message>
+        <source>it cannot be reached (%1). Check the path.</source>
+        <comment>file.unreachable</comment>
+        <translation>ist nicht erreichbar (%1). Pfad prüfen.</translation>
+    </message>
+    <message>
+        <source>it cannot be opened (%1). Check that you may read it.</source>
+        <comment>file.not-opened</comment>
+        <translation>lässt sich nicht öffnen (%1). Leserechte prüfen.</translation>
+    </message>
+    <message>
+        <source>it cannot be read (%1). Copy it to a local disk.</source>
+        <comment>file.not-read</comment>
+        <translation>lässt sich nicht lesen (%1). Auf eine lokale Platte kopieren.</translation>
+    </message>
+    <message>
+        <source>it cannot be read. Copy it to a local disk.</source>
+        <comment>file.not-read-at-all</comment>
+        <translation>lässt sich nicht lesen. Auf eine lokale Platte kopieren.</translation>
+    </message>
+    <message>
+        <source>it cannot be written (%1). Choose another folder or make room.</source>
+        <comment>file.not-written</comment>
+        <translation>lässt sich nicht schreiben (%1). Anderen Ordner wählen oder Platz schaffen.</translation>
+    </message>
+    <message>
+        <source>this is a folder. Choose a file in it.</source>
+        <comment>file.is-folder</comment>
+        <translation>das ist ein Ordner. Eine Datei darin wählen.</translation>
+    </message>
+    <message>
+        <source>this is not a regular file. Choose a file on disk.</source>
+        <comment>file.not-regular</comment>
+        <translation>das ist keine gewöhnliche Datei. Eine Datei auf der Platte wählen.</translation>
+    </message>
+    <message>
+        <source>the file is empty. Export or copy it again.</source>
+        <comment>file.empty</comment>
+        <translation>die Datei ist leer. Neu exportieren oder kopieren.</translation>
+    </message>
+    <message>
+        <source>this is a Git LFS pointer, not the file itself. Run `git lfs pull` where it came from.</source>
+        <comment>file.lfs-pointer</comment>
+        <translation>das ist ein Git-LFS-Verweis, nicht die Datei selbst. Am Ursprungsort `git lfs pull` ausführen.</translation>
+    </message>
+    <message>
+        <source>this is not a place for a file. Give a file name in an existing folder.</source>
+        <comment>file.no-place</comment>
+        <translation>hier kann keine Datei liegen. Einen Namen in einem vorhandenen Ordner angeben.</translation>
+    </message>
+    <message>
+        <source>the unit must be a positive length in mm.</source>
+        <comment>file.wrong-unit</comment>
+        <translation>die Einheit muss eine positive Länge in mm sein.</translation>
+    </message>
+    <message>
+        <source>it declares more data than memory holds. The file is damaged; export it again.</source>
+        <comment>file.larger-than-memory</comment>
+        <translation>nennt mehr Daten, als in den Speicher passen. Die Datei ist beschädigt; neu exportieren.</translation>
+    </message>
+    <message>
+        <source>SHA-256 cannot be computed. Check the OpenSSL installation.</source>
+        <comment>file.hash-impossible</comment>
+        <translation>SHA-256 lässt sich nicht berechnen. Die OpenSSL-Installation prüfen.</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read (%1). Check the path.</source>
+        <comment>folder.not-read</comment>
+        <translation>der Ordner lässt sich nicht lesen (%1). Pfad prüfen.</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read to its end. Copy it to a local disk.</source>
+        <comment>folder.not-read-to-end</comment>
+        <translation>der Ordner lässt sich nicht zu Ende lesen. Auf eine lokale Platte kopieren.</translation>
+    </message>
+    <message>
+        <source>it holds more than 50000 files. Choose the folder of one study.</source>
+        <comment>folder.too-full</comment>
+        <translation>enthält über 50000 Dateien. Den Ordner einer einzelnen Untersuchung wählen.</translation>
+    </message>
+    <message>
+        <source>its JSON is nested more than %1 levels deep. This is no file of this program.</source>
+        <comment>json.too-deep</comment>
+        <translation>das JSON ist mehr als %1 Ebenen tief. Das ist keine Datei dieses Programms.</translation>
+    </message>
+    <message>
+        <source>it is not valid JSON at line %1. Correct it there.</source>
+        <comment>json.invalid</comment>
+        <translation>ist in Zeile %1 kein gültiges JSON. Dort berichtigen.</translation>
+    </message>
+    <message>
+        <source>a number in it is too large for a double. Correct it.</source>
+        <comment>json.number-too-large</comment>
+        <translation>eine Zahl darin ist zu groß für double. Berichtigen.</translation>
+    </message>
+    <message>
+        <source>this is not a text table. Choose a CSV file with a header row.</source>
+        <comment>table.no-text</comment>
+        <translation>das ist keine Texttabelle. Eine CSV-Datei mit Kopfzeile wählen.</translation>
+    </message>
+    <message>
+        <source>line %1 has %2 columns, the first line has %3. Separate columns by commas and use . as decimal point.</source>
+        <comment>table.columns</comment>
+        <translation>Zeile %1 hat %2 Spalten, die erste hat %3. Spalten durch Kommas trennen, Dezimalpunkt verwenden.</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: &quot;%3&quot; is not a finite number. Correct or remove the line.</source>
+        <comment>table.no-number</comment>
+        <translation>Zeile %1, Spalte %2: &quot;%3&quot; ist keine endliche Zahl. Berichtigen oder entfernen.</translation>
+    </message>
+    <message>
+        <source>line %1: the branch must be a whole number. Correct the line.</source>
+        <comment>table.branch-no-number</comment>
+        <translation>Zeile %1: branch muss eine ganze Zahl sein. Berichtigen.</translation>
+    </message>
+    <message>
+        <source>it does not hold one ITK transform as text. Export a single rigid transform.</source>
+        <comment>pose.no-transform</comment>
+        <translation>enthält nicht eine ITK-Transformation als Text. Eine einzelne starre Transformation exportieren.</translation>
+    </message>
+    <message>
+        <source>its transform &quot;%1&quot; is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
+        <comment>pose.not-rigid-transform</comment>
+        <translation>die Transformation &quot;%1&quot; ist nicht starr oder hat zu wenig Parameter. Eine starre exportieren (affine, Euler3D oder VersorRigid3D).</translation>
+    </message>
+    <message>
+        <source>its centre is not finite. Export the transform again.</source>
+        <comment>pose.centre-not-finite</comment>
+        <translation>der Mittelpunkt ist nicht endlich. Die Transformation neu exportieren.</translation>
+    </message>
+    <message>
+        <source>it has no matrix `cameraFromPatient` of four rows of four numbers, at the top or in `pose`. Give one.</source>
+        <comment>pose.no-matrix</comment>
+        <translation>hat keine Matrix `cameraFromPatient` mit vier Zeilen zu vier Zahlen, weder oben noch in `pose`. Eine angeben.</translation>
+    </message>
+    <message>
+        <source>cameraFromPatient must have four rows of four numbers.</source>
+        <comment>pose.rows</comment>
+        <translation>cameraFromPatient muss vier Zeilen zu vier Zahlen haben.</translation>
+    </message>
+    <message>
+        <source>cameraFromPatient has an entry that is not a finite number.</source>
+        <comment>pose.not-finite</comment>
+        <translation>cameraFromPatient enthält einen Eintrag, der keine endliche Zahl ist.</translation>
+    </message>
+    <message>
+        <source>the last row of cameraFromPatient must be 0 0 0 1. Is the matrix transposed?</source>
+        <comment>pose.last-row</comment>
+        <translation>die letzte Zeile von cameraFromPatient muss 0 0 0 1 sein. Ist die Matrix transponiert?</translation>
+    </message>
+    <message>
+        <source>cameraFromPatient is a reflection (determinant below 0). A mirrored image belongs into the sign of fx, never into the rotation.</source>
+        <comment>pose.reflection</comment>
+        <translation>cameraFromPatient ist eine Spiegelung (Determinante unter 0). Ein gespiegeltes Bild gehört ins Vorzeichen von fx, nie in die Drehung.</translation>
+    </message>
+    <message>
+        <source>the upper left 3 x 3 of cameraFromPatient is not a rotation (scale or shear). Give a rigid pose in mm.</source>
+        <comment>pose.no-rotation</comment>
+        <translation>die linken oberen 3 x 3 von cameraFromPatient sind keine Drehung (Skalierung oder Scherung). Eine starre Lage in mm angeben.</translation>
+    </message>
+    <message>
+        <source>it is too large for a pose. Choose a .json or .tfm file.</source>
+        <comment>pose.too-large</comment>
+        <translation>ist zu groß für eine Lage. Eine .json- oder .tfm-Datei wählen.</translation>
+    </message>
+    <message>
+        <source>this is no pose. Choose a .json or an ITK .tfm file.</source>
+        <comment>pose.unknown</comment>
+        <translation>das ist keine Lage. Eine .json- oder ITK-.tfm-Datei wählen.</translation>
+    </message>
+    <message>
+        <source>the pose is not a rigid motion of finite numbers. Reset it before saving.</source>
+        <comment>pose.not-saved</comment>
+        <translation>die Lage ist keine starre Bewegung endlicher Zahlen. Vor dem Speichern zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>poses are written as .json or .tfm. Change the extension.</source>
+        <comment>pose.extension</comment>
+        <translation>Lagen werden als .json oder .tfm geschrieben. Die Endung ändern.</translation>
+    </message>
+    <message>
+        <source>this is not a log of observer trials. Choose another name.</source>
+        <comment>observer-log.not-one</comment>
+        <translation>das ist kein Protokoll von Beobachterversuchen. Anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>a gzip archive</source>
+        <comment>content.gzip</comment>
+        <translation>ein gzip-Archiv</translation>
+    </message>
+    <message>
+        <source>a zip archive</source>
+        <comment>content.zip</comment>
+        <translation>ein zip-Archiv</translation>
+    </message>
+    <message>
+        <source>an NRRD volume</source>
+        <comment>content.nrrd</comment>
+        <translation>ein NRRD-Volumen</translation>
+    </message>
+    <message>
+        <source>a NIfTI volume</source>
+        <comment>content.nifti</comment>
+        <translation>ein NIfTI-Volumen</translation>
+    </message>
+    <message>
+        <source>a NIfTI header</source>
+        <comment>content.nifti-header</comment>
+        <translation>ein NIfTI-Header</translation>
+    </message>
+    <message>
+        <source>an HDF5 file</source>
+        <comment>content.hdf5</comment>
+        <translation>eine HDF5-Datei</translation>
+    </message>
+    <message>
+        <source>a NetCDF (MINC) volume</source>
+        <comment>content.netcdf</comment>
+        <translation>ein NetCDF-Volumen (MINC)</translation>
+    </message>
+    <message>
+        <source>an MRtrix tractogram</source>
+        <comment>content.mrtrix</comment>
+        <translation>ein MRtrix-Traktogramm</translation>
+    </message>
+    <message>
+        <source>a TrackVis tractogram</source>
+        <comment>content.trackvis</comment>
+        <translation>ein TrackVis-Traktogramm</translation>
+    </message>
+    <message>
+        <source>an STL surface</source>
+        <comment>content.stl</comment>
+        <translation>eine STL-Oberfläche</translation>
+    </message>
+    <message>
+        <source>a PLY surface</source>
+        <comment>content.ply</comment>
+        <translation>eine PLY-Oberfläche</translation>
+    </message>
+    <message>
+        <source>a glTF scene</source>
+        <comment>content.gltf</comment>
+        <translation>eine glTF-Szene</translation>
+    </message>
+    <message>
+        <source>a legacy VTK file</source>
+        <comment>content.legacy-vtk</comment>
+        <translation>eine alte VTK-Datei</translation>
+    </message>
+    <message>
+        <source>a VTK XML file</source>
+        <comment>content.vtk-xml</comment>
+        <translation>eine VTK-XML-Datei</translation>
+    </message>
+    <message>
+        <source>an XML file</source>
+        <comment>content.xml</comment>
+        <translation>eine XML-Datei</translation>
+    </message>
+    <message>
+        <source>a MetaImage header</source>
+        <comment>content.metaimage</comment>
+        <translation>ein MetaImage-Header</translation>
+    </message>
+    <message>
+        <source>a DICOM file</source>
+        <comment>content.dicom</comment>
+        <translation>eine DICOM-Datei</translation>
+    </message>
+    <message>
+        <source>a JPEG image</source>
+        <comment>content.jpeg</comment>
+        <translation>ein JPEG-Bild</translation>
+    </message>
+    <message>
+        <source>a PNG image</source>
+        <comment>content.png</comment>
+        <translation>ein PNG-Bild</translation>
+    </message>
+    <message>
+        <source>a TIFF image</source>
+        <comment>content.tiff</comment>
+        <translation>ein TIFF-Bild</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <comment>content.pdf</comment>
+        <translation>ein PDF-Dokument</translation>
+    </message>
+    <message>
+        <source>a JSON file</source>
+        <comment>content.json</comment>
+        <translation>eine JSON-Datei</translation>
+    </message>
+    <message>
+        <source>Colour image converted to grey.</source>
+        <comment>image.colour-to-grey</comment>
+        <translation>Farbbild in Graustufen umgewandelt.</translation>
+    </message>
+    <message>
+        <source>The transparency of the image is ignored.</source>
+        <comment>image.transparency-ignored</comment>
+        <translation>Die Transparenz des Bildes bleibt unbeachtet.</translation>
+    </message>
+    <message>
+        <source>A plain image has no C-arm geometry: enter it in the geometry of the case.</source>
+        <comment>image.no-geometry</comment>
+        <translation>Ein einfaches Bild hat keine C-Bogen-Geometrie: in der Geometrie des Falls eintragen.</translation>
+    </message>
+    <message>
+        <source>The picture is a mask of two levels: its vessels are taken as they are drawn.</source>
+        <comment>image.is-mask</comment>
+        <translation>Das Bild ist eine Maske aus zwei Stufen: Die Gefäße werden übernommen, wie sie gezeichnet sind.</translation>
+    </message>
+    <message>
+        <source>this is no image that this program reads. Choose a DICOM XA run, a PNG, TIFF or JPEG image.</source>
+        <comment>image.unknown</comment>
+        <translation>das ist kein Bild, das dieses Programm liest. Eine DICOM-XA-Serie, ein PNG-, TIFF- oder JPEG-Bild wählen.</translation>
+    </message>
+    <message>
+        <source>this is %1, not an angiogram. Choose a DICOM XA run, a PNG, TIFF or JPEG image.</source>
+        <comment>image.is-other</comment>
+        <translation>das ist %1, kein Angiogramm. Eine DICOM-XA-Serie, ein PNG-, TIFF- oder JPEG-Bild wählen.</translation>
+    </message>
+    <message>
+        <source>this is a gzip archive without a readable DICOM file in it. Unpack it and choose the angiogram itself.</source>
+        <comment>image.gzip-without-dicom</comment>
+        <translation>das ist ein gzip-Archiv ohne lesbare DICOM-Datei. Auspacken und das Angiogramm selbst wählen.</translation>
+    </message>
+    <message>
+        <source>the image cannot be decoded: damaged, cut short or of an unusual kind. Export it again.</source>
+        <comment>image.undecodable</comment>
+        <translation>das Bild lässt sich nicht dekodieren: beschädigt, unvollständig oder ungewöhnlich. Neu exportieren.</translation>
+    </message>
+    <message>
+        <source>the image is damaged or cut short. Copy or export it again.</source>
+        <comment>image.damaged</comment>
+        <translation>das Bild ist beschädigt oder unvollständig. Neu kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>the image is damaged or of an unusual kind. Export it in grey or RGB with 8 or 16 bits, without tiles.</source>
+        <comment>image.unusual</comment>
+        <translation>das Bild ist beschädigt oder ungewöhnlich. In Grau oder RGB mit 8 oder 16 Bit ohne Kacheln exportieren.</translation>
+    </message>
+    <message>
+        <source>the image has fewer than 8 pixels on a side, or more than this program holds. Export the angiogram at its own size.</source>
+        <comment>image.size</comment>
+        <translation>das Bild hat weniger als 8 Pixel je Seite, oder mehr als dieses Programm fasst. Das Angiogramm in eigener Größe exportieren.</translation>
+    </message>
+    <message>
+        <source>its pixels are not finite numbers of a known kind. Export it with 8 or 16 bits.</source>
+        <comment>image.pixel-kind</comment>
+        <translation>die Pixel sind keine endlichen Zahlen bekannter Art. Mit 8 oder 16 Bit exportieren.</translation>
+    </message>
+    <message>
+        <source>the frames differ in size. All frames of a run must be equally large.</source>
+        <comment>image.frames-differ</comment>
+        <translation>die Bilder sind verschieden groß. Alle Bilder einer Serie müssen gleich groß sein.</translation>
+    </message>
+    <message>
+        <source>there is no picture to write. Render or trace one first.</source>
+        <comment>image.no-picture</comment>
+        <translation>kein Bild zu schreiben. Zuerst eines erzeugen.</translation>
+    </message>
+    <message>
+        <source>a pixel is not a finite number. Correct the image before writing it.</source>
+        <comment>image.pixel-not-finite-writing</comment>
+        <translation>ein Pixel ist keine endliche Zahl. Das Bild vor dem Schreiben berichtigen.</translation>
+    </message>
+    <message>
+        <source>a pixel is not a finite number. Export the image again.</source>
+        <comment>image.pixel-not-finite</comment>
+        <translation>ein Pixel ist keine endliche Zahl. Das Bild neu exportieren.</translation>
+    </message>
+    <message>
+        <source>this is %1, not a 2-D centreline. Choose a CSV table or a PNG mask.</source>
+        <comment>centreline.is-other</comment>
+        <translation>das ist %1, keine 2-D-Mittellinie. Eine CSV-Tabelle oder PNG-Maske wählen.</translation>
+    </message>
+    <message>
+        <source>this is not a mask of two levels. Draw the vessels white on black.</source>
+        <comment>centreline.no-mask</comment>
+        <translation>das ist keine Maske mit zwei Stufen. Die Gefäße weiß auf schwarz zeichnen.</translation>
+    </message>
+    <message>
+        <source>the header row has no columns x and y. The first line must name the columns: x,y and, where known, branch,radius (px).</source>
+        <comment>centreline.no-columns</comment>
+        <translation>der Kopfzeile fehlen die Spalten x und y. Die erste Zeile muss die Spalten nennen: x,y und, wo bekannt, branch,radius (px).</translation>
+    </message>
+    <message>
+        <source>it has a column z: this is a 3-D centreline. Choose the centreline traced in the image.</source>
+        <comment>centreline.is-3d</comment>
+        <translation>hat eine Spalte z: das ist eine 3-D-Mittellinie. Die im Bild erkannte Mittellinie wählen.</translation>
+    </message>
+    <message>
+        <source>it has more than a million points. Resample the centreline.</source>
+        <comment>centreline.too-long</comment>
+        <translation>hat über eine Million Punkte. Die Mittellinie ausdünnen.</translation>
+    </message>
+    <message>
+        <source>line %1 lies far outside any image. Coordinates are in pixels.</source>
+        <comment>centreline.outside</comment>
+        <translation>Zeile %1 liegt weit außerhalb jedes Bildes. Koordinaten sind in Pixeln.</translation>
+    </message>
+    <message>
+        <source>this is not a DICOM file. Choose a scan.</source>
+        <comment>dicom.not-one</comment>
+        <translation>das ist keine DICOM-Datei. Einen Scan wählen.</translation>
+    </message>
+    <message>
+        <source>its deflated content is damaged or cut short. Copy or export it again.</source>
+        <comment>dicom.deflate-damaged</comment>
+        <translation>der gepackte Inhalt ist beschädigt oder unvollständig. Neu kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>no DICOM element in it can be read. The file is damaged; copy or export it again.</source>
+        <comment>dicom.no-element</comment>
+        <translation>kein DICOM-Element darin ist lesbar. Die Datei ist beschädigt; neu kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>the element %1 declares %2 bytes, but %3 are left</source>
+        <comment>dicom.element-too-long</comment>
+        <translation>das Element %1 nennt %2 Bytes, es bleiben aber %3</translation>
+    </message>
+    <message>
+        <source>the sequence %1 has no end</source>
+        <comment>dicom.sequence-without-end</comment>
+        <translation>die Sequenz %1 hat kein Ende</translation>
+    </message>
+    <message>
+        <source>it ends in the middle of an element</source>
+        <comment>dicom.ends-within</comment>
+        <translation>endet mitten in einem Element</translation>
+    </message>
+    <message>
+        <source>The end of the file is damaged (%1); the image is complete.</source>
+        <comment>dicom.end-damaged</comment>
+        <translation>Das Dateiende ist beschädigt (%1); das Bild ist vollständig.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged before its pixels: %2. Copy or export it again.</source>
+        <comment>dicom.damaged-before-pixels</comment>
+        <translation>%1 ist vor den Pixeln beschädigt: %2. Neu kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 holds no image. Choose the X-ray angiography run.</source>
+        <comment>dicom.holds-no-image</comment>
+        <translation>%1 enthält kein Bild. Die Röntgenangiographie-Serie wählen.</translation>
+    </message>
+    <message>
+        <source>this DICOM file</source>
+        <comment>dicom.this-file</comment>
+        <translation>diese DICOM-Datei</translation>
+    </message>
+    <message>
+        <source>this DICOM file (%1)</source>
+        <comment>dicom.this-file-of</comment>
+        <translation>diese DICOM-Datei (%1)</translation>
+    </message>
+    <message>
+        <source>its bits per pixel contradict each other. The header is damaged; export the run again.</source>
+        <comment>dicom.bits-contradict</comment>
+        <translation>die Angaben der Bits je Pixel widersprechen sich. Der Header ist beschädigt; Serie neu exportieren.</translation>
+    </message>
+    <message>
+        <source>it is stored in palette colours. Export the angiogram in grey.</source>
+        <comment>dicom.palette-colours</comment>
+        <translation>ist in Palettenfarben gespeichert. Das Angiogramm in Graustufen exportieren.</translation>
+    </message>
+    <message>
+        <source>its pixels (%1, %2 samples) are not grey or colour. Export the angiogram in grey.</source>
+        <comment>dicom.not-grey</comment>
+        <translation>die Pixel (%1, %2 Werte) sind weder grau noch farbig. Das Angiogramm in Graustufen exportieren.</translation>
+    </message>
+    <message>
+        <source>its pixels have %1 bits. Export the angiogram with 8 or 16 bits.</source>
+        <comment>dicom.pixel-bits</comment>
+        <translation>die Pixel haben %1 Bit. Das Angiogramm mit 8 oder 16 Bit exportieren.</translation>
+    </message>
+    <message>
+        <source>its header gives no image size. The file is damaged; export the run again.</source>
+        <comment>dicom.no-image-size</comment>
+        <translation>der Header nennt keine Bildgröße. Die Datei ist beschädigt; Serie neu exportieren.</translation>
+    </message>
+    <message>
+        <source>it declares %1 frames of %2 x %3 pixels, more than this program holds. Export fewer frames.</source>
+        <comment>dicom.too-many-frames</comment>
+        <translation>nennt %1 Bilder mit %2 x %3 Pixeln, mehr als dieses Programm fasst. Weniger Bilder exportieren.</translation>
+    </message>
+    <message>
+        <source>its pixels are cut short: %1 of %2 bytes are there. Copy or export it again.</source>
+        <comment>dicom.pixels-cut-short</comment>
+        <translation>die Pixel sind unvollständig: %1 von %2 Bytes vorhanden. Neu kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>its compressed pixels are cut short. Copy or export it again.</source>
+        <comment>dicom.packed-pixels-cut-short</comment>
+        <translation>die komprimierten Pixel sind unvollständig. Neu kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>only %1 of its %2 frames are there. Copy or export it again.</source>
+        <comment>dicom.frames-missing</comment>
+        <translation>nur %1 von %2 Bildern vorhanden. Neu kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>frame %1 cannot be decoded (transfer syntax %2): damaged, cut short, or a compression this program does not read. Export the run again, uncompressed if possible.</source>
+        <comment>dicom.frame-undecodable</comment>
+        <translation>Bild %1 lässt sich nicht dekodieren (Transfersyntax %2): beschädigt, unvollständig oder unbekannte Kompression. Serie neu exportieren, möglichst unkomprimiert.</translation>
+    </message>
+    <message>
+        <source>it is only %1 x %2 pixels. Choose the angiogram at its full size.</source>
+        <comment>dicom.thumbnail</comment>
+        <translation>hat nur %1 x %2 Pixel. Das Angiogramm in voller Größe wählen.</translation>
+    </message>
+    <message>
+        <source>This is %1, not X-ray angiography: it has no C-arm geometry.</source>
+        <comment>dicom.not-xray</comment>
+        <translation>Das ist %1, keine Röntgenangiographie: ohne C-Bogen-Geometrie.</translation>
+    </message>
+    <message>
+        <source>GDCM could not write the DICOM file. Choose another format.</source>
+        <comment>dicom.not-written</comment>
+        <translation>GDCM konnte die DICOM-Datei nicht schreiben. Anderes Format wählen.</translation>
+    </message>
+    <message>
+        <source>there are no frames to write. Load or simulate an angiogram first.</source>
+        <comment>dicom.no-frames-to-write</comment>
+        <translation>keine Bilder zu schreiben. Zuerst ein Angiogramm laden oder simulieren.</translation>
+    </message>
+    <message>
+        <source>the run is too large for an uncompressed DICOM file. Write fewer frames.</source>
+        <comment>dicom.run-too-large</comment>
+        <translation>die Serie ist zu groß für eine unkomprimierte DICOM-Datei. Weniger Bilder schreiben.</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to write this run. Write fewer frames.</source>
+        <comment>dicom.no-memory-to-write</comment>
+        <translation>der Speicher reicht nicht, um diese Serie zu schreiben. Weniger Bilder schreiben.</translation>
+    </message>
+    <message>
+        <source>modality %1</source>
+        <comment>dicom.modality</comment>
+        <translation>Modalität %1</translation>
+    </message>
+    <message>
+        <source>an image without modality</source>
+        <comment>dicom.no-modality</comment>
+        <translation>ein Bild ohne Modalität</translation>
+    </message>
+    <message>
+        <source>The header gives no imager pixel spacing: %1 is derived from the calibrated pixel spacing. Check it in the geometry.</source>
+        <comment>dicom.spacing-from-calibration</comment>
+        <translation>Der Header nennt keine Imager Pixel Spacing: %1 aus der kalibrierten Pixelgröße abgeleitet. In der Geometrie prüfen.</translation>
+    </message>
+    <message>
+        <source>The header gives no imager pixel spacing (0018,1164): %1 is derived from the field of view. Check it in the geometry.</source>
+        <comment>dicom.spacing-from-field</comment>
+        <translation>Der Header nennt keine Imager Pixel Spacing (0018,1164): %1 aus dem Bildfeld abgeleitet. In der Geometrie prüfen.</translation>
+    </message>
+    <message>
+        <source>The header gives no imager pixel spacing (0018,1164): enter it in the geometry.</source>
+        <comment>dicom.spacing-missing</comment>
+        <translation>Der Header nennt keine Imager Pixel Spacing (0018,1164): in der Geometrie eintragen.</translation>
+    </message>
+    <message>
+        <source>The header gives no imager pixel spacing (0018,1164): enter it in the geometry. The intensifier of %1 suggests at most %2.</source>
+        <comment>dicom.spacing-missing-intensifier</comment>
+        <translation>Der Header nennt keine Imager Pixel Spacing (0018,1164): in der Geometrie eintragen. Der Bildverstärker mit %1 legt höchstens %2 nahe.</translation>
+    </message>
+    <message>
+        <source>The header gives only isocentre angles (0018,9463), whose signs are not certain: enter LAO/RAO and CRA/CAU in the geometry.</source>
+        <comment>dicom.angles-of-isocentre</comment>
+        <translation>Der Header nennt nur Isozentrumswinkel (0018,9463), deren Vorzeichen unsicher sind: LAO/RAO und CRA/CAU in der Geometrie eintragen.</translation>
+    </message>
+    <message>
+        <source>The detector is tilted by %1 (0018,1530): the principal point is uncertain.</source>
+        <comment>dicom.detector-tilted</comment>
+        <translation>Der Detektor ist um %1 gekippt (0018,1530): der Hauptpunkt ist unsicher.</translation>
+    </message>
+    <message>
+        <source>The image is taken as mirrored, after %1. Check that left and right are where they belong.</source>
+        <comment>dicom.image-mirrored</comment>
+        <translation>Das Bild gilt als gespiegelt, nach %1. Prüfen, ob links und rechts stimmen.</translation>
+    </message>
+    <message>
+        <source>The C-arm moved during this run, but the header gives %1 for its %2 frames: the angles are those of the first frame. Check them for the frame you use.</source>
+        <comment>dicom.gantry-moved</comment>
+        <translation>Der C-Bogen hat sich bewegt, der Header nennt aber %1 für %2 Bilder: die Winkel sind die des ersten Bildes. Für das benutzte Bild prüfen.</translation>
+    </message>
+    <message>
+        <source>no angles</source>
+        <comment>dicom.gantry-no-angles</comment>
+        <translation>keine Winkel</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <comment>dicom.gantry-angles</comment>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>What was traced is hardly longer than wide: check that it is a vessel.</source>
+        <comment>vessels.compact</comment>
+        <translation>Das Erfasste ist kaum länger als breit: prüfen, ob es ein Gefäß ist.</translation>
+    </message>
+    <message>
+        <source>The vessels are %1 across, or of a width that is unusual: if the unit of the file is not the millimetre, give the unit.</source>
+        <comment>vessels.unusual-size</comment>
+        <translation>Die Gefäße messen %1 im Ganzen oder sind ungewöhnlich breit oder schmal: ist die Einheit der Datei nicht der Millimeter, die Einheit angeben.</translation>
+    </message>
+    <message>
+        <source>this is no surface that this program reads. Choose a .vtp, .vtk, .stl, .ply or .obj file.</source>
+        <comment>surface.unknown</comment>
+        <translation>das ist keine Oberfläche, die dieses Programm liest. Eine .vtp-, .vtk-, .stl-, .ply- oder .obj-Datei wählen.</translation>
+    </message>
+    <message>
+        <source>this is %1, not a surface. Choose a .vtp, .vtk, .stl, .ply or .obj file.</source>
+        <comment>surface.is-other</comment>
+        <translation>das ist %1, keine Oberfläche. Eine .vtp-, .vtk-, .stl-, .ply- oder .obj-Datei wählen.</translation>
+    </message>
+    <message>
+        <source>it holds no triangles. Choose the surface of a vessel.</source>
+        <comment>surface.no-triangles</comment>
+        <translation>enthält keine Dreiecke. Die Oberfläche eines Gefäßes wählen.</translation>
+    </message>
+    <message>
+        <source>none of its triangles has an area. Choose the surface of a vessel.</source>
+        <comment>surface.no-area</comment>
+        <translation>keines der Dreiecke hat eine Fläche. Die Oberfläche eines Gefäßes wählen.</translation>
+    </message>
+    <message>
+        <source>it has more triangles than this program holds. Decimate the surface.</source>
+        <comment>surface.too-large</comment>
+        <translation>hat mehr Dreiecke, als dieses Programm fasst. Die Oberfläche vereinfachen.</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a number, or beyond a kilometre. Correct or export it again.</source>
+        <comment>surface.coordinate</comment>
+        <translation>eine Koordinate ist keine Zahl oder über einen Kilometer groß. Berichtigen oder neu exportieren.</translation>
+    </message>
+    <message>
+        <source>a triangle refers to a point that does not exist. The file is damaged; export it again.</source>
+        <comment>surface.bad-index</comment>
+        <translation>ein Dreieck verweist auf einen Punkt, den es nicht gibt. Die Datei ist beschädigt; neu exportieren.</translation>
+    </message>
+    <message>
+        <source>its triangles are damaged or cut short. Copy or export it again.</source>
+        <comment>surface.cut-short</comment>
+        <translation>die Dreiecke sind beschädigt oder unvollständig. Neu kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>surfaces are written as .stl. Change the extension.</source>
+        <comment>surface.extension</comment>
+        <translation>Oberflächen werden als .stl geschrieben. Die Endung ändern.</translation>
+    </message>
+    <message>
+        <source>The surface is not closed (%1 open and %2 crowded edges): its inside is decided by majority. Check the result, or close the holes.</source>
+        <comment>surface.open</comment>
+        <translation>Die Oberfläche ist nicht geschlossen (%1 offene und %2 mehrfache Kanten): ihr Inneres entscheidet die Mehrheit. Ergebnis prüfen oder Löcher schließen.</translation>
+    </message>
+    <message>
+        <source>The triangles do not agree on inside and outside; overlapping parts may cancel out.</source>
+        <comment>surface.disoriented</comment>
+        <translation>Die Dreiecke sind sich über innen und außen uneins; überlappende Teile können sich aufheben.</translation>
+    </message>
+    <message>
+        <source>The surface is %1 across, which is unusual: if its unit is not the millimetre, give the unit.</source>
+        <comment>surface.unusual-size</comment>
+        <translation>Die Oberfläche misst %1, das ist ungewöhnlich: wenn ihre Einheit nicht Millimeter ist, die Einheit angeben.</translation>
+    </message>
+    <message>
+        <source>line %1 does not give a point. The file is damaged; export it again.</source>
+        <comment>surface.obj-bad-point</comment>
+        <translation>Zeile %1 ergibt keinen Punkt. Die Datei ist beschädigt; neu exportieren.</translation>
+    </message>
+    <message>
+        <source>its PLY header is damaged or cut short. Export it again.</source>
+        <comment>surface.ply-header-damaged</comment>
+        <translation>der PLY-Header ist beschädigt oder unvollständig. Neu exportieren.</translation>
+    </message>
+    <message>
+        <source>its PLY header is damaged: the element &quot;%1&quot; has no properties. Export it again.</source>
+        <comment>surface.ply-element-empty</comment>
+        <translation>der PLY-Header ist beschädigt: das Element &quot;%1&quot; hat keine Eigenschaften. Neu exportieren.</translation>
+    </message>
+    <message>
+        <source>its PLY data are damaged or cut short. Export it again.</source>
+        <comment>surface.ply-data-damaged</comment>
+        <translation>die PLY-Daten sind beschädigt oder unvollständig. Neu exportieren.</translation>
+    </message>
+    <message>
+        <source>this is %1, not a centreline. Choose a centreline file: .vtp, .vtk, .vtu, .csv, .swc or .mrk.json.</source>
+        <comment>tree.is-other</comment>
+        <translation>das ist %1, keine Mittellinie. Eine Mittelliniendatei wählen: .vtp, .vtk, .vtu, .csv, .swc oder .mrk.json.</translation>
+    </message>
+    <message>
+        <source>this is no centreline format AngioPose reads. Choose a centreline file: .vtp, .vtk, .vtu, .csv, .swc or .mrk.json.</source>
+        <comment>tree.format-unknown</comment>
+        <translation>dieses Mittellinienformat liest AngioPose nicht. Eine Mittelliniendatei wählen: .vtp, .vtk, .vtu, .csv, .swc oder .mrk.json.</translation>
+    </message>
+    <message>
+        <source>it does not begin like a VTK file. Export the centrelines again.</source>
+        <comment>tree.no-vtk-beginning</comment>
+        <translation>beginnt nicht wie eine VTK-Datei. Die Mittellinien neu exportieren.</translation>
     </message>
     <message>
         <source>vessel trees are written as .vtp, .csv, .swc or .mrk.json. Change the extension.</source>
+        <comment>tree.extension</comment>
         <translation>Gefäßbäume werden als .vtp, .csv, .swc oder .mrk.json geschrieben. Die Endung ändern.</translation>
     </message>
     <message>
-        <source>A wide vessel that was not traced runs beside the traced ones for %1 cm: the other lumen, if the aorta is torn. Place a seed in each lumen to trace both.</source>
-        <translation>Ein weites Gefäß, das nicht erfasst wurde, läuft %1 cm weit neben den erfassten: bei einer eingerissenen Aorta das andere Lumen. In jedes Lumen einen Startpunkt setzen, um beide zu erfassen.</translation>
+        <source>it has %1 points; a centreline tree has at most %2. Resample the centrelines.</source>
+        <comment>tree.too-many-points</comment>
+        <translation>hat %1 Punkte; ein Gefäßbaum hat höchstens %2. Die Mittellinien ausdünnen.</translation>
+    </message>
+    <message>
+        <source>it has %1 separate lines; a centreline tree has at most %2. Keep the vessels of interest.</source>
+        <comment>tree.too-many-lines</comment>
+        <translation>hat %1 getrennte Linien; ein Gefäßbaum hat höchstens %2. Nur die wichtigen Gefäße behalten.</translation>
+    </message>
+    <message>
+        <source>it holds no lines. Choose a file with vessel centrelines.</source>
+        <comment>tree.no-lines</comment>
+        <translation>enthält keine Linien. Eine Datei mit Gefäß-Mittellinien wählen.</translation>
+    </message>
+    <message>
+        <source>it holds a surface, not centrelines. Extract the centrelines first (e.g. with VMTK or Slicer) and open those.</source>
+        <comment>tree.is-surface</comment>
+        <translation>enthält eine Oberfläche, keine Mittellinien. Diese zuerst berechnen (etwa mit VMTK oder Slicer) und öffnen.</translation>
+    </message>
+    <message>
+        <source>a line refers to a point that does not exist. The file is damaged; export it again.</source>
+        <comment>tree.bad-index</comment>
+        <translation>eine Linie verweist auf einen Punkt, den es nicht gibt. Die Datei ist beschädigt; neu exportieren.</translation>
+    </message>
+    <message>
+        <source>its lines visit the same points too often. The file is damaged; export it again.</source>
+        <comment>tree.points-repeated</comment>
+        <translation>die Linien besuchen dieselben Punkte zu oft. Die Datei ist beschädigt; neu exportieren.</translation>
+    </message>
+    <message>
+        <source>none of its lines has two different points. Choose a file with vessel centrelines.</source>
+        <comment>tree.no-length</comment>
+        <translation>keine der Linien hat zwei verschiedene Punkte. Eine Datei mit Gefäß-Mittellinien wählen.</translation>
+    </message>
+    <message>
+        <source>the third line of a legacy VTK file must be ASCII or BINARY. Export it again.</source>
+        <comment>tree.vtk-third-line</comment>
+        <translation>die dritte Zeile einer alten VTK-Datei muss ASCII oder BINARY sein. Neu exportieren.</translation>
+    </message>
+    <message>
+        <source>it holds no data set, not POLYDATA or UNSTRUCTURED_GRID. Export the centrelines as poly-lines.</source>
+        <comment>tree.vtk-no-data-set</comment>
+        <translation>enthält keinen Datensatz, kein POLYDATA oder UNSTRUCTURED_GRID. Die Mittellinien als Polylinien exportieren.</translation>
+    </message>
+    <message>
+        <source>it holds %1, not POLYDATA or UNSTRUCTURED_GRID. Export the centrelines as poly-lines.</source>
+        <comment>tree.vtk-other-data-set</comment>
+        <translation>enthält %1, nicht POLYDATA oder UNSTRUCTURED_GRID. Die Mittellinien als Polylinien exportieren.</translation>
+    </message>
+    <message>
+        <source>the section &quot;%1&quot; is damaged or cut short. Export it again.</source>
+        <comment>tree.vtk-section-damaged</comment>
+        <translation>der Abschnitt &quot;%1&quot; ist beschädigt oder unvollständig. Neu exportieren.</translation>
+    </message>
+    <message>
+        <source>the VTK XML data in it is damaged or cut short. Export it again.</source>
+        <comment>tree.vtk-xml-damaged</comment>
+        <translation>die VTK-XML-Daten sind beschädigt oder unvollständig. Neu exportieren.</translation>
+    </message>
+    <message>
+        <source>it is not VTK XML PolyData or UnstructuredGrid. Export the centrelines as .vtp.</source>
+        <comment>tree.vtk-xml-other</comment>
+        <translation>ist weder VTK-XML-PolyData noch UnstructuredGrid. Die Mittellinien als .vtp exportieren.</translation>
+    </message>
+    <message>
+        <source>it declares %1, which cannot be. The file is damaged; export it again.</source>
+        <comment>tree.vtk-xml-impossible-count</comment>
+        <translation>nennt %1, was nicht sein kann. Die Datei ist beschädigt; neu exportieren.</translation>
+    </message>
+    <message>
+        <source>its coordinates are in %1. Export the curves in mm.</source>
+        <comment>tree.markups-unit</comment>
+        <translation>die Koordinaten sind in %1. Die Kurven in mm exportieren.</translation>
+    </message>
+    <message>
+        <source>it is not a Slicer markups file with curves. Export the centrelines as .mrk.json curves, .vtp, .vtk, .csv or .swc.</source>
+        <comment>tree.markups-none</comment>
+        <translation>ist keine Slicer-Markups-Datei mit Kurven. Die Mittellinien als .mrk.json-Kurven, .vtp, .vtk, .csv oder .swc exportieren.</translation>
+    </message>
+    <message>
+        <source>line %1 is not `id type x y z radius parent`. Correct the line or export it again.</source>
+        <comment>tree.swc-line</comment>
+        <translation>Zeile %1 ist nicht `id type x y z radius parent`. Berichtigen oder neu exportieren.</translation>
+    </message>
+    <message>
+        <source>line %1 repeats an id. Ids must be unique.</source>
+        <comment>tree.swc-id-twice</comment>
+        <translation>Zeile %1 wiederholt eine id. Jede id muss einmalig sein.</translation>
+    </message>
+    <message>
+        <source>line %1 names a parent, %2, that is not there. Export the whole tree.</source>
+        <comment>tree.swc-parent-missing</comment>
+        <translation>Zeile %1 nennt ein Elternteil %2, das fehlt. Den ganzen Baum exportieren.</translation>
+    </message>
+    <message>
+        <source>the first line must name the columns: x,y,z and, where known, radius,branch.</source>
+        <comment>tree.table-no-header</comment>
+        <translation>die erste Zeile muss die Spalten nennen: x,y,z und, wo bekannt, radius,branch.</translation>
+    </message>
+    <message>
+        <source>the header row has no columns x, y and z. Name them (mm, patient LPS).</source>
+        <comment>tree.table-no-columns</comment>
+        <translation>der Kopfzeile fehlen die Spalten x, y und z. Sie benennen (mm, Patient LPS).</translation>
+    </message>
+    <message>
+        <source>it looks like a list of graph nodes (column id), which has no order along the vessels. Give a branch column, or export the centrelines themselves.</source>
+        <comment>tree.table-is-graph</comment>
+        <translation>sieht nach einer Liste von Graphknoten aus (Spalte id) ohne Reihenfolge längs der Gefäße. Eine Spalte branch angeben oder die Mittellinien selbst exportieren.</translation>
+    </message>
+    <message>
+        <source>there is no DICOM image in this folder. Choose the folder of a DICOM scan, or a volume file itself.</source>
+        <comment>series.none</comment>
+        <translation>in diesem Ordner ist kein DICOM-Bild. Den Ordner eines DICOM-Scans oder die Volumendatei selbst wählen.</translation>
+    </message>
+    <message>
+        <source>this DICOM file holds no image. Choose a scan.</source>
+        <comment>series.file-without-image</comment>
+        <translation>diese DICOM-Datei enthält kein Bild. Einen Scan wählen.</translation>
+    </message>
+    <message>
+        <source>the series %1 is not in this folder. Choose the folder it is in.</source>
+        <comment>series.not-here</comment>
+        <translation>die Serie %1 ist nicht in diesem Ordner. Den richtigen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>the series of the case is not in this folder. Choose the folder it is in.</source>
+        <comment>series.of-case-not-here</comment>
+        <translation>die Serie des Falls ist nicht in diesem Ordner. Den richtigen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>no series in this folder makes a volume. Choose another folder.</source>
+        <comment>series.none-makes-volume</comment>
+        <translation>keine Serie dieses Ordners ergibt ein Volumen. Anderen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>it holds %1 volumes (%2). Choose one by its series id; `info` lists them.</source>
+        <comment>series.several</comment>
+        <translation>enthält %1 Volumen (%2). Eines über seine Serien-ID wählen; `info` zeigt sie.</translation>
+    </message>
+    <message>
+        <source>this is an X-ray run, not a volume. Open it as the angiogram.</source>
+        <comment>series.is-xray</comment>
+        <translation>das ist eine Röntgenserie, kein Volumen. Als Angiogramm öffnen.</translation>
+    </message>
+    <message>
+        <source>it is a DICOM segmentation. Export it as a NIfTI or NRRD label image.</source>
+        <comment>series.is-segmentation</comment>
+        <translation>ist eine DICOM-Segmentierung. Als NIfTI- oder NRRD-Labelbild exportieren.</translation>
+    </message>
+    <message>
+        <source>it is a single slice, not a volume. Copy all slices of the series, or choose another one.</source>
+        <comment>series.single-slice</comment>
+        <translation>ist eine einzelne Schicht, kein Volumen. Alle Schichten der Serie kopieren oder eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>its images do not say how large a pixel is, so they make no volume. Choose another series.</source>
+        <comment>series.no-pixel-size</comment>
+        <translation>die Bilder nennen keine Pixelgröße und ergeben kein Volumen. Andere Serie wählen.</translation>
+    </message>
+    <message>
+        <source>its images do not say where they lie in the patient, so they make no volume. Choose another series.</source>
+        <comment>series.no-place</comment>
+        <translation>die Bilder nennen keine Lage im Patienten und ergeben kein Volumen. Andere Serie wählen.</translation>
+    </message>
+    <message>
+        <source>its slices lie beside each other rather than above. Choose another series.</source>
+        <comment>series.beside-each-other</comment>
+        <translation>die Schichten liegen neben- statt übereinander. Andere Serie wählen.</translation>
+    </message>
+    <message>
+        <source>its slices lie too unevenly to make a volume of them (%1 over %2). Copy all slices of the series, or choose another one.</source>
+        <comment>series.too-uneven</comment>
+        <translation>die Schichten liegen zu ungleich für ein Volumen (%1 auf %2). Alle Schichten der Serie kopieren oder eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>it is a colour image. Choose the scan itself, in grey values.</source>
+        <comment>series.colour</comment>
+        <translation>ist ein Farbbild. Den Scan selbst in Grauwerten wählen.</translation>
+    </message>
+    <message>
+        <source>its pixels are not of the size its header gives. Export it again.</source>
+        <comment>series.slice-size</comment>
+        <translation>die Pixel haben nicht die Größe laut Header. Neu exportieren.</translation>
+    </message>
+    <message>
+        <source>The slices are unevenly spaced (%1 to %2): resampled to %3.</source>
+        <comment>series.uneven-slices</comment>
+        <translation>Die Schichten sind ungleich beabstandet (%1 bis %2): auf %3 umgerechnet.</translation>
+    </message>
+    <message>
+        <source>The slices are not stacked upright (%1 off, as with a tilted gantry): shifted within their planes to where they lie.</source>
+        <comment>series.slanted</comment>
+        <translation>Die Schichten sind nicht gerade gestapelt (%1, wie bei geneigter Gantry): in ihren Ebenen an ihren Ort verschoben.</translation>
+    </message>
+    <message>
+        <source>1 of %1 slices is missing (%2): filled in between their neighbours. Copy the series again if you can.</source>
+        <comment>series.slice-missing</comment>
+        <translation>1 von %1 Schichten fehlt (%2): zwischen den Nachbarn ergänzt. Die Serie wenn möglich neu kopieren.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 slices are missing (%3): filled in between their neighbours. Copy the series again if you can.</source>
+        <comment>series.slices-missing</comment>
+        <translation>%1 von %2 Schichten fehlen (%3): zwischen den Nachbarn ergänzt. Die Serie wenn möglich neu kopieren.</translation>
+    </message>
+    <message>
+        <source>after slice %1</source>
+        <comment>series.after-slices</comment>
+        <translation>nach Schicht %1</translation>
+    </message>
+    <message>
+        <source>after slice %1 and elsewhere</source>
+        <comment>series.after-slices-and-elsewhere</comment>
+        <translation>nach Schicht %1 und anderswo</translation>
+    </message>
+    <message>
+        <source>%1 of %2 slices lie where another one does; the first recorded of each is used.</source>
+        <comment>series.overlap</comment>
+        <translation>%1 von %2 Schichten liegen auf einer anderen; die jeweils zuerst aufgenommene gilt.</translation>
+    </message>
+    <message>
+        <source>%1 files of the series are there twice.</source>
+        <comment>series.files-twice</comment>
+        <translation>%1 Dateien der Serie sind doppelt vorhanden.</translation>
+    </message>
+    <message>
+        <source>%1 files of the series are damaged at their end.</source>
+        <comment>series.files-damaged</comment>
+        <translation>%1 Dateien der Serie sind am Ende beschädigt.</translation>
+    </message>
+    <message>
+        <source>The series mixes images of %1 sizes or orientations; each is listed by itself.</source>
+        <comment>series.mixed</comment>
+        <translation>Die Serie mischt Bilder in %1 Größen oder Ausrichtungen; jede ist einzeln aufgeführt.</translation>
+    </message>
+    <message>
+        <source>part %1 of %2</source>
+        <comment>series.part</comment>
+        <translation>Teil %1 von %2</translation>
+    </message>
+    <message>
+        <source>Its slices are stored with different scales or as float. %1</source>
+        <comment>series.scales</comment>
+        <translation>Ihre Schichten sind verschieden skaliert oder als Gleitkomma gespeichert. %1</translation>
+    </message>
+    <message>
+        <source>this is no volume that this program reads. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).</source>
+        <comment>volume.unknown</comment>
+        <translation>das ist kein Volumen, das dieses Programm liest. Einen DICOM-Ordner, NIfTI, NRRD oder MetaImage (.mha, .mhd) wählen.</translation>
+    </message>
+    <message>
+        <source>this is %1, not a volume. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).</source>
+        <comment>volume.is-other</comment>
+        <translation>das ist %1, kein Volumen. Einen DICOM-Ordner, NIfTI, NRRD oder MetaImage (.mha, .mhd) wählen.</translation>
+    </message>
+    <message>
+        <source>this is an Analyze 7.5 header, which does not say left from right. Convert it to NIfTI where the orientation is known.</source>
+        <comment>volume.analyze</comment>
+        <translation>das ist ein Analyze-7.5-Header, der links und rechts nicht unterscheidet. Wo die Ausrichtung bekannt ist, in NIfTI umwandeln.</translation>
+    </message>
+    <message>
+        <source>it holds a %1, not an image. Choose the scan.</source>
+        <comment>volume.holds-other</comment>
+        <translation>enthält ein %1, kein Bild. Den Scan wählen.</translation>
+    </message>
+    <message>
+        <source>it declares %1, more than this program holds. Crop the scan to the vessels.</source>
+        <comment>volume.declares</comment>
+        <translation>nennt %1, mehr als dieses Programm fasst. Den Scan auf die Gefäße zuschneiden.</translation>
+    </message>
+    <message>
+        <source>the volume is larger than this computer&apos;s memory. Crop the scan to the vessels.</source>
+        <comment>volume.larger-than-memory</comment>
+        <translation>das Volumen ist größer als der Speicher dieses Rechners. Den Scan auf die Gefäße zuschneiden.</translation>
+    </message>
+    <message>
+        <source>it has %1: a single slice is no volume. Choose the whole scan.</source>
+        <comment>volume.single-slice</comment>
+        <translation>hat %1: eine einzelne Schicht ist kein Volumen. Den ganzen Scan wählen.</translation>
+    </message>
+    <message>
+        <source>it is %1-dimensional, but a volume has three dimensions. Choose the whole scan.</source>
+        <comment>volume.not-three-dimensional</comment>
+        <translation>ist %1-dimensional, ein Volumen hat aber drei Dimensionen. Den ganzen Scan wählen.</translation>
+    </message>
+    <message>
+        <source>it has %1 dimensions (4-D or more). Save the one volume to use and open that.</source>
+        <comment>volume.dimensions</comment>
+        <translation>hat %1 Dimensionen (4-D oder mehr). Das gewünschte Volumen einzeln speichern und öffnen.</translation>
+    </message>
+    <message>
+        <source>it holds %1 volumes or values per voxel (4-D). Extract the one to use and open that.</source>
+        <comment>volume.several-4d</comment>
+        <translation>enthält %1 Volumen oder Werte je Voxel (4-D). Das gewünschte herauslösen und öffnen.</translation>
+    </message>
+    <message>
+        <source>it holds %1 volumes, layers or values per voxel (4-D). Save the one to use and open that.</source>
+        <comment>volume.several-layers</comment>
+        <translation>enthält %1 Volumen, Lagen oder Werte je Voxel (4-D). Das gewünschte einzeln speichern und öffnen.</translation>
+    </message>
+    <message>
+        <source>it has %1 values per voxel. Choose the scan itself, in grey values.</source>
+        <comment>volume.channels</comment>
+        <translation>hat %1 Werte je Voxel. Den Scan selbst in Grauwerten wählen.</translation>
+    </message>
+    <message>
+        <source>its first axis has %1 entries: this is a colour picture, not a volume. Choose the scan.</source>
+        <comment>volume.colour-axis</comment>
+        <translation>die erste Achse hat %1 Einträge: das ist ein Farbbild, kein Volumen. Den Scan wählen.</translation>
+    </message>
+    <message>
+        <source>its voxels are colours. Choose the scan itself, in grey values.</source>
+        <comment>volume.colours</comment>
+        <translation>die Voxel sind Farben. Den Scan selbst in Grauwerten wählen.</translation>
+    </message>
+    <message>
+        <source>its header gives %1. The file is damaged; export it again.</source>
+        <comment>volume.header-gives</comment>
+        <translation>der Header nennt %1. Die Datei ist beschädigt; neu exportieren.</translation>
+    </message>
+    <message>
+        <source>its header gives no usable voxel size or place. Export the volume again.</source>
+        <comment>volume.no-place</comment>
+        <translation>der Header nennt keine brauchbare Voxelgröße oder Lage. Das Volumen neu exportieren.</translation>
+    </message>
+    <message>
+        <source>its header is damaged: it names %1 dimensions. Export it again.</source>
+        <comment>volume.header-dimensions</comment>
+        <translation>der Header ist beschädigt: er nennt %1 Dimensionen. Neu exportieren.</translation>
+    </message>
+    <message>
+        <source>its header is damaged: the voxels begin at an impossible place. Export it again.</source>
+        <comment>volume.impossible-start</comment>
+        <translation>der Header ist beschädigt: die Voxel beginnen an unmöglicher Stelle. Neu exportieren.</translation>
+    </message>
+    <message>
+        <source>its axes are %1 apart instead of 90°. Resample the volume to perpendicular axes.</source>
+        <comment>volume.skewed</comment>
+        <translation>die Achsen stehen %1 statt 90° zueinander. Das Volumen auf senkrechte Achsen umrechnen.</translation>
+    </message>
+    <message>
+        <source>its DimSize makes no sense. The file is damaged; export it again.</source>
+        <comment>volume.dim-size</comment>
+        <translation>die DimSize ergibt keinen Sinn. Die Datei ist beschädigt; neu exportieren.</translation>
+    </message>
+    <message>
+        <source>its HeaderSize makes no sense. Correct the header.</source>
+        <comment>volume.header-size</comment>
+        <translation>die HeaderSize ergibt keinen Sinn. Den Header berichtigen.</translation>
+    </message>
+    <message>
+        <source>it does not say where its voxels are (ElementDataFile). Export it again.</source>
+        <comment>volume.no-data-file</comment>
+        <translation>sagt nicht, wo die Voxel liegen (ElementDataFile). Neu exportieren.</translation>
+    </message>
+    <message>
+        <source>its sizes are no numbers. The file is damaged; export it again.</source>
+        <comment>volume.sizes-no-numbers</comment>
+        <translation>die Größen sind keine Zahlen. Die Datei ist beschädigt; neu exportieren.</translation>
+    </message>
+    <message>
+        <source>its line skip or byte skip makes no sense. Correct the header.</source>
+        <comment>volume.skips</comment>
+        <translation>line skip oder byte skip ergibt keinen Sinn. Den Header berichtigen.</translation>
+    </message>
+    <message>
+        <source>it skips lines of another file. Save header and voxels as one file.</source>
+        <comment>volume.skips-lines-elsewhere</comment>
+        <translation>überspringt Zeilen einer anderen Datei. Header und Voxel als eine Datei speichern.</translation>
+    </message>
+    <message>
+        <source>its voxels lie in several files. Save it as one file.</source>
+        <comment>volume.several-files</comment>
+        <translation>die Voxel liegen in mehreren Dateien. Als eine Datei speichern.</translation>
+    </message>
+    <message>
+        <source>its voxel type (&quot;%1&quot;) is not read. Save it as 16-bit or float.</source>
+        <comment>volume.voxel-type</comment>
+        <translation>der Voxeltyp (&quot;%1&quot;) wird nicht gelesen. Als 16 Bit oder float speichern.</translation>
+    </message>
+    <message>
+        <source>its voxel type (NIfTI datatype %1) is not read. Save it as 16-bit or float.</source>
+        <comment>volume.nifti-type</comment>
+        <translation>der Voxeltyp (NIfTI-Datentyp %1) wird nicht gelesen. Als 16 Bit oder float speichern.</translation>
+    </message>
+    <message>
+        <source>its voxels are packed with bzip2. Save it with gzip or raw encoding.</source>
+        <comment>volume.bzip2</comment>
+        <translation>die Voxel sind mit bzip2 gepackt. Mit gzip oder roh speichern.</translation>
+    </message>
+    <message>
+        <source>its voxels are written as text (%1). Save it with gzip or raw encoding.</source>
+        <comment>volume.text-encoding</comment>
+        <translation>die Voxel sind als Text geschrieben (%1). Mit gzip oder roh speichern.</translation>
+    </message>
+    <message>
+        <source>its voxels are written as text. Save it with binary data.</source>
+        <comment>volume.text</comment>
+        <translation>die Voxel sind als Text geschrieben. Binär speichern.</translation>
+    </message>
+    <message>
+        <source>its voxels are cut short, or their packing is damaged. Copy or export it again.</source>
+        <comment>volume.packing-damaged</comment>
+        <translation>die Voxel sind unvollständig oder falsch gepackt. Neu kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>its voxels are cut short. Copy or export it again.</source>
+        <comment>volume.cut-short</comment>
+        <translation>die Voxel sind unvollständig. Neu kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>its voxels are cut short: %1 of %2 bytes are there. Copy or export it again.</source>
+        <comment>volume.cut-short-by</comment>
+        <translation>die Voxel sind unvollständig: %1 von %2 Bytes vorhanden. Neu kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>its voxels are in %1, which is not there. Copy both files together.</source>
+        <comment>volume.voxels-not-there</comment>
+        <translation>die Voxel stehen in %1, das fehlt. Beide Dateien zusammen kopieren.</translation>
+    </message>
+    <message>
+        <source>the file with its voxels cannot be read (%1).</source>
+        <comment>volume.voxel-file-not-read</comment>
+        <translation>die Datei mit den Voxeln lässt sich nicht lesen (%1).</translation>
+    </message>
+    <message>
+        <source>its voxels begin with the header of another volume. Open that file itself, or give the bytes to skip: -1 where the voxels are the last ones.</source>
+        <comment>volume.voxels-are-header</comment>
+        <translation>die Voxel beginnen mit dem Kopf eines anderen Volumens. Jene Datei selbst öffnen oder die zu überspringenden Bytes angeben: -1, wo die Voxel am Ende stehen.</translation>
+    </message>
+    <message>
+        <source>none of its voxels is a number. Export the volume again.</source>
+        <comment>volume.no-numbers</comment>
+        <translation>keines der Voxel ist eine Zahl. Das Volumen neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 voxels are not numbers; they are taken as the lowest value.</source>
+        <comment>volume.not-numbers</comment>
+        <translation>%1 Voxel sind keine Zahlen; sie gelten als kleinster Wert.</translation>
+    </message>
+    <message>
+        <source>The %1 voxels are rounded to 16 bit, in steps of %2.</source>
+        <comment>volume.rounded</comment>
+        <translation>Die %1-Voxel werden auf 16 Bit gerundet, in Schritten von %2.</translation>
+    </message>
+    <message>
+        <source>The header does not say how the axes lie in the patient: i to the left, j to the back and k to the head are assumed. Check left and right.</source>
+        <comment>volume.axes-assumed</comment>
+        <translation>Der Header sagt nicht, wie die Achsen im Patienten liegen: i nach links, j nach hinten, k zum Kopf angenommen. Links und rechts prüfen.</translation>
+    </message>
+    <message>
+        <source>The header does not say how the voxels lie in the patient: +x right to left, +y front to back and +z up are assumed to be i, j reversed and k. Check left and right.</source>
+        <comment>volume.voxels-assumed</comment>
+        <translation>Der Header sagt nicht, wie die Voxel im Patienten liegen: +x rechts nach links, +y vorn nach hinten und +z aufwärts als i, umgekehrtes j und k angenommen. Links und rechts prüfen.</translation>
+    </message>
+    <message>
+        <source>The header gives no voxel size: 1 x 1 x 1 mm is assumed.</source>
+        <comment>volume.size-assumed</comment>
+        <translation>Der Header nennt keine Voxelgröße: 1 x 1 x 1 mm angenommen.</translation>
+    </message>
+    <message>
+        <source>The voxel size is given as 1 x 1 x 1 mm: check that it was not lost on the way.</source>
+        <comment>volume.size-of-one</comment>
+        <translation>Die Voxelgröße ist mit 1 x 1 x 1 mm angegeben: prüfen, ob sie unterwegs verloren ging.</translation>
+    </message>
+    <message>
+        <source>Its two placements (qform and sform) differ; the qform, in the scanner&apos;s coordinates, is used.</source>
+        <comment>volume.nifti-qform-used</comment>
+        <translation>Ihre zwei Lageangaben (qform und sform) weichen ab; die qform in Gerätekoordinaten gilt.</translation>
+    </message>
+    <message>
+        <source>Its two placements (qform and sform) differ; the sform is used.</source>
+        <comment>volume.nifti-sform-used</comment>
+        <translation>Ihre zwei Lageangaben (qform und sform) weichen ab; die sform gilt.</translation>
+    </message>
+    <message>
+        <source>NIfTI holds at most 32767 voxels along an axis. Write .nrrd or .mha.</source>
+        <comment>volume.nifti-too-long</comment>
+        <translation>NIfTI fasst höchstens 32767 Voxel je Achse. .nrrd oder .mha schreiben.</translation>
+    </message>
+    <message>
+        <source>volumes are written as .nii, .nii.gz, .nrrd or .mha. Change the extension.</source>
+        <comment>volume.extension</comment>
+        <translation>Volumen werden als .nii, .nii.gz, .nrrd oder .mha geschrieben. Die Endung ändern.</translation>
+    </message>
+    <message>
+        <source>there are no voxels to write. Load a volume first.</source>
+        <comment>volume.nothing-to-write</comment>
+        <translation>keine Voxel zu schreiben. Zuerst ein Volumen laden.</translation>
+    </message>
+    <message>
+        <source>there is no memory left to pack the volume.</source>
+        <comment>volume.no-memory-to-pack</comment>
+        <translation>kein Speicher mehr, um das Volumen zu packen.</translation>
+    </message>
+    <message>
+        <source>this DICOM file is no segmentation. Choose a label image.</source>
+        <comment>labels.no-segmentation</comment>
+        <translation>Diese DICOM-Datei ist keine Segmentierung. Ein Labelbild wählen.</translation>
+    </message>
+    <message>
+        <source>it has one plane: a single slice is no volume. Choose the whole segmentation.</source>
+        <comment>labels.one-plane</comment>
+        <translation>sie hat eine Ebene: Eine einzelne Schicht ist kein Volumen. Wählen Sie die ganze Segmentierung.</translation>
+    </message>
+    <message>
+        <source>it holds %1, which is no label: labels are whole numbers from 0. Choose a label image.</source>
+        <comment>labels.no-whole-number</comment>
+        <translation>enthält %1, kein Label: Labels sind ganze Zahlen ab 0. Ein Labelbild wählen.</translation>
+    </message>
+    <message>
+        <source>nothing is marked in it: every voxel is background. Choose another segmentation.</source>
+        <comment>labels.nothing-marked</comment>
+        <translation>nichts ist darin markiert: alle Voxel sind Hintergrund. Eine andere Segmentierung wählen.</translation>
+    </message>
+    <message>
+        <source>it has no label %1 but %2. Choose one of these.</source>
+        <comment>labels.no-such-number</comment>
+        <translation>sie hat kein Label %1, aber %2. Wählen Sie eines davon.</translation>
+    </message>
+    <message>
+        <source>it has no label &quot;%1&quot; but %2. Choose one of these.</source>
+        <comment>labels.no-such-name</comment>
+        <translation>sie hat kein Label „%1“, aber %2. Wählen Sie eines davon.</translation>
+    </message>
+    <message>
+        <source>none at all</source>
+        <comment>labels.none</comment>
+        <translation>gar keines</translation>
+    </message>
+    <message>
+        <source>Labels traced: %1.</source>
+        <comment>labels.traced</comment>
+        <translation>Erfasste Labels: %1.</translation>
+    </message>
+    <message>
+        <source>Labels left out, by their names: %1.</source>
+        <comment>labels.left-out</comment>
+        <translation>Nach ihren Namen weggelassene Labels: %1.</translation>
+    </message>
+    <message>
+        <source>The volume holds labels: its vessels are taken as they are marked.</source>
+        <comment>labels.volume-holds-labels</comment>
+        <translation>Das Volumen enthält Labels: die Gefäße gelten, wie sie markiert sind.</translation>
     </message>
 </context>
 <context>

@@ -1789,10 +1789,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>在吸引项上加入上方所选先验。</translation>
     </message>
     <message>
-        <source>All branches of the vessel tree are excluded. Include at least one branch.</source>
-        <translation>血管树的所有分支均已排除。请至少恢复一个。</translation>
-    </message>
-    <message>
         <source>Alternates between a few auxiliary points and all points by kernel-weighted PnP (Song, Ghaffari).</source>
         <translation>以核加权 PnP 在少量辅助点与全部点之间交替求解（Song、Ghaffari）。</translation>
     </message>
@@ -1805,20 +1801,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>交替</translation>
     </message>
     <message>
-        <source>An overlay needs a vessel tree and an angiogram. Open both first.</source>
-        <translation>叠加图需要血管树和造影图像。请先打开两者。</translation>
-    </message>
-    <message>
         <source>Annealed particles around the start, or a walk over the out-of-plane angles.</source>
         <translation>围绕初始位姿的退火粒子，或遍历平面外角度。</translation>
     </message>
     <message>
         <source>Another number draws other lots; the same repeats them.</source>
         <translation>不同数值产生不同随机序列；相同数值可重复。</translation>
-    </message>
-    <message>
-        <source>Another pose explains the image nearly as well: compare the alternatives.</source>
-        <translation>另一位姿几乎同样符合图像：请比较其他解。</translation>
     </message>
     <message>
         <source>Attracted by</source>
@@ -1829,24 +1817,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>辅助点</translation>
     </message>
     <message>
-        <source>Branch %1 cannot be cut so near to its end. Delete it instead, or cut farther in.</source>
-        <translation>分支 %1 不能在靠近末端处切断。请改为删除，或在更内侧切断。</translation>
-    </message>
-    <message>
-        <source>Branch %1 is chosen as %2 but the vessel tree has no such branch. Choose among its branches.</source>
-        <translation>分支 %1 被选为%2，但血管树中没有该分支。请在现有分支中选择。</translation>
-    </message>
-    <message>
         <source>Brightness under the vessels at their own width, evolution strategy (Jomier 2006; re-implementation, parameters ours).</source>
         <translation>按血管自身宽度取其下亮度，进化策略（Jomier 2006；重新实现，参数自定）。</translation>
-    </message>
-    <message>
-        <source>Cases, vessels and angiograms (%1)</source>
-        <translation>病例、血管和造影图像 (%1)</translation>
-    </message>
-    <message>
-        <source>Choose a centreline file: .vtp, .vtk, .vtu, .csv, .swc or .mrk.json.</source>
-        <translation>请选择中心线文件：.vtp、.vtk、.vtu、.csv、.swc 或 .mrk.json。</translation>
     </message>
     <message>
         <source>Chosen branches (nodes where none is chosen), nodes, the widest branches up to a third of the length, or random points.</source>
@@ -1857,20 +1829,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>先粗搜索，再绕血管树质心做稳健的点到线精配准，并给出不确定度。</translation>
     </message>
     <message>
-        <source>Colour image converted to grey.</source>
-        <translation>彩色图像已转换为灰度。</translation>
-    </message>
-    <message>
         <source>Covariance matrix adaptation, or one parent and one child at a time.</source>
         <translation>协方差矩阵自适应，或每次一父一子。</translation>
-    </message>
-    <message>
-        <source>Curve %1 of the 2-D centreline has a coordinate that is not a number (NaN or infinite).</source>
-        <translation>二维中心线的曲线 %1 有非数值坐标（NaN 或无穷）。</translation>
-    </message>
-    <message>
-        <source>DICOM series</source>
-        <translation>DICOM 序列</translation>
     </message>
     <message>
         <source>Damped steps on the Huber loss with fresh matches, or L-BFGS on the squared distances.</source>
@@ -1913,18 +1873,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>等间距</translation>
     </message>
     <message>
-        <source>Every branch hangs on branch %1: nothing would be left.</source>
-        <translation>所有分支都连在分支 %1 上：将一无所剩。</translation>
-    </message>
-    <message>
-        <source>Every branch is shorter or thinner than asked: nothing would be left. Lower the limits.</source>
-        <translation>所有分支都短于或细于要求：将一无所剩。请降低限值。</translation>
-    </message>
-    <message>
-        <source>Failed to validate</source>
-        <translation>校验失败</translation>
-    </message>
-    <message>
         <source>Final scale</source>
         <translation>最终尺度</translation>
     </message>
@@ -1935,14 +1883,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>First reach</source>
         <translation>初始范围</translation>
-    </message>
-    <message>
-        <source>Frame %1 does not exist: the image has frames 0 to %2.</source>
-        <translation>第 %1 帧不存在：图像有第 0 至 %2 帧。</translation>
-    </message>
-    <message>
-        <source>GDCM could not write the DICOM file. Choose another format.</source>
-        <translation>GDCM 无法写入 DICOM 文件。请选择其他格式。</translation>
     </message>
     <message>
         <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image&apos;s brightness (Aylward 2003; re-implementation, parameters ours).</source>
@@ -2013,10 +1953,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>最多迭代</translation>
     </message>
     <message>
-        <source>Its slices are stored with different scales or as float. %1</source>
-        <translation>其层面以不同比例或浮点存储。%1</translation>
-    </message>
-    <message>
         <source>Keeps the projected tree from shrinking; lower it where many branches are missing from the image.</source>
         <translation>防止投影血管树收缩；图像缺少较多分支时应降低。</translation>
     </message>
@@ -2069,10 +2005,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>同时维持多个位姿并按似然重采样，或遍历平面外角度（参照 Tian 2022；重新实现，参数自定）。</translation>
     </message>
     <message>
-        <source>Mask frame %1 does not exist. The run has frames 0 to %2.</source>
-        <translation>蒙片第 %1 帧不存在。该序列有第 0 至 %2 帧。</translation>
-    </message>
-    <message>
         <source>Mask margin</source>
         <translation>掩模边距</translation>
     </message>
@@ -2085,16 +2017,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>匹配与求解的最多轮数。</translation>
     </message>
     <message>
-        <source>Missing required property</source>
-        <translation>缺少必需属性</translation>
-    </message>
-    <message>
         <source>NICP inside the alternating search (Song, Ghaffari; re-implementation, parameters ours).</source>
         <translation>交替搜索中的 NICP（Song、Ghaffari；重新实现，参数自定）。</translation>
-    </message>
-    <message>
-        <source>NIfTI holds at most 32767 voxels along an axis. Write .nrrd or .mha.</source>
-        <translation>NIfTI 每轴最多 32767 个体素。请写为 .nrrd 或 .mha。</translation>
     </message>
     <message>
         <source>Narrows the kernel after five steps, or once no further point comes within its reach.</source>
@@ -2107,38 +2031,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Neighbours</source>
         <translation>邻点</translation>
-    </message>
-    <message>
-        <source>this DICOM file is no segmentation. Choose a label image.</source>
-        <translation>该 DICOM 文件不是分割结果。请选择标签图像。</translation>
-    </message>
-    <message>
-        <source>No contrast-filled vessels were found: besides bone the brightest has %1, soft tissue %2, and it is not like a vessel. Is this the arterial phase? Choose the CT angiogram, or give the threshold at which the vessels begin.</source>
-        <translation>未找到对比剂充盈的血管：除骨骼外最亮处为 %1，软组织为 %2，且形态不似血管。这是动脉期吗？请选择 CT 血管造影，或给出血管起始阈值。</translation>
-    </message>
-    <message>
-        <source>Nothing in the volume is like a vessel: no branch is long enough. Lower the threshold or the shortest branch length.</source>
-        <translation>体数据中没有类似血管的结构：没有足够长的分支。请降低阈值或最短分支长度。</translation>
-    </message>
-    <message>
-        <source>Nothing lies inside the surface: it is too open, or thinner than a voxel. Close its holes, or choose a smaller voxel size.</source>
-        <translation>表面内部为空：开口过大或比一个体素还薄。请封闭孔洞或选更小体素。</translation>
-    </message>
-    <message>
-        <source>Nothing like a vessel was found in the angiogram frame. Choose a frame with more contrast, raise the sensitivity, or check whether vessels are dark or bright.</source>
-        <translation>此帧造影图像中未发现血管。请选对比度更高的帧、提高灵敏度，或检查血管是暗还是亮。</translation>
-    </message>
-    <message>
-        <source>One view does not tell the depth here: the distance from the source stays close to the start pose.</source>
-        <translation>单一投影无法确定深度：到射线源的距离保持接近初始位姿。</translation>
-    </message>
-    <message>
-        <source>Only %1 of the vessel tree lies inside the image.</source>
-        <translation>血管树仅 %1 位于图像内。</translation>
-    </message>
-    <message>
-        <source>Only %1 of the vessel tree lies on a traced vessel, and it explains %2 of the traced vessels.</source>
-        <translation>血管树仅 %1 落在提取血管上，解释了提取血管的 %2。</translation>
     </message>
     <message>
         <source>Particles</source>
@@ -2221,18 +2113,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>最多轮数</translation>
     </message>
     <message>
-        <source>SHA-256 cannot be computed. Check the OpenSSL installation.</source>
-        <translation>无法计算 SHA-256。请检查 OpenSSL 安装。</translation>
-    </message>
-    <message>
-        <source>SID / (0018,1114) magnification %1</source>
-        <translation>SID / (0018,1114) 放大率 %1</translation>
-    </message>
-    <message>
-        <source>Scans and surfaces (%1 *.dcm)</source>
-        <translation>CT 数据和表面 (%1 *.dcm)</translation>
-    </message>
-    <message>
         <source>Search</source>
         <translation>搜索</translation>
     </message>
@@ -2313,276 +2193,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>向初始位姿拉力的强度。</translation>
     </message>
     <message>
-        <source>The %1 voxels are rounded to 16 bit, in steps of %2.</source>
-        <translation>%1 体素舍入为 16 位，步长 %2。</translation>
-    </message>
-    <message>
-        <source>The 2-D centreline is empty: no vessel was found in the image. Choose another frame or a higher sensitivity, or give a centreline file.</source>
-        <translation>二维中心线为空：图像中未发现血管。请换帧、提高灵敏度，或提供中心线文件。</translation>
-    </message>
-    <message>
-        <source>The angiogram frame has pixels that are not a number (NaN or infinite). Choose another frame, or export the image again.</source>
-        <translation>此帧有非数值像素（NaN 或无穷）。请换帧或重新导出图像。</translation>
-    </message>
-    <message>
-        <source>The angiogram frame is empty. Choose another frame or file.</source>
-        <translation>此帧为空。请选择其他帧或文件。</translation>
-    </message>
-    <message>
-        <source>The angiogram frame is of one colour: there is nothing to trace. Choose another frame or file.</source>
-        <translation>此帧为单一颜色：无可提取。请选择其他帧或文件。</translation>
-    </message>
-    <message>
-        <source>The camera needs the image size: width and height must be positive.</source>
-        <translation>相机需要图像尺寸：宽和高必须为正。</translation>
-    </message>
-    <message>
-        <source>The detector is tilted by %1° (0018,1530): the principal point is uncertain.</source>
-        <translation>探测器倾斜 %1°（0018,1530）：主点不确定。</translation>
-    </message>
-    <message>
-        <source>The detector pixel spacing</source>
-        <translation>探测器像素间距</translation>
-    </message>
-    <message>
-        <source>The distance source to detector (SID)</source>
-        <translation>源到探测器距离（SID）</translation>
-    </message>
-    <message>
-        <source>The distance source to patient (SOD)</source>
-        <translation>源到患者距离（SOD）</translation>
-    </message>
-    <message>
-        <source>The end of the file is damaged (%1); the image is complete.</source>
-        <translation>文件末尾损坏（%1）；图像完整。</translation>
-    </message>
-    <message>
-        <source>The focal lengths fx and fy must be finite and not zero.</source>
-        <translation>焦距 fx 和 fy 必须有限且非零。</translation>
-    </message>
-    <message>
-        <source>The frames of the run differ in size and cannot be subtracted.</source>
-        <translation>该序列各帧大小不同，无法减影。</translation>
-    </message>
-    <message>
-        <source>The geometry of view %1 is far from its header: check angles and distances.</source>
-        <translation>投影 %1 的几何与文件头相差很大：请检查角度和距离。</translation>
-    </message>
-    <message>
-        <source>The header does not say how the axes lie in the patient: i to the left, j to the back and k to the head are assumed. Check left and right.</source>
-        <translation>文件头未说明轴向：假定 i 向左、j 向后、k 向头。请核对左右。</translation>
-    </message>
-    <message>
-        <source>The header does not say how the voxels lie in the patient: +x right to left, +y front to back and +z up are assumed to be i, j reversed and k. Check left and right.</source>
-        <translation>文件头未说明体素方位：假定 +x 右到左、+y 前到后、+z 向上分别为 i、反向 j 和 k。请核对左右。</translation>
-    </message>
-    <message>
-        <source>The header gives no imager pixel spacing (0018,1164): %1 mm is derived from the field of view. Check it in the geometry.</source>
-        <translation>文件头无成像器像素间距（0018,1164）：由视野推算为 %1 mm。请在几何中核对。</translation>
-    </message>
-    <message>
-        <source>The header gives no imager pixel spacing (0018,1164): enter it in the geometry.%1</source>
-        <translation>文件头无成像器像素间距（0018,1164）：请在几何中输入。%1</translation>
-    </message>
-    <message>
-        <source>The header gives no imager pixel spacing: %1 mm is derived from the calibrated pixel spacing. Check it in the geometry.</source>
-        <translation>文件头无成像器像素间距：由校准像素间距推算为 %1 mm。请在几何中核对。</translation>
-    </message>
-    <message>
-        <source>The header gives no voxel size: 1 x 1 x 1 mm is assumed.</source>
-        <translation>文件头无体素大小：假定为 1 x 1 x 1 mm。</translation>
-    </message>
-    <message>
-        <source>The header gives only isocentre angles (0018,9463), whose signs are not certain: enter LAO/RAO and CRA/CAU in the geometry.</source>
-        <translation>文件头仅有等中心角度（0018,9463），符号不确定：请在几何中输入 LAO/RAO 和 CRA/CAU。</translation>
-    </message>
-    <message>
-        <source>The image hardly tells how the vessels are tilted out of the image plane.</source>
-        <translation>图像几乎无法确定血管在平面外的倾斜。</translation>
-    </message>
-    <message>
-        <source>The image hardly tells how the vessels are turned in the image plane.</source>
-        <translation>图像几乎无法确定血管在平面内的旋转。</translation>
-    </message>
-    <message>
-        <source>The image hardly tells where along the vessels the tree lies.</source>
-        <translation>图像几乎无法确定血管树沿血管方向的位置。</translation>
-    </message>
-    <message>
-        <source>The image is not of the size that the camera takes. Use the camera that belongs to the image.</source>
-        <translation>图像尺寸与相机不符。请使用该图像对应的相机。</translation>
-    </message>
-    <message>
-        <source>The image is taken as mirrored, after %1. Check that left and right are where they belong.</source>
-        <translation>根据 %1 视图像为镜像。请核对左右。</translation>
-    </message>
-    <message>
-        <source>The image leaves the pose uncertain by about %1.</source>
-        <translation>图像使位姿仍有约 %1 的不确定。</translation>
-    </message>
-    <message>
-        <source>The option %1 is out of range. Give a number from %2 to %3.</source>
-        <translation>选项 %1 超出范围。请给出 %2 至 %3 之间的数。</translation>
-    </message>
-    <message>
-        <source>The pose to judge is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers finite.</source>
-        <translation>待评估位姿不是刚体变换：旋转须正交且行列式为 +1，所有数有限。</translation>
-    </message>
-    <message>
-        <source>The positioner angles (LAO/RAO, CRA/CAU) are missing. Enter them in the geometry of the case.</source>
-        <translation>缺少投照角度（LAO/RAO、CRA/CAU）。请在病例几何中输入。</translation>
-    </message>
-    <message>
-        <source>The principal point cx, cy must be finite.</source>
-        <translation>主点 cx、cy 必须有限。</translation>
-    </message>
-    <message>
         <source>The refinement ends after so many steps.</source>
         <translation>精配准的最多步数。</translation>
-    </message>
-    <message>
-        <source>The registration was stopped before its end.</source>
-        <translation>配准在结束前被停止。</translation>
-    </message>
-    <message>
-        <source>The run has one frame: there is nothing to subtract. Choose a run with frames before the contrast.</source>
-        <translation>该序列只有一帧：无法减影。请选择含造影前帧的序列。</translation>
-    </message>
-    <message>
-        <source>The run shows contrast medium from its first frame on, so no frame serves as mask. Name the mask frames, or trace without subtraction.</source>
-        <translation>该序列从第一帧起即有对比剂，无法作蒙片。请指定蒙片帧，或不减影提取。</translation>
-    </message>
-    <message>
-        <source>The seed %1 mm (LPS) lies in no vessel. Place it inside one, or lower the threshold.</source>
-        <translation>种子点 %1 mm（LPS）不在血管内。请放入血管或降低阈值。</translation>
-    </message>
-    <message>
-        <source>The series mixes images of %1 sizes or orientations; each is listed by itself.</source>
-        <translation>该序列混有 %1 种尺寸或方位的图像；已分别列出。</translation>
-    </message>
-    <message>
-        <source>The slices are not stacked upright (%1° off, as with a tilted gantry): shifted within their planes to where they lie.</source>
-        <translation>层面未垂直堆叠（偏 %1°，如机架倾斜）：已在面内平移到实际位置。</translation>
-    </message>
-    <message>
-        <source>The slices are unevenly spaced (%1 to %2 mm): resampled to %3 mm.</source>
-        <translation>层间距不均（%1 至 %2 mm）：已重采样为 %3 mm。</translation>
     </message>
     <message>
         <source>The spread narrows by a quarter in each.</source>
         <translation>每轮散布缩小四分之一。</translation>
     </message>
     <message>
-        <source>The start pose is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers finite. Correct cameraFromPatient or derive the start pose from the angles.</source>
-        <translation>初始位姿不是刚体变换：旋转须正交且行列式为 +1，所有数有限。请更正 cameraFromPatient 或由角度推导初始位姿。</translation>
-    </message>
-    <message>
-        <source>The start pose puts the whole vessel tree behind the X-ray source, where nothing projects. Check the source-to-patient distance and the direction of the start pose.</source>
-        <translation>初始位姿将整个血管树置于 X 射线源之后，无法投影。请检查源到患者距离和初始位姿方向。</translation>
-    </message>
-    <message>
-        <source>The surface has no triangles, or the voxel size is not positive. Choose another surface.</source>
-        <translation>表面没有三角面，或体素大小非正。请选择其他表面。</translation>
-    </message>
-    <message>
-        <source>The surface is %1 mm across, which is unusual: if its unit is not the millimetre, give the unit.</source>
-        <translation>表面跨度为 %1 mm，不寻常：若单位不是毫米，请指定单位。</translation>
-    </message>
-    <message>
-        <source>The surface is flat: it bounds no inside. Choose the wall of a vessel.</source>
-        <translation>表面是平的：没有内部。请选择血管壁。</translation>
-    </message>
-    <message>
-        <source>The surface is not closed (%1 open and %2 crowded edges): its inside is decided by majority. Check the result, or close the holes.</source>
-        <translation>表面未闭合（%1 条开放边、%2 条重叠边）：内部按多数判定。请检查结果或封闭孔洞。</translation>
-    </message>
-    <message>
         <source>The traced vessels, or the brightness of the image at each vessel&apos;s own width.</source>
         <translation>提取的血管，或按各血管宽度的图像亮度。</translation>
-    </message>
-    <message>
-        <source>The transparency of the image is ignored.</source>
-        <translation>忽略图像透明度。</translation>
-    </message>
-    <message>
-        <source>The triangles do not agree on inside and outside; overlapping parts may cancel out.</source>
-        <translation>三角面内外方向不一致；重叠部分可能抵消。</translation>
-    </message>
-    <message>
-        <source>The vessel mask has no vessel of at least %1 px in it. Draw longer vessels, or lower the shortest length.</source>
-        <translation>血管掩模中没有至少 %1 px 的血管。请画更长的血管或降低最短长度。</translation>
-    </message>
-    <message>
-        <source>The vessel tree has no branch %1.</source>
-        <translation>血管树没有分支 %1。</translation>
-    </message>
-    <message>
-        <source>The vessel tree has no branches. Load a centreline with at least one branch.</source>
-        <translation>血管树没有分支。请载入至少含一个分支的中心线。</translation>
-    </message>
-    <message>
-        <source>The vessels fit better %1 aside.</source>
-        <translation>血管偏移 %1 处吻合更好。</translation>
-    </message>
-    <message>
-        <source>The volume has more than 4 billion voxels. Crop or resample it first.</source>
-        <translation>体数据超过 40 亿体素。请先裁剪或重采样。</translation>
-    </message>
-    <message>
-        <source>The volume has no valid voxel spacing. Give the spacing in mm, or export the volume again.</source>
-        <translation>体数据没有有效体素间距。请给出 mm 间距或重新导出。</translation>
-    </message>
-    <message>
-        <source>The volume holds labels: its vessels are taken as they are marked.</source>
-        <translation>体数据为标签：血管按标记采用。</translation>
-    </message>
-    <message>
-        <source>The volume is empty. Choose another series or file.</source>
-        <translation>体数据为空。请选择其他序列或文件。</translation>
-    </message>
-    <message>
-        <source>The volume is of one value: there is nothing to trace. Choose another series or file.</source>
-        <translation>体数据只有一个值：无可提取。请选择其他序列或文件。</translation>
-    </message>
-    <message>
-        <source>The voxel size is given as 1 x 1 x 1 mm: check that it was not lost on the way.</source>
-        <translation>体素大小为 1 x 1 x 1 mm：请确认未在转换中丢失。</translation>
-    </message>
-    <message>
-        <source>The voxel size is too fine for a surface of this extent. Choose a larger one.</source>
-        <translation>对此范围的表面体素过小。请选更大的。</translation>
-    </message>
-    <message>
-        <source>There are places to avoid, but no seed. Place at least one seed in the vessels.</source>
-        <translation>有避开点但没有种子点。请在血管中至少放一个种子点。</translation>
-    </message>
-    <message>
-        <source>There is no angiogram yet. Open an image first.</source>
-        <translation>尚无造影图像。请先打开图像。</translation>
-    </message>
-    <message>
-        <source>There is no method &apos;%1&apos;. Choose one of: %2.</source>
-        <translation>没有方法“%1”。可选：%2。</translation>
-    </message>
-    <message>
-        <source>There is no vessel in the volume: nothing is set. Lower the threshold, or load another file.</source>
-        <translation>体数据中没有血管：无置位体素。请降低阈值或载入其他文件。</translation>
-    </message>
-    <message>
-        <source>There is no vessel tree yet. Open a centreline first.</source>
-        <translation>尚无血管树。请先打开中心线。</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this. Close other programs or use smaller inputs.</source>
-        <translation>内存不足。请关闭其他程序或使用较小的数据。</translation>
-    </message>
-    <message>
-        <source>This is %1, not X-ray angiography: it has no C-arm geometry.</source>
-        <translation>这是%1，不是 X 线血管造影：没有 C 形臂几何。</translation>
-    </message>
-    <message>
-        <source>Tracing was stopped; nothing was kept.</source>
-        <translation>提取已停止；未保留结果。</translation>
     </message>
     <message>
         <source>Transformation</source>
@@ -2605,14 +2225,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管壁与图像梯度匹配，Powell 法（Mitrović 2013；重新实现，参数自定）。</translation>
     </message>
     <message>
-        <source>View %1 does not agree with the joint pose.</source>
-        <translation>投影 %1 与联合位姿不符。</translation>
-    </message>
-    <message>
-        <source>View %1 uses another vessel tree or other branches than view 1. Give all views the same.</source>
-        <translation>投影 %1 使用的血管树或分支与投影 1 不同。请统一。</translation>
-    </message>
-    <message>
         <source>Width of the mixtures&apos; Gaussians at first.</source>
         <translation>高斯混合的初始宽度。</translation>
     </message>
@@ -2625,536 +2237,24 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>仿射</translation>
     </message>
     <message>
-        <source>an HDF5 file</source>
-        <translation>HDF5 文件</translation>
-    </message>
-    <message>
-        <source>an MRtrix tractogram</source>
-        <translation>MRtrix 纤维束图</translation>
-    </message>
-    <message>
-        <source>an NRRD volume</source>
-        <translation>NRRD 体数据</translation>
-    </message>
-    <message>
-        <source>an STL surface</source>
-        <translation>STL 表面</translation>
-    </message>
-    <message>
-        <source>an XML file</source>
-        <translation>XML 文件</translation>
-    </message>
-    <message>
-        <source>an image without modality</source>
-        <translation>未注明模态的图像</translation>
-    </message>
-    <message>
-        <source>angiogram.frame: %1 does not exist. The image has frames 0 to %2.</source>
-        <translation>angiogram.frame：第 %1 帧不存在。图像有第 0 至 %2 帧。</translation>
-    </message>
-    <message>
-        <source>angiogram.trace: maxVesselRadiusPx is below minVesselRadiusPx. Exchange them.</source>
-        <translation>angiogram.trace：maxVesselRadiusPx 小于 minVesselRadiusPx。请对调。</translation>
-    </message>
-    <message>
-        <source>assumed</source>
-        <translation>假定</translation>
-    </message>
-    <message>
         <source>auxiliary</source>
         <translation>辅助分支</translation>
-    </message>
-    <message>
-        <source>birth date</source>
-        <translation>出生日期</translation>
-    </message>
-    <message>
-        <source>cameraFromPatient has an entry that is not a finite number.</source>
-        <translation>cameraFromPatient 含有非有限数。</translation>
-    </message>
-    <message>
-        <source>cameraFromPatient is a reflection (determinant below 0). A mirrored image belongs into the sign of fx, never into the rotation.</source>
-        <translation>cameraFromPatient 为镜像（行列式小于 0）。镜像应体现在 fx 的符号，而非旋转。</translation>
-    </message>
-    <message>
-        <source>cameraFromPatient must have four rows of four numbers.</source>
-        <translation>cameraFromPatient 须为四行四列数字。</translation>
     </message>
     <message>
         <source>converged</source>
         <translation>已收敛</translation>
     </message>
     <message>
-        <source>derived</source>
-        <translation>推算</translation>
-    </message>
-    <message>
-        <source>frame %1 cannot be decoded (transfer syntax %2): damaged, cut short, or a compression this program does not read. Export the run again, uncompressed if possible.</source>
-        <translation>第 %1 帧无法解码（传输语法 %2）：损坏、截断或不支持的压缩。请重新导出，尽量不压缩。</translation>
-    </message>
-    <message>
         <source>full</source>
         <translation>全部点</translation>
-    </message>
-    <message>
-        <source>geometry.camera: it is for an image of %1 x %2 pixels, but the angiogram has %3 x %4. Give the camera of this image.</source>
-        <translation>geometry.camera：适用于 %1 x %2 像素的图像，但造影图像为 %3 x %4。请给出此图像的相机。</translation>
-    </message>
-    <message>
-        <source>header</source>
-        <translation>文件头</translation>
-    </message>
-    <message>
-        <source>identity hidden</source>
-        <translation>患者信息已隐藏</translation>
-    </message>
-    <message>
-        <source>it cannot be opened (%1). Check that you may read it.</source>
-        <translation>无法打开（%1）。请检查读取权限。</translation>
-    </message>
-    <message>
-        <source>it cannot be reached (%1). Check the path.</source>
-        <translation>无法访问（%1）。请检查路径。</translation>
-    </message>
-    <message>
-        <source>it cannot be read (%1). Copy it to a local disk.</source>
-        <translation>无法读取（%1）。请复制到本地磁盘。</translation>
-    </message>
-    <message>
-        <source>it cannot be read. Copy it to a local disk.</source>
-        <translation>无法读取。请复制到本地磁盘。</translation>
-    </message>
-    <message>
-        <source>it cannot be written (%1). Choose another folder or make room.</source>
-        <translation>无法写入（%1）。请选择其他文件夹或腾出空间。</translation>
-    </message>
-    <message>
-        <source>it declares %1 frames of %2 x %3 pixels, more than this program holds. Export fewer frames.</source>
-        <translation>声明 %1 帧、每帧 %2 x %3 像素，超出程序容量。请导出较少帧。</translation>
-    </message>
-    <message>
-        <source>it declares %1, more than this program holds. Crop the scan to the vessels.</source>
-        <translation>声明 %1，超出程序容量。请将扫描裁剪到血管范围。</translation>
-    </message>
-    <message>
-        <source>it declares more data than memory holds. The file is damaged; export it again.</source>
-        <translation>声明的数据超过内存。文件损坏；请重新导出。</translation>
-    </message>
-    <message>
-        <source>it does not begin like a VTK file. Export the centrelines again.</source>
-        <translation>开头不像 VTK 文件。请重新导出中心线。</translation>
-    </message>
-    <message>
-        <source>it does not follow the published schema. Compare it with a case that loads.</source>
-        <translation>不符合公布的模式。请与可载入的病例比较。</translation>
-    </message>
-    <message>
-        <source>it does not hold one ITK transform as text. Export a single rigid transform.</source>
-        <translation>未含单个文本形式的 ITK 变换。请导出一个刚性变换。</translation>
-    </message>
-    <message>
-        <source>it does not say where its voxels are (ElementDataFile). Export it again.</source>
-        <translation>未说明体素所在（ElementDataFile）。请重新导出。</translation>
-    </message>
-    <message>
-        <source>it has %1 dimensions (4-D or more). Save the one volume to use and open that.</source>
-        <translation>有 %1 维（四维或以上）。请单独保存所需体数据再打开。</translation>
-    </message>
-    <message>
-        <source>it has %1 points; a centreline tree has at most %2. Resample the centrelines.</source>
-        <translation>有 %1 个点；中心线树最多 %2 个。请重采样中心线。</translation>
-    </message>
-    <message>
-        <source>it has %1 separate lines; a centreline tree has at most %2. Keep the vessels of interest.</source>
-        <translation>有 %1 条独立线；中心线树最多 %2 条。请只保留感兴趣的血管。</translation>
-    </message>
-    <message>
-        <source>it has %1 values per voxel. Choose the scan itself, in grey values.</source>
-        <translation>每体素有 %1 个值。请选择灰度扫描本身。</translation>
-    </message>
-    <message>
-        <source>it has %1: a single slice is no volume. Choose the whole scan.</source>
-        <translation>有 %1：单层不是体数据。请选择完整扫描。</translation>
-    </message>
-    <message>
-        <source>it has a column z: this is a 3-D centreline. Choose the centreline traced in the image.</source>
-        <translation>含 z 列：这是三维中心线。请选择图像中提取的中心线。</translation>
-    </message>
-    <message>
-        <source>it has more than a million points. Resample the centreline.</source>
-        <translation>超过一百万个点。请重采样中心线。</translation>
-    </message>
-    <message>
-        <source>it has more triangles than this program holds. Decimate the surface.</source>
-        <translation>三角面超出程序容量。请简化表面。</translation>
-    </message>
-    <message>
-        <source>it has no matrix `cameraFromPatient` of four rows of four numbers, at the top or in `pose`. Give one.</source>
-        <translation>顶层或 `pose` 中没有四行四列的 `cameraFromPatient` 矩阵。请提供。</translation>
-    </message>
-    <message>
-        <source>it holds %1 volumes or values per voxel (4-D). Extract the one to use and open that.</source>
-        <translation>含 %1 个体数据或每体素多值（四维）。请提取所需的再打开。</translation>
-    </message>
-    <message>
-        <source>it holds %1 volumes, layers or values per voxel (4-D). Save the one to use and open that.</source>
-        <translation>含 %1 个体数据、层或每体素多值（四维）。请单独保存所需的再打开。</translation>
-    </message>
-    <message>
-        <source>it holds %1, not POLYDATA or UNSTRUCTURED_GRID. Export the centrelines as poly-lines.</source>
-        <translation>含 %1，而非 POLYDATA 或 UNSTRUCTURED_GRID。请以折线导出中心线。</translation>
-    </message>
-    <message>
-        <source>it holds %1, which is no label: labels are whole numbers from 0. Choose a label image.</source>
-        <translation>含 %1，不是标签：标签为从 0 起的整数。请选择标签图像。</translation>
-    </message>
-    <message>
-        <source>it holds a %1, not an image. Choose the scan.</source>
-        <translation>含 %1，而非图像。请选择扫描。</translation>
-    </message>
-    <message>
-        <source>it holds a surface, not centrelines. Extract the centrelines first (e.g. with VMTK or Slicer) and open those.</source>
-        <translation>含表面而非中心线。请先提取中心线（如用 VMTK 或 Slicer）再打开。</translation>
-    </message>
-    <message>
-        <source>it holds more than 50000 files. Choose the folder of one study.</source>
-        <translation>含超过 50000 个文件。请选择单个检查的文件夹。</translation>
-    </message>
-    <message>
-        <source>it holds no lines. Choose a file with vessel centrelines.</source>
-        <translation>不含线。请选择含血管中心线的文件。</translation>
-    </message>
-    <message>
-        <source>it holds no triangles. Choose the surface of a vessel.</source>
-        <translation>不含三角面。请选择血管表面。</translation>
-    </message>
-    <message>
-        <source>it is a DICOM segmentation. Export it as a NIfTI or NRRD label image.</source>
-        <translation>是 DICOM 分割。请导出为 NIfTI 或 NRRD 标签图像。</translation>
-    </message>
-    <message>
-        <source>it is a colour image. Choose the scan itself, in grey values.</source>
-        <translation>是彩色图像。请选择灰度扫描本身。</translation>
-    </message>
-    <message>
-        <source>it is a single slice, not a volume. Copy all slices of the series, or choose another one.</source>
-        <translation>是单层而非体数据。请复制该序列全部层面，或另选。</translation>
-    </message>
-    <message>
-        <source>it is not VTK XML PolyData or UnstructuredGrid. Export the centrelines as .vtp.</source>
-        <translation>不是 VTK XML PolyData 或 UnstructuredGrid。请导出为 .vtp。</translation>
-    </message>
-    <message>
-        <source>it is not a Slicer markups file with curves. Export the centrelines as .mrk.json curves, .vtp, .vtk, .csv or .swc.</source>
-        <translation>不是含曲线的 Slicer markups 文件。请将中心线导出为 .mrk.json 曲线、.vtp、.vtk、.csv 或 .swc。</translation>
-    </message>
-    <message>
-        <source>it is not valid JSON at line %1. Correct it there.</source>
-        <translation>第 %1 行不是有效 JSON。请更正。</translation>
-    </message>
-    <message>
-        <source>it is only %1 x %2 pixels. Choose the angiogram at its full size.</source>
-        <translation>仅 %1 x %2 像素。请选择原尺寸造影图像。</translation>
-    </message>
-    <message>
-        <source>it is stored in palette colours. Export the angiogram in grey.</source>
-        <translation>以调色板颜色存储。请以灰度导出造影图像。</translation>
-    </message>
-    <message>
-        <source>it is too large for a case file. Choose an .angiopose file.</source>
-        <translation>作为病例文件过大。请选择 .angiopose 文件。</translation>
-    </message>
-    <message>
-        <source>it is too large for a pose. Choose a .json or .tfm file.</source>
-        <translation>作为位姿过大。请选择 .json 或 .tfm 文件。</translation>
-    </message>
-    <message>
-        <source>it looks like a list of graph nodes (column id), which has no order along the vessels. Give a branch column, or export the centrelines themselves.</source>
-        <translation>像是图节点列表（id 列），没有沿血管的顺序。请给出 branch 列，或导出中心线本身。</translation>
-    </message>
-    <message>
-        <source>it skips lines of another file. Save header and voxels as one file.</source>
-        <translation>跳过了另一文件的行。请将文件头与体素保存为一个文件。</translation>
     </message>
     <message>
         <source>iteration limit</source>
         <translation>达到迭代上限</translation>
     </message>
     <message>
-        <source>its DimSize makes no sense. The file is damaged; export it again.</source>
-        <translation>DimSize 无意义。文件损坏；请重新导出。</translation>
-    </message>
-    <message>
-        <source>its HeaderSize makes no sense. Correct the header.</source>
-        <translation>HeaderSize 无意义。请更正文件头。</translation>
-    </message>
-    <message>
-        <source>its JSON is nested more than %1 levels deep. This is no file of this program.</source>
-        <translation>JSON 嵌套超过 %1 层。这不是本程序的文件。</translation>
-    </message>
-    <message>
-        <source>its PLY data are damaged or cut short. Export it again.</source>
-        <translation>PLY 数据损坏或截断。请重新导出。</translation>
-    </message>
-    <message>
-        <source>its PLY header is damaged or cut short. Export it again.</source>
-        <translation>PLY 文件头损坏或截断。请重新导出。</translation>
-    </message>
-    <message>
-        <source>its PLY header is damaged: the element &quot;%1&quot; has no properties. Export it again.</source>
-        <translation>PLY 文件头损坏：元素 &quot;%1&quot; 没有属性。请重新导出。</translation>
-    </message>
-    <message>
-        <source>its axes are %1° apart instead of 90°. Resample the volume to perpendicular axes.</source>
-        <translation>各轴夹角为 %1° 而非 90°。请重采样到正交轴。</translation>
-    </message>
-    <message>
-        <source>its bits per pixel contradict each other. The header is damaged; export the run again.</source>
-        <translation>每像素位数相互矛盾。文件头损坏；请重新导出。</translation>
-    </message>
-    <message>
-        <source>its centre is not finite. Export the transform again.</source>
-        <translation>中心非有限数。请重新导出变换。</translation>
-    </message>
-    <message>
-        <source>its compressed pixels are cut short. Copy or export it again.</source>
-        <translation>压缩像素被截断。请重新复制或导出。</translation>
-    </message>
-    <message>
-        <source>its coordinates are in %1. Export the curves in mm.</source>
-        <translation>坐标单位为 %1。请以 mm 导出曲线。</translation>
-    </message>
-    <message>
-        <source>its deflated content is damaged or cut short. Copy or export it again.</source>
-        <translation>压缩内容损坏或截断。请重新复制或导出。</translation>
-    </message>
-    <message>
-        <source>its first axis has %1 entries: this is a colour picture, not a volume. Choose the scan.</source>
-        <translation>第一轴有 %1 项：这是彩色图片而非体数据。请选择扫描。</translation>
-    </message>
-    <message>
-        <source>its header gives %1. The file is damaged; export it again.</source>
-        <translation>文件头给出 %1。文件损坏；请重新导出。</translation>
-    </message>
-    <message>
-        <source>its header gives no image size. The file is damaged; export the run again.</source>
-        <translation>文件头无图像尺寸。文件损坏；请重新导出。</translation>
-    </message>
-    <message>
-        <source>its header gives no usable voxel size or place. Export the volume again.</source>
-        <translation>文件头无可用的体素大小或位置。请重新导出。</translation>
-    </message>
-    <message>
-        <source>its header is damaged: it names %1 dimensions. Export it again.</source>
-        <translation>文件头损坏：标注 %1 维。请重新导出。</translation>
-    </message>
-    <message>
-        <source>its header is damaged: the voxels begin at an impossible place. Export it again.</source>
-        <translation>文件头损坏：体素起始位置不可能。请重新导出。</translation>
-    </message>
-    <message>
-        <source>its images do not say how large a pixel is, so they make no volume. Choose another series.</source>
-        <translation>图像未说明像素大小，无法组成体数据。请选择其他序列。</translation>
-    </message>
-    <message>
-        <source>its images do not say where they lie in the patient, so they make no volume. Choose another series.</source>
-        <translation>图像未说明在患者中的位置，无法组成体数据。请选择其他序列。</translation>
-    </message>
-    <message>
-        <source>its line skip or byte skip makes no sense. Correct the header.</source>
-        <translation>line skip 或 byte skip 无意义。请更正文件头。</translation>
-    </message>
-    <message>
-        <source>its lines visit the same points too often. The file is damaged; export it again.</source>
-        <translation>线过多经过相同的点。文件损坏；请重新导出。</translation>
-    </message>
-    <message>
-        <source>its pixels (%1, %2 samples) are not grey or colour. Export the angiogram in grey.</source>
-        <translation>像素（%1，%2 个采样）既非灰度也非彩色。请以灰度导出。</translation>
-    </message>
-    <message>
-        <source>its pixels are cut short: %1 of %2 bytes are there. Copy or export it again.</source>
-        <translation>像素被截断：%2 字节中仅有 %1。请重新复制或导出。</translation>
-    </message>
-    <message>
-        <source>its pixels are not finite numbers of a known kind. Export it with 8 or 16 bits.</source>
-        <translation>像素不是已知类型的有限数。请以 8 或 16 位导出。</translation>
-    </message>
-    <message>
-        <source>its pixels are not of the size its header gives. Export it again.</source>
-        <translation>像素尺寸与文件头不符。请重新导出。</translation>
-    </message>
-    <message>
-        <source>its pixels have %1 bits. Export the angiogram with 8 or 16 bits.</source>
-        <translation>像素为 %1 位。请以 8 或 16 位导出。</translation>
-    </message>
-    <message>
-        <source>its sizes are no numbers. The file is damaged; export it again.</source>
-        <translation>尺寸不是数字。文件损坏；请重新导出。</translation>
-    </message>
-    <message>
-        <source>its slices lie beside each other rather than above. Choose another series.</source>
-        <translation>层面并排而非堆叠。请选择其他序列。</translation>
-    </message>
-    <message>
-        <source>its slices lie too unevenly to make a volume of them (%1 over %2 mm). Copy all slices of the series, or choose another one.</source>
-        <translation>层间距过于不均，无法组成体数据（%2 mm 内 %1 层）。请复制全部层面，或另选。</translation>
-    </message>
-    <message>
-        <source>its transform &quot;%1&quot; is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
-        <translation>变换 &quot;%1&quot; 非刚性或缺少参数。请导出刚性变换（affine、Euler3D 或 VersorRigid3D）。</translation>
-    </message>
-    <message>
-        <source>its triangles are damaged or cut short. Copy or export it again.</source>
-        <translation>三角面损坏或截断。请重新复制或导出。</translation>
-    </message>
-    <message>
-        <source>its voxel type (&quot;%1&quot;) is not read. Save it as 16-bit or float.</source>
-        <translation>不支持体素类型（&quot;%1&quot;）。请存为 16 位或浮点。</translation>
-    </message>
-    <message>
-        <source>its voxel type (NIfTI datatype %1) is not read. Save it as 16-bit or float.</source>
-        <translation>不支持体素类型（NIfTI 类型 %1）。请存为 16 位或浮点。</translation>
-    </message>
-    <message>
-        <source>its voxels are colours. Choose the scan itself, in grey values.</source>
-        <translation>体素为彩色。请选择灰度扫描本身。</translation>
-    </message>
-    <message>
-        <source>its voxels are cut short, or their packing is damaged. Copy or export it again.</source>
-        <translation>体素被截断或压缩损坏。请重新复制或导出。</translation>
-    </message>
-    <message>
-        <source>its voxels are cut short. Copy or export it again.</source>
-        <translation>体素被截断。请重新复制或导出。</translation>
-    </message>
-    <message>
-        <source>its voxels are cut short: %1 of %2 bytes are there. Copy or export it again.</source>
-        <translation>体素被截断：%2 字节中仅有 %1。请重新复制或导出。</translation>
-    </message>
-    <message>
-        <source>its voxels are packed with bzip2. Save it with gzip or raw encoding.</source>
-        <translation>体素以 bzip2 压缩。请用 gzip 或 raw 编码保存。</translation>
-    </message>
-    <message>
-        <source>its voxels are written as text (%1). Save it with gzip or raw encoding.</source>
-        <translation>体素以文本写入（%1）。请用 gzip 或 raw 编码保存。</translation>
-    </message>
-    <message>
-        <source>its voxels are written as text. Save it with binary data.</source>
-        <translation>体素以文本写入。请以二进制保存。</translation>
-    </message>
-    <message>
-        <source>its voxels lie in several files. Save it as one file.</source>
-        <translation>体素分在多个文件。请存为一个文件。</translation>
-    </message>
-    <message>
-        <source>line %1 does not give a point. The file is damaged; export it again.</source>
-        <translation>第 %1 行不是点。文件损坏；请重新导出。</translation>
-    </message>
-    <message>
-        <source>line %1 has %2 columns, the first line has %3. Separate columns by commas and use . as decimal point.</source>
-        <translation>第 %1 行有 %2 列，首行有 %3 列。请以逗号分列，用 . 作小数点。</translation>
-    </message>
-    <message>
-        <source>line %1 is not `id type x y z radius parent`. Correct the line or export it again.</source>
-        <translation>第 %1 行不是 `id type x y z radius parent`。请更正或重新导出。</translation>
-    </message>
-    <message>
-        <source>line %1 lies far outside any image. Coordinates are in pixels.</source>
-        <translation>第 %1 行远在图像之外。坐标单位为像素。</translation>
-    </message>
-    <message>
-        <source>line %1 names a parent, %2, that is not there. Export the whole tree.</source>
-        <translation>第 %1 行的父节点 %2 不存在。请导出整棵树。</translation>
-    </message>
-    <message>
-        <source>line %1 repeats an id. Ids must be unique.</source>
-        <translation>第 %1 行 id 重复。id 必须唯一。</translation>
-    </message>
-    <message>
-        <source>line %1, column %2: &quot;%3&quot; is not a finite number. Correct or remove the line.</source>
-        <translation>第 %1 行 %2 列：&quot;%3&quot; 不是有限数。请更正或删除该行。</translation>
-    </message>
-    <message>
-        <source>line %1: the branch must be a whole number. Correct the line.</source>
-        <translation>第 %1 行：branch 必须为整数。请更正。</translation>
-    </message>
-    <message>
-        <source>method: &quot;%1&quot; is unknown. Use one of %2.</source>
-        <translation>method：&quot;%1&quot; 未知。可用：%2。</translation>
-    </message>
-    <message>
-        <source>missing</source>
-        <translation>缺失</translation>
-    </message>
-    <message>
-        <source>modality %1</source>
-        <translation>模态 %1</translation>
-    </message>
-    <message>
-        <source>name</source>
-        <translation>姓名</translation>
-    </message>
-    <message>
-        <source>no DICOM element in it can be read. The file is damaged; copy or export it again.</source>
-        <translation>无法读取任何 DICOM 元素。文件损坏；请重新复制或导出。</translation>
-    </message>
-    <message>
-        <source>no data set</source>
-        <translation>无数据集</translation>
-    </message>
-    <message>
         <source>no improvement</source>
         <translation>不再改善</translation>
-    </message>
-    <message>
-        <source>no name</source>
-        <translation>无名称</translation>
-    </message>
-    <message>
-        <source>no series in this folder makes a volume. Choose another folder.</source>
-        <translation>此文件夹中没有序列可组成体数据。请选择其他文件夹。</translation>
-    </message>
-    <message>
-        <source>none of its lines has two different points. Choose a file with vessel centrelines.</source>
-        <translation>没有一条线含两个不同的点。请选择含血管中心线的文件。</translation>
-    </message>
-    <message>
-        <source>none of its triangles has an area. Choose the surface of a vessel.</source>
-        <translation>三角面均无面积。请选择血管表面。</translation>
-    </message>
-    <message>
-        <source>none of its voxels is a number. Export the volume again.</source>
-        <translation>没有体素是数字。请重新导出。</translation>
-    </message>
-    <message>
-        <source>number</source>
-        <translation>编号</translation>
-    </message>
-    <message>
-        <source>only %1 of its %2 frames are there. Copy or export it again.</source>
-        <translation>%2 帧中仅有 %1 帧。请重新复制或导出。</translation>
-    </message>
-    <message>
-        <source>options.%1: give %2.</source>
-        <translation>options.%1：请给出 %2。</translation>
-    </message>
-    <message>
-        <source>part %1 of %2</source>
-        <translation>第 %1 部分，共 %2</translation>
-    </message>
-    <message>
-        <source>pose.initial: it is missing, and the angles do not give a start pose. %1</source>
-        <translation>pose.initial：缺失，且角度不足以得出初始位姿。%1</translation>
-    </message>
-    <message>
-        <source>poses are written as .json or .tfm. Change the extension.</source>
-        <translation>位姿写为 .json 或 .tfm。请更改扩展名。</translation>
-    </message>
-    <message>
-        <source>reading was stopped.</source>
-        <translation>读取已停止。</translation>
     </message>
     <message>
         <source>refine</source>
@@ -3175,250 +2275,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>stopped by the user</source>
         <translation>用户停止</translation>
-    </message>
-    <message>
-        <source>surfaces are written as .stl. Change the extension.</source>
-        <translation>表面写为 .stl。请更改扩展名。</translation>
-    </message>
-    <message>
-        <source>the VTK XML data in it is damaged or cut short. Export it again.</source>
-        <translation>其中的 VTK XML 数据损坏或截断。请重新导出。</translation>
-    </message>
-    <message>
-        <source>the element %1 declares %2 bytes, but %3 are left</source>
-        <translation>元素 %1 声明 %2 字节，但仅剩 %3</translation>
-    </message>
-    <message>
-        <source>the file is empty. Export or copy it again.</source>
-        <translation>文件为空。请重新导出或复制。</translation>
-    </message>
-    <message>
-        <source>the file with its voxels cannot be read (%1).</source>
-        <translation>无法读取体素文件（%1）。</translation>
-    </message>
-    <message>
-        <source>the first line must name the columns: x,y,z and, where known, radius,branch.</source>
-        <translation>首行须为列名：x,y,z 以及已知的 radius,branch。</translation>
-    </message>
-    <message>
-        <source>the folder cannot be read (%1). Check the path.</source>
-        <translation>无法读取文件夹（%1）。请检查路径。</translation>
-    </message>
-    <message>
-        <source>the folder cannot be read to its end. Copy it to a local disk.</source>
-        <translation>无法读完文件夹。请复制到本地磁盘。</translation>
-    </message>
-    <message>
-        <source>the frames differ in size. All frames of a run must be equally large.</source>
-        <translation>各帧大小不同。同一序列各帧须等大。</translation>
-    </message>
-    <message>
-        <source>the header row has no columns x and y. The first line must name the columns: x,y and, where known, branch,radius (px).</source>
-        <translation>表头缺少 x 和 y 列。首行须为列名：x,y 以及已知的 branch,radius（px）。</translation>
-    </message>
-    <message>
-        <source>the header row has no columns x, y and z. Name them (mm, patient LPS).</source>
-        <translation>表头缺少 x、y、z 列。请命名（mm，患者 LPS）。</translation>
-    </message>
-    <message>
-        <source>the image cannot be decoded: damaged, cut short or of an unusual kind. Export it again.</source>
-        <translation>图像无法解码：损坏、截断或类型特殊。请重新导出。</translation>
-    </message>
-    <message>
-        <source>the image has fewer than 8 pixels on a side, or more than this program holds. Export the angiogram at its own size.</source>
-        <translation>图像边长少于 8 像素，或超出程序容量。请按原尺寸导出。</translation>
-    </message>
-    <message>
-        <source>the image is damaged or cut short. Copy or export it again.</source>
-        <translation>图像损坏或截断。请重新复制或导出。</translation>
-    </message>
-    <message>
-        <source>the image is damaged or of an unusual kind. Export it in grey or RGB with 8 or 16 bits, without tiles.</source>
-        <translation>图像损坏或类型特殊。请以 8 或 16 位灰度或 RGB、不分块导出。</translation>
-    </message>
-    <message>
-        <source>the last row of cameraFromPatient must be 0 0 0 1. Is the matrix transposed?</source>
-        <translation>cameraFromPatient 末行须为 0 0 0 1。矩阵是否转置了？</translation>
-    </message>
-    <message>
-        <source>the pose is not a rigid motion of finite numbers. Reset it before saving.</source>
-        <translation>位姿不是有限数的刚体变换。保存前请重置。</translation>
-    </message>
-    <message>
-        <source>the pose is not a rigid motion of finite numbers. Reset the pose before saving.</source>
-        <translation>位姿不是有限数的刚体变换。保存前请重置位姿。</translation>
-    </message>
-    <message>
-        <source>the run is too large for an uncompressed DICOM file. Write fewer frames.</source>
-        <translation>该序列超出未压缩 DICOM 文件容量。请写入较少帧。</translation>
-    </message>
-    <message>
-        <source>the section &quot;%1&quot; is damaged or cut short. Export it again.</source>
-        <translation>&quot;%1&quot; 部分损坏或截断。请重新导出。</translation>
-    </message>
-    <message>
-        <source>the sequence %1 has no end</source>
-        <translation>序列 %1 没有结尾</translation>
-    </message>
-    <message>
-        <source>the series %1 is not in this folder. Choose the folder it is in.</source>
-        <translation>序列 %1 不在此文件夹。请选择其所在文件夹。</translation>
-    </message>
-    <message>
-        <source>the series of the case is not in this folder. Choose the folder it is in.</source>
-        <translation>病例的序列不在此文件夹。请选择其所在文件夹。</translation>
-    </message>
-    <message>
-        <source>the third line of a legacy VTK file must be ASCII or BINARY. Export it again.</source>
-        <translation>旧版 VTK 文件第三行须为 ASCII 或 BINARY。请重新导出。</translation>
-    </message>
-    <message>
-        <source>the unit must be a positive length in mm.</source>
-        <translation>单位须为正的毫米长度。</translation>
-    </message>
-    <message>
-        <source>the upper left 3 x 3 of cameraFromPatient is not a rotation (scale or shear). Give a rigid pose in mm.</source>
-        <translation>cameraFromPatient 左上 3 x 3 不是旋转（含缩放或剪切）。请给出以 mm 为单位的刚性位姿。</translation>
-    </message>
-    <message>
-        <source>the volume is larger than this computer&apos;s memory. Crop the scan to the vessels.</source>
-        <translation>体数据超过本机内存。请裁剪到血管范围。</translation>
-    </message>
-    <message>
-        <source>there are no frames to write. Load or simulate an angiogram first.</source>
-        <translation>没有可写入的帧。请先载入或模拟造影图像。</translation>
-    </message>
-    <message>
-        <source>there are no voxels to write. Load a volume first.</source>
-        <translation>没有可写入的体素。请先载入体数据。</translation>
-    </message>
-    <message>
-        <source>there is no DICOM image in this folder. Choose the folder of a DICOM scan, or a volume file itself.</source>
-        <translation>此文件夹中没有 DICOM 图像。请选择 DICOM 扫描所在文件夹，或直接选择体数据文件。</translation>
-    </message>
-    <message>
-        <source>there is no memory left to pack the volume.</source>
-        <translation>内存不足，无法压缩体数据。</translation>
-    </message>
-    <message>
-        <source>there is no picture to write. Render or trace one first.</source>
-        <translation>没有可写入的图片。请先生成。</translation>
-    </message>
-    <message>
-        <source>there is no such file. Check the path.</source>
-        <translation>文件不存在。请检查路径。</translation>
-    </message>
-    <message>
-        <source>there is not enough memory to write this run. Write fewer frames.</source>
-        <translation>内存不足以写入该序列。请写入较少帧。</translation>
-    </message>
-    <message>
-        <source>this DICOM file (%1)</source>
-        <translation>此 DICOM 文件（%1）</translation>
-    </message>
-    <message>
-        <source>this DICOM file holds no image. Choose a scan.</source>
-        <translation>此 DICOM 文件不含图像。请选择扫描。</translation>
-    </message>
-    <message>
-        <source>this JSON is not an AngioPose case (its format is not &quot;angiopose-case&quot;). Choose an .angiopose file.</source>
-        <translation>此 JSON 不是 AngioPose 病例（format 不是 &quot;angiopose-case&quot;）。请选择 .angiopose 文件。</translation>
-    </message>
-    <message>
-        <source>this is %1, not a 2-D centreline. Choose a CSV table or a PNG mask.</source>
-        <translation>这是%1，不是二维中心线。请选择 CSV 表或 PNG 掩模。</translation>
-    </message>
-    <message>
-        <source>this is %1, not a case. Choose an .angiopose file.</source>
-        <translation>这是%1，不是病例。请选择 .angiopose 文件。</translation>
-    </message>
-    <message>
-        <source>this is %1, not a centreline. %2</source>
-        <translation>这是%1，不是中心线。%2</translation>
-    </message>
-    <message>
-        <source>this is %1, not a surface. Choose a .vtp, .vtk, .stl, .ply or .obj file.</source>
-        <translation>这是%1，不是表面。请选择 .vtp、.vtk、.stl、.ply 或 .obj 文件。</translation>
-    </message>
-    <message>
-        <source>this is %1, not a volume. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).</source>
-        <translation>这是%1，不是体数据。请选择 DICOM 文件夹、NIfTI、NRRD 或 MetaImage（.mha、.mhd）。</translation>
-    </message>
-    <message>
-        <source>this is %1, not an angiogram. Choose a DICOM XA run, a PNG, TIFF or JPEG image.</source>
-        <translation>这是%1，不是造影图像。请选择 DICOM XA 序列、PNG、TIFF 或 JPEG 图像。</translation>
-    </message>
-    <message>
-        <source>this is a Git LFS pointer, not the file itself. Run `git lfs pull` where it came from.</source>
-        <translation>这是 Git LFS 指针而非文件本身。请在来源处运行 `git lfs pull`。</translation>
-    </message>
-    <message>
-        <source>this is a folder. Choose a file in it.</source>
-        <translation>这是文件夹。请选择其中的文件。</translation>
-    </message>
-    <message>
-        <source>this is a gzip archive without a readable DICOM file in it. Unpack it and choose the angiogram itself.</source>
-        <translation>这是不含可读 DICOM 文件的 gzip 压缩包。请解压后选择造影图像。</translation>
-    </message>
-    <message>
-        <source>this is an Analyze 7.5 header, which does not say left from right. Convert it to NIfTI where the orientation is known.</source>
-        <translation>这是 Analyze 7.5 文件头，不区分左右。请在已知方位处转换为 NIfTI。</translation>
-    </message>
-    <message>
-        <source>this is an X-ray run, not a volume. Open it as the angiogram.</source>
-        <translation>这是 X 线序列，不是体数据。请作为造影图像打开。</translation>
-    </message>
-    <message>
-        <source>this is an input of the case and will not be overwritten. Choose another name.</source>
-        <translation>这是病例的输入文件，不会覆盖。请换名。</translation>
-    </message>
-    <message>
-        <source>this is no centreline format AngioPose reads. %1</source>
-        <translation>AngioPose 不支持此中心线格式。%1</translation>
-    </message>
-    <message>
-        <source>this is no pose. Choose a .json or an ITK .tfm file.</source>
-        <translation>这不是位姿。请选择 .json 或 ITK .tfm 文件。</translation>
-    </message>
-    <message>
-        <source>this is not a DICOM file. Choose a scan.</source>
-        <translation>这不是 DICOM 文件。请选择扫描。</translation>
-    </message>
-    <message>
-        <source>this is not a mask of two levels. Draw the vessels white on black.</source>
-        <translation>这不是二值掩模。请以黑底白色画血管。</translation>
-    </message>
-    <message>
-        <source>this is not a place for a file. Give a file name in an existing folder.</source>
-        <translation>此处不能存放文件。请给出现有文件夹中的文件名。</translation>
-    </message>
-    <message>
-        <source>this is not a regular file. Choose a file on disk.</source>
-        <translation>这不是普通文件。请选择磁盘上的文件。</translation>
-    </message>
-    <message>
-        <source>this is not a text table. Choose a CSV file with a header row.</source>
-        <translation>这不是文本表。请选择有表头的 CSV 文件。</translation>
-    </message>
-    <message>
-        <source>user</source>
-        <translation>用户</translation>
-    </message>
-    <message>
-        <source>version: the case was saved by a newer AngioPose. Update the program.</source>
-        <translation>version：病例由较新的 AngioPose 保存。请更新程序。</translation>
-    </message>
-    <message>
-        <source>vessel.%1: the tree has no branch %2; it is left out.</source>
-        <translation>vessel.%1：树中没有分支 %2；已略去。</translation>
-    </message>
-    <message>
-        <source>vessel: it names no input. Give the file of the vessels as centerline, segmentation, surface or volume.</source>
-        <translation>vessel：未指定输入。请以 centerline、segmentation、surface 或 volume 给出血管文件。</translation>
-    </message>
-    <message>
-        <source>volumes are written as .nii, .nii.gz, .nrrd or .mha. Change the extension.</source>
-        <translation>体数据写为 .nii、.nii.gz、.nrrd 或 .mha。请更改扩展名。</translation>
     </message>
     <message>
         <source>chosen</source>
@@ -3544,801 +2400,2448 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>traced vessels</source>
         <translation>提取血管</translation>
     </message>
+</context>
+<context>
+    <name>messages</name>
     <message>
-        <source> The intensifier of %1 mm suggests at most %2 mm.</source>
-        <translation> 影像增强器 %1 mm，提示最多 %2 mm。</translation>
+        <source>The folder &apos;%1&apos; cannot be made: %2.</source>
+        <comment>folder.not-made</comment>
+        <translation>无法创建文件夹“%1”：%2。</translation>
     </message>
     <message>
-        <source> · not trustworthy</source>
-        <translation> · 不可信</translation>
+        <source>Unexpected failure: %1</source>
+        <comment>run.unexpected-failure</comment>
+        <translation>意外故障：%1</translation>
     </message>
     <message>
-        <source>%1 and elsewhere</source>
-        <translation>%1 等处</translation>
+        <source>frame %1 does not exist. It has frames 0 to %2.</source>
+        <comment>command.frame-beyond-run</comment>
+        <translation>第 %1 帧不存在。该图像有第 0 至 %2 帧。</translation>
     </message>
     <message>
-        <source>%1 cannot be read: %2. Check its permissions.</source>
-        <translation>无法读取 %1：%2。请检查权限。</translation>
+        <source>--shard needs a part and a number of parts such as 2/4, not &apos;%1&apos;.</source>
+        <comment>command.shard-unclear</comment>
+        <translation>--shard 需要部分号和总份数，例如 2/4，而不是“%1”。</translation>
     </message>
     <message>
-        <source>%1 does not exist. Check the name, or whether its drive is mounted.</source>
-        <translation>%1 不存在。请检查名称或驱动器是否挂载。</translation>
+        <source>There is no degree of freedom &apos;%1&apos; to lock. Use %2, or none.</source>
+        <comment>command.no-such-freedom</comment>
+        <translation>没有可锁定的自由度“%1”。可用：%2，或 none。</translation>
     </message>
     <message>
-        <source>%1 files of the series are damaged at their end.</source>
-        <translation>该序列 %1 个文件末尾损坏。</translation>
+        <source>the image of this view could not be read.</source>
+        <comment>command.view-image-unread</comment>
+        <translation>无法读取该视图的图像。</translation>
     </message>
     <message>
-        <source>%1 files of the series are there twice.</source>
-        <translation>该序列 %1 个文件重复。</translation>
+        <source>The folders to merge hold runs of &apos;%1&apos;, not of &apos;%2&apos;.</source>
+        <comment>command.merge-of-others</comment>
+        <translation>要合并的文件夹中是“%1”的运行结果，而不是“%2”的。</translation>
     </message>
     <message>
-        <source>%1 holds no image. Choose the X-ray angiography run.</source>
-        <translation>%1 不含图像。请选择 X 线血管造影序列。</translation>
+        <source>it holds no centrelines yet. Trace them: angiopose-cli trace-vessel %1 --output %2.</source>
+        <comment>convert.no-curves</comment>
+        <translation>其中还没有中心线。请先追踪：angiopose-cli trace-vessel %1 --output %2。</translation>
     </message>
     <message>
-        <source>%1 is a case. Open it alone, without other files.</source>
-        <translation>%1 是病例。请单独打开，不要与其他文件一起。</translation>
+        <source>it is neither a volume nor a surface, so it makes no volume. Choose a scan (DICOM, NIfTI, NRRD, MetaImage) or a surface, or give another output name.</source>
+        <comment>convert.no-volume</comment>
+        <translation>既不是体数据也不是表面，因此无法生成体数据。请选择扫描（DICOM、NIfTI、NRRD、MetaImage）或表面，或改用其他输出文件名。</translation>
     </message>
     <message>
-        <source>%1 is a second %2. Open one %3 at a time.</source>
-        <translation>%1 是第二个%2。请每次只打开一个%3。</translation>
+        <source>the extension is none that is written. Centrelines: .vtp, .csv, .swc, .mrk.json; volumes: .nii, .nii.gz, .nrrd, .mha; surfaces: .stl; poses: .json, .tfm; X-ray runs: .dcm.</source>
+        <comment>convert.extension</comment>
+        <translation>不支持写入该扩展名。中心线：.vtp、.csv、.swc、.mrk.json；体数据：.nii、.nii.gz、.nrrd、.mha；表面：.stl；位姿：.json、.tfm；X 射线序列：.dcm。</translation>
     </message>
     <message>
-        <source>%1 is damaged before its pixels: %2. Copy or export it again.</source>
-        <translation>%1 在像素之前损坏：%2。请重新复制或导出。</translation>
+        <source>this is the input, which is never overwritten. Choose another name.</source>
+        <comment>convert.onto-input</comment>
+        <translation>这是输入文件，绝不会被覆盖。请选择其他文件名。</translation>
     </message>
     <message>
-        <source>%1 is empty. Copy the file again from where it came from.</source>
-        <translation>%1 为空。请从来源重新复制。</translation>
+        <source>it is no label image, so it has no labels. Leave --label out, or choose a segmentation.</source>
+        <comment>trace.no-labels</comment>
+        <translation>不是标签图像，因此没有标签。请去掉 --label，或选择分割结果。</translation>
     </message>
     <message>
-        <source>%1 is missing or not positive. Enter it in the geometry of the case (the image header does not tell).</source>
-        <translation>%1缺失或非正。请在病例几何中输入（图像文件头未提供）。</translation>
+        <source>it holds centrelines already, which need no tracing. `convert` changes their format.</source>
+        <comment>trace.centrelines</comment>
+        <translation>其中已是中心线，无需追踪。`convert` 可转换其格式。</translation>
     </message>
     <message>
-        <source>%1 is not a file that AngioPose opens. Open a case (.angiopose), a centreline (VTP, VTK, CSV, SWC), a CT scan (DICOM folder, NIfTI, NRRD, MetaImage), a surface (STL, PLY, OBJ) or an angiogram (DICOM, PNG, TIFF).</source>
-        <translation>AngioPose 无法打开 %1。请打开病例（.angiopose）、中心线（VTP、VTK、CSV、SWC）、CT 扫描（DICOM 文件夹、NIfTI、NRRD、MetaImage）、表面（STL、PLY、OBJ）或造影图像（DICOM、PNG、TIFF）。</translation>
+        <source>it cannot be traced. Choose another surface.</source>
+        <comment>trace.other-surface</comment>
+        <translation>无法追踪。请选择其他表面。</translation>
     </message>
     <message>
-        <source>%1 mm/px at the vessels</source>
-        <translation>血管处 %1 mm/px</translation>
+        <source>it cannot be traced. Choose a scan.</source>
+        <comment>trace.no-scan</comment>
+        <translation>无法追踪。请选择扫描。</translation>
     </message>
     <message>
-        <source>%1 mm/px detector (%2)</source>
-        <translation>探测器 %1 mm/px（%2）</translation>
+        <source>this is no file that AngioPose reads. It reads cases (.angiopose), centrelines (VTP, VTK, CSV, SWC, .mrk.json), scans and segmentations (DICOM, NIfTI, NRRD, MetaImage), surfaces (STL, PLY, OBJ), angiograms (DICOM, PNG, TIFF, JPEG) and poses (.json, .tfm).</source>
+        <comment>info.unknown</comment>
+        <translation>AngioPose 不读取此文件。可读取病例（.angiopose）、中心线（VTP、VTK、CSV、SWC、.mrk.json）、扫描和分割（DICOM、NIfTI、NRRD、MetaImage）、表面（STL、PLY、OBJ）、血管造影（DICOM、PNG、TIFF、JPEG）以及位姿（.json、.tfm）。</translation>
     </message>
     <message>
-        <source>%1 occurs twice in the vessel tree. Branch ids must be unique.</source>
-        <translation>%1 在血管树中重复。分支编号必须唯一。</translation>
+        <source>this is %1, nothing that AngioPose reads. It reads cases (.angiopose), centrelines (VTP, VTK, CSV, SWC, .mrk.json), scans and segmentations (DICOM, NIfTI, NRRD, MetaImage), surfaces (STL, PLY, OBJ), angiograms (DICOM, PNG, TIFF, JPEG) and poses (.json, .tfm).</source>
+        <comment>info.other</comment>
+        <translation>这是%1，AngioPose 不读取。可读取病例（.angiopose）、中心线（VTP、VTK、CSV、SWC、.mrk.json）、扫描和分割（DICOM、NIfTI、NRRD、MetaImage）、表面（STL、PLY、OBJ）、血管造影（DICOM、PNG、TIFF、JPEG）以及位姿（.json、.tfm）。</translation>
     </message>
     <message>
-        <source>%1 of %2 slices lie where another one does; the first recorded of each is used.</source>
-        <translation>%2 层中 %1 层位置重复；采用最先采集的。</translation>
-    </message>
-    <message>
-        <source>%1 of the vessel tree does not have one radius per point.</source>
-        <translation>血管树的 %1 并非每点都有半径。</translation>
-    </message>
-    <message>
-        <source>%1 of the vessel tree has a coordinate that is not a number (NaN or infinite).</source>
-        <translation>血管树的 %1 有非数值坐标（NaN 或无穷）。</translation>
-    </message>
-    <message>
-        <source>%1 of the vessel tree has fewer than two points. Remove it or add points.</source>
-        <translation>血管树的 %1 少于两点。请移除或补点。</translation>
-    </message>
-    <message>
-        <source>%1 of the vessel tree has no length: all its points coincide.</source>
-        <translation>血管树的 %1 长度为零：所有点重合。</translation>
-    </message>
-    <message>
-        <source>%1 voxels are not numbers; they are taken as the lowest value.</source>
-        <translation>%1 个体素不是数字；按最低值处理。</translation>
-    </message>
-    <message>
-        <source>%1 · median %2 px%3</source>
-        <translation>%1 · 中位数 %2 px%3</translation>
-    </message>
-    <message>
-        <source>%1: %2 Correct it.</source>
-        <translation>%1：%2 请更正。</translation>
-    </message>
-    <message>
-        <source>%1: the file has changed since the case was saved. Check that it is the right one.</source>
-        <translation>%1：文件在病例保存后已更改。请确认是否正确。</translation>
-    </message>
-    <message>
-        <source>%1: the key %2 is missing. Add it.</source>
-        <translation>%1：缺少键 %2。请补充。</translation>
-    </message>
-    <message>
-        <source>%1: the value is not one of those allowed. See the published schema.</source>
-        <translation>%1：取值不在允许范围。请见公布的模式。</translation>
-    </message>
-    <message>
-        <source>%1: the value is of the wrong kind. See the published schema.</source>
-        <translation>%1：取值类型错误。请见公布的模式。</translation>
-    </message>
-    <message>
-        <source>%1: this is another DICOM image than the one the case was made for.</source>
-        <translation>%1：这与病例所用的 DICOM 图像不同。</translation>
-    </message>
-    <message>
-        <source>(0018,1149) field of view %1 mm / %2 px</source>
-        <translation>(0018,1149) 视野 %1 mm / %2 px</translation>
-    </message>
-    <message>
-        <source>(0028,0030) Pixel Spacing (%1) times SID/SOD</source>
-        <translation>(0028,0030) Pixel Spacing（%1）乘以 SID/SOD</translation>
-    </message>
-    <message>
-        <source>A branch cannot be joined to itself. Choose two branches.</source>
-        <translation>分支不能与自身连接。请选择两个分支。</translation>
-    </message>
-    <message>
-        <source>A joint registration needs at least two views.</source>
-        <translation>联合配准至少需要两个投影。</translation>
-    </message>
-    <message>
-        <source>A library gave up: </source>
-        <translation>库函数失败：</translation>
+        <source>There is not enough memory for this. Close other programs or use smaller inputs.</source>
+        <comment>run.not-enough-memory</comment>
+        <translation>内存不足。请关闭其他程序或使用较小的数据。</translation>
     </message>
     <message>
         <source>A library gave up: %1. Check the inputs.</source>
+        <comment>run.library-gave-up</comment>
         <translation>库函数失败：%1。请检查输入。</translation>
     </message>
     <message>
-        <source>A plain image has no C-arm geometry: enter it in the geometry of the case.</source>
-        <translation>普通图像没有 C 形臂几何：请在病例几何中输入。</translation>
+        <source>Stopped before the run began.</source>
+        <comment>run.stopped-before</comment>
+        <translation>运行开始前已停止。</translation>
     </message>
     <message>
-        <source>a DICOM file</source>
-        <translation>DICOM 文件</translation>
+        <source>There is nothing to show yet.</source>
+        <comment>run.not-shown</comment>
+        <translation>还没有可显示的内容。</translation>
     </message>
     <message>
-        <source>a JPEG image</source>
-        <translation>JPEG 图像</translation>
-    </message>
-    <message>
-        <source>a JSON file</source>
-        <translation>JSON 文件</translation>
-    </message>
-    <message>
-        <source>a MetaImage header</source>
-        <translation>MetaImage 文件头</translation>
-    </message>
-    <message>
-        <source>a NIfTI header</source>
-        <translation>NIfTI 文件头</translation>
-    </message>
-    <message>
-        <source>a NIfTI volume</source>
-        <translation>NIfTI 体数据</translation>
-    </message>
-    <message>
-        <source>a NetCDF (MINC) volume</source>
-        <translation>NetCDF（MINC）体数据</translation>
-    </message>
-    <message>
-        <source>a PDF document</source>
-        <translation>PDF 文档</translation>
-    </message>
-    <message>
-        <source>a PLY surface</source>
-        <translation>PLY 表面</translation>
-    </message>
-    <message>
-        <source>a PNG image</source>
-        <translation>PNG 图像</translation>
-    </message>
-    <message>
-        <source>a TIFF image</source>
-        <translation>TIFF 图像</translation>
-    </message>
-    <message>
-        <source>a TrackVis tractogram</source>
-        <translation>TrackVis 纤维束图</translation>
-    </message>
-    <message>
-        <source>a VTK XML file</source>
-        <translation>VTK XML 文件</translation>
-    </message>
-    <message>
-        <source>a case needs a vessel tree and an angiogram. Open both before saving.</source>
-        <translation>病例需要血管树和造影图像。保存前请打开两者。</translation>
-    </message>
-    <message>
-        <source>a coordinate is not a number, or beyond a kilometre. Correct or export it again.</source>
-        <translation>坐标不是数字或超过一公里。请更正或重新导出。</translation>
-    </message>
-    <message>
-        <source>a file name or a text in the case is not UTF-8. Rename the file.</source>
-        <translation>病例中的文件名或文本不是 UTF-8。请重命名。</translation>
-    </message>
-    <message>
-        <source>a glTF scene</source>
-        <translation>glTF 场景</translation>
-    </message>
-    <message>
-        <source>a gzip archive</source>
-        <translation>gzip 压缩包</translation>
-    </message>
-    <message>
-        <source>a legacy VTK file</source>
-        <translation>旧版 VTK 文件</translation>
-    </message>
-    <message>
-        <source>a line refers to a point that does not exist. The file is damaged; export it again.</source>
-        <translation>线引用了不存在的点。文件损坏；请重新导出。</translation>
-    </message>
-    <message>
-        <source>a number from %1 to %2</source>
-        <translation>%1 至 %2 之间的数</translation>
-    </message>
-    <message>
-        <source>a number in it is too large for a double. Correct it.</source>
-        <translation>其中的数超出双精度范围。请更正。</translation>
-    </message>
-    <message>
-        <source>a pixel is not a finite number. Correct the image before writing it.</source>
-        <translation>有像素不是有限数。写入前请更正图像。</translation>
-    </message>
-    <message>
-        <source>a pixel is not a finite number. Export the image again.</source>
-        <translation>有像素不是有限数。请重新导出图像。</translation>
-    </message>
-    <message>
-        <source>a triangle refers to a point that does not exist. The file is damaged; export it again.</source>
-        <translation>三角面引用了不存在的点。文件损坏；请重新导出。</translation>
-    </message>
-    <message>
-        <source>a value in it has the wrong kind. Compare it with the published schema.</source>
-        <translation>其中有取值类型错误。请与公布的模式比较。</translation>
-    </message>
-    <message>
-        <source>a zip archive</source>
-        <translation>zip 压缩包</translation>
-    </message>
-    <message>
-        <source>%1 (%2): filled in between their neighbours. Copy the series again if you can.</source>
-        <translation>%1（%2）：已由相邻层插补。如可能请重新复制该序列。</translation>
-    </message>
-    <message>
-        <source>%1 loops were opened at their thinnest places: look there for vessels that only touch.</source>
-        <translation>%1 个环在最细处断开：请检查这些地方是否仅为血管相触。</translation>
-    </message>
-    <message>
-        <source>%1 of %2 slices are missing</source>
-        <translation>%2 层中缺 %1 层</translation>
-    </message>
-    <message>
-        <source>%1 pieces that do not connect to the traced vessels were left out. Place a seed in each that belongs to the tree.</source>
-        <translation>有 %1 段未与提取血管相连，已略去。请在属于血管树的各段中放种子点。</translation>
-    </message>
-    <message>
-        <source>1 loop was opened at the thinnest place: look there for vessels that only touch.</source>
-        <translation>1 个环在最细处断开：请检查该处是否仅为血管相触。</translation>
-    </message>
-    <message>
-        <source>1 of %1 slices is missing</source>
-        <translation>%1 层中缺 1 层</translation>
-    </message>
-    <message>
-        <source>A piece that does not connect to the traced vessels was left out. Place a seed in it if it belongs to the tree.</source>
-        <translation>有一段未与提取血管相连，已略去。若属于血管树，请在其中放种子点。</translation>
-    </message>
-    <message>
-        <source>Its two placements (qform and sform) differ; the qform, in the scanner&apos;s coordinates, is used.</source>
-        <translation>两种定位（qform 与 sform）不一致；采用扫描仪坐标的 qform。</translation>
-    </message>
-    <message>
-        <source>Its two placements (qform and sform) differ; the sform is used.</source>
-        <translation>两种定位（qform 与 sform）不一致；采用 sform。</translation>
-    </message>
-    <message>
-        <source>after slice %1</source>
-        <translation>第 %1 层之后</translation>
-    </message>
-    <message>
-        <source>it declares %1&quot;, which cannot be. The file is damaged; export it again.</source>
-        <translation>声明 %1&quot;，不可能。文件损坏；请重新导出。</translation>
-    </message>
-    <message>
-        <source>it holds %1 volumes (%2). Choose one by its series id; `info` lists them.</source>
-        <translation>含 %1 个体数据（%2）。请按序列号选择；`info` 可列出。</translation>
-    </message>
-    <message>
-        <source> differ</source>
-        <translation>不同</translation>
-    </message>
-    <message>
-        <source> differs</source>
-        <translation>不同</translation>
-    </message>
-    <message>
-        <source>%1 The edited vessels are in the case; it opens without the file.</source>
-        <translation>%1 编辑后的血管已在病例中；无需该文件即可打开。</translation>
-    </message>
-    <message>
-        <source>%1 has moved and was found as %2. Save the case to remember.</source>
-        <translation>%1 已移动，找到为 %2。保存病例以记住。</translation>
-    </message>
-    <message>
-        <source>%1 solves for all six degrees of freedom at once and cannot keep one. Unlock them, or choose another method.</source>
-        <translation>%1 同时求解全部六个自由度，无法固定其中之一。请解锁或选择其他方法。</translation>
-    </message>
-    <message>
-        <source>%1, more than its active %2 x %3 mm. Check the pixel spacing.</source>
-        <translation>%1，超过有效范围 %2 x %3 mm。请检查像素间距。</translation>
-    </message>
-    <message>
-        <source>%1, more than the intensifier of %2 mm. Check the pixel spacing.</source>
-        <translation>%1，超过 %2 mm 的影像增强器。请检查像素间距。</translation>
-    </message>
-    <message>
-        <source>%1, the field of view is %2 x %3 mm: the image may be zoomed, cropped or resampled. Check the pixel spacing.</source>
-        <translation>%1，视野为 %2 x %3 mm：图像可能经过缩放、裁剪或重采样。请检查像素间距。</translation>
-    </message>
-    <message>
-        <source>%1: no detector of a C-arm is like that. Check the pixel spacing.</source>
-        <translation>%1：C 形臂没有这样的探测器。请检查像素间距。</translation>
-    </message>
-    <message>
-        <source>A detector pixel spacing of %1 mm lies outside 0.05 to 2 mm: check its unit.</source>
-        <translation>探测器像素间距 %1 mm 不在 0.05 至 2 mm 之间：请检查单位。</translation>
-    </message>
-    <message>
-        <source>A joint registration cannot keep single degrees of freedom. Unlock them first.</source>
-        <translation>联合配准无法固定单个自由度。请先解锁。</translation>
-    </message>
-    <message>
-        <source>A landmark is not a finite number. Remove it.</source>
-        <translation>有标志点不是有限数。请移除。</translation>
+        <source>An overlay needs a vessel tree and an angiogram. Open both first.</source>
+        <comment>picture.overlay-incomplete</comment>
+        <translation>叠加图需要血管树和造影图像。请先打开两者。</translation>
     </message>
     <message>
         <source>A picture needs a vessel tree and an angiogram. Open both first.</source>
+        <comment>picture.incomplete</comment>
         <translation>图片需要血管树和造影图像。请先打开两者。</translation>
     </message>
     <message>
-        <source>A source to detector distance (SID) of %1 mm is unlike a C-arm (500 to 2000 mm): check its unit.</source>
-        <translation>源到探测器距离（SID）%1 mm 不像 C 形臂（500 至 2000 mm）：请检查单位。</translation>
+        <source>%1 does not exist. Check the name, or whether its drive is mounted.</source>
+        <comment>open.missing</comment>
+        <translation>%1 不存在。请检查名称或驱动器是否挂载。</translation>
     </message>
     <message>
-        <source>All six degrees of freedom are locked: nothing is left to find. Unlock at least one.</source>
-        <translation>六个自由度均已锁定：无可求解。请至少解锁一个。</translation>
+        <source>%1 cannot be read: %2. Check its permissions.</source>
+        <comment>open.unreadable</comment>
+        <translation>无法读取 %1：%2。请检查权限。</translation>
     </message>
     <message>
-        <source>CRA/CAU angle: type it, or place the vessels by landmarks.</source>
-        <translation>CRA/CAU 角：请输入，或按标志点放置血管。</translation>
+        <source>%1 is empty. Copy the file again from where it came from.</source>
+        <comment>open.empty</comment>
+        <translation>%1 为空。请从来源重新复制。</translation>
     </message>
     <message>
-        <source>Detector Active Dimension(s)</source>
-        <translation>Detector Active Dimension(s)</translation>
+        <source>%1 is not a file that AngioPose opens. Open a case (.angiopose), a centreline (VTP, VTK, CSV, SWC), a CT scan (DICOM folder, NIfTI, NRRD, MetaImage), a surface (STL, PLY, OBJ) or an angiogram (DICOM, PNG, TIFF).</source>
+        <comment>open.unknown</comment>
+        <translation>AngioPose 无法打开 %1。请打开病例（.angiopose）、中心线（VTP、VTK、CSV、SWC）、CT 扫描（DICOM 文件夹、NIfTI、NRRD、MetaImage）、表面（STL、PLY、OBJ）或造影图像（DICOM、PNG、TIFF）。</translation>
     </message>
     <message>
-        <source>Detector Active Origin</source>
-        <translation>Detector Active Origin</translation>
+        <source>%1 is a case. Open it alone, without other files.</source>
+        <comment>open.case-alone</comment>
+        <translation>%1 是病例。请单独打开，不要与其他文件一起。</translation>
     </message>
     <message>
-        <source>Detector Element Spacing</source>
-        <translation>Detector Element Spacing</translation>
+        <source>%1 is a second vessel tree. Open one vessel tree at a time.</source>
+        <comment>open.second-tree</comment>
+        <translation>%1 是第二个血管树。一次只能打开一个血管树。</translation>
     </message>
     <message>
-        <source>Detector Primary Angle</source>
-        <translation>Detector Primary Angle</translation>
+        <source>%1 is a second 2-D centreline. Open one 2-D centreline at a time.</source>
+        <comment>open.second-centreline</comment>
+        <translation>%1 是第二条二维中心线。一次只能打开一条二维中心线。</translation>
     </message>
     <message>
-        <source>Detector Secondary Angle</source>
-        <translation>Detector Secondary Angle</translation>
+        <source>%1 is a second angiogram. Open one angiogram at a time.</source>
+        <comment>open.second-angiogram</comment>
+        <translation>%1 是第二个血管造影。一次只能打开一个血管造影。</translation>
     </message>
     <message>
-        <source>Detector pixel spacing: type it, or the width of the field of view on the detector divided by the columns.</source>
-        <translation>探测器像素间距：请输入，或用探测器上视野宽度除以列数。</translation>
+        <source>%1 has moved and was found as %2. Save the case to remember.</source>
+        <comment>open.moved</comment>
+        <translation>%1 已移动，找到为 %2。保存病例以记住。</translation>
     </message>
     <message>
-        <source>Distance Source to Detector</source>
-        <translation>Distance Source to Detector</translation>
+        <source>this is no angiogram. Choose an XA image, or a case with one.</source>
+        <comment>open.no-angiogram</comment>
+        <translation>这不是血管造影。请选择 XA 图像，或含有血管造影的病例。</translation>
     </message>
     <message>
-        <source>Distance Source to Isocenter</source>
-        <translation>Distance Source to Isocenter</translation>
+        <source>none of its %1 series can be opened. %2</source>
+        <comment>open.no-series</comment>
+        <translation>其中的 %1 个序列都无法打开。%2</translation>
     </message>
     <message>
-        <source>Distance Source to Patient</source>
-        <translation>Distance Source to Patient</translation>
+        <source>Not for clinical use</source>
+        <comment>picture.not-for-clinical-use</comment>
+        <translation>不得用于临床</translation>
     </message>
     <message>
-        <source>Estimated Radiographic Magnification Factor</source>
-        <translation>Estimated Radiographic Magnification Factor</translation>
+        <source>identity hidden</source>
+        <comment>picture.identity-hidden</comment>
+        <translation>患者信息已隐藏</translation>
     </message>
     <message>
-        <source>Field of View Dimension(s)</source>
-        <translation>Field of View Dimension(s)</translation>
+        <source>before: at the start pose</source>
+        <comment>picture.before</comment>
+        <translation>之前：初始位姿</translation>
     </message>
     <message>
-        <source>Field of View Horizontal Flip</source>
-        <translation>Field of View Horizontal Flip</translation>
+        <source>after: at this pose</source>
+        <comment>picture.after</comment>
+        <translation>之后：此位姿</translation>
     </message>
     <message>
-        <source>Field of View Origin</source>
-        <translation>Field of View Origin</translation>
+        <source>frame %1 of 0–%2</source>
+        <comment>picture.frame</comment>
+        <translation>第 %1 帧（0–%2）</translation>
     </message>
     <message>
-        <source>Field of View Rotation</source>
-        <translation>Field of View Rotation</translation>
+        <source>%1 · median %2</source>
+        <comment>picture.pose</comment>
+        <translation>%1 · 中位数 %2</translation>
     </message>
     <message>
-        <source>Field of View Shape</source>
-        <translation>Field of View Shape</translation>
+        <source>%1 · median %2 · not trustworthy</source>
+        <comment>picture.pose-not-trustworthy</comment>
+        <translation>%1 · 中位数 %2 · 不可信</translation>
     </message>
     <message>
-        <source>Imager Pixel Spacing</source>
-        <translation>Imager Pixel Spacing</translation>
+        <source>%1 · %2</source>
+        <comment>picture.two-parts</comment>
+        <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>Intensifier Size</source>
-        <translation>Intensifier Size</translation>
+        <source>LAO %1</source>
+        <comment>picture.lao</comment>
+        <translation>LAO %1</translation>
     </message>
     <message>
-        <source>LAO/RAO angle: type it, or place the vessels by landmarks.</source>
-        <translation>LAO/RAO 角：请输入，或按标志点放置血管。</translation>
+        <source>RAO %1</source>
+        <comment>picture.rao</comment>
+        <translation>RAO %1</translation>
     </message>
     <message>
-        <source>Manufacturer&apos;s Model Name</source>
-        <translation>Manufacturer&apos;s Model Name</translation>
+        <source>CRA %1</source>
+        <comment>picture.cra</comment>
+        <translation>CRA %1</translation>
     </message>
     <message>
-        <source>No pose lays these landmarks onto their pixels. Check that each pair shows the same place.</source>
-        <translation>没有位姿能使这些标志点落到其像素上。请检查每对是否为同一位置。</translation>
+        <source>CAU %1</source>
+        <comment>picture.cau</comment>
+        <translation>CAU %1</translation>
     </message>
     <message>
-        <source>Patient Orientation</source>
-        <translation>Patient Orientation</translation>
+        <source>SID %1 · SOD %2 (%3)</source>
+        <comment>picture.sid-and-sod</comment>
+        <translation>SID %1 · SOD %2 (%3)</translation>
     </message>
     <message>
-        <source>Patient Position</source>
-        <translation>Patient Position</translation>
+        <source>SID %1 (%2)</source>
+        <comment>picture.sid</comment>
+        <translation>SID %1 (%2)</translation>
     </message>
     <message>
-        <source>Pixel Aspect Ratio</source>
-        <translation>Pixel Aspect Ratio</translation>
+        <source>SOD %1 (%2)</source>
+        <comment>picture.sod</comment>
+        <translation>SOD %1 (%2)</translation>
     </message>
     <message>
-        <source>Pixel Spacing</source>
-        <translation>Pixel Spacing</translation>
+        <source>%1 detector (%2)</source>
+        <comment>picture.scale-at-detector</comment>
+        <translation>探测器 %1（%2）</translation>
     </message>
     <message>
-        <source>Pixel Spacing (0028,0030) says %1 mm without a calibration, the detector&apos;s pixels are %2 mm: check which is meant.</source>
-        <translation>Pixel Spacing (0028,0030) 未校准为 %1 mm，探测器像素为 %2 mm：请核对。</translation>
+        <source>%1 at the vessels</source>
+        <comment>picture.scale-at-vessels</comment>
+        <translation>血管处 %1</translation>
     </message>
     <message>
-        <source>Pixel Spacing Calibration Type</source>
-        <translation>Pixel Spacing Calibration Type</translation>
+        <source>header</source>
+        <comment>origin.header</comment>
+        <translation>文件头</translation>
     </message>
     <message>
-        <source>Pixels are %1 times as high as wide by their spacing, %2 times by the pixel aspect: check the pixel spacing.</source>
-        <translation>按间距像素高为宽的 %1 倍，按像素长宽比为 %2 倍：请检查像素间距。</translation>
+        <source>derived</source>
+        <comment>origin.derived</comment>
+        <translation>推算</translation>
     </message>
     <message>
-        <source>Positioner Isocenter Detector Rotation Angle</source>
-        <translation>Positioner Isocenter Detector Rotation Angle</translation>
+        <source>user</source>
+        <comment>origin.user</comment>
+        <translation>用户</translation>
     </message>
     <message>
-        <source>Positioner Isocenter Primary Angle</source>
-        <translation>Positioner Isocenter Primary Angle</translation>
+        <source>assumed</source>
+        <comment>origin.assumed</comment>
+        <translation>假定</translation>
     </message>
     <message>
-        <source>Positioner Isocenter Secondary Angle</source>
-        <translation>Positioner Isocenter Secondary Angle</translation>
+        <source>missing</source>
+        <comment>origin.missing</comment>
+        <translation>缺失</translation>
     </message>
     <message>
-        <source>Positioner Motion</source>
-        <translation>Positioner Motion</translation>
+        <source>Method &apos;%1&apos; has no option with the choice &apos;%2&apos;. Write it as option=value.</source>
+        <comment>contest.no-such-choice</comment>
+        <translation>方法“%1”没有可取“%2”的选项。请写成 option=value。</translation>
     </message>
     <message>
-        <source>Positioner Primary Angle</source>
-        <translation>Positioner Primary Angle</translation>
+        <source>Method &apos;%1&apos; has more than one option with the choice &apos;%2&apos;. Write it as option=value.</source>
+        <comment>contest.choice-of-several</comment>
+        <translation>方法“%1”有多个可取“%2”的选项。请写成 option=value。</translation>
     </message>
     <message>
-        <source>Positioner Primary Angle Increment</source>
-        <translation>Positioner Primary Angle Increment</translation>
+        <source>No method is named. See the methods in: angiopose-cli evaluate --help</source>
+        <comment>contest.no-method-named</comment>
+        <translation>没有指定方法。可用方法见：angiopose-cli evaluate --help</translation>
     </message>
     <message>
-        <source>Positioner Secondary Angle</source>
-        <translation>Positioner Secondary Angle</translation>
+        <source>The experiment &apos;%1&apos; has no condition &apos;%2&apos;. See the conditions in: angiopose-cli evaluate --help</source>
+        <comment>experiment.no-such-condition</comment>
+        <translation>实验“%1”没有条件“%2”。可用条件见：angiopose-cli evaluate --help</translation>
     </message>
     <message>
-        <source>Positioner Secondary Angle Increment</source>
-        <translation>Positioner Secondary Angle Increment</translation>
+        <source>The condition &apos;%1&apos; is not one of &apos;%2&apos;. Merge runs of this program&apos;s version.</source>
+        <comment>merge.foreign-condition</comment>
+        <translation>条件“%1”不属于“%2”。请合并本程序版本的运行结果。</translation>
     </message>
     <message>
-        <source>SID is %1 times SOD; angiograms are magnified 1.0 to 2.5 times. Check both distances.</source>
-        <translation>SID 为 SOD 的 %1 倍；造影放大率为 1.0 至 2.5。请检查两个距离。</translation>
+        <source>Two parts disagree about %1 in trial %2 of %3. Merge runs of the same program and settings.</source>
+        <comment>merge.parts-disagree</comment>
+        <translation>两部分关于 %1 在 %3 的第 %2 次试验不一致。请合并同一程序和相同设置的运行结果。</translation>
     </message>
     <message>
-        <source>SOD (%1 mm) is not smaller than SID (%2 mm): the patient would lie behind the detector. Correct one of them.</source>
-        <translation>SOD（%1 mm）不小于 SID（%2 mm）：患者将位于探测器之后。请更正其一。</translation>
+        <source>There are no runs to merge.</source>
+        <comment>merge.nothing</comment>
+        <translation>没有可合并的运行结果。</translation>
     </message>
     <message>
-        <source>Scan and angiogram seem to be of different patients (%1). Check that both are the right ones.</source>
-        <translation>CT 与造影图像似乎属于不同患者（%1）。请核对。</translation>
+        <source>Runs of &apos;%1&apos;, seed %2, and of &apos;%3&apos;, seed %4, do not belong together. Merge parts of one experiment.</source>
+        <comment>merge.runs-of-others</comment>
+        <translation>“%1”（种子 %2）与“%3”（种子 %4）的运行结果不属于同一实验。请合并同一实验的各部分。</translation>
+    </message>
+    <message>
+        <source>The focal lengths fx and fy must be finite and not zero.</source>
+        <comment>camera.focal-lengths</comment>
+        <translation>焦距 fx 和 fy 必须有限且非零。</translation>
+    </message>
+    <message>
+        <source>The principal point cx, cy must be finite.</source>
+        <comment>camera.principal-point</comment>
+        <translation>主点 cx、cy 必须有限。</translation>
+    </message>
+    <message>
+        <source>The camera needs the image size: width and height must be positive.</source>
+        <comment>camera.image-size</comment>
+        <translation>相机需要图像尺寸：宽和高必须为正。</translation>
+    </message>
+    <message>
+        <source>The picture must be 1 to %1 px wide and high; choose another size.</source>
+        <comment>picture.size</comment>
+        <translation>图片的宽和高须为 1 至 %1 px；请选择其他尺寸。</translation>
+    </message>
+    <message>
+        <source>%1 is missing or not positive. Enter it in the geometry of the case (the image header does not tell).</source>
+        <comment>geometry.value-missing</comment>
+        <translation>%1缺失或非正。请在病例几何中输入（图像文件头未提供）。</translation>
+    </message>
+    <message>
+        <source>The distance source to detector (SID)</source>
+        <comment>geometry.the-sid</comment>
+        <translation>源到探测器距离（SID）</translation>
+    </message>
+    <message>
+        <source>The distance source to patient (SOD)</source>
+        <comment>geometry.the-sod</comment>
+        <translation>源到患者距离（SOD）</translation>
+    </message>
+    <message>
+        <source>The detector pixel spacing</source>
+        <comment>geometry.the-spacing</comment>
+        <translation>探测器像素间距</translation>
+    </message>
+    <message>
+        <source>The positioner angles (LAO/RAO, CRA/CAU) are missing. Enter them in the geometry of the case.</source>
+        <comment>geometry.angles-missing</comment>
+        <translation>缺少投照角度（LAO/RAO、CRA/CAU）。请在病例几何中输入。</translation>
     </message>
     <message>
         <source>Source to detector distance (SID): type it, usually 900 to 1200 mm.</source>
+        <comment>geometry.ask-sid</comment>
         <translation>源到探测器距离（SID）：请输入，通常 900 至 1200 mm。</translation>
     </message>
     <message>
         <source>Source to isocentre distance (SOD): type it, usually 700 to 800 mm.</source>
+        <comment>geometry.ask-sod</comment>
         <translation>源到等中心距离（SOD）：请输入，通常 700 至 800 mm。</translation>
     </message>
     <message>
-        <source>Table Angle</source>
-        <translation>Table Angle</translation>
+        <source>Detector pixel spacing: type it, or the width of the field of view on the detector divided by the columns.</source>
+        <comment>geometry.ask-spacing</comment>
+        <translation>探测器像素间距：请输入，或用探测器上视野宽度除以列数。</translation>
     </message>
     <message>
-        <source>Table Cradle Tilt Angle</source>
-        <translation>Table Cradle Tilt Angle</translation>
+        <source>LAO/RAO angle: type it, or place the vessels by landmarks.</source>
+        <comment>geometry.ask-primary-angle</comment>
+        <translation>LAO/RAO 角：请输入，或按标志点放置血管。</translation>
     </message>
     <message>
-        <source>Table Head Tilt Angle</source>
-        <translation>Table Head Tilt Angle</translation>
+        <source>CRA/CAU angle: type it, or place the vessels by landmarks.</source>
+        <comment>geometry.ask-secondary-angle</comment>
+        <translation>CRA/CAU 角：请输入，或按标志点放置血管。</translation>
     </message>
     <message>
-        <source>Table Height</source>
-        <translation>Table Height</translation>
+        <source>A source to detector distance (SID) of %1 is unlike a C-arm (500 to 2000 mm): check its unit.</source>
+        <comment>geometry.sid-unusual</comment>
+        <translation>源到探测器距离（SID）%1 不像 C 形臂（500 至 2000 mm）：请检查单位。</translation>
     </message>
     <message>
-        <source>Table Horizontal Rotation Angle</source>
-        <translation>Table Horizontal Rotation Angle</translation>
+        <source>SOD (%1) is not smaller than SID (%2): the patient would lie behind the detector. Correct one of them.</source>
+        <comment>geometry.sod-beyond-sid</comment>
+        <translation>SOD（%1）不小于 SID（%2）：患者将位于探测器之后。请更正其一。</translation>
     </message>
     <message>
-        <source>Table Lateral Increment</source>
-        <translation>Table Lateral Increment</translation>
+        <source>SID is %1 times SOD; angiograms are magnified 1.0 to 2.5 times. Check both distances.</source>
+        <comment>geometry.magnification-unusual</comment>
+        <translation>SID 为 SOD 的 %1 倍；造影放大率为 1.0 至 2.5。请检查两个距离。</translation>
     </message>
     <message>
-        <source>Table Longitudinal Increment</source>
-        <translation>Table Longitudinal Increment</translation>
+        <source>The header&apos;s magnification of %1 (0018,1114) is not SID/SOD = %2: one of the three is stale. Check SID and SOD.</source>
+        <comment>geometry.magnification-stale</comment>
+        <translation>文件头中的放大倍数 %1 (0018,1114) 与 SID/SOD = %2 不符：三者之一已过时。请检查 SID 和 SOD。</translation>
     </message>
     <message>
-        <source>Table Motion</source>
-        <translation>Table Motion</translation>
+        <source>A detector pixel spacing of %1 lies outside 0.05 to 2 mm: check its unit.</source>
+        <comment>geometry.spacing-unusual</comment>
+        <translation>探测器像素间距 %1 不在 0.05 至 2 mm 之间：请检查单位。</translation>
     </message>
     <message>
-        <source>Table Vertical Increment</source>
-        <translation>Table Vertical Increment</translation>
+        <source>Pixels are %1 times as high as wide by their spacing, %2 times by the pixel aspect: check the pixel spacing.</source>
+        <comment>geometry.aspect-differs</comment>
+        <translation>按间距像素高为宽的 %1 倍，按像素长宽比为 %2 倍：请检查像素间距。</translation>
     </message>
     <message>
-        <source>Table X Position to Isocenter</source>
-        <translation>Table X Position to Isocenter</translation>
+        <source>The image covers %1 x %2 of the detector by its pixel spacing</source>
+        <comment>geometry.image-covers</comment>
+        <translation>按像素间距图像覆盖探测器 %1 x %2</translation>
     </message>
     <message>
-        <source>Table Y Position to Isocenter</source>
-        <translation>Table Y Position to Isocenter</translation>
+        <source>%1: no detector of a C-arm is like that. Check the pixel spacing.</source>
+        <comment>geometry.extent-unlike-detector</comment>
+        <translation>%1：C 形臂没有这样的探测器。请检查像素间距。</translation>
     </message>
     <message>
-        <source>Table Z Position to Isocenter</source>
-        <translation>Table Z Position to Isocenter</translation>
+        <source>%1, the field of view is %2 x %3: the image may be zoomed, cropped or resampled. Check the pixel spacing.</source>
+        <comment>geometry.extent-unlike-field</comment>
+        <translation>%1，视野为 %2 x %3：图像可能经过缩放、裁剪或重采样。请检查像素间距。</translation>
     </message>
     <message>
-        <source>The C-arm moved during this run, but the header gives %1 for its %2 frames: the angles are those of the first frame. Check them for the frame you use.</source>
-        <translation>采集中 C 形臂有移动，但文件头为 %2 帧只给出 %1：角度取自第一帧。请针对所用帧核对。</translation>
+        <source>%1, more than the intensifier of %2. Check the pixel spacing.</source>
+        <comment>geometry.extent-beyond-intensifier</comment>
+        <translation>%1，超过 %2 的影像增强器。请检查像素间距。</translation>
     </message>
     <message>
-        <source>The calibrated pixel spacing of %1 mm times SID/SOD is %2 mm, not the detector&apos;s %3 mm: the calibration or a distance is off.</source>
-        <translation>校准像素间距 %1 mm 乘以 SID/SOD 为 %2 mm，而非探测器的 %3 mm：校准或距离有误。</translation>
+        <source>%1, more than its active %2 x %3. Check the pixel spacing.</source>
+        <comment>geometry.extent-beyond-detector</comment>
+        <translation>%1，超过有效范围 %2 x %3。请检查像素间距。</translation>
     </message>
     <message>
-        <source>The gantry turns during this run: frames show other views, not only motion. Register the frames one by one, or as views together.</source>
-        <translation>采集中机架旋转：各帧为不同投影而非仅有运动。请逐帧配准，或作为多投影联合配准。</translation>
+        <source>The calibrated pixel spacing of %1 times SID/SOD is %2, not the detector&apos;s %3: the calibration or a distance is off.</source>
+        <comment>geometry.calibration-off</comment>
+        <translation>校准像素间距 %1 乘以 SID/SOD 为 %2，而非探测器的 %3：校准或距离有误。</translation>
     </message>
     <message>
-        <source>The image covers %1 x %2 mm of the detector by its pixel spacing</source>
-        <translation>按像素间距图像覆盖探测器 %1 x %2 mm</translation>
+        <source>Pixel Spacing (0028,0030) says %1 without a calibration, the detector&apos;s pixels are %2: check which is meant.</source>
+        <comment>geometry.spacings-differ</comment>
+        <translation>Pixel Spacing (0028,0030) 未校准为 %1，探测器像素为 %2：请核对。</translation>
+    </message>
+    <message>
+        <source>The primary angle (LAO/RAO) lies outside ±180°. Correct it.</source>
+        <comment>geometry.primary-angle-outside</comment>
+        <translation>主角度（LAO/RAO）超出 ±180°。请更正。</translation>
+    </message>
+    <message>
+        <source>The secondary angle (CRA/CAU) lies outside ±90°. Correct it.</source>
+        <comment>geometry.secondary-angle-outside</comment>
+        <translation>次角度（CRA/CAU）超出 ±90°。请更正。</translation>
+    </message>
+    <message>
+        <source>The roll lies outside ±180°. Correct it.</source>
+        <comment>geometry.roll-outside</comment>
+        <translation>滚转超出 ±180°。请更正。</translation>
+    </message>
+    <message>
+        <source>The principal point (%1, %2) lies outside the image: right for a cropped image only.</source>
+        <comment>geometry.principal-point-outside</comment>
+        <translation>主点（%1，%2）在图像之外：仅对裁剪图像正确。</translation>
+    </message>
+    <message>
+        <source>Scan and angiogram seem to be of different patients (%1 differs). Check that both are the right ones.</source>
+        <comment>patient.differs</comment>
+        <translation>扫描与血管造影似乎来自不同患者（%1不同）。请检查两者是否正确。</translation>
+    </message>
+    <message>
+        <source>Scan and angiogram seem to be of different patients (%1 differ). Check that both are the right ones.</source>
+        <comment>patient.differs-in-several</comment>
+        <translation>扫描与血管造影似乎来自不同患者（%1不同）。请检查两者是否正确。</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <comment>patient.number</comment>
+        <translation>编号</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <comment>patient.name</comment>
+        <translation>姓名</translation>
+    </message>
+    <message>
+        <source>birth date</source>
+        <comment>patient.birth-date</comment>
+        <translation>出生日期</translation>
+    </message>
+    <message>
+        <source>sex</source>
+        <comment>patient.sex</comment>
+        <translation>性别</translation>
+    </message>
+    <message>
+        <source>The scan is of the patient&apos;s %1 side, the angiogram of the other. Check that both are the right ones.</source>
+        <comment>patient.side-differs</comment>
+        <translation>CT 为患者%1侧，造影为另一侧。请核对。</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <comment>patient.side-left</comment>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <comment>patient.side-right</comment>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>There is no angiogram yet. Open an image first.</source>
+        <comment>case.no-angiogram</comment>
+        <translation>尚无造影图像。请先打开图像。</translation>
+    </message>
+    <message>
+        <source>There is no vessel tree yet. Open a centreline first.</source>
+        <comment>case.no-vessel-tree</comment>
+        <translation>尚无血管树。请先打开中心线。</translation>
+    </message>
+    <message>
+        <source>All six degrees of freedom are locked: nothing is left to find. Unlock at least one.</source>
+        <comment>options.all-locked</comment>
+        <translation>六个自由度均已锁定：无可求解。请至少解锁一个。</translation>
+    </message>
+    <message>
+        <source>%1 solves for all six degrees of freedom at once and cannot keep one. Unlock them, or choose another method.</source>
+        <comment>options.method-cannot-lock</comment>
+        <translation>%1 同时求解全部六个自由度，无法固定其中之一。请解锁或选择其他方法。</translation>
+    </message>
+    <message>
+        <source>There is no method &apos;%1&apos;. Choose one of: %2.</source>
+        <comment>options.no-such-method</comment>
+        <translation>没有方法“%1”。可选：%2。</translation>
+    </message>
+    <message>
+        <source>The option %1 is out of range. Give a number from %2 to %3.</source>
+        <comment>options.out-of-range</comment>
+        <translation>选项 %1 超出范围。请给出 %2 至 %3 之间的数。</translation>
+    </message>
+    <message>
+        <source>Option &apos;%1&apos; needs a value, not &apos;%2&apos;.</source>
+        <comment>options.needs-value</comment>
+        <translation>选项“%1”需要一个值，而不是“%2”。</translation>
+    </message>
+    <message>
+        <source>Option &apos;%1&apos; must lie between %2 and %3, not %4.</source>
+        <comment>options.value-out-of-range</comment>
+        <translation>选项“%1”须在 %2 与 %3 之间，而不是 %4。</translation>
+    </message>
+    <message>
+        <source>Option &apos;%1&apos; is unknown. See the options in: angiopose-cli register --help</source>
+        <comment>options.no-such-option</comment>
+        <translation>选项“%1”未知。可用选项见：angiopose-cli register --help</translation>
+    </message>
+    <message>
+        <source>Branch %1 is chosen as %2 but the vessel tree has no such branch. Choose among its branches.</source>
+        <comment>input.chosen-branch-missing</comment>
+        <translation>分支 %1 被选为%2，但血管树中没有该分支。请在现有分支中选择。</translation>
+    </message>
+    <message>
+        <source>auxiliary</source>
+        <comment>input.role-auxiliary</comment>
+        <translation>辅助分支</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <comment>input.role-excluded</comment>
+        <translation>排除</translation>
+    </message>
+    <message>
+        <source>All branches of the vessel tree are excluded. Include at least one branch.</source>
+        <comment>input.all-branches-excluded</comment>
+        <translation>血管树的所有分支均已排除。请至少恢复一个。</translation>
+    </message>
+    <message>
+        <source>The image is not of the size that the camera takes. Use the camera that belongs to the image.</source>
+        <comment>input.image-not-of-camera</comment>
+        <translation>图像尺寸与相机不符。请使用该图像对应的相机。</translation>
+    </message>
+    <message>
+        <source>The start pose is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers finite. Correct cameraFromPatient or derive the start pose from the angles.</source>
+        <comment>input.start-pose-not-rigid</comment>
+        <translation>初始位姿不是刚体变换：旋转须正交且行列式为 +1，所有数有限。请更正 cameraFromPatient 或由角度推导初始位姿。</translation>
+    </message>
+    <message>
+        <source>The start pose puts the whole vessel tree behind the X-ray source, where nothing projects. Check the source-to-patient distance and the direction of the start pose.</source>
+        <comment>input.start-pose-behind-source</comment>
+        <translation>初始位姿将整个血管树置于 X 射线源之后，无法投影。请检查源到患者距离和初始位姿方向。</translation>
+    </message>
+    <message>
+        <source>The pose to judge is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers finite.</source>
+        <comment>input.judged-pose-not-rigid</comment>
+        <translation>待评估位姿不是刚体变换：旋转须正交且行列式为 +1，所有数有限。</translation>
+    </message>
+    <message>
+        <source>There are no landmarks yet. Click a place on the vessels and the same place in the image.</source>
+        <comment>landmarks.missing</comment>
+        <translation>尚无标志点。请单击血管上的位置和图像中的同一位置。</translation>
+    </message>
+    <message>
+        <source>Without angles a pose needs four landmarks; there are %1. Add landmarks, or type the angles: then one is enough.</source>
+        <comment>landmarks.too-few</comment>
+        <translation>没有角度时需要四个标志点；现有 %1 个。请添加，或输入角度：此时一个即可。</translation>
+    </message>
+    <message>
+        <source>A landmark is not a finite number. Remove it.</source>
+        <comment>landmarks.not-finite</comment>
+        <translation>有标志点不是有限数。请移除。</translation>
     </message>
     <message>
         <source>The landmarks all lie in one place. Choose some farther apart.</source>
+        <comment>landmarks.in-one-place</comment>
         <translation>标志点都在同一处。请选择相距较远的。</translation>
     </message>
     <message>
         <source>The landmarks lie on one line, so the turn about it stays open. Add one off that line.</source>
+        <comment>landmarks.on-one-line</comment>
         <translation>标志点共线，绕该线的旋转无法确定。请添加线外一点。</translation>
     </message>
     <message>
-        <source>The primary angle (LAO/RAO) lies outside ±180°. Correct it.</source>
-        <translation>主角度（LAO/RAO）超出 ±180°。请更正。</translation>
+        <source>No pose lays these landmarks onto their pixels. Check that each pair shows the same place.</source>
+        <comment>landmarks.no-pose</comment>
+        <translation>没有位姿能使这些标志点落到其像素上。请检查每对是否为同一位置。</translation>
     </message>
     <message>
-        <source>The principal point (%1, %2 px) lies outside the image: right for a cropped image only.</source>
-        <translation>主点（%1，%2 px）在图像之外：仅对裁剪图像正确。</translation>
+        <source>View %1: %2</source>
+        <comment>views.in-view</comment>
+        <translation>视图 %1：%2</translation>
     </message>
     <message>
-        <source>The roll lies outside ±180°. Correct it.</source>
-        <translation>滚转超出 ±180°。请更正。</translation>
+        <source>A joint registration needs at least two views.</source>
+        <comment>views.too-few</comment>
+        <translation>联合配准至少需要两个投影。</translation>
     </message>
     <message>
-        <source>The scan is of the patient&apos;s %1 side, the angiogram of the other. Check that both are the right ones.</source>
-        <translation>CT 为患者%1侧，造影为另一侧。请核对。</translation>
+        <source>A joint registration cannot keep single degrees of freedom. Unlock them first.</source>
+        <comment>views.cannot-lock</comment>
+        <translation>联合配准无法固定单个自由度。请先解锁。</translation>
     </message>
     <message>
-        <source>The secondary angle (CRA/CAU) lies outside ±90°. Correct it.</source>
-        <translation>次角度（CRA/CAU）超出 ±90°。请更正。</translation>
+        <source>View %1 uses another vessel tree or other branches than view 1. Give all views the same.</source>
+        <comment>views.other-tree</comment>
+        <translation>投影 %1 使用的血管树或分支与投影 1 不同。请统一。</translation>
     </message>
     <message>
-        <source>The subtraction was stopped.</source>
-        <translation>减影已停止。</translation>
+        <source>View %1 does not agree with the joint pose.</source>
+        <comment>views.disagrees</comment>
+        <translation>投影 %1 与联合位姿不符。</translation>
     </message>
     <message>
-        <source>The vessels of this frame are given by a file, those of the others are not. Take the given centreline out of the case to trace every frame.</source>
-        <translation>此帧血管由文件给定，其他帧没有。请从病例中移除给定中心线以提取每一帧。</translation>
-    </message>
-    <message>
-        <source>There are no landmarks yet. Click a place on the vessels and the same place in the image.</source>
-        <translation>尚无标志点。请单击血管上的位置和图像中的同一位置。</translation>
+        <source>The geometry of view %1 is far from its header: check angles and distances.</source>
+        <comment>views.far-from-header</comment>
+        <translation>投影 %1 的几何与文件头相差很大：请检查角度和距离。</translation>
     </message>
     <message>
         <source>There is only one frame: nothing to follow. Open a run of several frames.</source>
+        <comment>follow.one-frame</comment>
         <translation>只有一帧：无可跟踪。请打开多帧序列。</translation>
     </message>
     <message>
-        <source>Without angles a pose needs four landmarks; there are %1. Add landmarks, or type the angles: then one is enough.</source>
-        <translation>没有角度时需要四个标志点；现有 %1 个。请添加，或输入角度：此时一个即可。</translation>
+        <source>The vessels of this frame are given by a file, those of the others are not. Take the given centreline out of the case to trace every frame.</source>
+        <comment>follow.given-target</comment>
+        <translation>此帧血管由文件给定，其他帧没有。请从病例中移除给定中心线以提取每一帧。</translation>
     </message>
     <message>
-        <source>branch %1 is there twice.</source>
-        <translation>分支 %1 重复。</translation>
+        <source>The gantry turns during this run: frames show other views, not only motion. Register the frames one by one, or as views together.</source>
+        <comment>follow.gantry-turns</comment>
+        <translation>采集中机架旋转：各帧为不同投影而非仅有运动。请逐帧配准，或作为多投影联合配准。</translation>
     </message>
     <message>
-        <source>left</source>
-        <translation>左</translation>
+        <source>Only %1 of the vessel tree lies inside the image.</source>
+        <comment>trust.outside-image</comment>
+        <translation>血管树仅 %1 位于图像内。</translation>
     </message>
     <message>
-        <source>no angles</source>
-        <translation>没有角度</translation>
+        <source>Only %1 of the vessel tree lies on a traced vessel, and it explains %2 of the traced vessels.</source>
+        <comment>trust.little-agreement</comment>
+        <translation>血管树仅 %1 落在提取血管上，解释了提取血管的 %2。</translation>
     </message>
     <message>
-        <source>right</source>
-        <translation>右</translation>
+        <source>The vessels fit better %1 aside.</source>
+        <comment>trust.better-aside</comment>
+        <translation>血管偏移 %1 处吻合更好。</translation>
     </message>
     <message>
-        <source>this is not a log of observer trials. Choose another name.</source>
-        <translation>这不是观察者试验记录。请换名。</translation>
+        <source>The image hardly tells how the vessels are tilted out of the image plane.</source>
+        <comment>trust.out-of-plane-uncertain</comment>
+        <translation>图像几乎无法确定血管在平面外的倾斜。</translation>
     </message>
     <message>
-        <source>vessel.editedTree: %1 Remove the key to go back to the vessels as they were before the edits.</source>
-        <translation>vessel.editedTree：%1 删除该键可恢复编辑前的血管。</translation>
+        <source>The image hardly tells how the vessels are turned in the image plane.</source>
+        <comment>trust.in-plane-turn-uncertain</comment>
+        <translation>图像几乎无法确定血管在平面内的旋转。</translation>
+    </message>
+    <message>
+        <source>The image hardly tells where along the vessels the tree lies.</source>
+        <comment>trust.shift-uncertain</comment>
+        <translation>图像几乎无法确定血管树沿血管方向的位置。</translation>
+    </message>
+    <message>
+        <source>The image leaves the pose uncertain by about %1.</source>
+        <comment>trust.pose-uncertain</comment>
+        <translation>图像使位姿仍有约 %1 的不确定。</translation>
+    </message>
+    <message>
+        <source>Another pose explains the image nearly as well: compare the alternatives.</source>
+        <comment>trust.rival</comment>
+        <translation>另一位姿几乎同样符合图像：请比较其他解。</translation>
+    </message>
+    <message>
+        <source>The registration was stopped before its end.</source>
+        <comment>trust.stopped</comment>
+        <translation>配准在结束前被停止。</translation>
+    </message>
+    <message>
+        <source>One view does not tell the depth here: the distance from the source stays close to the start pose.</source>
+        <comment>trust.depth-unknown</comment>
+        <translation>单一投影无法确定深度：到射线源的距离保持接近初始位姿。</translation>
+    </message>
+    <message>
+        <source>The angiogram frame is empty. Choose another frame or file.</source>
+        <comment>frame.empty</comment>
+        <translation>此帧为空。请选择其他帧或文件。</translation>
+    </message>
+    <message>
+        <source>The angiogram frame has pixels that are not a number (NaN or infinite). Choose another frame, or export the image again.</source>
+        <comment>frame.not-finite</comment>
+        <translation>此帧有非数值像素（NaN 或无穷）。请换帧或重新导出图像。</translation>
+    </message>
+    <message>
+        <source>The angiogram frame is of one colour: there is nothing to trace. Choose another frame or file.</source>
+        <comment>frame.one-colour</comment>
+        <translation>此帧为单一颜色：无可提取。请选择其他帧或文件。</translation>
+    </message>
+    <message>
+        <source>Nothing like a vessel was found in the angiogram frame. Choose a frame with more contrast, raise the sensitivity, or check whether vessels are dark or bright.</source>
+        <comment>frame.no-vessels</comment>
+        <translation>此帧造影图像中未发现血管。请选对比度更高的帧、提高灵敏度，或检查血管是暗还是亮。</translation>
+    </message>
+    <message>
+        <source>Frame %1 does not exist: the image has frames 0 to %2.</source>
+        <comment>frame.missing</comment>
+        <translation>第 %1 帧不存在：图像有第 0 至 %2 帧。</translation>
+    </message>
+    <message>
+        <source>The vessel mask has no vessel of at least %1 in it. Draw longer vessels, or lower the shortest length.</source>
+        <comment>frame.mask-without-vessels</comment>
+        <translation>血管掩模中没有至少 %1 的血管。请画更长的血管或降低最短长度。</translation>
+    </message>
+    <message>
+        <source>The run has one frame: there is nothing to subtract. Choose a run with frames before the contrast.</source>
+        <comment>subtraction.one-frame</comment>
+        <translation>该序列只有一帧：无法减影。请选择含造影前帧的序列。</translation>
+    </message>
+    <message>
+        <source>The frames of the run differ in size and cannot be subtracted.</source>
+        <comment>subtraction.sizes-differ</comment>
+        <translation>该序列各帧大小不同，无法减影。</translation>
+    </message>
+    <message>
+        <source>Mask frame %1 does not exist. The run has frames 0 to %2.</source>
+        <comment>subtraction.mask-frame-missing</comment>
+        <translation>蒙片第 %1 帧不存在。该序列有第 0 至 %2 帧。</translation>
+    </message>
+    <message>
+        <source>The run shows contrast medium from its first frame on, so no frame serves as mask. Name the mask frames, or trace without subtraction.</source>
+        <comment>subtraction.no-mask</comment>
+        <translation>该序列从第一帧起即有对比剂，无法作蒙片。请指定蒙片帧，或不减影提取。</translation>
+    </message>
+    <message>
+        <source>The subtraction was stopped.</source>
+        <comment>subtraction.stopped</comment>
+        <translation>减影已停止。</translation>
+    </message>
+    <message>
+        <source>The volume is empty. Choose another series or file.</source>
+        <comment>volume.empty</comment>
+        <translation>体数据为空。请选择其他序列或文件。</translation>
+    </message>
+    <message>
+        <source>The volume has more than 4 billion voxels. Crop or resample it first.</source>
+        <comment>volume.too-large</comment>
+        <translation>体数据超过 40 亿体素。请先裁剪或重采样。</translation>
+    </message>
+    <message>
+        <source>The volume has no valid voxel spacing. Give the spacing in mm, or export the volume again.</source>
+        <comment>volume.no-spacing</comment>
+        <translation>体数据没有有效体素间距。请给出 mm 间距或重新导出。</translation>
+    </message>
+    <message>
+        <source>The volume is of one value: there is nothing to trace. Choose another series or file.</source>
+        <comment>volume.one-value</comment>
+        <translation>体数据只有一个值：无可提取。请选择其他序列或文件。</translation>
+    </message>
+    <message>
+        <source>Tracing was stopped; nothing was kept.</source>
+        <comment>tracing.stopped</comment>
+        <translation>提取已停止；未保留结果。</translation>
+    </message>
+    <message>
+        <source>There is no vessel in the volume: nothing is set. Lower the threshold, or load another file.</source>
+        <comment>tracing.nothing-set</comment>
+        <translation>体数据中没有血管：无置位体素。请降低阈值或载入其他文件。</translation>
+    </message>
+    <message>
+        <source>Nothing in the volume is like a vessel: no branch is long enough. Lower the threshold or the shortest branch length.</source>
+        <comment>tracing.no-long-branch</comment>
+        <translation>体数据中没有类似血管的结构：没有足够长的分支。请降低阈值或最短分支长度。</translation>
     </message>
     <message>
         <source>No contrast-filled vessels were found: soft tissue has %1, and nothing even is as much brighter as contrast medium makes blood. Is this the arterial phase? Choose the CT angiogram, or give the threshold at which the vessels begin.</source>
+        <comment>tracing.no-contrast</comment>
         <translation>未找到对比剂充盈的血管：软组织为 %1，没有均匀区域达到对比剂使血液增亮的程度。这是动脉期吗？请选择 CT 血管造影，或给出血管起始阈值。</translation>
     </message>
     <message>
-        <source>Another view is left out: %1</source>
-        <translation>省略另一视图：%1</translation>
+        <source>No contrast-filled vessels were found: besides bone the brightest has %1, soft tissue %2, and it is not like a vessel. Is this the arterial phase? Choose the CT angiogram, or give the threshold at which the vessels begin.</source>
+        <comment>tracing.brightest-is-no-vessel</comment>
+        <translation>未找到对比剂充盈的血管：除骨骼外最亮处为 %1，软组织为 %2，且形态不似血管。这是动脉期吗？请选择 CT 血管造影，或给出血管起始阈值。</translation>
     </message>
     <message>
-        <source>Stopped before the run began.</source>
-        <translation>运行开始前已停止。</translation>
+        <source>There are places to avoid, but no seed. Place at least one seed in the vessels.</source>
+        <comment>tracing.avoid-without-seed</comment>
+        <translation>有避开点但没有种子点。请在血管中至少放一个种子点。</translation>
     </message>
     <message>
-        <source>frame %1 of 0–%2</source>
-        <translation>第 %1 帧（0–%2）</translation>
+        <source>(%1, %2, %3)</source>
+        <comment>tracing.place</comment>
+        <translation>(%1, %2, %3)</translation>
     </message>
     <message>
-        <source>Not for clinical use</source>
-        <translation>不得用于临床</translation>
+        <source>The seed %1 mm (LPS) lies in no vessel. Place it inside one, or lower the threshold.</source>
+        <comment>tracing.seed-in-no-vessel</comment>
+        <translation>种子点 %1 mm（LPS）不在血管内。请放入血管或降低阈值。</translation>
     </message>
     <message>
-        <source>Labels left out, by their names: %1.</source>
-        <translation>按名称略去的标签：%1。</translation>
-    </message>
-    <message>
-        <source>Labels traced: %1.</source>
-        <translation>已追踪的标签：%1。</translation>
-    </message>
-    <message>
-        <source>it has no label &quot;%1&quot; but %2. Choose one of these.</source>
-        <translation>它没有标签“%1”，只有 %2。请从中选择。</translation>
-    </message>
-    <message>
-        <source>it has no label %1 but %2. Choose one of these.</source>
-        <translation>它没有标签 %1，只有 %2。请从中选择。</translation>
-    </message>
-    <message>
-        <source>it has one plane: a single slice is no volume. Choose the whole segmentation.</source>
-        <translation>它只有一个平面：单个切片不是体数据。请选择完整的分割。</translation>
-    </message>
-    <message>
-        <source>none at all</source>
-        <translation>完全没有标签</translation>
-    </message>
-    <message>
-        <source>What was traced is hardly longer than wide: check that it is a vessel.</source>
-        <translation>提取结果的长度几乎不大于宽度：请检查是否为血管。</translation>
-    </message>
-    <message>
-        <source>it is %1-dimensional, but a volume has three dimensions. Choose the whole scan.</source>
-        <translation>为 %1 维，而体数据为三维。请选择完整扫描。</translation>
-    </message>
-    <message>
-        <source>its voxels are in %1, which is not there. Copy both files together.</source>
-        <translation>其体素在 %1 中，但该文件不存在。请将两个文件一起复制。</translation>
-    </message>
-    <message>
-        <source>its voxels begin with the header of another volume. Open that file itself, or give the bytes to skip: -1 where the voxels are the last ones.</source>
-        <translation>其体素以另一个体数据的文件头开始。请直接打开该文件，或给出要跳过的字节数：体素位于末尾时为 -1。</translation>
-    </message>
-    <message>
-        <source>nothing is marked in it: every voxel is background. Choose another segmentation.</source>
-        <translation>其中没有标记：所有体素均为背景。请选择其他分割。</translation>
-    </message>
-    <message>
-        <source>this is no image that this program reads. Choose a DICOM XA run, a PNG, TIFF or JPEG image.</source>
-        <translation>这不是本程序可读取的图像。请选择 DICOM XA 序列、PNG、TIFF 或 JPEG 图像。</translation>
-    </message>
-    <message>
-        <source>this is no surface that this program reads. Choose a .vtp, .vtk, .stl, .ply or .obj file.</source>
-        <translation>这不是本程序可读取的表面。请选择 .vtp、.vtk、.stl、.ply 或 .obj 文件。</translation>
-    </message>
-    <message>
-        <source>this is no volume that this program reads. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).</source>
-        <translation>这不是本程序可读取的体数据。请选择 DICOM 文件夹、NIfTI、NRRD 或 MetaImage（.mha、.mhd）。</translation>
-    </message>
-    <message>
-        <source>No seed was placed, and nothing is like a great vessel: the largest piece was traced. Place a seed in the vessels if it is not them.</source>
-        <translation>未放置种子点，也没有类似大血管的结构：已提取最大的一块。如果它不是所需血管，请在血管中放置种子点。</translation>
+        <source>The seed %1 mm (LPS) lies in nothing filled: the vessel %2 away was taken.</source>
+        <comment>tracing.seed-moved</comment>
+        <translation>种子点 %1 mm（LPS）处没有造影剂：已采用距其 %2 的血管。</translation>
     </message>
     <message>
         <source>No seed was placed: the great vessel at %1 mm (LPS) was found and traced. Place a seed in another vessel if it is the wrong one.</source>
+        <comment>tracing.no-seed-found-vessel</comment>
         <translation>未放置种子点：已找到并提取位于 %1 mm（LPS）的大血管。如果不对，请在其他血管中放置种子点。</translation>
     </message>
     <message>
-        <source>The seed %1 mm (LPS) lies in nothing filled: the vessel %2 mm away was taken.</source>
-        <translation>种子点 %1 mm（LPS）处没有造影剂：已采用距其 %2 mm 的血管。</translation>
+        <source>No seed was placed, and nothing is like a great vessel: the largest piece was traced. Place a seed in the vessels if it is not them.</source>
+        <comment>tracing.no-seed-largest-piece</comment>
+        <translation>未放置种子点，也没有类似大血管的结构：已提取最大的一块。如果它不是所需血管，请在血管中放置种子点。</translation>
     </message>
     <message>
-        <source>a scan alone is no case yet: the case file needs traced vessels and an angiogram. Trace the vessels and open an angiogram before saving; the scan itself stays as it is.</source>
-        <translation>仅有扫描还不能成为病例：病例文件需要已追踪的血管和造影图像。保存前请先追踪血管并打开造影图像；扫描本身保持不变。</translation>
+        <source>A piece that does not connect to the traced vessels was left out. Place a seed in it if it belongs to the tree.</source>
+        <comment>tracing.one-piece-left-out</comment>
+        <translation>有一段未与提取血管相连，已略去。若属于血管树，请在其中放种子点。</translation>
     </message>
     <message>
-        <source>none of its %1 series can be opened.</source>
-        <translation>其中 %1 个序列均无法打开。</translation>
+        <source>%1 pieces that do not connect to the traced vessels were left out. Place a seed in each that belongs to the tree.</source>
+        <comment>tracing.pieces-left-out</comment>
+        <translation>有 %1 段未与提取血管相连，已略去。请在属于血管树的各段中放种子点。</translation>
     </message>
     <message>
-        <source>after: at this pose</source>
-        <translation>之后：此位姿</translation>
+        <source>1 loop was opened at the thinnest place: look there for vessels that only touch.</source>
+        <comment>tracing.one-loop-opened</comment>
+        <translation>1 个环在最细处断开：请检查该处是否仅为血管相触。</translation>
     </message>
     <message>
-        <source>before: at the start pose</source>
-        <translation>之前：初始位姿</translation>
-    </message>
-    <message>
-        <source>The picture is a mask of two levels: its vessels are taken as they are drawn.</source>
-        <translation>该图像是只有两级灰度的掩膜：血管按所画的样子采用。</translation>
-    </message>
-    <message>
-        <source>Nothing in the scan is as dark as air in Hounsfield units: if its values are others, bone cannot be told from blood for sure. Look for bone among the vessels, or export the scan in Hounsfield units.</source>
-        <translation>扫描中没有像亨氏单位下的空气那样暗的部分：如果其数值不是亨氏单位，就无法可靠地区分骨骼和血液。请检查血管中是否混入骨骼，或以亨氏单位重新导出扫描。</translation>
-    </message>
-    <message>
-        <source>%1 parts less bright than the vessels were left out, as veins and organs are. Place seeds in those that belong to the tree.</source>
-        <translation>%1 个不如血管明亮的部分已舍弃：静脉和器官即如此。请在属于血管树的部分中放置种子点。</translation>
+        <source>%1 loops were opened at their thinnest places: look there for vessels that only touch.</source>
+        <comment>tracing.loops-opened</comment>
+        <translation>%1 个环在最细处断开：请检查这些地方是否仅为血管相触。</translation>
     </message>
     <message>
         <source>A part less bright than the vessels was left out, as veins and organs are. Place a seed in it if it belongs to the tree.</source>
+        <comment>tracing.one-dim-part-left-out</comment>
         <translation>一个不如血管明亮的部分已舍弃：静脉和器官即如此。若属于血管树，请在其中放置种子点。</translation>
     </message>
     <message>
-        <source>The vessels are %1 mm across, or of a width that is unusual: if the unit of the file is not the millimetre, give the unit.</source>
-        <translation>血管总跨度为 %1 mm，或其宽度异常：若文件单位不是毫米，请给出单位。</translation>
+        <source>%1 parts less bright than the vessels were left out, as veins and organs are. Place seeds in those that belong to the tree.</source>
+        <comment>tracing.dim-parts-left-out</comment>
+        <translation>%1 个不如血管明亮的部分已舍弃：静脉和器官即如此。请在属于血管树的部分中放置种子点。</translation>
+    </message>
+    <message>
+        <source>A wide vessel that was not traced runs beside the traced ones for %1: the other lumen, if the aorta is torn. Place a seed in each lumen to trace both.</source>
+        <comment>tracing.other-lumen-beside</comment>
+        <translation>一条未提取的粗血管与已提取的血管并行 %1：若主动脉存在夹层，它就是另一个腔。要提取两个腔，请在每个腔中各放置一个种子点。</translation>
+    </message>
+    <message>
+        <source>Nothing in the scan is as dark as air in Hounsfield units: if its values are others, bone cannot be told from blood for sure. Look for bone among the vessels, or export the scan in Hounsfield units.</source>
+        <comment>tracing.perhaps-no-hounsfield</comment>
+        <translation>扫描中没有像亨氏单位下的空气那样暗的部分：如果其数值不是亨氏单位，就无法可靠地区分骨骼和血液。请检查血管中是否混入骨骼，或以亨氏单位重新导出扫描。</translation>
+    </message>
+    <message>
+        <source>The vessel tree has no branches. Load a centreline with at least one branch.</source>
+        <comment>tree.no-branches</comment>
+        <translation>血管树没有分支。请载入至少含一个分支的中心线。</translation>
+    </message>
+    <message>
+        <source>Branch %1 occurs twice in the vessel tree. Branch ids must be unique.</source>
+        <comment>tree.branch-twice</comment>
+        <translation>分支 %1 在血管树中重复。分支编号必须唯一。</translation>
+    </message>
+    <message>
+        <source>Branch %1 of the vessel tree has fewer than two points. Remove it or add points.</source>
+        <comment>tree.branch-too-few-points</comment>
+        <translation>血管树的 分支 %1 少于两点。请移除或补点。</translation>
+    </message>
+    <message>
+        <source>Branch %1 of the vessel tree has a coordinate that is not a number (NaN or infinite).</source>
+        <comment>tree.branch-not-finite</comment>
+        <translation>血管树的 分支 %1 有非数值坐标（NaN 或无穷）。</translation>
+    </message>
+    <message>
+        <source>Branch %1 of the vessel tree has no length: all its points coincide.</source>
+        <comment>tree.branch-without-length</comment>
+        <translation>血管树的 分支 %1 长度为零：所有点重合。</translation>
+    </message>
+    <message>
+        <source>Branch %1 of the vessel tree does not have one radius per point.</source>
+        <comment>tree.branch-radii-missing</comment>
+        <translation>血管树的 分支 %1 并非每点都有半径。</translation>
+    </message>
+    <message>
+        <source>The vessel tree has no branch %1.</source>
+        <comment>tree.no-such-branch</comment>
+        <translation>血管树没有分支 %1。</translation>
+    </message>
+    <message>
+        <source>Every branch hangs on branch %1: nothing would be left.</source>
+        <comment>edit.all-hang-on-branch</comment>
+        <translation>所有分支都连在分支 %1 上：将一无所剩。</translation>
+    </message>
+    <message>
+        <source>Every branch is shorter or thinner than asked: nothing would be left. Lower the limits.</source>
+        <comment>edit.all-pruned</comment>
+        <translation>所有分支都短于或细于要求：将一无所剩。请降低限值。</translation>
+    </message>
+    <message>
+        <source>Branch %1 cannot be cut so near to its end. Delete it instead, or cut farther in.</source>
+        <comment>edit.cut-too-near-end</comment>
+        <translation>分支 %1 不能在靠近末端处切断。请改为删除，或在更内侧切断。</translation>
+    </message>
+    <message>
+        <source>A branch cannot be joined to itself. Choose two branches.</source>
+        <comment>edit.joined-to-itself</comment>
+        <translation>分支不能与自身连接。请选择两个分支。</translation>
+    </message>
+    <message>
+        <source>The 2-D centreline is empty: no vessel was found in the image. Choose another frame or a higher sensitivity, or give a centreline file.</source>
+        <comment>centreline.empty</comment>
+        <translation>二维中心线为空：图像中未发现血管。请换帧、提高灵敏度，或提供中心线文件。</translation>
+    </message>
+    <message>
+        <source>Curve %1 of the 2-D centreline has a coordinate that is not a number (NaN or infinite).</source>
+        <comment>centreline.curve-not-finite</comment>
+        <translation>二维中心线的曲线 %1 有非数值坐标（NaN 或无穷）。</translation>
+    </message>
+    <message>
+        <source>The surface has no triangles, or the voxel size is not positive. Choose another surface.</source>
+        <comment>surface.empty</comment>
+        <translation>表面没有三角面，或体素大小非正。请选择其他表面。</translation>
+    </message>
+    <message>
+        <source>The surface is flat: it bounds no inside. Choose the wall of a vessel.</source>
+        <comment>surface.flat</comment>
+        <translation>表面是平的：没有内部。请选择血管壁。</translation>
+    </message>
+    <message>
+        <source>The voxel size is too fine for a surface of this extent. Choose a larger one.</source>
+        <comment>surface.voxel-too-fine</comment>
+        <translation>对此范围的表面体素过小。请选更大的。</translation>
+    </message>
+    <message>
+        <source>Nothing lies inside the surface: it is too open, or thinner than a voxel. Close its holes, or choose a smaller voxel size.</source>
+        <comment>surface.nothing-inside</comment>
+        <translation>表面内部为空：开口过大或比一个体素还薄。请封闭孔洞或选更小体素。</translation>
+    </message>
+    <message>
+        <source>it is too large for a case file. Choose an .angiopose file.</source>
+        <comment>case.too-large</comment>
+        <translation>作为病例文件过大。请选择 .angiopose 文件。</translation>
+    </message>
+    <message>
+        <source>this is %1, not a case. Choose an .angiopose file.</source>
+        <comment>case.is-other</comment>
+        <translation>这是%1，不是病例。请选择 .angiopose 文件。</translation>
+    </message>
+    <message>
+        <source>this JSON is not an AngioPose case (its format is not &quot;angiopose-case&quot;). Choose an .angiopose file.</source>
+        <comment>case.not-one</comment>
+        <translation>此 JSON 不是 AngioPose 病例（format 不是 &quot;angiopose-case&quot;）。请选择 .angiopose 文件。</translation>
+    </message>
+    <message>
+        <source>a value in it has the wrong kind. Compare it with the published schema.</source>
+        <comment>case.wrong-kind</comment>
+        <translation>其中有取值类型错误。请与公布的模式比较。</translation>
+    </message>
+    <message>
+        <source>the case was saved by a newer AngioPose. Update the program.</source>
+        <comment>case.newer</comment>
+        <translation>病例由较新的 AngioPose 保存。请更新程序。</translation>
+    </message>
+    <message>
+        <source>the key %1 is missing. Add it.</source>
+        <comment>case.key-missing</comment>
+        <translation>缺少键 %1。请补充。</translation>
+    </message>
+    <message>
+        <source>the value is not one of those allowed. See the published schema.</source>
+        <comment>case.value-not-allowed</comment>
+        <translation>取值不在允许范围。请见公布的模式。</translation>
+    </message>
+    <message>
+        <source>the value is of the wrong kind. See the published schema.</source>
+        <comment>case.value-of-wrong-kind</comment>
+        <translation>取值类型错误。请见公布的模式。</translation>
+    </message>
+    <message>
+        <source>%1 Correct it.</source>
+        <comment>case.value-wrong</comment>
+        <translation>%1 请更正。</translation>
+    </message>
+    <message>
+        <source>it does not follow the published schema. Compare it with a case that loads.</source>
+        <comment>case.against-schema</comment>
+        <translation>不符合公布的模式。请与可载入的病例比较。</translation>
+    </message>
+    <message>
+        <source>this is an input of the case and will not be overwritten. Choose another name.</source>
+        <comment>case.is-input</comment>
+        <translation>这是病例的输入文件，不会覆盖。请换名。</translation>
+    </message>
+    <message>
+        <source>a file name or a text in the case is not UTF-8. Rename the file.</source>
+        <comment>case.not-utf8</comment>
+        <translation>病例中的文件名或文本不是 UTF-8。请重命名。</translation>
+    </message>
+    <message>
+        <source>a scan alone is no case yet: the case file needs traced vessels and an angiogram. Trace the vessels and open an angiogram before saving; the scan itself stays as it is.</source>
+        <comment>case.scan-alone</comment>
+        <translation>仅有扫描还不能成为病例：病例文件需要已追踪的血管和造影图像。保存前请先追踪血管并打开造影图像；扫描本身保持不变。</translation>
+    </message>
+    <message>
+        <source>a case needs a vessel tree and an angiogram. Open both before saving.</source>
+        <comment>case.incomplete</comment>
+        <translation>病例需要血管树和造影图像。保存前请打开两者。</translation>
+    </message>
+    <message>
+        <source>the pose is not a rigid motion of finite numbers. Reset the pose before saving.</source>
+        <comment>case.pose-not-rigid</comment>
+        <translation>位姿不是有限数的刚体变换。保存前请重置位姿。</translation>
+    </message>
+    <message>
+        <source>%1 does not exist. The image has frames 0 to %2.</source>
+        <comment>case.frame-missing</comment>
+        <translation>第 %1 帧不存在。图像有第 0 至 %2 帧。</translation>
+    </message>
+    <message>
+        <source>it is for an image of %1 x %2 pixels, but the angiogram has %3 x %4. Give the camera of this image.</source>
+        <comment>case.camera-of-other-image</comment>
+        <translation>适用于 %1 x %2 像素的图像，但造影图像为 %3 x %4。请给出此图像的相机。</translation>
+    </message>
+    <message>
+        <source>maxVesselRadiusPx is below minVesselRadiusPx. Exchange them.</source>
+        <comment>case.radii-swapped</comment>
+        <translation>maxVesselRadiusPx 小于 minVesselRadiusPx。请对调。</translation>
+    </message>
+    <message>
+        <source>it names no input. Give the file of the vessels as centerline, segmentation, surface or volume.</source>
+        <comment>case.no-input</comment>
+        <translation>未指定输入。请以 centerline、segmentation、surface 或 volume 给出血管文件。</translation>
+    </message>
+    <message>
+        <source>%1 Remove the key to go back to the vessels as they were before the edits.</source>
+        <comment>case.edited-tree</comment>
+        <translation>%1 删除该键可恢复编辑前的血管。</translation>
+    </message>
+    <message>
+        <source>branch %1 is there twice.</source>
+        <comment>case.branch-twice</comment>
+        <translation>分支 %1 重复。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is unknown. Use one of %2.</source>
+        <comment>case.method-unknown</comment>
+        <translation>&quot;%1&quot; 未知。可用：%2。</translation>
+    </message>
+    <message>
+        <source>give a number from %1 to %2.</source>
+        <comment>case.option-number</comment>
+        <translation>请给出 %1 至 %2 之间的数。</translation>
+    </message>
+    <message>
+        <source>give one of %1.</source>
+        <comment>case.option-choice</comment>
+        <translation>请给出 %1 之一。</translation>
+    </message>
+    <message>
+        <source>it is missing, and the angles do not give a start pose. %1</source>
+        <comment>case.no-start-pose</comment>
+        <translation>缺失，且角度不足以得出初始位姿。%1</translation>
+    </message>
+    <message>
+        <source>the file has changed since the case was saved. Check that it is the right one.</source>
+        <comment>case.file-changed</comment>
+        <translation>文件在病例保存后已更改。请确认是否正确。</translation>
+    </message>
+    <message>
+        <source>this is another DICOM image than the one the case was made for.</source>
+        <comment>case.other-image</comment>
+        <translation>这与病例所用的 DICOM 图像不同。</translation>
+    </message>
+    <message>
+        <source>%1 The edited vessels are in the case; it opens without the file.</source>
+        <comment>case.opens-without</comment>
+        <translation>%1 编辑后的血管已在病例中；无需该文件即可打开。</translation>
+    </message>
+    <message>
+        <source>the tree has no branch %1; it is left out.</source>
+        <comment>case.branch-left-out</comment>
+        <translation>树中没有分支 %1；已略去。</translation>
+    </message>
+    <message>
+        <source>Another view is left out: %1</source>
+        <comment>case.view-left-out</comment>
+        <translation>省略另一视图：%1</translation>
+    </message>
+    <message>
+        <source>line %1 names no case. Give the path of a case file.</source>
+        <comment>batch.no-case</comment>
+        <translation>第 %1 行没有指定病例。请给出病例文件的路径。</translation>
+    </message>
+    <message>
+        <source>line %1: the name &apos;%2&apos; is no folder name. Use one without &apos;/&apos;.</source>
+        <comment>batch.no-folder-name</comment>
+        <translation>第 %1 行：名称“%2”不能用作文件夹名。请使用不含“/”的名称。</translation>
+    </message>
+    <message>
+        <source>line %1: the frame &apos;%2&apos; is no whole number.</source>
+        <comment>batch.frame-no-number</comment>
+        <translation>第 %1 行：帧“%2”不是整数。</translation>
+    </message>
+    <message>
+        <source>a batch needs a header row with the column case, and a row for each case.</source>
+        <comment>batch.no-header</comment>
+        <translation>批处理表需要带有 case 列的表头行，并且每个病例一行。</translation>
+    </message>
+    <message>
+        <source>line %1: the name &apos;%2&apos; is taken. Give each case its own.</source>
+        <comment>batch.name-twice</comment>
+        <translation>第 %1 行：名称“%2”已被占用。请给每个病例各自的名称。</translation>
+    </message>
+    <message>
+        <source>the column %1 is missing. Give a folder that `angiopose-cli evaluate` wrote.</source>
+        <comment>runs.column-missing</comment>
+        <translation>缺少列 %1。请给出由 `angiopose-cli evaluate` 写出的文件夹。</translation>
+    </message>
+    <message>
+        <source>line %1, column %2 holds no number. Give a folder that `angiopose-cli evaluate` wrote.</source>
+        <comment>runs.no-number</comment>
+        <translation>第 %1 行第 %2 列不是数字。请给出由 `angiopose-cli evaluate` 写出的文件夹。</translation>
+    </message>
+    <message>
+        <source>it mixes experiments or seeds. Give each its own folder.</source>
+        <comment>runs.mixed</comment>
+        <translation>混有不同的实验或种子。请为每个分别使用文件夹。</translation>
+    </message>
+    <message>
+        <source>reading was stopped.</source>
+        <comment>file.reading-stopped</comment>
+        <translation>读取已停止。</translation>
+    </message>
+    <message>
+        <source>there is no such file. Check the path.</source>
+        <comment>file.missing</comment>
+        <translation>文件不存在。请检查路径。</translation>
+    </message>
+    <message>
+        <source>it cannot be reached (%1). Check the path.</source>
+        <comment>file.unreachable</comment>
+        <translation>无法访问（%1）。请检查路径。</translation>
+    </message>
+    <message>
+        <source>it cannot be opened (%1). Check that you may read it.</source>
+        <comment>file.not-opened</comment>
+        <translation>无法打开（%1）。请检查读取权限。</translation>
+    </message>
+    <message>
+        <source>it cannot be read (%1). Copy it to a local disk.</source>
+        <comment>file.not-read</comment>
+        <translation>无法读取（%1）。请复制到本地磁盘。</translation>
+    </message>
+    <message>
+        <source>it cannot be read. Copy it to a local disk.</source>
+        <comment>file.not-read-at-all</comment>
+        <translation>无法读取。请复制到本地磁盘。</translation>
+    </message>
+    <message>
+        <source>it cannot be written (%1). Choose another folder or make room.</source>
+        <comment>file.not-written</comment>
+        <translation>无法写入（%1）。请选择其他文件夹或腾出空间。</translation>
+    </message>
+    <message>
+        <source>this is a folder. Choose a file in it.</source>
+        <comment>file.is-folder</comment>
+        <translation>这是文件夹。请选择其中的文件。</translation>
+    </message>
+    <message>
+        <source>this is not a regular file. Choose a file on disk.</source>
+        <comment>file.not-regular</comment>
+        <translation>这不是普通文件。请选择磁盘上的文件。</translation>
+    </message>
+    <message>
+        <source>the file is empty. Export or copy it again.</source>
+        <comment>file.empty</comment>
+        <translation>文件为空。请重新导出或复制。</translation>
+    </message>
+    <message>
+        <source>this is a Git LFS pointer, not the file itself. Run `git lfs pull` where it came from.</source>
+        <comment>file.lfs-pointer</comment>
+        <translation>这是 Git LFS 指针而非文件本身。请在来源处运行 `git lfs pull`。</translation>
+    </message>
+    <message>
+        <source>this is not a place for a file. Give a file name in an existing folder.</source>
+        <comment>file.no-place</comment>
+        <translation>此处不能存放文件。请给出现有文件夹中的文件名。</translation>
+    </message>
+    <message>
+        <source>the unit must be a positive length in mm.</source>
+        <comment>file.wrong-unit</comment>
+        <translation>单位须为正的毫米长度。</translation>
+    </message>
+    <message>
+        <source>it declares more data than memory holds. The file is damaged; export it again.</source>
+        <comment>file.larger-than-memory</comment>
+        <translation>声明的数据超过内存。文件损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>SHA-256 cannot be computed. Check the OpenSSL installation.</source>
+        <comment>file.hash-impossible</comment>
+        <translation>无法计算 SHA-256。请检查 OpenSSL 安装。</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read (%1). Check the path.</source>
+        <comment>folder.not-read</comment>
+        <translation>无法读取文件夹（%1）。请检查路径。</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read to its end. Copy it to a local disk.</source>
+        <comment>folder.not-read-to-end</comment>
+        <translation>无法读完文件夹。请复制到本地磁盘。</translation>
+    </message>
+    <message>
+        <source>it holds more than 50000 files. Choose the folder of one study.</source>
+        <comment>folder.too-full</comment>
+        <translation>含超过 50000 个文件。请选择单个检查的文件夹。</translation>
+    </message>
+    <message>
+        <source>its JSON is nested more than %1 levels deep. This is no file of this program.</source>
+        <comment>json.too-deep</comment>
+        <translation>JSON 嵌套超过 %1 层。这不是本程序的文件。</translation>
+    </message>
+    <message>
+        <source>it is not valid JSON at line %1. Correct it there.</source>
+        <comment>json.invalid</comment>
+        <translation>第 %1 行不是有效 JSON。请更正。</translation>
+    </message>
+    <message>
+        <source>a number in it is too large for a double. Correct it.</source>
+        <comment>json.number-too-large</comment>
+        <translation>其中的数超出双精度范围。请更正。</translation>
+    </message>
+    <message>
+        <source>this is not a text table. Choose a CSV file with a header row.</source>
+        <comment>table.no-text</comment>
+        <translation>这不是文本表。请选择有表头的 CSV 文件。</translation>
+    </message>
+    <message>
+        <source>line %1 has %2 columns, the first line has %3. Separate columns by commas and use . as decimal point.</source>
+        <comment>table.columns</comment>
+        <translation>第 %1 行有 %2 列，首行有 %3 列。请以逗号分列，用 . 作小数点。</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: &quot;%3&quot; is not a finite number. Correct or remove the line.</source>
+        <comment>table.no-number</comment>
+        <translation>第 %1 行 %2 列：&quot;%3&quot; 不是有限数。请更正或删除该行。</translation>
+    </message>
+    <message>
+        <source>line %1: the branch must be a whole number. Correct the line.</source>
+        <comment>table.branch-no-number</comment>
+        <translation>第 %1 行：branch 必须为整数。请更正。</translation>
+    </message>
+    <message>
+        <source>it does not hold one ITK transform as text. Export a single rigid transform.</source>
+        <comment>pose.no-transform</comment>
+        <translation>未含单个文本形式的 ITK 变换。请导出一个刚性变换。</translation>
+    </message>
+    <message>
+        <source>its transform &quot;%1&quot; is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
+        <comment>pose.not-rigid-transform</comment>
+        <translation>变换 &quot;%1&quot; 非刚性或缺少参数。请导出刚性变换（affine、Euler3D 或 VersorRigid3D）。</translation>
+    </message>
+    <message>
+        <source>its centre is not finite. Export the transform again.</source>
+        <comment>pose.centre-not-finite</comment>
+        <translation>中心非有限数。请重新导出变换。</translation>
+    </message>
+    <message>
+        <source>it has no matrix `cameraFromPatient` of four rows of four numbers, at the top or in `pose`. Give one.</source>
+        <comment>pose.no-matrix</comment>
+        <translation>顶层或 `pose` 中没有四行四列的 `cameraFromPatient` 矩阵。请提供。</translation>
+    </message>
+    <message>
+        <source>cameraFromPatient must have four rows of four numbers.</source>
+        <comment>pose.rows</comment>
+        <translation>cameraFromPatient 须为四行四列数字。</translation>
+    </message>
+    <message>
+        <source>cameraFromPatient has an entry that is not a finite number.</source>
+        <comment>pose.not-finite</comment>
+        <translation>cameraFromPatient 含有非有限数。</translation>
+    </message>
+    <message>
+        <source>the last row of cameraFromPatient must be 0 0 0 1. Is the matrix transposed?</source>
+        <comment>pose.last-row</comment>
+        <translation>cameraFromPatient 末行须为 0 0 0 1。矩阵是否转置了？</translation>
+    </message>
+    <message>
+        <source>cameraFromPatient is a reflection (determinant below 0). A mirrored image belongs into the sign of fx, never into the rotation.</source>
+        <comment>pose.reflection</comment>
+        <translation>cameraFromPatient 为镜像（行列式小于 0）。镜像应体现在 fx 的符号，而非旋转。</translation>
+    </message>
+    <message>
+        <source>the upper left 3 x 3 of cameraFromPatient is not a rotation (scale or shear). Give a rigid pose in mm.</source>
+        <comment>pose.no-rotation</comment>
+        <translation>cameraFromPatient 左上 3 x 3 不是旋转（含缩放或剪切）。请给出以 mm 为单位的刚性位姿。</translation>
+    </message>
+    <message>
+        <source>it is too large for a pose. Choose a .json or .tfm file.</source>
+        <comment>pose.too-large</comment>
+        <translation>作为位姿过大。请选择 .json 或 .tfm 文件。</translation>
+    </message>
+    <message>
+        <source>this is no pose. Choose a .json or an ITK .tfm file.</source>
+        <comment>pose.unknown</comment>
+        <translation>这不是位姿。请选择 .json 或 ITK .tfm 文件。</translation>
+    </message>
+    <message>
+        <source>the pose is not a rigid motion of finite numbers. Reset it before saving.</source>
+        <comment>pose.not-saved</comment>
+        <translation>位姿不是有限数的刚体变换。保存前请重置。</translation>
+    </message>
+    <message>
+        <source>poses are written as .json or .tfm. Change the extension.</source>
+        <comment>pose.extension</comment>
+        <translation>位姿写为 .json 或 .tfm。请更改扩展名。</translation>
+    </message>
+    <message>
+        <source>this is not a log of observer trials. Choose another name.</source>
+        <comment>observer-log.not-one</comment>
+        <translation>这不是观察者试验记录。请换名。</translation>
+    </message>
+    <message>
+        <source>a gzip archive</source>
+        <comment>content.gzip</comment>
+        <translation>gzip 压缩包</translation>
+    </message>
+    <message>
+        <source>a zip archive</source>
+        <comment>content.zip</comment>
+        <translation>zip 压缩包</translation>
+    </message>
+    <message>
+        <source>an NRRD volume</source>
+        <comment>content.nrrd</comment>
+        <translation>NRRD 体数据</translation>
+    </message>
+    <message>
+        <source>a NIfTI volume</source>
+        <comment>content.nifti</comment>
+        <translation>NIfTI 体数据</translation>
+    </message>
+    <message>
+        <source>a NIfTI header</source>
+        <comment>content.nifti-header</comment>
+        <translation>NIfTI 文件头</translation>
+    </message>
+    <message>
+        <source>an HDF5 file</source>
+        <comment>content.hdf5</comment>
+        <translation>HDF5 文件</translation>
+    </message>
+    <message>
+        <source>a NetCDF (MINC) volume</source>
+        <comment>content.netcdf</comment>
+        <translation>NetCDF（MINC）体数据</translation>
+    </message>
+    <message>
+        <source>an MRtrix tractogram</source>
+        <comment>content.mrtrix</comment>
+        <translation>MRtrix 纤维束图</translation>
+    </message>
+    <message>
+        <source>a TrackVis tractogram</source>
+        <comment>content.trackvis</comment>
+        <translation>TrackVis 纤维束图</translation>
+    </message>
+    <message>
+        <source>an STL surface</source>
+        <comment>content.stl</comment>
+        <translation>STL 表面</translation>
+    </message>
+    <message>
+        <source>a PLY surface</source>
+        <comment>content.ply</comment>
+        <translation>PLY 表面</translation>
+    </message>
+    <message>
+        <source>a glTF scene</source>
+        <comment>content.gltf</comment>
+        <translation>glTF 场景</translation>
+    </message>
+    <message>
+        <source>a legacy VTK file</source>
+        <comment>content.legacy-vtk</comment>
+        <translation>旧版 VTK 文件</translation>
+    </message>
+    <message>
+        <source>a VTK XML file</source>
+        <comment>content.vtk-xml</comment>
+        <translation>VTK XML 文件</translation>
+    </message>
+    <message>
+        <source>an XML file</source>
+        <comment>content.xml</comment>
+        <translation>XML 文件</translation>
+    </message>
+    <message>
+        <source>a MetaImage header</source>
+        <comment>content.metaimage</comment>
+        <translation>MetaImage 文件头</translation>
+    </message>
+    <message>
+        <source>a DICOM file</source>
+        <comment>content.dicom</comment>
+        <translation>DICOM 文件</translation>
+    </message>
+    <message>
+        <source>a JPEG image</source>
+        <comment>content.jpeg</comment>
+        <translation>JPEG 图像</translation>
+    </message>
+    <message>
+        <source>a PNG image</source>
+        <comment>content.png</comment>
+        <translation>PNG 图像</translation>
+    </message>
+    <message>
+        <source>a TIFF image</source>
+        <comment>content.tiff</comment>
+        <translation>TIFF 图像</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <comment>content.pdf</comment>
+        <translation>PDF 文档</translation>
+    </message>
+    <message>
+        <source>a JSON file</source>
+        <comment>content.json</comment>
+        <translation>JSON 文件</translation>
+    </message>
+    <message>
+        <source>Colour image converted to grey.</source>
+        <comment>image.colour-to-grey</comment>
+        <translation>彩色图像已转换为灰度。</translation>
+    </message>
+    <message>
+        <source>The transparency of the image is ignored.</source>
+        <comment>image.transparency-ignored</comment>
+        <translation>忽略图像透明度。</translation>
+    </message>
+    <message>
+        <source>A plain image has no C-arm geometry: enter it in the geometry of the case.</source>
+        <comment>image.no-geometry</comment>
+        <translation>普通图像没有 C 形臂几何：请在病例几何中输入。</translation>
+    </message>
+    <message>
+        <source>The picture is a mask of two levels: its vessels are taken as they are drawn.</source>
+        <comment>image.is-mask</comment>
+        <translation>该图像是只有两级灰度的掩膜：血管按所画的样子采用。</translation>
+    </message>
+    <message>
+        <source>this is no image that this program reads. Choose a DICOM XA run, a PNG, TIFF or JPEG image.</source>
+        <comment>image.unknown</comment>
+        <translation>这不是本程序可读取的图像。请选择 DICOM XA 序列、PNG、TIFF 或 JPEG 图像。</translation>
+    </message>
+    <message>
+        <source>this is %1, not an angiogram. Choose a DICOM XA run, a PNG, TIFF or JPEG image.</source>
+        <comment>image.is-other</comment>
+        <translation>这是%1，不是造影图像。请选择 DICOM XA 序列、PNG、TIFF 或 JPEG 图像。</translation>
+    </message>
+    <message>
+        <source>this is a gzip archive without a readable DICOM file in it. Unpack it and choose the angiogram itself.</source>
+        <comment>image.gzip-without-dicom</comment>
+        <translation>这是不含可读 DICOM 文件的 gzip 压缩包。请解压后选择造影图像。</translation>
+    </message>
+    <message>
+        <source>the image cannot be decoded: damaged, cut short or of an unusual kind. Export it again.</source>
+        <comment>image.undecodable</comment>
+        <translation>图像无法解码：损坏、截断或类型特殊。请重新导出。</translation>
+    </message>
+    <message>
+        <source>the image is damaged or cut short. Copy or export it again.</source>
+        <comment>image.damaged</comment>
+        <translation>图像损坏或截断。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>the image is damaged or of an unusual kind. Export it in grey or RGB with 8 or 16 bits, without tiles.</source>
+        <comment>image.unusual</comment>
+        <translation>图像损坏或类型特殊。请以 8 或 16 位灰度或 RGB、不分块导出。</translation>
+    </message>
+    <message>
+        <source>the image has fewer than 8 pixels on a side, or more than this program holds. Export the angiogram at its own size.</source>
+        <comment>image.size</comment>
+        <translation>图像边长少于 8 像素，或超出程序容量。请按原尺寸导出。</translation>
+    </message>
+    <message>
+        <source>its pixels are not finite numbers of a known kind. Export it with 8 or 16 bits.</source>
+        <comment>image.pixel-kind</comment>
+        <translation>像素不是已知类型的有限数。请以 8 或 16 位导出。</translation>
+    </message>
+    <message>
+        <source>the frames differ in size. All frames of a run must be equally large.</source>
+        <comment>image.frames-differ</comment>
+        <translation>各帧大小不同。同一序列各帧须等大。</translation>
+    </message>
+    <message>
+        <source>there is no picture to write. Render or trace one first.</source>
+        <comment>image.no-picture</comment>
+        <translation>没有可写入的图片。请先生成。</translation>
+    </message>
+    <message>
+        <source>a pixel is not a finite number. Correct the image before writing it.</source>
+        <comment>image.pixel-not-finite-writing</comment>
+        <translation>有像素不是有限数。写入前请更正图像。</translation>
+    </message>
+    <message>
+        <source>a pixel is not a finite number. Export the image again.</source>
+        <comment>image.pixel-not-finite</comment>
+        <translation>有像素不是有限数。请重新导出图像。</translation>
+    </message>
+    <message>
+        <source>this is %1, not a 2-D centreline. Choose a CSV table or a PNG mask.</source>
+        <comment>centreline.is-other</comment>
+        <translation>这是%1，不是二维中心线。请选择 CSV 表或 PNG 掩模。</translation>
+    </message>
+    <message>
+        <source>this is not a mask of two levels. Draw the vessels white on black.</source>
+        <comment>centreline.no-mask</comment>
+        <translation>这不是二值掩模。请以黑底白色画血管。</translation>
+    </message>
+    <message>
+        <source>the header row has no columns x and y. The first line must name the columns: x,y and, where known, branch,radius (px).</source>
+        <comment>centreline.no-columns</comment>
+        <translation>表头缺少 x 和 y 列。首行须为列名：x,y 以及已知的 branch,radius（px）。</translation>
+    </message>
+    <message>
+        <source>it has a column z: this is a 3-D centreline. Choose the centreline traced in the image.</source>
+        <comment>centreline.is-3d</comment>
+        <translation>含 z 列：这是三维中心线。请选择图像中提取的中心线。</translation>
+    </message>
+    <message>
+        <source>it has more than a million points. Resample the centreline.</source>
+        <comment>centreline.too-long</comment>
+        <translation>超过一百万个点。请重采样中心线。</translation>
+    </message>
+    <message>
+        <source>line %1 lies far outside any image. Coordinates are in pixels.</source>
+        <comment>centreline.outside</comment>
+        <translation>第 %1 行远在图像之外。坐标单位为像素。</translation>
+    </message>
+    <message>
+        <source>this is not a DICOM file. Choose a scan.</source>
+        <comment>dicom.not-one</comment>
+        <translation>这不是 DICOM 文件。请选择扫描。</translation>
+    </message>
+    <message>
+        <source>its deflated content is damaged or cut short. Copy or export it again.</source>
+        <comment>dicom.deflate-damaged</comment>
+        <translation>压缩内容损坏或截断。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>no DICOM element in it can be read. The file is damaged; copy or export it again.</source>
+        <comment>dicom.no-element</comment>
+        <translation>无法读取任何 DICOM 元素。文件损坏；请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>the element %1 declares %2 bytes, but %3 are left</source>
+        <comment>dicom.element-too-long</comment>
+        <translation>元素 %1 声明 %2 字节，但仅剩 %3</translation>
+    </message>
+    <message>
+        <source>the sequence %1 has no end</source>
+        <comment>dicom.sequence-without-end</comment>
+        <translation>序列 %1 没有结尾</translation>
+    </message>
+    <message>
+        <source>it ends in the middle of an element</source>
+        <comment>dicom.ends-within</comment>
+        <translation>在某个元素中间结束</translation>
+    </message>
+    <message>
+        <source>The end of the file is damaged (%1); the image is complete.</source>
+        <comment>dicom.end-damaged</comment>
+        <translation>文件末尾损坏（%1）；图像完整。</translation>
+    </message>
+    <message>
+        <source>%1 is damaged before its pixels: %2. Copy or export it again.</source>
+        <comment>dicom.damaged-before-pixels</comment>
+        <translation>%1 在像素之前损坏：%2。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>%1 holds no image. Choose the X-ray angiography run.</source>
+        <comment>dicom.holds-no-image</comment>
+        <translation>%1 不含图像。请选择 X 线血管造影序列。</translation>
+    </message>
+    <message>
+        <source>this DICOM file</source>
+        <comment>dicom.this-file</comment>
+        <translation>此 DICOM 文件</translation>
+    </message>
+    <message>
+        <source>this DICOM file (%1)</source>
+        <comment>dicom.this-file-of</comment>
+        <translation>此 DICOM 文件（%1）</translation>
+    </message>
+    <message>
+        <source>its bits per pixel contradict each other. The header is damaged; export the run again.</source>
+        <comment>dicom.bits-contradict</comment>
+        <translation>每像素位数相互矛盾。文件头损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>it is stored in palette colours. Export the angiogram in grey.</source>
+        <comment>dicom.palette-colours</comment>
+        <translation>以调色板颜色存储。请以灰度导出造影图像。</translation>
+    </message>
+    <message>
+        <source>its pixels (%1, %2 samples) are not grey or colour. Export the angiogram in grey.</source>
+        <comment>dicom.not-grey</comment>
+        <translation>像素（%1，%2 个采样）既非灰度也非彩色。请以灰度导出。</translation>
+    </message>
+    <message>
+        <source>its pixels have %1 bits. Export the angiogram with 8 or 16 bits.</source>
+        <comment>dicom.pixel-bits</comment>
+        <translation>像素为 %1 位。请以 8 或 16 位导出。</translation>
+    </message>
+    <message>
+        <source>its header gives no image size. The file is damaged; export the run again.</source>
+        <comment>dicom.no-image-size</comment>
+        <translation>文件头无图像尺寸。文件损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>it declares %1 frames of %2 x %3 pixels, more than this program holds. Export fewer frames.</source>
+        <comment>dicom.too-many-frames</comment>
+        <translation>声明 %1 帧、每帧 %2 x %3 像素，超出程序容量。请导出较少帧。</translation>
+    </message>
+    <message>
+        <source>its pixels are cut short: %1 of %2 bytes are there. Copy or export it again.</source>
+        <comment>dicom.pixels-cut-short</comment>
+        <translation>像素被截断：%2 字节中仅有 %1。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>its compressed pixels are cut short. Copy or export it again.</source>
+        <comment>dicom.packed-pixels-cut-short</comment>
+        <translation>压缩像素被截断。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>only %1 of its %2 frames are there. Copy or export it again.</source>
+        <comment>dicom.frames-missing</comment>
+        <translation>%2 帧中仅有 %1 帧。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>frame %1 cannot be decoded (transfer syntax %2): damaged, cut short, or a compression this program does not read. Export the run again, uncompressed if possible.</source>
+        <comment>dicom.frame-undecodable</comment>
+        <translation>第 %1 帧无法解码（传输语法 %2）：损坏、截断或不支持的压缩。请重新导出，尽量不压缩。</translation>
+    </message>
+    <message>
+        <source>it is only %1 x %2 pixels. Choose the angiogram at its full size.</source>
+        <comment>dicom.thumbnail</comment>
+        <translation>仅 %1 x %2 像素。请选择原尺寸造影图像。</translation>
+    </message>
+    <message>
+        <source>This is %1, not X-ray angiography: it has no C-arm geometry.</source>
+        <comment>dicom.not-xray</comment>
+        <translation>这是%1，不是 X 线血管造影：没有 C 形臂几何。</translation>
+    </message>
+    <message>
+        <source>GDCM could not write the DICOM file. Choose another format.</source>
+        <comment>dicom.not-written</comment>
+        <translation>GDCM 无法写入 DICOM 文件。请选择其他格式。</translation>
+    </message>
+    <message>
+        <source>there are no frames to write. Load or simulate an angiogram first.</source>
+        <comment>dicom.no-frames-to-write</comment>
+        <translation>没有可写入的帧。请先载入或模拟造影图像。</translation>
+    </message>
+    <message>
+        <source>the run is too large for an uncompressed DICOM file. Write fewer frames.</source>
+        <comment>dicom.run-too-large</comment>
+        <translation>该序列超出未压缩 DICOM 文件容量。请写入较少帧。</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to write this run. Write fewer frames.</source>
+        <comment>dicom.no-memory-to-write</comment>
+        <translation>内存不足以写入该序列。请写入较少帧。</translation>
+    </message>
+    <message>
+        <source>modality %1</source>
+        <comment>dicom.modality</comment>
+        <translation>模态 %1</translation>
+    </message>
+    <message>
+        <source>an image without modality</source>
+        <comment>dicom.no-modality</comment>
+        <translation>未注明模态的图像</translation>
+    </message>
+    <message>
+        <source>The header gives no imager pixel spacing: %1 is derived from the calibrated pixel spacing. Check it in the geometry.</source>
+        <comment>dicom.spacing-from-calibration</comment>
+        <translation>文件头无成像器像素间距：由校准像素间距推算为 %1。请在几何中核对。</translation>
+    </message>
+    <message>
+        <source>The header gives no imager pixel spacing (0018,1164): %1 is derived from the field of view. Check it in the geometry.</source>
+        <comment>dicom.spacing-from-field</comment>
+        <translation>文件头无成像器像素间距（0018,1164）：由视野推算为 %1。请在几何中核对。</translation>
+    </message>
+    <message>
+        <source>The header gives no imager pixel spacing (0018,1164): enter it in the geometry.</source>
+        <comment>dicom.spacing-missing</comment>
+        <translation>文件头无成像器像素间距（0018,1164）：请在几何中输入。</translation>
+    </message>
+    <message>
+        <source>The header gives no imager pixel spacing (0018,1164): enter it in the geometry. The intensifier of %1 suggests at most %2.</source>
+        <comment>dicom.spacing-missing-intensifier</comment>
+        <translation>文件头无成像器像素间距（0018,1164）：请在几何中输入。 影像增强器 %1，提示最多 %2。</translation>
+    </message>
+    <message>
+        <source>The header gives only isocentre angles (0018,9463), whose signs are not certain: enter LAO/RAO and CRA/CAU in the geometry.</source>
+        <comment>dicom.angles-of-isocentre</comment>
+        <translation>文件头仅有等中心角度（0018,9463），符号不确定：请在几何中输入 LAO/RAO 和 CRA/CAU。</translation>
+    </message>
+    <message>
+        <source>The detector is tilted by %1 (0018,1530): the principal point is uncertain.</source>
+        <comment>dicom.detector-tilted</comment>
+        <translation>探测器倾斜 %1（0018,1530）：主点不确定。</translation>
+    </message>
+    <message>
+        <source>The image is taken as mirrored, after %1. Check that left and right are where they belong.</source>
+        <comment>dicom.image-mirrored</comment>
+        <translation>根据 %1 视图像为镜像。请核对左右。</translation>
+    </message>
+    <message>
+        <source>The C-arm moved during this run, but the header gives %1 for its %2 frames: the angles are those of the first frame. Check them for the frame you use.</source>
+        <comment>dicom.gantry-moved</comment>
+        <translation>采集中 C 形臂有移动，但文件头为 %2 帧只给出 %1：角度取自第一帧。请针对所用帧核对。</translation>
+    </message>
+    <message>
+        <source>no angles</source>
+        <comment>dicom.gantry-no-angles</comment>
+        <translation>没有角度</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <comment>dicom.gantry-angles</comment>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>What was traced is hardly longer than wide: check that it is a vessel.</source>
+        <comment>vessels.compact</comment>
+        <translation>提取结果的长度几乎不大于宽度：请检查是否为血管。</translation>
+    </message>
+    <message>
+        <source>The vessels are %1 across, or of a width that is unusual: if the unit of the file is not the millimetre, give the unit.</source>
+        <comment>vessels.unusual-size</comment>
+        <translation>血管总跨度为 %1，或其宽度异常：若文件单位不是毫米，请给出单位。</translation>
+    </message>
+    <message>
+        <source>this is no surface that this program reads. Choose a .vtp, .vtk, .stl, .ply or .obj file.</source>
+        <comment>surface.unknown</comment>
+        <translation>这不是本程序可读取的表面。请选择 .vtp、.vtk、.stl、.ply 或 .obj 文件。</translation>
+    </message>
+    <message>
+        <source>this is %1, not a surface. Choose a .vtp, .vtk, .stl, .ply or .obj file.</source>
+        <comment>surface.is-other</comment>
+        <translation>这是%1，不是表面。请选择 .vtp、.vtk、.stl、.ply 或 .obj 文件。</translation>
+    </message>
+    <message>
+        <source>it holds no triangles. Choose the surface of a vessel.</source>
+        <comment>surface.no-triangles</comment>
+        <translation>不含三角面。请选择血管表面。</translation>
+    </message>
+    <message>
+        <source>none of its triangles has an area. Choose the surface of a vessel.</source>
+        <comment>surface.no-area</comment>
+        <translation>三角面均无面积。请选择血管表面。</translation>
+    </message>
+    <message>
+        <source>it has more triangles than this program holds. Decimate the surface.</source>
+        <comment>surface.too-large</comment>
+        <translation>三角面超出程序容量。请简化表面。</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a number, or beyond a kilometre. Correct or export it again.</source>
+        <comment>surface.coordinate</comment>
+        <translation>坐标不是数字或超过一公里。请更正或重新导出。</translation>
+    </message>
+    <message>
+        <source>a triangle refers to a point that does not exist. The file is damaged; export it again.</source>
+        <comment>surface.bad-index</comment>
+        <translation>三角面引用了不存在的点。文件损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>its triangles are damaged or cut short. Copy or export it again.</source>
+        <comment>surface.cut-short</comment>
+        <translation>三角面损坏或截断。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>surfaces are written as .stl. Change the extension.</source>
+        <comment>surface.extension</comment>
+        <translation>表面写为 .stl。请更改扩展名。</translation>
+    </message>
+    <message>
+        <source>The surface is not closed (%1 open and %2 crowded edges): its inside is decided by majority. Check the result, or close the holes.</source>
+        <comment>surface.open</comment>
+        <translation>表面未闭合（%1 条开放边、%2 条重叠边）：内部按多数判定。请检查结果或封闭孔洞。</translation>
+    </message>
+    <message>
+        <source>The triangles do not agree on inside and outside; overlapping parts may cancel out.</source>
+        <comment>surface.disoriented</comment>
+        <translation>三角面内外方向不一致；重叠部分可能抵消。</translation>
+    </message>
+    <message>
+        <source>The surface is %1 across, which is unusual: if its unit is not the millimetre, give the unit.</source>
+        <comment>surface.unusual-size</comment>
+        <translation>表面跨度为 %1，不寻常：若单位不是毫米，请指定单位。</translation>
+    </message>
+    <message>
+        <source>line %1 does not give a point. The file is damaged; export it again.</source>
+        <comment>surface.obj-bad-point</comment>
+        <translation>第 %1 行不是点。文件损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>its PLY header is damaged or cut short. Export it again.</source>
+        <comment>surface.ply-header-damaged</comment>
+        <translation>PLY 文件头损坏或截断。请重新导出。</translation>
+    </message>
+    <message>
+        <source>its PLY header is damaged: the element &quot;%1&quot; has no properties. Export it again.</source>
+        <comment>surface.ply-element-empty</comment>
+        <translation>PLY 文件头损坏：元素 &quot;%1&quot; 没有属性。请重新导出。</translation>
+    </message>
+    <message>
+        <source>its PLY data are damaged or cut short. Export it again.</source>
+        <comment>surface.ply-data-damaged</comment>
+        <translation>PLY 数据损坏或截断。请重新导出。</translation>
+    </message>
+    <message>
+        <source>this is %1, not a centreline. Choose a centreline file: .vtp, .vtk, .vtu, .csv, .swc or .mrk.json.</source>
+        <comment>tree.is-other</comment>
+        <translation>这是%1，不是中心线。请选择中心线文件：.vtp、.vtk、.vtu、.csv、.swc 或 .mrk.json。</translation>
+    </message>
+    <message>
+        <source>this is no centreline format AngioPose reads. Choose a centreline file: .vtp, .vtk, .vtu, .csv, .swc or .mrk.json.</source>
+        <comment>tree.format-unknown</comment>
+        <translation>AngioPose 不支持此中心线格式。请选择中心线文件：.vtp、.vtk、.vtu、.csv、.swc 或 .mrk.json。</translation>
+    </message>
+    <message>
+        <source>it does not begin like a VTK file. Export the centrelines again.</source>
+        <comment>tree.no-vtk-beginning</comment>
+        <translation>开头不像 VTK 文件。请重新导出中心线。</translation>
     </message>
     <message>
         <source>vessel trees are written as .vtp, .csv, .swc or .mrk.json. Change the extension.</source>
+        <comment>tree.extension</comment>
         <translation>血管树可写为 .vtp、.csv、.swc 或 .mrk.json。请更改扩展名。</translation>
     </message>
     <message>
-        <source>A wide vessel that was not traced runs beside the traced ones for %1 cm: the other lumen, if the aorta is torn. Place a seed in each lumen to trace both.</source>
-        <translation>一条未提取的粗血管与已提取的血管并行 %1 cm：若主动脉存在夹层，它就是另一个腔。要提取两个腔，请在每个腔中各放置一个种子点。</translation>
+        <source>it has %1 points; a centreline tree has at most %2. Resample the centrelines.</source>
+        <comment>tree.too-many-points</comment>
+        <translation>有 %1 个点；中心线树最多 %2 个。请重采样中心线。</translation>
+    </message>
+    <message>
+        <source>it has %1 separate lines; a centreline tree has at most %2. Keep the vessels of interest.</source>
+        <comment>tree.too-many-lines</comment>
+        <translation>有 %1 条独立线；中心线树最多 %2 条。请只保留感兴趣的血管。</translation>
+    </message>
+    <message>
+        <source>it holds no lines. Choose a file with vessel centrelines.</source>
+        <comment>tree.no-lines</comment>
+        <translation>不含线。请选择含血管中心线的文件。</translation>
+    </message>
+    <message>
+        <source>it holds a surface, not centrelines. Extract the centrelines first (e.g. with VMTK or Slicer) and open those.</source>
+        <comment>tree.is-surface</comment>
+        <translation>含表面而非中心线。请先提取中心线（如用 VMTK 或 Slicer）再打开。</translation>
+    </message>
+    <message>
+        <source>a line refers to a point that does not exist. The file is damaged; export it again.</source>
+        <comment>tree.bad-index</comment>
+        <translation>线引用了不存在的点。文件损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>its lines visit the same points too often. The file is damaged; export it again.</source>
+        <comment>tree.points-repeated</comment>
+        <translation>线过多经过相同的点。文件损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>none of its lines has two different points. Choose a file with vessel centrelines.</source>
+        <comment>tree.no-length</comment>
+        <translation>没有一条线含两个不同的点。请选择含血管中心线的文件。</translation>
+    </message>
+    <message>
+        <source>the third line of a legacy VTK file must be ASCII or BINARY. Export it again.</source>
+        <comment>tree.vtk-third-line</comment>
+        <translation>旧版 VTK 文件第三行须为 ASCII 或 BINARY。请重新导出。</translation>
+    </message>
+    <message>
+        <source>it holds no data set, not POLYDATA or UNSTRUCTURED_GRID. Export the centrelines as poly-lines.</source>
+        <comment>tree.vtk-no-data-set</comment>
+        <translation>其中没有数据集，不是 POLYDATA 或 UNSTRUCTURED_GRID。请将中心线导出为折线。</translation>
+    </message>
+    <message>
+        <source>it holds %1, not POLYDATA or UNSTRUCTURED_GRID. Export the centrelines as poly-lines.</source>
+        <comment>tree.vtk-other-data-set</comment>
+        <translation>含 %1，而非 POLYDATA 或 UNSTRUCTURED_GRID。请以折线导出中心线。</translation>
+    </message>
+    <message>
+        <source>the section &quot;%1&quot; is damaged or cut short. Export it again.</source>
+        <comment>tree.vtk-section-damaged</comment>
+        <translation>&quot;%1&quot; 部分损坏或截断。请重新导出。</translation>
+    </message>
+    <message>
+        <source>the VTK XML data in it is damaged or cut short. Export it again.</source>
+        <comment>tree.vtk-xml-damaged</comment>
+        <translation>其中的 VTK XML 数据损坏或截断。请重新导出。</translation>
+    </message>
+    <message>
+        <source>it is not VTK XML PolyData or UnstructuredGrid. Export the centrelines as .vtp.</source>
+        <comment>tree.vtk-xml-other</comment>
+        <translation>不是 VTK XML PolyData 或 UnstructuredGrid。请导出为 .vtp。</translation>
+    </message>
+    <message>
+        <source>it declares %1, which cannot be. The file is damaged; export it again.</source>
+        <comment>tree.vtk-xml-impossible-count</comment>
+        <translation>其声明为 %1，这不可能。文件已损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>its coordinates are in %1. Export the curves in mm.</source>
+        <comment>tree.markups-unit</comment>
+        <translation>坐标单位为 %1。请以 mm 导出曲线。</translation>
+    </message>
+    <message>
+        <source>it is not a Slicer markups file with curves. Export the centrelines as .mrk.json curves, .vtp, .vtk, .csv or .swc.</source>
+        <comment>tree.markups-none</comment>
+        <translation>不是含曲线的 Slicer markups 文件。请将中心线导出为 .mrk.json 曲线、.vtp、.vtk、.csv 或 .swc。</translation>
+    </message>
+    <message>
+        <source>line %1 is not `id type x y z radius parent`. Correct the line or export it again.</source>
+        <comment>tree.swc-line</comment>
+        <translation>第 %1 行不是 `id type x y z radius parent`。请更正或重新导出。</translation>
+    </message>
+    <message>
+        <source>line %1 repeats an id. Ids must be unique.</source>
+        <comment>tree.swc-id-twice</comment>
+        <translation>第 %1 行 id 重复。id 必须唯一。</translation>
+    </message>
+    <message>
+        <source>line %1 names a parent, %2, that is not there. Export the whole tree.</source>
+        <comment>tree.swc-parent-missing</comment>
+        <translation>第 %1 行的父节点 %2 不存在。请导出整棵树。</translation>
+    </message>
+    <message>
+        <source>the first line must name the columns: x,y,z and, where known, radius,branch.</source>
+        <comment>tree.table-no-header</comment>
+        <translation>首行须为列名：x,y,z 以及已知的 radius,branch。</translation>
+    </message>
+    <message>
+        <source>the header row has no columns x, y and z. Name them (mm, patient LPS).</source>
+        <comment>tree.table-no-columns</comment>
+        <translation>表头缺少 x、y、z 列。请命名（mm，患者 LPS）。</translation>
+    </message>
+    <message>
+        <source>it looks like a list of graph nodes (column id), which has no order along the vessels. Give a branch column, or export the centrelines themselves.</source>
+        <comment>tree.table-is-graph</comment>
+        <translation>像是图节点列表（id 列），没有沿血管的顺序。请给出 branch 列，或导出中心线本身。</translation>
+    </message>
+    <message>
+        <source>there is no DICOM image in this folder. Choose the folder of a DICOM scan, or a volume file itself.</source>
+        <comment>series.none</comment>
+        <translation>此文件夹中没有 DICOM 图像。请选择 DICOM 扫描所在文件夹，或直接选择体数据文件。</translation>
+    </message>
+    <message>
+        <source>this DICOM file holds no image. Choose a scan.</source>
+        <comment>series.file-without-image</comment>
+        <translation>此 DICOM 文件不含图像。请选择扫描。</translation>
+    </message>
+    <message>
+        <source>the series %1 is not in this folder. Choose the folder it is in.</source>
+        <comment>series.not-here</comment>
+        <translation>序列 %1 不在此文件夹。请选择其所在文件夹。</translation>
+    </message>
+    <message>
+        <source>the series of the case is not in this folder. Choose the folder it is in.</source>
+        <comment>series.of-case-not-here</comment>
+        <translation>病例的序列不在此文件夹。请选择其所在文件夹。</translation>
+    </message>
+    <message>
+        <source>no series in this folder makes a volume. Choose another folder.</source>
+        <comment>series.none-makes-volume</comment>
+        <translation>此文件夹中没有序列可组成体数据。请选择其他文件夹。</translation>
+    </message>
+    <message>
+        <source>it holds %1 volumes (%2). Choose one by its series id; `info` lists them.</source>
+        <comment>series.several</comment>
+        <translation>含 %1 个体数据（%2）。请按序列号选择；`info` 可列出。</translation>
+    </message>
+    <message>
+        <source>this is an X-ray run, not a volume. Open it as the angiogram.</source>
+        <comment>series.is-xray</comment>
+        <translation>这是 X 线序列，不是体数据。请作为造影图像打开。</translation>
+    </message>
+    <message>
+        <source>it is a DICOM segmentation. Export it as a NIfTI or NRRD label image.</source>
+        <comment>series.is-segmentation</comment>
+        <translation>是 DICOM 分割。请导出为 NIfTI 或 NRRD 标签图像。</translation>
+    </message>
+    <message>
+        <source>it is a single slice, not a volume. Copy all slices of the series, or choose another one.</source>
+        <comment>series.single-slice</comment>
+        <translation>是单层而非体数据。请复制该序列全部层面，或另选。</translation>
+    </message>
+    <message>
+        <source>its images do not say how large a pixel is, so they make no volume. Choose another series.</source>
+        <comment>series.no-pixel-size</comment>
+        <translation>图像未说明像素大小，无法组成体数据。请选择其他序列。</translation>
+    </message>
+    <message>
+        <source>its images do not say where they lie in the patient, so they make no volume. Choose another series.</source>
+        <comment>series.no-place</comment>
+        <translation>图像未说明在患者中的位置，无法组成体数据。请选择其他序列。</translation>
+    </message>
+    <message>
+        <source>its slices lie beside each other rather than above. Choose another series.</source>
+        <comment>series.beside-each-other</comment>
+        <translation>层面并排而非堆叠。请选择其他序列。</translation>
+    </message>
+    <message>
+        <source>its slices lie too unevenly to make a volume of them (%1 over %2). Copy all slices of the series, or choose another one.</source>
+        <comment>series.too-uneven</comment>
+        <translation>层间距过于不均，无法组成体数据（%2 内 %1 层）。请复制全部层面，或另选。</translation>
+    </message>
+    <message>
+        <source>it is a colour image. Choose the scan itself, in grey values.</source>
+        <comment>series.colour</comment>
+        <translation>是彩色图像。请选择灰度扫描本身。</translation>
+    </message>
+    <message>
+        <source>its pixels are not of the size its header gives. Export it again.</source>
+        <comment>series.slice-size</comment>
+        <translation>像素尺寸与文件头不符。请重新导出。</translation>
+    </message>
+    <message>
+        <source>The slices are unevenly spaced (%1 to %2): resampled to %3.</source>
+        <comment>series.uneven-slices</comment>
+        <translation>层间距不均（%1 至 %2）：已重采样为 %3。</translation>
+    </message>
+    <message>
+        <source>The slices are not stacked upright (%1 off, as with a tilted gantry): shifted within their planes to where they lie.</source>
+        <comment>series.slanted</comment>
+        <translation>层面未垂直堆叠（偏 %1，如机架倾斜）：已在面内平移到实际位置。</translation>
+    </message>
+    <message>
+        <source>1 of %1 slices is missing (%2): filled in between their neighbours. Copy the series again if you can.</source>
+        <comment>series.slice-missing</comment>
+        <translation>%1 层中缺 1 层（%2）：已由相邻层插补。如可能请重新复制该序列。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 slices are missing (%3): filled in between their neighbours. Copy the series again if you can.</source>
+        <comment>series.slices-missing</comment>
+        <translation>%2 层中缺 %1 层（%3）：已由相邻层插补。如可能请重新复制该序列。</translation>
+    </message>
+    <message>
+        <source>after slice %1</source>
+        <comment>series.after-slices</comment>
+        <translation>第 %1 层之后</translation>
+    </message>
+    <message>
+        <source>after slice %1 and elsewhere</source>
+        <comment>series.after-slices-and-elsewhere</comment>
+        <translation>第 %1 层之后 等处</translation>
+    </message>
+    <message>
+        <source>%1 of %2 slices lie where another one does; the first recorded of each is used.</source>
+        <comment>series.overlap</comment>
+        <translation>%2 层中 %1 层位置重复；采用最先采集的。</translation>
+    </message>
+    <message>
+        <source>%1 files of the series are there twice.</source>
+        <comment>series.files-twice</comment>
+        <translation>该序列 %1 个文件重复。</translation>
+    </message>
+    <message>
+        <source>%1 files of the series are damaged at their end.</source>
+        <comment>series.files-damaged</comment>
+        <translation>该序列 %1 个文件末尾损坏。</translation>
+    </message>
+    <message>
+        <source>The series mixes images of %1 sizes or orientations; each is listed by itself.</source>
+        <comment>series.mixed</comment>
+        <translation>该序列混有 %1 种尺寸或方位的图像；已分别列出。</translation>
+    </message>
+    <message>
+        <source>part %1 of %2</source>
+        <comment>series.part</comment>
+        <translation>第 %1 部分，共 %2</translation>
+    </message>
+    <message>
+        <source>Its slices are stored with different scales or as float. %1</source>
+        <comment>series.scales</comment>
+        <translation>其层面以不同比例或浮点存储。%1</translation>
+    </message>
+    <message>
+        <source>this is no volume that this program reads. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).</source>
+        <comment>volume.unknown</comment>
+        <translation>这不是本程序可读取的体数据。请选择 DICOM 文件夹、NIfTI、NRRD 或 MetaImage（.mha、.mhd）。</translation>
+    </message>
+    <message>
+        <source>this is %1, not a volume. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).</source>
+        <comment>volume.is-other</comment>
+        <translation>这是%1，不是体数据。请选择 DICOM 文件夹、NIfTI、NRRD 或 MetaImage（.mha、.mhd）。</translation>
+    </message>
+    <message>
+        <source>this is an Analyze 7.5 header, which does not say left from right. Convert it to NIfTI where the orientation is known.</source>
+        <comment>volume.analyze</comment>
+        <translation>这是 Analyze 7.5 文件头，不区分左右。请在已知方位处转换为 NIfTI。</translation>
+    </message>
+    <message>
+        <source>it holds a %1, not an image. Choose the scan.</source>
+        <comment>volume.holds-other</comment>
+        <translation>含 %1，而非图像。请选择扫描。</translation>
+    </message>
+    <message>
+        <source>it declares %1, more than this program holds. Crop the scan to the vessels.</source>
+        <comment>volume.declares</comment>
+        <translation>声明 %1，超出程序容量。请将扫描裁剪到血管范围。</translation>
+    </message>
+    <message>
+        <source>the volume is larger than this computer&apos;s memory. Crop the scan to the vessels.</source>
+        <comment>volume.larger-than-memory</comment>
+        <translation>体数据超过本机内存。请裁剪到血管范围。</translation>
+    </message>
+    <message>
+        <source>it has %1: a single slice is no volume. Choose the whole scan.</source>
+        <comment>volume.single-slice</comment>
+        <translation>有 %1：单层不是体数据。请选择完整扫描。</translation>
+    </message>
+    <message>
+        <source>it is %1-dimensional, but a volume has three dimensions. Choose the whole scan.</source>
+        <comment>volume.not-three-dimensional</comment>
+        <translation>为 %1 维，而体数据为三维。请选择完整扫描。</translation>
+    </message>
+    <message>
+        <source>it has %1 dimensions (4-D or more). Save the one volume to use and open that.</source>
+        <comment>volume.dimensions</comment>
+        <translation>有 %1 维（四维或以上）。请单独保存所需体数据再打开。</translation>
+    </message>
+    <message>
+        <source>it holds %1 volumes or values per voxel (4-D). Extract the one to use and open that.</source>
+        <comment>volume.several-4d</comment>
+        <translation>含 %1 个体数据或每体素多值（四维）。请提取所需的再打开。</translation>
+    </message>
+    <message>
+        <source>it holds %1 volumes, layers or values per voxel (4-D). Save the one to use and open that.</source>
+        <comment>volume.several-layers</comment>
+        <translation>含 %1 个体数据、层或每体素多值（四维）。请单独保存所需的再打开。</translation>
+    </message>
+    <message>
+        <source>it has %1 values per voxel. Choose the scan itself, in grey values.</source>
+        <comment>volume.channels</comment>
+        <translation>每体素有 %1 个值。请选择灰度扫描本身。</translation>
+    </message>
+    <message>
+        <source>its first axis has %1 entries: this is a colour picture, not a volume. Choose the scan.</source>
+        <comment>volume.colour-axis</comment>
+        <translation>第一轴有 %1 项：这是彩色图片而非体数据。请选择扫描。</translation>
+    </message>
+    <message>
+        <source>its voxels are colours. Choose the scan itself, in grey values.</source>
+        <comment>volume.colours</comment>
+        <translation>体素为彩色。请选择灰度扫描本身。</translation>
+    </message>
+    <message>
+        <source>its header gives %1. The file is damaged; export it again.</source>
+        <comment>volume.header-gives</comment>
+        <translation>文件头给出 %1。文件损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>its header gives no usable voxel size or place. Export the volume again.</source>
+        <comment>volume.no-place</comment>
+        <translation>文件头无可用的体素大小或位置。请重新导出。</translation>
+    </message>
+    <message>
+        <source>its header is damaged: it names %1 dimensions. Export it again.</source>
+        <comment>volume.header-dimensions</comment>
+        <translation>文件头损坏：标注 %1 维。请重新导出。</translation>
+    </message>
+    <message>
+        <source>its header is damaged: the voxels begin at an impossible place. Export it again.</source>
+        <comment>volume.impossible-start</comment>
+        <translation>文件头损坏：体素起始位置不可能。请重新导出。</translation>
+    </message>
+    <message>
+        <source>its axes are %1 apart instead of 90°. Resample the volume to perpendicular axes.</source>
+        <comment>volume.skewed</comment>
+        <translation>各轴夹角为 %1 而非 90°。请重采样到正交轴。</translation>
+    </message>
+    <message>
+        <source>its DimSize makes no sense. The file is damaged; export it again.</source>
+        <comment>volume.dim-size</comment>
+        <translation>DimSize 无意义。文件损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>its HeaderSize makes no sense. Correct the header.</source>
+        <comment>volume.header-size</comment>
+        <translation>HeaderSize 无意义。请更正文件头。</translation>
+    </message>
+    <message>
+        <source>it does not say where its voxels are (ElementDataFile). Export it again.</source>
+        <comment>volume.no-data-file</comment>
+        <translation>未说明体素所在（ElementDataFile）。请重新导出。</translation>
+    </message>
+    <message>
+        <source>its sizes are no numbers. The file is damaged; export it again.</source>
+        <comment>volume.sizes-no-numbers</comment>
+        <translation>尺寸不是数字。文件损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>its line skip or byte skip makes no sense. Correct the header.</source>
+        <comment>volume.skips</comment>
+        <translation>line skip 或 byte skip 无意义。请更正文件头。</translation>
+    </message>
+    <message>
+        <source>it skips lines of another file. Save header and voxels as one file.</source>
+        <comment>volume.skips-lines-elsewhere</comment>
+        <translation>跳过了另一文件的行。请将文件头与体素保存为一个文件。</translation>
+    </message>
+    <message>
+        <source>its voxels lie in several files. Save it as one file.</source>
+        <comment>volume.several-files</comment>
+        <translation>体素分在多个文件。请存为一个文件。</translation>
+    </message>
+    <message>
+        <source>its voxel type (&quot;%1&quot;) is not read. Save it as 16-bit or float.</source>
+        <comment>volume.voxel-type</comment>
+        <translation>不支持体素类型（&quot;%1&quot;）。请存为 16 位或浮点。</translation>
+    </message>
+    <message>
+        <source>its voxel type (NIfTI datatype %1) is not read. Save it as 16-bit or float.</source>
+        <comment>volume.nifti-type</comment>
+        <translation>不支持体素类型（NIfTI 类型 %1）。请存为 16 位或浮点。</translation>
+    </message>
+    <message>
+        <source>its voxels are packed with bzip2. Save it with gzip or raw encoding.</source>
+        <comment>volume.bzip2</comment>
+        <translation>体素以 bzip2 压缩。请用 gzip 或 raw 编码保存。</translation>
+    </message>
+    <message>
+        <source>its voxels are written as text (%1). Save it with gzip or raw encoding.</source>
+        <comment>volume.text-encoding</comment>
+        <translation>体素以文本写入（%1）。请用 gzip 或 raw 编码保存。</translation>
+    </message>
+    <message>
+        <source>its voxels are written as text. Save it with binary data.</source>
+        <comment>volume.text</comment>
+        <translation>体素以文本写入。请以二进制保存。</translation>
+    </message>
+    <message>
+        <source>its voxels are cut short, or their packing is damaged. Copy or export it again.</source>
+        <comment>volume.packing-damaged</comment>
+        <translation>体素被截断或压缩损坏。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>its voxels are cut short. Copy or export it again.</source>
+        <comment>volume.cut-short</comment>
+        <translation>体素被截断。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>its voxels are cut short: %1 of %2 bytes are there. Copy or export it again.</source>
+        <comment>volume.cut-short-by</comment>
+        <translation>体素被截断：%2 字节中仅有 %1。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>its voxels are in %1, which is not there. Copy both files together.</source>
+        <comment>volume.voxels-not-there</comment>
+        <translation>其体素在 %1 中，但该文件不存在。请将两个文件一起复制。</translation>
+    </message>
+    <message>
+        <source>the file with its voxels cannot be read (%1).</source>
+        <comment>volume.voxel-file-not-read</comment>
+        <translation>无法读取体素文件（%1）。</translation>
+    </message>
+    <message>
+        <source>its voxels begin with the header of another volume. Open that file itself, or give the bytes to skip: -1 where the voxels are the last ones.</source>
+        <comment>volume.voxels-are-header</comment>
+        <translation>其体素以另一个体数据的文件头开始。请直接打开该文件，或给出要跳过的字节数：体素位于末尾时为 -1。</translation>
+    </message>
+    <message>
+        <source>none of its voxels is a number. Export the volume again.</source>
+        <comment>volume.no-numbers</comment>
+        <translation>没有体素是数字。请重新导出。</translation>
+    </message>
+    <message>
+        <source>%1 voxels are not numbers; they are taken as the lowest value.</source>
+        <comment>volume.not-numbers</comment>
+        <translation>%1 个体素不是数字；按最低值处理。</translation>
+    </message>
+    <message>
+        <source>The %1 voxels are rounded to 16 bit, in steps of %2.</source>
+        <comment>volume.rounded</comment>
+        <translation>%1 体素舍入为 16 位，步长 %2。</translation>
+    </message>
+    <message>
+        <source>The header does not say how the axes lie in the patient: i to the left, j to the back and k to the head are assumed. Check left and right.</source>
+        <comment>volume.axes-assumed</comment>
+        <translation>文件头未说明轴向：假定 i 向左、j 向后、k 向头。请核对左右。</translation>
+    </message>
+    <message>
+        <source>The header does not say how the voxels lie in the patient: +x right to left, +y front to back and +z up are assumed to be i, j reversed and k. Check left and right.</source>
+        <comment>volume.voxels-assumed</comment>
+        <translation>文件头未说明体素方位：假定 +x 右到左、+y 前到后、+z 向上分别为 i、反向 j 和 k。请核对左右。</translation>
+    </message>
+    <message>
+        <source>The header gives no voxel size: 1 x 1 x 1 mm is assumed.</source>
+        <comment>volume.size-assumed</comment>
+        <translation>文件头无体素大小：假定为 1 x 1 x 1 mm。</translation>
+    </message>
+    <message>
+        <source>The voxel size is given as 1 x 1 x 1 mm: check that it was not lost on the way.</source>
+        <comment>volume.size-of-one</comment>
+        <translation>体素大小为 1 x 1 x 1 mm：请确认未在转换中丢失。</translation>
+    </message>
+    <message>
+        <source>Its two placements (qform and sform) differ; the qform, in the scanner&apos;s coordinates, is used.</source>
+        <comment>volume.nifti-qform-used</comment>
+        <translation>两种定位（qform 与 sform）不一致；采用扫描仪坐标的 qform。</translation>
+    </message>
+    <message>
+        <source>Its two placements (qform and sform) differ; the sform is used.</source>
+        <comment>volume.nifti-sform-used</comment>
+        <translation>两种定位（qform 与 sform）不一致；采用 sform。</translation>
+    </message>
+    <message>
+        <source>NIfTI holds at most 32767 voxels along an axis. Write .nrrd or .mha.</source>
+        <comment>volume.nifti-too-long</comment>
+        <translation>NIfTI 每轴最多 32767 个体素。请写为 .nrrd 或 .mha。</translation>
+    </message>
+    <message>
+        <source>volumes are written as .nii, .nii.gz, .nrrd or .mha. Change the extension.</source>
+        <comment>volume.extension</comment>
+        <translation>体数据写为 .nii、.nii.gz、.nrrd 或 .mha。请更改扩展名。</translation>
+    </message>
+    <message>
+        <source>there are no voxels to write. Load a volume first.</source>
+        <comment>volume.nothing-to-write</comment>
+        <translation>没有可写入的体素。请先载入体数据。</translation>
+    </message>
+    <message>
+        <source>there is no memory left to pack the volume.</source>
+        <comment>volume.no-memory-to-pack</comment>
+        <translation>内存不足，无法压缩体数据。</translation>
+    </message>
+    <message>
+        <source>this DICOM file is no segmentation. Choose a label image.</source>
+        <comment>labels.no-segmentation</comment>
+        <translation>该 DICOM 文件不是分割结果。请选择标签图像。</translation>
+    </message>
+    <message>
+        <source>it has one plane: a single slice is no volume. Choose the whole segmentation.</source>
+        <comment>labels.one-plane</comment>
+        <translation>它只有一个平面：单个切片不是体数据。请选择完整的分割。</translation>
+    </message>
+    <message>
+        <source>it holds %1, which is no label: labels are whole numbers from 0. Choose a label image.</source>
+        <comment>labels.no-whole-number</comment>
+        <translation>含 %1，不是标签：标签为从 0 起的整数。请选择标签图像。</translation>
+    </message>
+    <message>
+        <source>nothing is marked in it: every voxel is background. Choose another segmentation.</source>
+        <comment>labels.nothing-marked</comment>
+        <translation>其中没有标记：所有体素均为背景。请选择其他分割。</translation>
+    </message>
+    <message>
+        <source>it has no label %1 but %2. Choose one of these.</source>
+        <comment>labels.no-such-number</comment>
+        <translation>它没有标签 %1，只有 %2。请从中选择。</translation>
+    </message>
+    <message>
+        <source>it has no label &quot;%1&quot; but %2. Choose one of these.</source>
+        <comment>labels.no-such-name</comment>
+        <translation>它没有标签“%1”，只有 %2。请从中选择。</translation>
+    </message>
+    <message>
+        <source>none at all</source>
+        <comment>labels.none</comment>
+        <translation>完全没有标签</translation>
+    </message>
+    <message>
+        <source>Labels traced: %1.</source>
+        <comment>labels.traced</comment>
+        <translation>已追踪的标签：%1。</translation>
+    </message>
+    <message>
+        <source>Labels left out, by their names: %1.</source>
+        <comment>labels.left-out</comment>
+        <translation>按名称略去的标签：%1。</translation>
+    </message>
+    <message>
+        <source>The volume holds labels: its vessels are taken as they are marked.</source>
+        <comment>labels.volume-holds-labels</comment>
+        <translation>体数据为标签：血管按标记采用。</translation>
     </message>
 </context>
 <context>

@@ -15,7 +15,7 @@ protected:
     {
         const auto path = writeSampleCase();
         ASSERT_TRUE(path) << path.error().message;
-        std::vector<std::string> warnings;
+        core::Messages warnings;
         auto loaded = io::loadCase(path.value().toStdString(), warnings);
         ASSERT_TRUE(loaded) << loaded.error().message;
         sample = std::move(loaded).value();

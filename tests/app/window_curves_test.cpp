@@ -184,7 +184,7 @@ TEST_F(WindowCurves, SurviveSavingAndReopening)
     ASSERT_TRUE(QTest::qWaitFor([&isSaved] { return isSaved; }, test::patienceMs));
 
     // The command line reads the same target from the file.
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     const auto loaded = io::loadCase(path, warnings);
     ASSERT_TRUE(loaded) << loaded.error().message;
     const auto same = core::targetOf(loaded.value());

@@ -90,9 +90,8 @@ TEST_F(WindowSubtraction, OneKeySwitchesToAndFro)
 TEST_F(WindowSubtraction, TheShownPictureIsTheOneTraced)
 {
     markFirstFrames();
-    ASSERT_TRUE(QTest::qWaitFor(
-        [this] { return w.controller.target().current() || !w.controller.target().problem().isEmpty(); },
-        test::patienceMs));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return w.controller.target().current() || w.controller.target().problem(); },
+                                test::patienceMs));
     const auto expected = core::targetOf(w.current());
     ASSERT_EQ(expected ? true : false, w.controller.target().current() != nullptr);
     if (expected) {

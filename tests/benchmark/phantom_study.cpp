@@ -80,7 +80,7 @@ void printHeld(const std::vector<PhantomView>& views)
     }
     const auto held = core::registerViews(inputs, {}, {0.02, 10.0});
     if (!held) {
-        std::printf("%s\n", held.error().message.c_str());
+        std::printf("%s\n", held.error().message.text().c_str());
         return;
     }
     core::ResultTable table;
@@ -154,7 +154,7 @@ int main(int argc, char** argv)
     const auto registered = registerPhantom(
         arguments.positional().empty() ? phantomFolder() : std::filesystem::path(arguments.positional().front()), {});
     if (!registered) {
-        std::fprintf(stderr, "%s\n", registered.error().message.c_str());
+        std::fprintf(stderr, "%s\n", registered.error().message.text().c_str());
         return 1;
     }
     const std::vector<PhantomView>& views = registered.value();

@@ -82,13 +82,13 @@ int main(int argc, char** argv)
     options.method = arguments.text("method", options.method);
     for (const std::string& assignment : arguments.list("set", "")) {
         if (const auto status = core::setOption(options, assignment); !status) {
-            std::fprintf(stderr, "%s\n", status.error().message.c_str());
+            std::fprintf(stderr, "%s\n", status.error().message.text().c_str());
             return 2;
         }
     }
     const auto registered = registerPhantom(folder, options);
     if (!registered) {
-        std::fprintf(stderr, "%s\n", registered.error().message.c_str());
+        std::fprintf(stderr, "%s\n", registered.error().message.text().c_str());
         return 1;
     }
     const std::vector<PhantomView>& views = registered.value();

@@ -18,7 +18,7 @@ double milliseconds(std::chrono::steady_clock::time_point begin)
 
 core::Result<PhantomView> registerView(const std::filesystem::path& path, const core::RegistrationOptions& options)
 {
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     auto loaded = io::loadCase(path.string(), warnings);
     if (!loaded) {
         return loaded.error();

@@ -48,7 +48,7 @@ void registerOnce(benchmark::State& state, const std::string& method, const std:
     while (state.KeepRunning()) {
         const auto result = core::registerVessels(trials[next++ % trialCount].input, options);
         if (!result) {
-            state.SkipWithError(result.error().message.c_str());
+            state.SkipWithError(result.error().message.text().c_str());
             return;
         }
         stages.add(result.value().time);

@@ -79,7 +79,7 @@ void run(benchmark::State& state, const std::string& method, const core::Registr
     while (state.KeepRunning()) {
         const auto result = core::registerVessels(input, options, std::ref(allocations));
         if (!result) {
-            state.SkipWithError(result.error().message.c_str());
+            state.SkipWithError(result.error().message.text().c_str());
             return;
         }
         stages.add(result.value().time);

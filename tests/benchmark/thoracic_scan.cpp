@@ -55,7 +55,7 @@ core::Volume readScan(const std::string& relative)
 {
     auto read = io::readVolume(test::dataFile(relative).string());
     if (!read) {
-        std::printf("%s\n", read.error().message.c_str());
+        std::printf("%s\n", read.error().message.text().c_str());
         return {};
     }
     return std::move(read).value().volume;

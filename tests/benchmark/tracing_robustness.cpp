@@ -38,7 +38,7 @@ std::optional<core::ImageF> picture(const std::string& name)
 {
     auto read = io::readAngiogram(test::dataFile("coronary-angiograms-with-masks/training/" + name).string());
     if (!read) {
-        std::fprintf(stderr, "%s\n", read.error().message.c_str());
+        std::fprintf(stderr, "%s\n", read.error().message.text().c_str());
         return std::nullopt;
     }
     return read.value().frames.front();
@@ -126,7 +126,7 @@ void addRow(core::ResultTable& table, const std::string& name, const benchmarks:
 {
     const auto traced = core::traceVessels(scan, options);
     if (!traced) {
-        table.rows.push_back({{name + ": " + traced.error().message, "", "", "", "", "", "", ""}, false});
+        table.rows.push_back({{name + ": " + traced.error().message.text(), "", "", "", "", "", "", ""}, false});
         return;
     }
     const core::VesselTree& tree = traced.value().tree;

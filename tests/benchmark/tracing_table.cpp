@@ -51,7 +51,7 @@ core::ImageF picture(const std::filesystem::path& path)
 {
     auto read = io::readAngiogram(path.string());
     if (!read) {
-        std::fprintf(stderr, "%s\n", read.error().message.c_str());
+        std::fprintf(stderr, "%s\n", read.error().message.text().c_str());
         return {};
     }
     return read.value().frames.front();

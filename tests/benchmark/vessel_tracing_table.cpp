@@ -64,7 +64,7 @@ void printSimulated(int seeds)
         std::optional<core::Result<core::TracedVessels>> traced;
         const Timing time = timed([&] { traced = core::traceVessels(cta.volume); });
         if (!*traced) {
-            add(table, {std::to_string(seed) + ": " + traced->error().message});
+            add(table, {std::to_string(seed) + ": " + traced->error().message.text()});
             continue;
         }
         const core::VesselTree& tree = traced->value().tree;
@@ -117,7 +117,7 @@ void addThoracic(core::ResultTable& table, const std::string& name, const core::
                  const ThoracicScan& thorax)
 {
     if (!traced) {
-        add(table, {name + ": " + traced.error().message});
+        add(table, {name + ": " + traced.error().message.text()});
         return;
     }
     const core::VesselTree& tree = traced.value().tree;
@@ -231,7 +231,7 @@ void printStent()
     std::optional<core::Result<core::TracedVessels>> traced;
     const Timing time = timed([&] { traced = core::traceVessels(scan); });
     if (!*traced) {
-        std::printf("%s\n", traced->error().message.c_str());
+        std::printf("%s\n", traced->error().message.text().c_str());
         return;
     }
     core::ResultTable table =

@@ -133,7 +133,7 @@ TEST_F(CliOnSimulatedCase, KeepsLockedDegreesOfFreedom)
         runCli({"register", casePath_, "--lock", "lao-rao,cra-cau,roll", "--output", folder_.file("locked"), "--json"});
     ASSERT_TRUE(outcome.exitCode == 0 || outcome.exitCode == 4) << outcome.exitCode << outcome.messages;
     const auto found = io::readPose(folder_.file("locked/result.json"));
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     const auto loaded = io::loadCase(casePath_, warnings);
     ASSERT_TRUE(found && loaded);
     EXPECT_LT((found.value().rotation - loaded.value().cameraFromPatient.rotation).norm(), 1e-12);

@@ -45,7 +45,7 @@ TEST(Cli, RegistersTheViewsThatStandInACase)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const TemporaryFolder folder;
     const fs::path cases = test::dataFile("coronary-phantom-xa/cases");
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     core::RegistrationCase both = io::loadCase((cases / "IM3.angiopose").string(), warnings).value();
     both.otherViews = {{{},
                         std::make_shared<const core::RegistrationCase>(

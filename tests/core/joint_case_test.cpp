@@ -83,7 +83,7 @@ TEST(JointInputs, NameTheViewThatLacksSomething)
     views[1].cArm.secondaryAngleDeg = {};
     const auto inputs = jointInputsOf(views, targets);
     ASSERT_FALSE(inputs);
-    EXPECT_NE(inputs.error().message.find("View 2"), std::string::npos);
+    EXPECT_NE(inputs.error().message.text().find("View 2"), std::string::npos);
 }
 
 TEST(WithFrame, TurnsThePosesWithTheGantry)

@@ -58,7 +58,7 @@ TEST(ReadAngiogram, NeverPassesADerivedSpacingForTheHeaders)
     EXPECT_NEAR(*angiogram.cArm.columnSpacingMm.value, 0.390625, 1e-12);
     EXPECT_NE(angiogram.cArm.columnSpacingMm.basis.find("field of view"), std::string::npos);
     ASSERT_EQ(angiogram.warnings.size(), 1u);
-    EXPECT_NE(angiogram.warnings.front().find("(0018,1164)"), std::string::npos);
+    EXPECT_NE(angiogram.warnings.front().text().find("(0018,1164)"), std::string::npos);
 }
 
 namespace {

@@ -50,7 +50,7 @@ TEST(CaseSnapshots, AreRestoredToTheLastBit)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const test::TemporaryFolder folder;
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     auto loaded = io::loadCase(phantomPath(), warnings);
     ASSERT_TRUE(loaded);
     core::RegistrationCase original = std::move(loaded).value();
@@ -86,7 +86,7 @@ TEST(CaseSnapshots, WithNumbersThatAreNoneAreStillReadable)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const test::TemporaryFolder folder;
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     auto loaded = io::loadCase(phantomPath(), warnings);
     ASSERT_TRUE(loaded);
     core::PoseSnapshot unseen = sampleSnapshot();
@@ -103,7 +103,7 @@ TEST(CaseSnapshots, ThatMakeNoSenseAreRefusedInWords)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const test::TemporaryFolder folder;
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     auto loaded = io::loadCase(phantomPath(), warnings);
     ASSERT_TRUE(loaded);
     const nlohmann::json zero =
@@ -112,7 +112,7 @@ TEST(CaseSnapshots, ThatMakeNoSenseAreRefusedInWords)
     for (const nlohmann::json& patch : {zero, missing}) {
         const auto broken = io::loadCase(savedWith(folder, loaded.value(), patch), warnings);
         ASSERT_FALSE(broken);
-        EXPECT_NE(broken.error().message.find("snapshots"), std::string::npos) << broken.error().message;
+        EXPECT_NE(broken.error().message.text().find("snapshots"), std::string::npos) << broken.error().message;
     }
 }
 

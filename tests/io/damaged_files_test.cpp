@@ -50,7 +50,7 @@ constexpr const char* swcText =
 void readAsEverything(const std::string& path)
 {
     if (const auto tree = io::readVesselTree(path); tree) {
-        EXPECT_EQ(core::findProblem(tree.value()), "");
+        EXPECT_FALSE(core::findProblem(tree.value()));
     }
     if (const auto angiogram = io::readAngiogram(path); angiogram) {
         for (const core::ImageF& frame : angiogram.value().frames) {
@@ -59,12 +59,12 @@ void readAsEverything(const std::string& path)
         }
     }
     if (const auto target = io::readCenterline2d(path); target) {
-        EXPECT_EQ(core::findProblem(target.value()), "");
+        EXPECT_FALSE(core::findProblem(target.value()));
     }
     if (const auto pose = io::readPose(path); pose) {
         EXPECT_TRUE(core::isRigid(pose.value()));
     }
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     (void)io::validateCase(path);
     (void)io::loadCase(path, warnings);
 }
@@ -143,7 +143,7 @@ TEST(DamagedFiles, AreRefusedBeforeMemoryIsSpent)
         "# vtk DataFile Version 3.0\nlies\nASCII\nDATASET POLYDATA\nPOINTS 2000000000 float\n0 0 0\n";
     const auto legacy = io::readVesselTree(folder.write("points.vtk", points));
     ASSERT_FALSE(legacy);
-    EXPECT_NE(legacy.error().message.find("POINTS"), std::string::npos);
+    EXPECT_NE(legacy.error().message.text().find("POINTS"), std::string::npos);
 
     const std::string xml =
         "<?xml version=\"1.0\"?><VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"2000000000\" "
@@ -154,9 +154,10 @@ TEST(DamagedFiles, AreRefusedBeforeMemoryIsSpent)
 TEST(UnreadableInputs, SayWhatTheyAre)
 {
     const test::TemporaryFolder folder;
-    EXPECT_NE(io::readAngiogram(folder.file("absent.dcm")).error().message.find("no such file"), std::string::npos);
-    EXPECT_NE(io::readAngiogram(folder.write("empty.dcm", "")).error().message.find("empty"), std::string::npos);
+    EXPECT_NE(io::readAngiogram(folder.file("absent.dcm")).error().message.text().find("no such file"),
+              std::string::npos);
+    EXPECT_NE(io::readAngiogram(folder.write("empty.dcm", "")).error().message.text().find("empty"), std::string::npos);
     std::filesystem::create_directory(folder.file("folder.vtp"));
-    EXPECT_NE(io::readVesselTree(folder.file("folder.vtp")).error().message.find("folder"), std::string::npos);
-    EXPECT_NE(io::readVesselTree("/dev/zero").error().message.find("not a regular file"), std::string::npos);
+    EXPECT_NE(io::readVesselTree(folder.file("folder.vtp")).error().message.text().find("folder"), std::string::npos);
+    EXPECT_NE(io::readVesselTree("/dev/zero").error().message.text().find("not a regular file"), std::string::npos);
 }

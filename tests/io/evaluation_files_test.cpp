@@ -70,7 +70,7 @@ TEST(RunFiles, BrokenOnesAreRefusedByName)
         test::writeText(folder.file("runs.csv"), text);
         const auto read = io::readRuns(folder.file(""));
         ASSERT_FALSE(read);
-        EXPECT_NE(read.error().message.find("runs.csv"), std::string::npos) << read.error().message;
+        EXPECT_NE(read.error().message.text().find("runs.csv"), std::string::npos) << read.error().message;
     }
 }
 

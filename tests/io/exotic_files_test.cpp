@@ -43,7 +43,7 @@ void readWithEveryReader(const std::string& path)
     if (const auto tree = io::readVesselTree(path); !tree) {
         expectClearMessage(tree.error(), path);
     } else {
-        EXPECT_EQ(core::findProblem(tree.value()), "");
+        EXPECT_FALSE(core::findProblem(tree.value()));
     }
     if (const auto angiogram = io::readAngiogram(path); !angiogram) {
         expectClearMessage(angiogram.error(), path);
@@ -58,7 +58,7 @@ void readWithEveryReader(const std::string& path)
         expectClearMessage(pose.error(), path);
     }
     if (const auto volume = io::readVolume(path); !volume) {
-        EXPECT_NE(volume.error().message.find(": "), std::string::npos) << volume.error().message;
+        EXPECT_NE(volume.error().message.text().find(": "), std::string::npos) << volume.error().message;
         EXPECT_TRUE(volume.error().message.ends_with(".")) << volume.error().message;
     } else {
         EXPECT_EQ(volume.value().volume.voxels.size(), volume.value().volume.geometry.voxelCount());
@@ -66,7 +66,7 @@ void readWithEveryReader(const std::string& path)
     if (const auto labels = io::readLabels(path); !labels) {
         EXPECT_TRUE(labels.error().message.ends_with(".")) << labels.error().message;
     }
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     const auto loaded = io::loadCase(path, warnings);
     ASSERT_FALSE(loaded);
     expectClearMessage(loaded.error(), path);
@@ -95,10 +95,10 @@ TEST(LfsPointers, AreNamedAsWhatTheyAre)
         const std::string path = test::dataFile(std::string("exotic-lfs-pointers/") + name).string();
         const auto tree = io::readVesselTree(path);
         ASSERT_FALSE(tree);
-        EXPECT_NE(tree.error().message.find("git lfs pull"), std::string::npos);
+        EXPECT_NE(tree.error().message.text().find("git lfs pull"), std::string::npos);
         const auto angiogram = io::readAngiogram(path);
         ASSERT_FALSE(angiogram);
-        EXPECT_NE(angiogram.error().message.find("git lfs pull"), std::string::npos);
+        EXPECT_NE(angiogram.error().message.text().find("git lfs pull"), std::string::npos);
     }
 }
 

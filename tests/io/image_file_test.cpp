@@ -1,6 +1,7 @@
 #include "io/image_file.h"
 
 #include "io/angiogram_file.h"
+#include "io/messages/says.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +38,7 @@ TEST(WritePng, TurnsColourIntoLuminanceWithAWarning)
     const auto read = io::readAngiogram(folder.file("red.png"));
     ASSERT_TRUE(read);
     EXPECT_NEAR(read.value().frames[0].at(3, 3), 0.299 * 200, 0.01);
-    EXPECT_EQ(read.value().warnings.front(), "Colour image converted to grey.");
+    EXPECT_EQ(read.value().warnings.front(), io::says::colourToGrey());
 }
 
 TEST(WritePng, RefusesAnEmptyPicture)

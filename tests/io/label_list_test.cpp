@@ -76,7 +76,7 @@ TEST(LabelList, FindsLabelsByNumberAndName)
     EXPECT_EQ(found.value(), (std::vector<int>{2, 1}));
     const auto missing = io::labelsCalled({"spleen"}, labels);
     ASSERT_FALSE(missing);
-    EXPECT_NE(missing.error().message.find("1 liver, 2 Aorta"), std::string::npos) << missing.error().message;
+    EXPECT_NE(missing.error().message.text().find("1 liver, 2 Aorta"), std::string::npos) << missing.error().message;
 }
 
 /// The fork is called an artery, the box an organ.
@@ -116,8 +116,8 @@ TEST(LabelList, TracingTakesTheVesselsAndSaysSo)
     EXPECT_EQ(traced.value().input.labels, std::vector<int>{2});
     EXPECT_EQ(test::endsOf(traced.value().tree), 3);
     ASSERT_EQ(traced.value().warnings.size(), 2U);
-    EXPECT_EQ(traced.value().warnings[0], "Labels traced: 2 hepatic artery.");
-    EXPECT_EQ(traced.value().warnings[1], "Labels left out, by their names: 7 liver.");
+    EXPECT_EQ(traced.value().warnings[0].text(), "Labels traced: 2 hepatic artery.");
+    EXPECT_EQ(traced.value().warnings[1].text(), "Labels left out, by their names: 7 liver.");
 }
 
 TEST(LabelList, TracingRefusesALabelThatIsNotThere)
@@ -128,7 +128,7 @@ TEST(LabelList, TracingRefusesALabelThatIsNotThere)
     input.labels = {5};
     const auto traced = io::readVessels(namedFork(folder), input);
     ASSERT_FALSE(traced);
-    EXPECT_NE(traced.error().message.find("it has no label 5 but 2 hepatic artery, 7 liver"), std::string::npos)
+    EXPECT_NE(traced.error().message.text().find("it has no label 5 but 2 hepatic artery, 7 liver"), std::string::npos)
         << traced.error().message;
 }
 

@@ -1,4 +1,5 @@
 #include "io/moved_inputs.h"
+#include "io/messages/says.h"
 
 #include "io/case_file.h"
 #include "tests/support/temporary_folder.h"
@@ -19,7 +20,7 @@ class MovedCase {
 public:
     MovedCase()
     {
-        std::vector<std::string> warnings;
+        core::Messages warnings;
         const auto path = test::dataFile("coronary-phantom-xa/cases/IM4.angiopose");
         core::RegistrationCase values = io::loadCase(path.string(), warnings).value();
         tree_ = copied(values.centerlineFile.path, "inputs");
@@ -67,7 +68,7 @@ TEST(MovedInputs, AreFoundInSubFoldersEvenUnderAnotherName)
     fs::rename(moved.tree(), newTree);
     fs::rename(moved.image(), newImage);
 
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     EXPECT_FALSE(io::loadCase(moved.casePath(), warnings));
     const auto missing = io::missingInputs(moved.casePath());
     ASSERT_TRUE(missing);
@@ -79,8 +80,8 @@ TEST(MovedInputs, AreFoundInSubFoldersEvenUnderAnotherName)
     ASSERT_TRUE(loaded) << loaded.error().message;
     EXPECT_TRUE(fs::equivalent(loaded.value().centerlineFile.path, newTree));
     EXPECT_TRUE(fs::equivalent(loaded.value().imageFile.path, newImage));
-    for (const std::string& warning : warnings) {
-        EXPECT_EQ(warning.find("has changed"), std::string::npos) << warning;
+    for (const core::Message& warning : warnings) {
+        EXPECT_FALSE(warning.is(io::says::caseFileChanged)) << warning;
     }
 }
 

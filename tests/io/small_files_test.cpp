@@ -1,3 +1,4 @@
+#include "core/messages/says.h"
 #include "io/centerline2d_file.h"
 #include "io/file_hash.h"
 #include "io/image_file.h"
@@ -19,7 +20,7 @@ core::RigidTransform oddPose()
 
 std::string errorOf(const core::Result<core::RigidTransform>& pose)
 {
-    return pose ? "loaded" : pose.error().message;
+    return pose ? "loaded" : pose.error().message.text();
 }
 
 }   // namespace
@@ -85,7 +86,7 @@ TEST(ResultJson, HasEveryPromisedKey)
     result.uncertainty.covariance(2, 5) = 0.125;
     result.branches.push_back({4, 20, 0.5, 1.5, 0.9});
     result.stopReason = core::StopReason::StoppedByUser;
-    result.warnings = {"one view cannot tell the depth"};
+    result.warnings = {core::says::trustDepthUnknown()};
     const nlohmann::json json = nlohmann::json::parse(io::resultJson(registrationCase, result));
     EXPECT_EQ(json["format"], "angiopose-result");
     EXPECT_EQ(json["version"], 1);
@@ -96,7 +97,8 @@ TEST(ResultJson, HasEveryPromisedKey)
     EXPECT_EQ(json["uncertainty"]["covariance"][2][5], 0.125);
     EXPECT_EQ(json["perBranch"][0]["branch"], 4);
     EXPECT_EQ(json["trustworthy"], false);
-    EXPECT_EQ(json["warnings"][0], "one view cannot tell the depth");
+    EXPECT_EQ(json["warnings"][0], core::says::trustDepthUnknown().text());
+    EXPECT_EQ(json["messages"][0]["id"], "trust.depth-unknown");
     EXPECT_EQ(json["stopReason"], core::toText(core::StopReason::StoppedByUser));
     EXPECT_TRUE(json["timeMs"].contains("total"));
     EXPECT_EQ(json["inputs"]["vessel"]["sha256"], std::string(64, 'a'));

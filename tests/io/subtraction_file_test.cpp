@@ -91,7 +91,7 @@ TEST(ReadSubtractionPlan, MissingFilesAreNamed)
 {
     const auto plan = io::readSubtractionPlan("/no/such/run.dcm");
     ASSERT_FALSE(plan);
-    EXPECT_NE(plan.error().message.find("/no/such/run.dcm"), std::string::npos);
+    EXPECT_NE(plan.error().message.text().find("/no/such/run.dcm"), std::string::npos);
 }
 
 }   // namespace

@@ -57,7 +57,7 @@ std::string bigEndian(Number value)
 std::string errorOf(const std::string& path)
 {
     const auto tree = io::readVesselTree(path);
-    return tree ? "loaded" : tree.error().message;
+    return tree ? "loaded" : tree.error().message.text();
 }
 
 constexpr const char* header = "# vtk DataFile Version 3.0\n";

@@ -2,7 +2,7 @@
 
 #include <QComboBox>
 #include <QGridLayout>
-#include "ui/words/core_texts.h"
+#include "ui/words/message_text.h"
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
@@ -181,7 +181,7 @@ void GeometryPanel::showRow(GeometryValue value)
     row(value).field->showValue(sourced.value);
     row(value).field->setAsking(isLooked && state_.imageSizePx.x() > 0 && !state_.cameraOverride);
     row(value).origin->setText(sourced.value || kindOf(value).isNeeded ? originWord(origin) : QString());
-    row(value).origin->setToolTip(coreText(sourced.basis));
+    row(value).origin->setToolTip(QString::fromStdString(sourced.basis));
     setRole(row(value).origin, isLooked ? "attention" : "hint");
 }
 
@@ -190,7 +190,7 @@ void GeometryPanel::showShownFrom()
     const auto& mirrored = state_.cArm.mirrored;
     shownFrom_->setCurrentIndex(mirrored.value.value_or(false) ? 1 : 0);
     shownFromOrigin_->setText(originWord(mirrored.value ? mirrored.origin : core::Origin::Assumed));
-    shownFromOrigin_->setToolTip(coreText(mirrored.basis));
+    shownFromOrigin_->setToolTip(QString::fromStdString(mirrored.basis));
 }
 
 void GeometryPanel::showHeader()
@@ -212,8 +212,8 @@ void GeometryPanel::showNotes()
     if (!state_.missing.isEmpty()) {
         notes << state_.missing;
     }
-    for (const std::string& contradiction : state_.contradictions) {
-        notes << coreText(contradiction);
+    for (const core::Message& contradiction : state_.contradictions) {
+        notes << messageText(contradiction);
     }
     if (state_.cArm.columnSpacingMm.origin == core::Origin::Derived && !state_.cameraOverride) {
         notes << tr(

@@ -2,6 +2,7 @@
 
 #include "core/geometry/c_arm.h"
 #include "core/geometry/gantry_header.h"
+#include "core/support/message.h"
 #include "ui/panels/number_field.h"
 
 #include <QString>
@@ -20,7 +21,7 @@ struct GeometryState {
     std::optional<Eigen::Vector3d> vesselCentroidMm;   ///< stands in for the isocentre
     std::optional<core::ProjectionCamera> cameraOverride;   ///< of the case file; wins over distances and spacing
     std::optional<double> vesselMmPerPx;   ///< scale at the vessels, when there is a pose
-    std::vector<std::string> contradictions;
+    core::Messages contradictions;
     QString missing;   ///< what keeps the camera or the start pose from being known; empty when nothing
 };
 

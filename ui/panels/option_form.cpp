@@ -2,8 +2,8 @@
 
 #include "ui/panels/number_field.h"
 #include "ui/panels/section.h"
-#include "ui/words/core_texts.h"
 #include "ui/words/spoken.h"
+#include "ui/words/terms.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -24,7 +24,7 @@ QString fromView(std::string_view text)
 /// "largest_squared" is a key of the case file; people read "largest squared".
 QString choiceText(std::string_view key)
 {
-    return coreText(fromView(key).replace(QLatin1Char('_'), QLatin1Char(' ')));
+    return termText(fromView(key).replace(QLatin1Char('_'), QLatin1Char(' ')));
 }
 
 bool appliesTo(const core::OptionField& field, const std::string& method)
@@ -79,10 +79,10 @@ void OptionForm::rebuild()
         }
         QWidget* editor = makeEditor(field);
         editor->setObjectName(fromView(field.key));
-        withName(editor, [&field] { return coreText(field.label); });
-        withTip(editor, [&field] { return coreText(field.help); });
-        auto* label = withText(roleLabel("label"), [&field] { return coreText(field.label); });
-        withTip(label, [&field] { return coreText(field.help); });
+        withName(editor, [&field] { return termText(field.label); });
+        withTip(editor, [&field] { return termText(field.help); });
+        auto* label = withText(roleLabel("label"), [&field] { return termText(field.label); });
+        withTip(label, [&field] { return termText(field.help); });
         form_->addRow(label, editor);
         refreshers_.back()();
     }
@@ -118,7 +118,7 @@ QWidget* OptionForm::makeEditor(const core::OptionField& field)
 void OptionForm::write(const core::OptionField& field, double value)
 {
     field.write(options_, value);
-    emit edited(options_, [&field] { return coreText(field.label); });   // the table of options stays
+    emit edited(options_, [&field] { return termText(field.label); });   // the table of options stays
 }
 
 }   // namespace angiopose::ui

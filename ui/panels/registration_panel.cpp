@@ -3,8 +3,8 @@
 #include "ui/actions/key_hint.h"
 #include "ui/help/help_page.h"
 #include "ui/panels/option_form.h"
-#include "ui/words/core_texts.h"
 #include "ui/words/spoken.h"
+#include "ui/words/terms.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -83,7 +83,7 @@ void RegistrationPanel::sayWords()
 {
     int index = 0;
     for (const core::MethodInfo& info : core::methodInfos()) {
-        method_->setItemData(index++, coreText(info.summary), Qt::ToolTipRole);
+        method_->setItemData(index++, termText(info.summary), Qt::ToolTipRole);
     }
     showOptions(options_);
     showViewCount(viewCount_);

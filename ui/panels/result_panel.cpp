@@ -3,10 +3,10 @@
 #include "ui/panels/result_sentences.h"
 #include "ui/plots/convergence_plot.h"
 #include "ui/plots/histogram_plot.h"
-#include "ui/words/core_texts.h"
 #include "ui/words/language.h"
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
+#include "ui/words/terms.h"
 
 #include <QHBoxLayout>
 
@@ -30,7 +30,7 @@ void showIn(QLabel* box, const QStringList& sentences)
 
 QString runSummary(const core::RegistrationResult& result)
 {
-    const QString words = coreText(core::toText(result.stopReason));
+    const QString words = termText(core::toText(result.stopReason));
     const double ms = result.time.totalMs;
     const QString time = ms >= 1000.0 ? ResultPanel::tr("%1 s").arg(numberText(ms / 1000.0, 1))
                                       : ResultPanel::tr("%1 ms").arg(numberText(ms, ms < 10.0 ? 1 : 0));

@@ -1,7 +1,8 @@
 #include "ui/panels/result_sentences.h"
 
-#include "ui/words/core_texts.h"
+#include "core/messages/says.h"
 #include "ui/words/language.h"
+#include "ui/words/message_text.h"
 #include "ui/words/number.h"
 
 #include <QCoreApplication>
@@ -55,7 +56,7 @@ QString agreement(const std::vector<core::BranchResidual>& branches, double mmPe
 QString depthWords(const core::RegistrationResult& result)
 {
     const core::PoseUncertainty& uncertainty = result.uncertainty;
-    const auto speaksOfDepth = [](const std::string& warning) { return warning.find("depth") != std::string::npos; };
+    const auto speaksOfDepth = [](const core::Message& warning) { return warning.is(core::says::trustDepthUnknown); };
     if (std::ranges::any_of(result.warnings, speaksOfDepth)) {
         return {};
     }
@@ -110,8 +111,8 @@ ResultSentences sentencesOf(const core::RegistrationResult& result, const core::
     } else {
         sentences.doubtful << ResultWords::tr("Look closely: this fit is not trustworthy.");
     }
-    for (const std::string& warning : result.warnings) {
-        sentences.doubtful << coreText(warning);
+    for (const core::Message& warning : result.warnings) {
+        sentences.doubtful << messageText(warning);
     }
     for (const QString& sentence : {depthWords(result), disagreement(result.branches, tree, millimetresPerPixel)}) {
         if (!sentence.isEmpty()) {

@@ -15,7 +15,7 @@ struct Beam {
     double sourceToDetectorMm = 0.0;
     core::RigidTransform patientFromCamera;
 
-    bool hasDetector() const { return sourceToDetectorMm > 0.0 && core::findProblem(camera).empty(); }
+    bool hasDetector() const { return sourceToDetectorMm > 0.0 && !core::findProblem(camera); }
     Eigen::Vector3d source() const { return patientFromCamera.translation; }
 
     /// From (u, v, 0) in image px to the place on the detector, patient mm.

@@ -69,7 +69,7 @@ struct OverlayScene::Parts {
     {
         if (std::exchange(isProjectionStale, false)) {
             content.tree =
-                core::findProblem(camera).empty() ? projectedTree(tree, camera, cameraFromPatient) : ProjectedTree{};
+                !core::findProblem(camera) ? projectedTree(tree, camera, cameraFromPatient) : ProjectedTree{};
             content.depthRange = depthRangeOf(content.tree);
         }
     }

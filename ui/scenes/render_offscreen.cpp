@@ -1,5 +1,6 @@
 #include "ui/scenes/render_offscreen.h"
 
+#include "core/messages/says.h"
 #include "ui/scenes/burn_text.h"
 
 #include <algorithm>
@@ -63,8 +64,7 @@ core::Result<core::ColorImage> renderOffscreen(OverlayScene& scene, int width, i
                                                const CornerTexts& texts, double scaleMaximumPx, double scaleMaximumMm)
 {
     if (width < 1 || height < 1 || width > largestPicturePx || height > largestPicturePx) {
-        return core::Error{"The picture must be 1 to " + std::to_string(largestPicturePx) +
-                           " px wide and high; choose another size."};
+        return core::Error(core::says::pictureSize(largestPicturePx));
     }
     const ViewKeeper keeper(scene);
     scene.setLineWidthPx(std::max(1.5, lineWidthShare * std::min(width, height)));

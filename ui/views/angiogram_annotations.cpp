@@ -3,7 +3,6 @@
 #include "ui/scenes/residual_scale.h"
 #include "ui/views/corner_blocks.h"
 #include "ui/views/shadowed_text.h"
-#include "ui/words/core_texts.h"
 #include "ui/words/number.h"
 
 #include <QCoreApplication>
@@ -32,7 +31,7 @@ QStringList toLines(const std::vector<std::string>& texts)
 {
     QStringList lines;
     for (const std::string& text : texts) {
-        lines << coreText(text);
+        lines << QString::fromStdString(text);
     }
     return lines;
 }

@@ -15,7 +15,7 @@ ToolPoint AngiogramView::Interaction::toolPoint(const QPointF& position, Qt::Key
 double AngiogramView::Interaction::mmPerImagePx() const
 {
     const double depth = (cameraFromPatient * pivotInPatient).z();
-    const bool isKnown = core::findProblem(camera).empty() && depth >= core::minProjectableDepthMm;
+    const bool isKnown = !core::findProblem(camera) && depth >= core::minProjectableDepthMm;
     return isKnown ? core::millimetresPerPixel(camera, depth) : 0.0;
 }
 
@@ -211,9 +211,8 @@ const Eigen::Vector3d& AngiogramView::pivotInPatient() const
 
 std::optional<QPointF> AngiogramView::placeOf(const Eigen::Vector3d& pointInPatient) const
 {
-    const auto pixel = core::findProblem(camera()).empty()
-                           ? core::project(camera(), cameraFromPatient() * pointInPatient)
-                           : std::nullopt;
+    const auto pixel =
+        !core::findProblem(camera()) ? core::project(camera(), cameraFromPatient() * pointInPatient) : std::nullopt;
     return pixel ? std::optional(widgetFromImage(*pixel)) : std::nullopt;
 }
 

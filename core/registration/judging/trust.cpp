@@ -1,5 +1,7 @@
 #include "core/registration/judging/trust.h"
 
+#include "core/messages/says.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,15 +21,9 @@ constexpr int convincingBranches = 4;
 constexpr double maxRotationStdDeg = 3.0;
 constexpr double maxInPlaneStdMm = 3.0;
 
-std::string percent(double share)
+Quantity percent(double share)
 {
-    return std::to_string(std::lround(100.0 * share)) + " %";
-}
-
-std::string millimetres(double length)
-{
-    const auto tenths = std::lround(10.0 * length);
-    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " mm";
+    return {100.0 * share, 0, "%"};
 }
 
 double shareOf(const std::vector<std::uint8_t>& flags)
@@ -51,36 +47,35 @@ bool followsVessels(const Evidence& evidence)
     return followed.share() >= convincingShare && followed.branchesFollowed >= convincingBranches;
 }
 
-void judgeFit(const Evidence& evidence, std::vector<std::string>& reasons)
+void judgeFit(const Evidence& evidence, Messages& reasons)
 {
     const double inView = shareOf(evidence.projected.isInView);
     const bool isDoubtful = inView < minInView || evidence.agreement < minAgreement;
     if (isDoubtful && !followsVessels(evidence)) {
         if (inView < minInView) {
-            reasons.push_back("Only " + percent(inView) + " of the vessel tree lies inside the image.");
+            reasons.push_back(says::trustOutsideImage(percent(inView)));
         }
         if (evidence.agreement < minAgreement) {
-            reasons.push_back("Only " + percent(agreeingShare(evidence.projected)) +
-                              " of the vessel tree lies on a traced vessel, and it explains " +
-                              percent(evidence.result.metrics.coverage) + " of the traced vessels.");
+            reasons.push_back(says::trustLittleAgreement(percent(agreeingShare(evidence.projected)),
+                                                         percent(evidence.result.metrics.coverage)));
         }
     }
     if (evidence.settlingMm > maxSettlingMm) {
-        reasons.push_back("The vessels fit better " + millimetres(evidence.settlingMm) + " aside.");
+        reasons.push_back(says::trustBetterAside(inMm(evidence.settlingMm, 1)));
     }
 }
 
-void judgeUncertainty(const PoseUncertainty& uncertainty, std::vector<std::string>& reasons)
+void judgeUncertainty(const PoseUncertainty& uncertainty, Messages& reasons)
 {
     const auto& observed = uncertainty.observed;
     if (!observed[0] || !observed[1] || uncertainty.rotationDeg.head<2>().maxCoeff() > maxRotationStdDeg) {
-        reasons.emplace_back("The image hardly tells how the vessels are tilted out of the image plane.");
+        reasons.push_back(says::trustTiltUncertain());
     }
     if (!observed[2] || uncertainty.rotationDeg.z() > maxRotationStdDeg) {
-        reasons.emplace_back("The image hardly tells how the vessels are turned in the image plane.");
+        reasons.push_back(says::trustTurnUncertain());
     }
     if (!observed[3] || !observed[4] || uncertainty.inPlaneMm > maxInPlaneStdMm) {
-        reasons.emplace_back("The image hardly tells where along the vessels the tree lies.");
+        reasons.push_back(says::trustShiftUncertain());
     }
 }
 
@@ -92,19 +87,17 @@ Trust judgeTrust(const Evidence& evidence)
     judgeFit(evidence, trust.warnings);
     judgeUncertainty(evidence.result.uncertainty, trust.warnings);
     if (evidence.expectedErrorMm > maxExpectedErrorMm) {
-        trust.warnings.push_back("The image leaves the pose uncertain by about " +
-                                 millimetres(evidence.expectedErrorMm) + ".");
+        trust.warnings.push_back(says::trustPoseUncertain(inMm(evidence.expectedErrorMm, 1)));
     }
     if (evidence.rivalMm > maxRivalMm) {
-        trust.warnings.emplace_back("Another pose explains the image nearly as well: compare the alternatives.");
+        trust.warnings.push_back(says::trustRival());
     }
     if (evidence.result.stopReason == StopReason::StoppedByUser) {
-        trust.warnings.emplace_back("The registration was stopped before its end.");
+        trust.warnings.push_back(says::trustStopped());
     }
     trust.isTrustworthy = trust.warnings.empty();
     if (!evidence.result.uncertainty.observed[5]) {
-        trust.warnings.emplace_back(
-            "One view does not tell the depth here: the distance from the source stays close to the start pose.");
+        trust.warnings.push_back(says::trustDepthUnknown());
     }
     return trust;
 }

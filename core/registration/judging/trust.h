@@ -18,7 +18,7 @@ struct Evidence {
 
 struct Trust {
     bool isTrustworthy = true;
-    std::vector<std::string> warnings;   ///< reasons against trust first, then what one view cannot tell
+    Messages warnings;   ///< reasons against trust first, then what one view cannot tell
 };
 
 /// Says in a clinician's words why a pose may be wrong; silent when nothing speaks against it.

@@ -1,6 +1,7 @@
 #include "core/registration/pose/landmark_pose.h"
 
 #include "core/geometry/angle_units.h"
+#include "core/messages/says.h"
 #include "core/registration/pnp/sqpnp.h"
 #include "core/registration/pose/centroid_pose.h"
 #include "core/registration/pose/start_prior.h"
@@ -126,15 +127,14 @@ double rmsSpread(const Points& points, Eigen::Index singularValue)
     return singularValue < values.size() ? values[singularValue] / std::sqrt(static_cast<double>(points.cols())) : 0.0;
 }
 
-std::string findDegeneracy(std::span<const Landmark> landmarks, bool hasBefore)
+std::optional<Message> findDegeneracy(std::span<const Landmark> landmarks, bool hasBefore)
 {
     if (landmarks.empty()) {
-        return "There are no landmarks yet. Click a place on the vessels and the same place in the image.";
+        return says::landmarksMissing();
     }
     const bool isEnough = landmarks.size() >= enoughLandmarks;
     if (!isEnough && !hasBefore) {
-        return "Without angles a pose needs four landmarks; there are " + std::to_string(landmarks.size()) +
-               ". Add landmarks, or type the angles: then one is enough.";
+        return says::landmarksTooFew(landmarks.size());
     }
     Eigen::MatrixXd points(3, static_cast<Eigen::Index>(landmarks.size()));
     Eigen::MatrixXd pixels(2, static_cast<Eigen::Index>(landmarks.size()));
@@ -143,13 +143,13 @@ std::string findDegeneracy(std::span<const Landmark> landmarks, bool hasBefore)
         pixels.col(static_cast<Eigen::Index>(i)) = landmarks[i].pixel;
     }
     if (!points.allFinite() || !pixels.allFinite()) {
-        return "A landmark is not a finite number. Remove it.";
+        return says::landmarksNotFinite();
     }
     if (landmarks.size() > 1 && (rmsSpread(points, 0) < leastSpreadMm || rmsSpread(pixels, 0) < leastSpreadPx)) {
-        return "The landmarks all lie in one place. Choose some farther apart.";
+        return says::landmarksInOnePlace();
     }
     if (isEnough && rmsSpread(points, 1) < leastSpreadMm) {
-        return "The landmarks lie on one line, so the turn about it stays open. Add one off that line.";
+        return says::landmarksOnOneLine();
     }
     return {};
 }
@@ -217,8 +217,8 @@ std::vector<double> landmarkErrorsPx(std::span<const Landmark> landmarks, const 
 Result<LandmarkPose> poseFromLandmarks(std::span<const Landmark> landmarks, const ProjectionCamera& camera,
                                        const std::optional<RigidTransform>& before)
 {
-    if (std::string degeneracy = findDegeneracy(landmarks, before.has_value()); !degeneracy.empty()) {
-        return Error{std::move(degeneracy)};
+    if (const auto degeneracy = findDegeneracy(landmarks, before.has_value())) {
+        return Error(*degeneracy);
     }
     const bool isEnough = landmarks.size() >= enoughLandmarks;
     const Eigen::Vector3d centroid = LandmarkCost(landmarks, camera, std::nullopt).centroid();
@@ -230,7 +230,7 @@ Result<LandmarkPose> poseFromLandmarks(std::span<const Landmark> landmarks, cons
     const Fit other = alone ? refined(cost, aboutCentroid(*alone, centroid)) : Fit{};
     const Fit& best = chosen(near, other);
     if (!std::isfinite(best.cost)) {
-        return Error{"No pose lays these landmarks onto their pixels. Check that each pair shows the same place."};
+        return Error(says::landmarksWithoutPose());
     }
     LandmarkPose result = judged(cost, best, landmarks, camera);
     result.leansOnPrior = !isEnough;

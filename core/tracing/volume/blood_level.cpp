@@ -1,5 +1,7 @@
 #include "core/tracing/volume/blood_level.h"
 
+#include "core/messages/says.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -227,19 +229,16 @@ double typicalAbove(const Reader& reader, double threshold)
     return *middle;
 }
 
-std::string valueText(double value, bool isHu)
+Quantity scanValue(double value, bool isHu)
 {
-    return std::to_string(std::lround(value)) + (isHu ? " HU" : "");
+    return {value, 0, isHu ? "HU" : ""};
 }
 
 }   // namespace
 
 Error noVesselsFound(const BloodLevel& level)
 {
-    return Error{"No contrast-filled vessels were found: besides bone the brightest has " +
-                 valueText(level.blood, level.isHu) + ", soft tissue " + valueText(level.tissue, level.isHu) +
-                 ", and it is not like a vessel. Is this the arterial phase? Choose the CT angiogram, or give the "
-                 "threshold at which the vessels begin."};
+    return says::brightestIsNoVessel(scanValue(level.blood, level.isHu), scanValue(level.tissue, level.isHu));
 }
 
 Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, std::optional<double> threshold)
@@ -247,7 +246,7 @@ Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, 
     const Reader reader(volume, order);
     const Range range = rangeOf(reader);
     if (!(range.high > range.low)) {
-        return Error{"The volume is of one value: there is nothing to trace. Choose another series or file."};
+        return Error(says::volumeOfOneValue());
     }
     const bool isHu = range.isHu;
     BloodLevel level;
@@ -267,9 +266,7 @@ Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, 
         return peak.ml >= std::max(leastBloodMl, shareOfGreatest * greatest);
     });
     if (found == peaks.rend() && !threshold) {
-        return Error{"No contrast-filled vessels were found: soft tissue has " + valueText(level.tissue, isHu) +
-                     ", and nothing even is as much brighter as contrast medium makes blood. Is this the arterial "
-                     "phase? Choose the CT angiogram, or give the threshold at which the vessels begin."};
+        return Error(says::noContrast(scanValue(level.tissue, isHu)));
     }
     level.blood = found != peaks.rend() ? histogram.valueOf(found->bin) : typicalAbove(reader, *threshold);
     level.threshold = threshold ? *threshold : 0.5 * (level.tissue + level.blood);

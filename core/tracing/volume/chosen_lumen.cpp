@@ -1,5 +1,6 @@
 #include "core/tracing/volume/chosen_lumen.h"
 
+#include "core/messages/says.h"
 #include "core/tracing/volume/chosen_pieces.h"
 #include "core/tracing/volume/split_by_seeds.h"
 #include "core/tracing/volume/voxel_pieces.h"
@@ -42,7 +43,7 @@ Result<ChosenLumen> chosenLumen(VoxelMask whole, VesselTracingOptions options, c
                                 const std::vector<GreatVessel>& greatVessels, TracingProgress& progress)
 {
     if (!options.avoidInPatient.empty() && options.seedsInPatient.empty()) {
-        return Error{"There are places to avoid, but no seed. Place at least one seed in the vessels."};
+        return Error(says::avoidWithoutSeed());
     }
     const auto seeds = seedsInLumen(whole, options.seedsInPatient);
     if (!seeds) {
@@ -61,8 +62,8 @@ Result<ChosenLumen> chosenLumen(VoxelMask whole, VesselTracingOptions options, c
     }
     ChosenLumen chosen;
     chosen.warnings = seeds.value().warnings;
-    if (!leftOut.value().empty()) {
-        chosen.warnings.push_back(std::move(leftOut).value());
+    if (leftOut.value()) {
+        chosen.warnings.push_back(*leftOut.value());
     }
     chosen.box = grown(boxOf(whole), 1, whole.geometry);
     progress.advance(chosenShare);
@@ -80,9 +81,9 @@ VoxelFill movedBy(const VoxelFill& fill, const Eigen::Vector3i& low)
     return [&fill, low](int i, int j, int k) { return fill(i + low.x(), j + low.y(), k + low.z()); };
 }
 
-Error stoppedTracing()
+Stopped stoppedTracing()
 {
-    return Error{"Tracing was stopped; nothing was kept."};
+    return {says::tracingStopped()};
 }
 
 }   // namespace angiopose::core

@@ -20,7 +20,7 @@ constexpr double chosenShare = 0.9;   ///< of the stage "vessels", when the lume
 struct ChosenLumen {
     VoxelMask lumen;
     VoxelBox box;   ///< where it lies in the whole, patient axis order
-    std::vector<std::string> warnings;
+    Messages warnings;
     std::vector<Eigen::Vector3d> startsInPatient;   ///< where its vessels were reached from; empty: nowhere special
 };
 
@@ -32,6 +32,6 @@ Result<ChosenLumen> chosenLumen(VoxelMask whole, VesselTracingOptions options, c
 /// The same, with places counted from `low`; `fill` must outlive the result.
 VoxelFill movedBy(const VoxelFill& fill, const Eigen::Vector3i& low);
 
-Error stoppedTracing();
+Stopped stoppedTracing();
 
 }   // namespace angiopose::core

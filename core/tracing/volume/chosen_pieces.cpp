@@ -1,10 +1,10 @@
 #include "core/tracing/volume/chosen_pieces.h"
 
+#include "core/messages/says.h"
 #include "core/tracing/volume/voxel_pieces.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <set>
 
@@ -42,8 +42,7 @@ std::optional<std::uint32_t> nearestVoxel(const VoxelMask& mask, const Eigen::Ve
 
 Error noVesselAt(const Eigen::Vector3d& seed)
 {
-    return Error{"The seed " + placeText(seed) +
-                 " mm (LPS) lies in no vessel. Place it inside one, or lower the threshold."};
+    return says::seedInNoVessel(placeInMessage(seed));
 }
 
 Result<std::set<std::size_t>> piecesWithSeeds(const VoxelMask& mask, const std::vector<VoxelPiece>& pieces,
@@ -95,11 +94,9 @@ std::size_t keepOnly(VoxelMask& mask, const std::vector<VoxelPiece>& pieces, con
 
 }   // namespace
 
-std::string placeText(const Eigen::Vector3d& point)
+Message placeInMessage(const Eigen::Vector3d& point)
 {
-    char text[96];
-    std::snprintf(text, sizeof text, "(%.1f, %.1f, %.1f)", point.x(), point.y(), point.z());
-    return text;
+    return says::place(Quantity{point.x(), 1}, Quantity{point.y(), 1}, Quantity{point.z(), 1});
 }
 
 std::optional<std::uint32_t> voxelNear(const VoxelMask& mask, const Eigen::Vector3d& seedInPatient)
@@ -120,19 +117,17 @@ Result<SeedsInLumen> seedsInLumen(const VoxelMask& mask, const std::vector<Eigen
             return noVesselAt(seed);
         }
         seeds.inPatient.emplace_back(mask.geometry.patientFromVoxel() * mask.geometry.voxelAt(*voxel).cast<double>());
-        char away[32];
-        std::snprintf(away, sizeof away, "%.1f", (seeds.inPatient.back() - seed).norm());
-        seeds.warnings.push_back("The seed " + placeText(seed) + " mm (LPS) lies in nothing filled: the vessel " +
-                                 away + " mm away was taken.");
+        seeds.warnings.push_back(
+            says::seedMoved(placeInMessage(seed), inMm((seeds.inPatient.back() - seed).norm(), 1)));
     }
     return seeds;
 }
 
-Result<std::string> keepChosenPieces(VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient)
+Result<std::optional<Message>> keepChosenPieces(VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient)
 {
     const std::vector<VoxelPiece> pieces = piecesOf(mask);
     if (pieces.empty()) {
-        return Error{"There is no vessel in the volume: nothing is set. Lower the threshold, or load another file."};
+        return Error(says::noVesselInVolume());
     }
     std::set<std::size_t> chosen{largestPiece(mask, pieces)};
     if (!seedsInPatient.empty()) {
@@ -149,13 +144,9 @@ Result<std::string> keepChosenPieces(VoxelMask& mask, const std::vector<Eigen::V
         leftOut += !chosen.contains(p) && isWorthIt ? 1 : 0;
     }
     if (leftOut == 0) {
-        return std::string();
+        return std::optional<Message>();
     }
-    return leftOut == 1 ? "A piece that does not connect to the traced vessels was left out. Place a seed in it if it "
-                          "belongs to the tree."
-                        : std::to_string(leftOut) +
-                              " pieces that do not connect to the traced vessels were left out. Place a seed in each "
-                              "that belongs to the tree.";
+    return std::optional(leftOut == 1 ? says::onePieceLeftOut() : says::piecesLeftOut(leftOut));
 }
 
 }   // namespace angiopose::core

@@ -6,13 +6,12 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace angiopose::core {
 
-/// "(x, y, z)" in mm.
-std::string placeText(const Eigen::Vector3d& point);
+/// "(x, y, z)" in mm, for a message.
+Message placeInMessage(const Eigen::Vector3d& point);
 
 /// The set voxel that is nearest to a place in the patient (LPS mm), if there is one within 3 mm.
 std::optional<std::uint32_t> voxelNear(const VoxelMask& mask, const Eigen::Vector3d& seedInPatient);
@@ -20,7 +19,7 @@ std::optional<std::uint32_t> voxelNear(const VoxelMask& mask, const Eigen::Vecto
 /// Seeds moved to the lumen that they were meant for.
 struct SeedsInLumen {
     std::vector<Eigen::Vector3d> inPatient;
-    std::vector<std::string> warnings;   ///< about seeds that were moved far
+    Messages warnings;   ///< about seeds that were moved far
 };
 
 /// Seeds up to 3 mm beside the lumen stay where they are; others are moved to the middle of a wide vessel (voxels above
@@ -30,8 +29,8 @@ Result<SeedsInLumen> seedsInLumen(const VoxelMask& mask, const std::vector<Eigen
 
 /// Leaves of a mask what is asked for: the pieces that hold the seeds (LPS mm, within 3 mm), or without seeds the
 /// largest: that with the most voxels above 1 (cores of vessels), of equal ones that with the most voxels. Returns a
-/// warning about what was left out, empty when nothing worth it was; fails, naming it, for a seed that lies in no
+/// warning about what was left out, where it was worth it; fails, naming it, for a seed that lies in no
 /// piece, and for an empty mask.
-Result<std::string> keepChosenPieces(VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient);
+Result<std::optional<Message>> keepChosenPieces(VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient);
 
 }   // namespace angiopose::core

@@ -1,5 +1,6 @@
 #include "core/tracing/volume/trace_vessels.h"
 
+#include "core/messages/says.h"
 #include "core/support/parallel_for.h"
 #include "core/support/quantile.h"
 #include "core/tracing/tree/lumen_tree.h"
@@ -60,16 +61,16 @@ VoxelMask asStored(const VoxelMask& part, const VoxelBox& box, const VolumeGeome
     return whole;
 }
 
-std::string problemWith(const VolumeGeometry& geometry, std::size_t voxels)
+std::optional<Message> problemWith(const VolumeGeometry& geometry, std::size_t voxels)
 {
     if (voxels == 0 || geometry.voxelCount() != voxels) {
-        return "The volume is empty. Choose another series or file.";
+        return says::volumeEmpty();
     }
     if (voxels > std::numeric_limits<std::uint32_t>::max()) {
-        return "The volume has more than 4 billion voxels. Crop or resample it first.";
+        return says::volumeTooLarge();
     }
     if (!(geometry.spacingMm.minCoeff() > 0.0) || !geometry.spacingMm.allFinite()) {
-        return "The volume has no valid voxel spacing. Give the spacing in mm, or export the volume again.";
+        return says::volumeWithoutSpacing();
     }
     return {};
 }
@@ -133,13 +134,6 @@ Result<TracedVessels> unlessEmpty(Result<TracedVessels> traced, const Error& rea
     return traced && traced.value().tree.branches.empty() ? Result<TracedVessels>(reason) : std::move(traced);
 }
 
-Error noLongBranch()
-{
-    return Error{
-        "Nothing in the volume is like a vessel: no branch is long enough. Lower the threshold or the shortest "
-        "branch length."};
-}
-
 /// Whether the axes of what is wide enough to tell are filled: those of shells, of marrow and between organs are not.
 bool isFilled(const VesselTree& tree, const AxisOrder& order, const VoxelFill& fill)
 {
@@ -185,7 +179,7 @@ Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, 
     }
     ChosenLumen lumen = std::move(chosen).value();
     fillCavities(lumen.lumen);
-    return unlessEmpty(treeOf(lumen, fillOf(lumen.lumen), stored, options, progress), noLongBranch());
+    return unlessEmpty(treeOf(lumen, fillOf(lumen.lumen), stored, options, progress), Error(says::noLongBranch()));
 }
 
 }   // namespace
@@ -193,8 +187,8 @@ Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, 
 Result<TracedVessels> traceMask(const VoxelMask& mask, const VesselTracingOptions& options,
                                 const TracingObserver& observe)
 {
-    if (const std::string problem = problemWith(mask.geometry, mask.voxels.size()); !problem.empty()) {
-        return Error{problem};
+    if (const auto problem = problemWith(mask.geometry, mask.voxels.size())) {
+        return Error(*problem);
     }
     TracingProgress progress(observe);
     progress.enter("vessels", 0.0, 0.7);
@@ -204,8 +198,8 @@ Result<TracedVessels> traceMask(const VoxelMask& mask, const VesselTracingOption
 Result<TracedVessels> traceLabels(const LabelVolume& image, const std::vector<int>& labels,
                                   const VesselTracingOptions& options, const TracingObserver& observe)
 {
-    if (const std::string problem = problemWith(image.geometry, image.voxels.size()); !problem.empty()) {
-        return Error{problem};
+    if (const auto problem = problemWith(image.geometry, image.voxels.size())) {
+        return Error(*problem);
     }
     TracingProgress progress(observe);
     progress.enter("vessels", 0.0, 0.7);
@@ -217,8 +211,8 @@ Result<TracedVessels> traceLabels(const LabelVolume& image, const std::vector<in
 Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOptions& options,
                                    const TracingObserver& observe)
 {
-    if (const std::string problem = problemWith(volume.geometry, volume.voxels.size()); !problem.empty()) {
-        return Error{problem};
+    if (const auto problem = problemWith(volume.geometry, volume.voxels.size())) {
+        return Error(*problem);
     }
     TracingProgress progress(observe);
     progress.enter("blood", 0.0, 0.05);
@@ -253,7 +247,7 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
     const AxisOrder part = cropped(order, lumen.box);
     auto traced =
         unlessEmpty(treeOf(lumen, fillOf(volume, part, level.value(), lumen.lumen), volume.geometry, options, progress),
-                    options.threshold ? noLongBranch() : noVesselsFound(level.value()));
+                    options.threshold ? Error(says::noLongBranch()) : noVesselsFound(level.value()));
     if (!traced) {
         return traced.error();
     }

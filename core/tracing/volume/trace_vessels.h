@@ -47,14 +47,14 @@ struct TracedVessels {
     double threshold = 0.0;   ///< the value at which the lumen begins; 0.5 for masks
     std::optional<Eigen::Vector3d>
         foundStart;   ///< without seeds: a place in the great vessel that was begun at, LPS mm
-    std::vector<std::string> warnings;   ///< plain words: pieces that were left out, loops that were opened, …
+    Messages warnings;   ///< pieces that were left out, loops that were opened, …
 };
 
 /// Contrast-filled vessels of a CT angiogram: threshold or seeded growth, bone and table left out, thinning, a tree of
 /// smooth centrelines with radii. Without seeds the tree is that of the vessel most like an aorta (see `Trunk::worth`),
 /// else of the largest piece; a warning says which. Fails on an empty or flat volume, seeds outside the lumen, when
-/// nothing is like a vessel (the axes of that piece hold no blood), and with "… stopped …" when the observer stops it;
-/// then nothing is kept. Needs at most twice the volume's own memory besides it.
+/// nothing is like a vessel (the axes of that piece hold no blood); ends as stopped when the observer says so, then
+/// nothing is kept. Needs at most twice the volume's own memory besides it.
 Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOptions& options = {},
                                    const TracingObserver& observe = {});
 

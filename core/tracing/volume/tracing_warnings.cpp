@@ -1,49 +1,33 @@
 #include "core/tracing/volume/tracing_warnings.h"
 
+#include "core/messages/says.h"
 #include "core/tracing/volume/chosen_pieces.h"
-
-#include <cmath>
 
 namespace angiopose::core {
 
-std::string loopWarning(int loops)
+Message loopWarning(int loops)
 {
-    return loops == 1 ? "1 loop was opened at the thinnest place: look there for vessels that only touch."
-                      : std::to_string(loops) +
-                            " loops were opened at their thinnest places: look there for vessels that only touch.";
+    return loops == 1 ? says::oneLoopOpened() : says::loopsOpened(loops);
 }
 
-std::string unitWarning()
+Message unitWarning()
 {
-    return "Nothing in the scan is as dark as air in Hounsfield units: if its values are others, bone cannot be told "
-           "from blood for sure. Look for bone among the vessels, or export the scan in Hounsfield units.";
+    return says::perhapsNoHounsfield();
 }
 
-std::string dimWarning(int parts)
+Message dimWarning(int parts)
 {
-    return parts == 1
-               ? "A part less bright than the vessels was left out, as veins and organs are. Place a seed in it if it "
-                 "belongs to the tree."
-               : std::to_string(parts) +
-                     " parts less bright than the vessels were left out, as veins and organs are. Place seeds in "
-                     "those that belong to the tree.";
+    return parts == 1 ? says::oneDimPartLeftOut() : says::dimPartsLeftOut(parts);
 }
 
-std::string besideWarning(double besideMm)
+Message besideWarning(double besideMm)
 {
-    return "A wide vessel that was not traced runs beside the traced ones for " +
-           std::to_string(std::lround(besideMm / 10.0)) +
-           " cm: the other lumen, if the aorta is torn. Place a seed in each lumen to trace both.";
+    return says::otherLumenBeside(Quantity{besideMm / 10.0, 0, "cm"});
 }
 
-std::string startWarning(const std::optional<Eigen::Vector3d>& foundStart)
+Message startWarning(const std::optional<Eigen::Vector3d>& foundStart)
 {
-    if (!foundStart) {
-        return "No seed was placed, and nothing is like a great vessel: the largest piece was traced. Place a seed in "
-               "the vessels if it is not them.";
-    }
-    return "No seed was placed: the great vessel at " + placeText(*foundStart) +
-           " mm (LPS) was found and traced. Place a seed in another vessel if it is the wrong one.";
+    return foundStart ? says::noSeedFoundVessel(placeInMessage(*foundStart)) : says::noSeedLargestPiece();
 }
 
 }   // namespace angiopose::core

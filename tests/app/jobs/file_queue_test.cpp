@@ -34,7 +34,7 @@ TEST(FileQueue, ReportsWhatALibraryThrows)
     QString message;
     queue.run([]() -> core::Result<QString> { throw std::runtime_error("disk on fire"); },
               [&message](const core::Result<QString>& path) {
-                  message = QString::fromStdString(path ? std::string() : path.error().message);
+                  message = QString::fromStdString(path ? std::string() : path.error().message.text());
               });
     ASSERT_TRUE(QTest::qWaitFor([&queue] { return !queue.isBusy(); }, 20000));
     EXPECT_TRUE(message.contains(QStringLiteral("disk on fire")));

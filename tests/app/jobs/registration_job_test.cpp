@@ -95,7 +95,8 @@ TEST(RegistrationJob, FailsOnUnusableInputWithWords)
     job.start({}, {});
 
     ASSERT_TRUE(failed.wait(patienceMs));
-    EXPECT_FALSE(failed.first().first().toString().isEmpty());
+    const auto* reason = static_cast<const core::Message*>(failed.first().first().constData());
+    EXPECT_FALSE(reason->text().empty());
     EXPECT_FALSE(job.isRunning());
 }
 

@@ -37,7 +37,8 @@ TEST(TraceJob, SaysWhyAnEvenFrameCannotBeTraced)
     job.start({std::make_shared<core::Angiogram>(flat), 0, {}});
 
     ASSERT_TRUE(failed.wait(patienceMs));
-    EXPECT_FALSE(failed.first().first().toString().isEmpty());
+    const auto* reason = static_cast<const core::Message*>(failed.first().first().constData());
+    EXPECT_FALSE(reason->text().empty());
 }
 
 TEST(TraceJob, CanBeDestroyedWhileRunning)

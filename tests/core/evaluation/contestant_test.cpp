@@ -32,7 +32,7 @@ TEST(Contestant, NamesWhatIsUnknown)
                                          {"", "''"}}) {
         const auto contestant = contestantFrom(request);
         ASSERT_FALSE(contestant) << request;
-        EXPECT_NE(contestant.error().message.find(named), std::string::npos) << contestant.error().message;
+        EXPECT_NE(contestant.error().message.text().find(named), std::string::npos) << contestant.error().message;
     }
     EXPECT_FALSE(contestantsFrom(""));
     EXPECT_FALSE(contestantsFrom("angiopose,magic"));

@@ -78,7 +78,7 @@ TEST(RunExperiment, MergingRefusesWhatDoesNotBelongTogether)
     otherFigure.runs.front().meanPx += 1.0;
     const auto disagreeing = merged({runs, otherFigure});
     ASSERT_FALSE(disagreeing);
-    EXPECT_NE(disagreeing.error().message.find("dynaweight"), std::string::npos);
+    EXPECT_NE(disagreeing.error().message.text().find("dynaweight"), std::string::npos);
     RunSet otherCondition = runs;
     otherCondition.runs.front().condition = "magic";
     EXPECT_FALSE(merged({otherCondition}));

@@ -105,7 +105,7 @@ TEST(CArm, MissingValuesAreNamed)
     cArm.columnSpacingMm = {};
     const auto camera = cameraFromCArm(cArm, 512, 512);
     ASSERT_FALSE(camera);
-    EXPECT_NE(camera.error().message.find("pixel spacing"), std::string::npos);
+    EXPECT_NE(camera.error().message.text().find("pixel spacing"), std::string::npos);
     cArm.secondaryAngleDeg = {};
     EXPECT_FALSE(cameraFromPatient(cArm, {0, 0, 0}));
 }

@@ -1,4 +1,5 @@
 #include "core/geometry/geometry_checks.h"
+#include "core/messages/says.h"
 
 #include <gtest/gtest.h>
 
@@ -35,8 +36,8 @@ const Eigen::Vector2i size(512, 512);
 std::string onlySentence(const CArm& cArm, const GantryHeader& header)
 {
     const auto found = findContradictions(cArm, header, size);
-    EXPECT_EQ(found.size(), 1U) << (found.empty() ? "nothing found" : found.back());
-    return found.empty() ? "" : found.front();
+    EXPECT_EQ(found.size(), 1U) << (found.empty() ? "nothing found" : found.back().text());
+    return found.empty() ? "" : found.front().text();
 }
 
 /// A value that is wrong, and a word of what is said about it.
@@ -141,7 +142,7 @@ TEST(GeometryChecks, AskForEverythingThatIsMissing)
     CArm cArm = usual();
     cArm.rowSpacingMm = {};
     ASSERT_EQ(findMissing(cArm).size(), 1U);
-    EXPECT_NE(findMissing(cArm).front().find("pixel spacing"), std::string::npos);
+    EXPECT_TRUE(findMissing(cArm).front().is(says::askSpacing));
 }
 
 }   // namespace angiopose::core

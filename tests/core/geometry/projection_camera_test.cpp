@@ -56,13 +56,13 @@ TEST(Project, RayThroughAPixelPassesThePointThatProjectsThere)
 
 TEST(ProjectionCamera, UnusableCamerasAreNamed)
 {
-    EXPECT_TRUE(findProblem(standard).empty());
+    EXPECT_FALSE(findProblem(standard));
     ProjectionCamera noFocus = standard;
     noFocus.fx = 0.0;
-    EXPECT_NE(findProblem(noFocus).find("fx"), std::string::npos);
+    EXPECT_NE(findProblem(noFocus)->text().find("fx"), std::string::npos);
     ProjectionCamera noSize = standard;
     noSize.width = 0;
-    EXPECT_NE(findProblem(noSize).find("width"), std::string::npos);
+    EXPECT_NE(findProblem(noSize)->text().find("width"), std::string::npos);
 }
 
 }   // namespace

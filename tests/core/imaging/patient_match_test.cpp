@@ -19,15 +19,17 @@ StudyIdentity patient(const char* id, const char* name, const char* birthDate)
 TEST(PatientMatch, SpellingAndMissingValuesAreNoMismatch)
 {
     const StudyIdentity doe = patient("0815", "DOE^JOHN", "1950-01-02");
-    EXPECT_EQ(findPatientMismatch(doe, patient("0815 ", "Doe^John ", "")), "");
-    EXPECT_EQ(findPatientMismatch(doe, {}), "");
-    EXPECT_EQ(findPatientMismatch({}, {}), "");
+    EXPECT_FALSE(findPatientMismatch(doe, patient("0815 ", "Doe^John ", "")));
+    EXPECT_FALSE(findPatientMismatch(doe, {}));
+    EXPECT_FALSE(findPatientMismatch({}, {}));
 }
 
 TEST(PatientMatch, SaysWhatDiffersWithoutNamingAnybody)
 {
-    const std::string text =
+    const auto mismatch =
         findPatientMismatch(patient("0815", "Doe^John", "1950-01-02"), patient("4711", "Roe^Jane", "1950-01-02"));
+    ASSERT_TRUE(mismatch);
+    const std::string text = mismatch->text();
     EXPECT_NE(text.find("(number, name differ)"), std::string::npos);
     EXPECT_EQ(text.find("Doe"), std::string::npos);
     EXPECT_EQ(text.find("4711"), std::string::npos);
@@ -39,9 +41,9 @@ TEST(PatientMatch, SexDiffersOnlyWhereBothSayOneOfTwo)
     he.sex = "M";
     she.sex = "F";
     other.sex = "O";
-    EXPECT_NE(findPatientMismatch(he, she).find("(sex differs)"), std::string::npos);
-    EXPECT_EQ(findPatientMismatch(he, other), "");
-    EXPECT_EQ(findPatientMismatch(he, {}), "");
+    EXPECT_NE(findPatientMismatch(he, she).value().text().find("(sex differs)"), std::string::npos);
+    EXPECT_FALSE(findPatientMismatch(he, other));
+    EXPECT_FALSE(findPatientMismatch(he, {}));
 }
 
 TEST(PatientMatch, OppositeSidesOfTheBodyAreNamed)
@@ -50,14 +52,15 @@ TEST(PatientMatch, OppositeSidesOfTheBodyAreNamed)
     left.laterality = "L";
     right.laterality = "R";
     both.laterality = "B";
-    EXPECT_NE(findSideMismatch(left, right).find("left side"), std::string::npos);
-    EXPECT_NE(findSideMismatch(right, left).find("right side"), std::string::npos);
-    EXPECT_EQ(findSideMismatch(left, both), "");
-    EXPECT_EQ(findSideMismatch(left, {}), "");
+    EXPECT_NE(findSideMismatch(left, right).value().text().find("left side"), std::string::npos);
+    EXPECT_NE(findSideMismatch(right, left).value().text().find("right side"), std::string::npos);
+    EXPECT_FALSE(findSideMismatch(left, both));
+    EXPECT_FALSE(findSideMismatch(left, {}));
     left.sex = "F";
     right.sex = "M";
-    EXPECT_EQ(findMismatch(left, right), findPatientMismatch(left, right) + " " + findSideMismatch(left, right));
-    EXPECT_EQ(findMismatch(left, left), "");
+    EXPECT_EQ(findMismatch(left, right),
+              (Messages{findPatientMismatch(left, right).value(), findSideMismatch(left, right).value()}));
+    EXPECT_TRUE(findMismatch(left, left).empty());
 }
 
 }   // namespace angiopose::core

@@ -75,7 +75,7 @@ TEST_P(LockedAxes, KeepTheirValueExactly)
     const auto result = registerVessels(counted, options);
     if (!heedsLocks(GetParam())) {
         ASSERT_FALSE(result);
-        EXPECT_NE(result.error().message.find("cannot keep"), std::string::npos);
+        EXPECT_NE(result.error().message.text().find("cannot keep"), std::string::npos);
         return;
     }
     ASSERT_TRUE(result) << result.error().message;
@@ -166,7 +166,7 @@ TEST(LockedAxesOfAngioPose, LockingAllOrSeveralViewsIsRefused)
     const RegistrationInput input = locked.from({.upMm = 2.0});
     RegistrationOptions options;
     options.locks.fill(true);
-    EXPECT_NE(findProblem(options).find("nothing is left"), std::string::npos);
+    EXPECT_NE(findProblem(options)->text().find("nothing is left"), std::string::npos);
     EXPECT_FALSE(registerVessels(input, options));
     const std::vector<RegistrationInput> views{input, input};
     EXPECT_FALSE(registerViews(views, locking("angiopose", {PoseAxis::Roll})));

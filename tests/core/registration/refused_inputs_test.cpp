@@ -70,7 +70,7 @@ TEST(RegisterVessels, NamesWhatMakesAnInputUnusable)
     const RegistrationInput good = clean.from(clean.truth);
     const auto reasonFor = [](const RegistrationInput& input) {
         const auto result = registerVessels(input);
-        return result ? std::string("accepted") : result.error().message;
+        return result ? std::string("accepted") : result.error().message.text();
     };
     RegistrationInput input = good;
     input.tree.branches.clear();
@@ -94,7 +94,7 @@ TEST(RegisterVessels, NamesWhatMakesAnInputUnusable)
     options.method = "guess";
     const auto result = registerVessels(good, options);
     ASSERT_FALSE(result);
-    EXPECT_NE(result.error().message.find("no method 'guess'"), std::string::npos);
+    EXPECT_NE(result.error().message.text().find("no method 'guess'"), std::string::npos);
 }
 
 TEST(EvaluatePose, JudgesWithoutMoving)

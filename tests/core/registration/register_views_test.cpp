@@ -156,12 +156,12 @@ TEST(RegisterViews, NamesWhatIsWrong)
     two.inputs[1].excludedBranchIds = {two.clean.tree.branches.front().id};
     const auto other = registerViews(two.inputs);
     ASSERT_FALSE(other);
-    EXPECT_NE(other.error().message.find("View 2"), std::string::npos);
+    EXPECT_NE(other.error().message.text().find("View 2"), std::string::npos);
     two.inputs[1].excludedBranchIds.clear();
     two.inputs[1].target.curves.clear();
     const auto empty = registerViews(two.inputs);
     ASSERT_FALSE(empty);
-    EXPECT_NE(empty.error().message.find("View 2"), std::string::npos);
+    EXPECT_NE(empty.error().message.text().find("View 2"), std::string::npos);
 }
 
 }   // namespace

@@ -14,7 +14,7 @@ TEST(RegistrationOptions, DefaultsAreFineForEveryMethod)
     for (const MethodInfo& info : methodInfos()) {
         RegistrationOptions options;
         options.method = info.id;
-        EXPECT_EQ(findProblem(options), "") << info.id;
+        EXPECT_FALSE(findProblem(options)) << info.id;
     }
 }
 
@@ -28,7 +28,7 @@ TEST(RegistrationOptions, EveryFieldWritesWhatItReads)
             RegistrationOptions options;
             field.write(options, value);
             EXPECT_DOUBLE_EQ(field.read(options), value) << field.key;
-            EXPECT_EQ(findProblem(options), "") << field.key;
+            EXPECT_FALSE(findProblem(options)) << field.key;
         }
     }
 }
@@ -38,11 +38,11 @@ TEST(RegistrationOptions, NamesTheFieldThatIsOutOfRange)
     for (const OptionField& field : optionFields()) {
         RegistrationOptions options;
         field.write(options, field.max + 1.0);
-        EXPECT_NE(findProblem(options).find(field.key), std::string::npos) << field.key;
+        EXPECT_NE(findProblem(options)->text().find(field.key), std::string::npos) << field.key;
     }
     RegistrationOptions options;
     options.finalScalePx = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(findProblem(options), "The option finalScalePx is out of range. Give a number from 0.1 to 20.");
+    EXPECT_EQ(findProblem(options)->text(), "The option finalScalePx is out of range. Give a number from 0.1 to 20.");
 }
 
 }   // namespace

@@ -52,7 +52,7 @@ TEST(SimulateTree, IsAValidConnectedTreeOfTheAskedSize)
 {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         const VesselTree tree = simulateTree(seed);
-        EXPECT_EQ(findProblem(tree), "") << seed;
+        EXPECT_FALSE(findProblem(tree)) << seed;
         EXPECT_EQ(tree.branches.size(), 24u) << seed;
         EXPECT_EQ(connectedBranchCount(tree), tree.branches.size()) << seed;
         EXPECT_NEAR(static_cast<double>(tree.pointCount()), 2000.0, 500.0) << seed;

@@ -142,7 +142,7 @@ TEST(SubtractRun, RefusesInPlainWords)
 {
     const auto missing = core::subtractRun(run, Polarity::VesselsDark, {.maskFrames = {9}});
     ASSERT_FALSE(missing);
-    EXPECT_NE(missing.error().message.find("frames 0 to 3"), std::string::npos);
+    EXPECT_NE(missing.error().message.text().find("frames 0 to 3"), std::string::npos);
     EXPECT_FALSE(core::subtractRun({run[0]}, Polarity::VesselsDark, {.maskFrames = {0}}));
     EXPECT_FALSE(core::subtractRun({run[0], ImageF(3, 3)}, Polarity::VesselsDark, {.maskFrames = {0}}));
     const std::vector<ImageF> filled{frameOf(true, 0.0, 5), frameOf(true, 0.0, 6)};

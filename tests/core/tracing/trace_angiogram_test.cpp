@@ -180,12 +180,13 @@ TEST(TraceAngiogram, FindsAWideVesselInNoiseOfSinglePixels)
 
 TEST(TraceAngiogram, RefusesWhatCannotBeTracedInPlainWords)
 {
-    EXPECT_NE(core::traceAngiogram({}, Polarity::VesselsDark).error().message.find("empty"), std::string::npos);
+    EXPECT_NE(core::traceAngiogram({}, Polarity::VesselsDark).error().message.text().find("empty"), std::string::npos);
     const ImageF plain(64, 64, 100.0F);
-    EXPECT_NE(core::traceAngiogram(plain, Polarity::VesselsDark).error().message.find("one colour"), std::string::npos);
+    EXPECT_NE(core::traceAngiogram(plain, Polarity::VesselsDark).error().message.text().find("one colour"),
+              std::string::npos);
     ImageF broken = test::drawnFrame(64, 64, {test::line({5, 5}, {60, 60})}, 2.0);
     broken.at(10, 10) = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_NE(core::traceAngiogram(broken, Polarity::VesselsDark).error().message.find("not a number"),
+    EXPECT_NE(core::traceAngiogram(broken, Polarity::VesselsDark).error().message.text().find("not a number"),
               std::string::npos);
 }
 
@@ -195,7 +196,7 @@ TEST(TraceAngiogram, NoiseAloneShowsNothingLikeAVessel)
     test::addNoise(noise, 10.0, 3);
     const auto trace = core::traceAngiogram(noise, Polarity::VesselsDark);
     ASSERT_FALSE(trace);
-    EXPECT_NE(trace.error().message.find("Nothing like a vessel"), std::string::npos);
+    EXPECT_NE(trace.error().message.text().find("Nothing like a vessel"), std::string::npos);
 }
 
 TEST(TraceAngiogram, TinyImagesFailCleanly)

@@ -77,20 +77,20 @@ TEST(VesselTree, ResamplingIsEvenAndKeepsEndsAndRadii)
 
 TEST(VesselTree, ProblemsAreNamed)
 {
-    EXPECT_TRUE(findProblem(forkedTree()).empty());
-    EXPECT_FALSE(findProblem(VesselTree{}).empty());
+    EXPECT_FALSE(findProblem(forkedTree()));
+    EXPECT_TRUE(findProblem(VesselTree{}));
     VesselTree nan = forkedTree();
     nan.branches[1].pointsInPatient[0].y() = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_NE(findProblem(nan).find("Branch 2"), std::string::npos);
+    EXPECT_NE(findProblem(nan)->text().find("Branch 2"), std::string::npos);
     VesselTree twice = forkedTree();
     twice.branches[1].id = 1;
-    EXPECT_NE(findProblem(twice).find("twice"), std::string::npos);
+    EXPECT_NE(findProblem(twice)->text().find("twice"), std::string::npos);
     VesselTree onePoint = forkedTree();
     onePoint.branches[0].pointsInPatient.resize(1);
-    EXPECT_FALSE(findProblem(onePoint).empty());
+    EXPECT_TRUE(findProblem(onePoint));
     VesselTree flat = forkedTree();
     flat.branches[1].pointsInPatient = {{1, 1, 1}, {1, 1, 1}};
-    EXPECT_NE(findProblem(flat).find("length"), std::string::npos);
+    EXPECT_NE(findProblem(flat)->text().find("length"), std::string::npos);
 }
 
 TEST(VesselTree, ExcludedBranchesAreGone)

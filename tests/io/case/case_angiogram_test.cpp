@@ -24,7 +24,7 @@ core::RegistrationCase withEditedCurves(core::RegistrationCase values)
 
 core::RegistrationCase reloaded(const std::string& path)
 {
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     auto loaded = io::loadCase(path, warnings);
     EXPECT_TRUE(loaded) << loaded.error().message;
     EXPECT_TRUE(loaded && io::validateCase(path).value().empty());
@@ -107,10 +107,10 @@ TEST(LoadCase, SubtractionThatCannotBeIsRefused)
     original.treatment.isSubtracted = true;
     original.treatment.plan.maskFrames = {99};
     ASSERT_TRUE(io::saveCase(original, folder.file("dsa.angiopose")));
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     const auto loaded = io::loadCase(folder.file("dsa.angiopose"), warnings);
     ASSERT_FALSE(loaded);
-    EXPECT_NE(loaded.error().message.find("Mask frame 99"), std::string::npos) << loaded.error().message;
+    EXPECT_NE(loaded.error().message.text().find("Mask frame 99"), std::string::npos) << loaded.error().message;
 }
 
 }   // namespace

@@ -17,7 +17,7 @@ std::string phantomPath(int view)
     return test::dataFile("coronary-phantom-xa/cases/IM" + std::to_string(view) + ".angiopose").string();
 }
 
-core::RegistrationCase loadedFrom(const std::string& path, std::vector<std::string>& warnings)
+core::RegistrationCase loadedFrom(const std::string& path, core::Messages& warnings)
 {
     auto loaded = io::loadCase(path, warnings);
     EXPECT_TRUE(loaded) << loaded.error().message;
@@ -26,7 +26,7 @@ core::RegistrationCase loadedFrom(const std::string& path, std::vector<std::stri
 
 core::RegistrationCase loadedFrom(const std::string& path)
 {
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     return loadedFrom(path, warnings);
 }
 
@@ -56,7 +56,7 @@ TEST(CaseViews, StandInTheCaseToTheLastBit)
     const test::TemporaryFolder folder;
     const core::RegistrationCase original = twoViews();
     ASSERT_TRUE(io::saveCase(original, folder.file("both.angiopose")));
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     const core::RegistrationCase copy = loadedFrom(folder.file("both.angiopose"), warnings);
     EXPECT_TRUE(warnings.empty()) << warnings.front();
     ASSERT_EQ(copy.otherViews.size(), 1U);
@@ -130,10 +130,10 @@ TEST(CaseViews, ThatCannotBeReadAreAWarningAndAreNotLost)
     ASSERT_EQ(missing.value().size(), 1U);
     EXPECT_TRUE(missing.value()[0].isOptional);
 
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     core::RegistrationCase without = loadedFrom(folder.file("both.angiopose"), warnings);
     ASSERT_FALSE(warnings.empty());
-    EXPECT_NE(warnings.back().find("moving.dcm"), std::string::npos) << warnings.back();
+    EXPECT_NE(warnings.back().text().find("moving.dcm"), std::string::npos) << warnings.back();
     EXPECT_FALSE(without.otherViews[0].view->angiogram);
     ASSERT_TRUE(io::saveCase(without, folder.file("again.angiopose")));
 
@@ -156,7 +156,8 @@ TEST(CaseViews, AreCheckedBeforeTheCaseIsWrittenOverThem)
     values.otherViews = {{{other, ""}, nullptr}};
     const auto written = io::saveCase(values, other);
     ASSERT_FALSE(written);
-    EXPECT_NE(written.error().message.find("will not be overwritten"), std::string::npos) << written.error().message;
+    EXPECT_NE(written.error().message.text().find("will not be overwritten"), std::string::npos)
+        << written.error().message;
 }
 
 }   // namespace

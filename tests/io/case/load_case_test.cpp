@@ -118,14 +118,14 @@ TEST(LoadCase, NamesWhatIsWrong)
 TEST(LoadCase, NamesTheLineOfBrokenJson)
 {
     const test::TemporaryFolder folder;
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     const auto broken = io::loadCase(folder.write("a.angiopose", "{\n\"format\": 1,\n]"), warnings);
     ASSERT_FALSE(broken);
-    EXPECT_TRUE(contains(broken.error().message, "line 3"));
+    EXPECT_TRUE(contains(broken.error().message.text(), "line 3"));
     const auto nan = io::loadCase(folder.write("b.angiopose", "{\"version\": NaN}"), warnings);
-    EXPECT_TRUE(contains(nan.error().message, "not valid JSON"));
+    EXPECT_TRUE(contains(nan.error().message.text(), "not valid JSON"));
     const auto deep = io::loadCase(folder.write("c.angiopose", std::string(200000, '[')), warnings);
-    EXPECT_TRUE(contains(deep.error().message, "nested"));
+    EXPECT_TRUE(contains(deep.error().message.text(), "nested"));
 }
 
 TEST(LoadCase, LeavesOutUnknownBranchesWithAWarning)
@@ -145,7 +145,7 @@ TEST(LoadCase, WarnsOfChangedInputs)
     const auto loaded = small.load(small.json());
     ASSERT_TRUE(loaded);
     ASSERT_TRUE(io::saveCase(loaded.value(), small.path("saved.angiopose")));
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     ASSERT_TRUE(io::loadCase(small.path("saved.angiopose"), warnings));
     EXPECT_FALSE(anyContains(warnings, "has changed"));
     small.folder().write("in/tree.csv", "x,y,z,branch\n0,0,0,1\n10,0,1,1\n");

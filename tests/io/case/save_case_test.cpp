@@ -50,7 +50,7 @@ TEST(SaveCase, RestoresEveryBit)
     original.cameraFromPatient.translation.x() = 1.0 / 3.0;
     ASSERT_TRUE(io::saveCase(original, folder.file("copy.angiopose")));
 
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     const auto copy = io::loadCase(folder.file("copy.angiopose"), warnings);
     ASSERT_TRUE(copy) << copy.error().message;
     EXPECT_EQ(copy.value().title, original.title);

@@ -47,10 +47,10 @@ public:
     std::string errorOf(const nlohmann::json& json)
     {
         const auto loaded = load(json);
-        return loaded ? "loaded" : loaded.error().message;
+        return loaded ? "loaded" : loaded.error().message.text();
     }
 
-    std::vector<std::string> warnings;
+    core::Messages warnings;
 
 private:
     TemporaryFolder folder_;
@@ -61,15 +61,16 @@ inline bool contains(const std::string& text, const std::string& part)
     return text.find(part) != std::string::npos;
 }
 
-inline bool anyContains(const std::vector<std::string>& texts, const std::string& part)
+inline bool anyContains(const core::Messages& messages, const std::string& part)
 {
-    return std::any_of(texts.begin(), texts.end(), [&](const std::string& text) { return contains(text, part); });
+    return std::any_of(messages.begin(), messages.end(),
+                       [&](const core::Message& message) { return contains(message.text(), part); });
 }
 
 /// The case of a phantom view; only where the data is there.
 inline core::RegistrationCase phantomCase(int view)
 {
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     const auto path = dataFile("coronary-phantom-xa/cases/IM" + std::to_string(view) + ".angiopose");
     auto loaded = io::loadCase(path.string(), warnings);
     EXPECT_TRUE(loaded) << loaded.error().message;

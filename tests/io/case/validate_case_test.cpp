@@ -39,12 +39,14 @@ TEST(DoubtsOfCase, HoldTheCaseAgainstTheHeaderOfItsImage)
                              (phantom / "views-A/IM3.dcm").string() + R"("}}, "geometry": )" + geometry + "}");
         const auto doubts = io::doubtsOfCase(path);
         EXPECT_TRUE(doubts) << doubts.error().message;
-        return doubts ? doubts.value() : std::vector<std::string>{};
+        return doubts ? doubts.value() : core::Messages{};
     };
     EXPECT_TRUE(doubtsWith("{}").empty());
     ASSERT_EQ(doubtsWith(R"({"sourceToPatientMm": 900})").size(), 1U);
-    EXPECT_NE(doubtsWith(R"({"sourceToPatientMm": 900})").front().find("behind the detector"), std::string::npos);
-    EXPECT_NE(doubtsWith(R"({"imagerPixelSpacingMm": [0.2, 0.2]})").front().find("field of view"), std::string::npos);
+    EXPECT_NE(doubtsWith(R"({"sourceToPatientMm": 900})").front().text().find("behind the detector"),
+              std::string::npos);
+    EXPECT_NE(doubtsWith(R"({"imagerPixelSpacingMm": [0.2, 0.2]})").front().text().find("field of view"),
+              std::string::npos);
 }
 
 TEST(CaseSchema, IsThePublishedFile)

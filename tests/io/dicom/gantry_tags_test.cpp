@@ -88,7 +88,7 @@ TEST(GantryHeader, AnglesGiveTheRelativeRotationOfEveryPairOfViewsExactly)
 
 TEST(GantryHeader, IncrementsTurnTheAnglesOfEachFrame)
 {
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     const auto header = io::gantryHeaderOf(
         headerWith({{0x00181500, "DYNAMIC"}, {0x00181520, "0\\1.5\\3"}, {0x00181521, "0\\0\\-2"}}), 3, warnings);
     EXPECT_TRUE(warnings.empty());
@@ -99,7 +99,7 @@ TEST(GantryHeader, IncrementsTurnTheAnglesOfEachFrame)
 
 TEST(GantryHeader, OneIncrementIsThatOfEveryFrame)
 {
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     const auto header = io::gantryHeaderOf(headerWith({{0x00181520, "2.5"}}), 4, warnings);
     ASSERT_EQ(header.angleIncrementsDeg.size(), 4U);
     EXPECT_EQ(header.angleIncrementsDeg[3], Eigen::Vector2d(7.5, 0.0));
@@ -107,7 +107,7 @@ TEST(GantryHeader, OneIncrementIsThatOfEveryFrame)
 
 TEST(GantryHeader, MotionWithoutFittingIncrementsIsWarnedAbout)
 {
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     EXPECT_TRUE(io::gantryHeaderOf(headerWith({{0x00181500, "DYNAMIC"}}), 3, warnings).angleIncrementsDeg.empty());
     EXPECT_TRUE(io::gantryHeaderOf(headerWith({{0x00181520, "0\\1"}}), 3, warnings).angleIncrementsDeg.empty());
     EXPECT_EQ(warnings.size(), 2U);
@@ -118,7 +118,7 @@ TEST(GantryHeader, MotionWithoutFittingIncrementsIsWarnedAbout)
 
 TEST(GantryHeader, ReadsWhatTheChecksNeed)
 {
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     const auto header = io::gantryHeaderOf(headerWith({{0x00181114, "1.33"},
                                                        {0x00181147, "RECTANGLE"},
                                                        {0x00181149, "200\\150"},

@@ -63,10 +63,10 @@ inline io::LoadedVolume readFolder(const TemporaryFolder& folder)
     return loaded ? std::move(loaded).value() : io::LoadedVolume{};
 }
 
-inline bool mentions(const std::vector<std::string>& warnings, const std::string& words)
+inline bool mentions(const core::Messages& warnings, const std::string& words)
 {
     return std::any_of(warnings.begin(), warnings.end(),
-                       [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
+                       [&](const core::Message& warning) { return warning.text().find(words) != std::string::npos; });
 }
 
 }   // namespace angiopose::test

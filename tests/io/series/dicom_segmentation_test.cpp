@@ -196,7 +196,7 @@ TEST(DicomSegmentation, IsAVesselInput)
     EXPECT_EQ(kind.value(), core::VesselInputKind::Segmentation);
     const auto scan = io::readVolume(path);
     ASSERT_FALSE(scan);
-    EXPECT_NE(scan.error().message.find("DICOM segmentation"), std::string::npos) << scan.error().message;
+    EXPECT_NE(scan.error().message.text().find("DICOM segmentation"), std::string::npos) << scan.error().message;
 }
 
 TEST(DicomSegmentation, RefusesWhatItCannotPlace)
@@ -204,7 +204,7 @@ TEST(DicomSegmentation, RefusesWhatItCannotPlace)
     const TemporaryFolder folder;
     const auto messageOf = [&](const std::string& content) {
         const auto labels = io::readLabels(folder.write("bad.dcm", content));
-        return labels ? std::string("no error") : labels.error().message;
+        return labels ? std::string("no error") : labels.error().message.text();
     };
     EXPECT_NE(messageOf(segmentationBytes({.shearMm = 0.5})).find("DICOM segmentation"), std::string::npos);
     EXPECT_NE(messageOf(segmentationBytes({.frames = {{0, 1}}})).find("DICOM segmentation"), std::string::npos);

@@ -1,5 +1,6 @@
 #include "io/dicom_series.h"
 
+#include "io/messages/says.h"
 #include "tests/io/series/ct_phantom.h"
 #include "tests/support/test_data.h"
 
@@ -160,8 +161,8 @@ TEST(DicomSeries, ScoutsOfTheSameSeriesAreListedApart)
 
     ASSERT_TRUE(series);
     ASSERT_EQ(series.value().size(), 2U);
-    EXPECT_TRUE(series.value()[0].problem.empty());
-    EXPECT_NE(series.value()[1].problem.find("single slice"), std::string::npos);
+    EXPECT_FALSE(series.value()[0].problem);
+    EXPECT_EQ(series.value()[1].problem, io::says::seriesSingleSlice());
     EXPECT_TRUE(mentions(series.value()[0].warnings, "sizes or orientations"));
     EXPECT_TRUE(io::readVolume(folder.file(""))) << "the scout leaves no choice";
 }
@@ -174,13 +175,13 @@ TEST(DicomSeries, DamagedSlicesAndEmptyFoldersSayWhatIsWrong)
     writeShuffled(folder, slices);
     const auto loaded = io::readVolume(folder.file(""));
     ASSERT_FALSE(loaded);
-    EXPECT_NE(loaded.error().message.find("cut short"), std::string::npos) << loaded.error().message;
+    EXPECT_NE(loaded.error().message.text().find("cut short"), std::string::npos) << loaded.error().message;
 
     const TemporaryFolder empty;
     std::filesystem::create_directories(empty.file("nothing"));
     const auto none = io::listSeries(empty.file("nothing"));
     ASSERT_FALSE(none);
-    EXPECT_NE(none.error().message.find("no DICOM image"), std::string::npos);
+    EXPECT_NE(none.error().message.text().find("no DICOM image"), std::string::npos);
 }
 
 TEST(DicomSeries, StopIsAnsweredWhileListingAndReading)
@@ -191,10 +192,10 @@ TEST(DicomSeries, StopIsAnsweredWhileListingAndReading)
     EXPECT_FALSE(io::listSeries(folder.file(""), stop));
     auto series = io::listSeries(folder.file(""));
     ASSERT_TRUE(series);
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     const auto volume = io::readSeries(series.value().front(), stop, warnings);
     ASSERT_FALSE(volume);
-    EXPECT_NE(volume.error().message.find("stopped"), std::string::npos);
+    EXPECT_TRUE(volume.isStopped());
 }
 
 TEST(DicomSeries, HashFollowsContentNotNames)

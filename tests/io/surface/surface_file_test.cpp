@@ -125,10 +125,10 @@ TEST(ReadSurface, HolesAndUnusualSizesAreMentioned)
     const auto open = io::readSurface(folder.write("open.obj", pointLines("v ") + whole.substr(0, whole.size() - 8)));
     ASSERT_TRUE(open) << open.error().message;
     ASSERT_EQ(open.value().warnings.size(), 1U);
-    EXPECT_NE(open.value().warnings.front().find("3 open"), std::string::npos);
+    EXPECT_NE(open.value().warnings.front().text().find("3 open"), std::string::npos);
     const auto small = io::readSurface(folder.write("small.obj", pointLines("v ") + whole), 0.1);
     ASSERT_TRUE(small);
-    EXPECT_NE(small.value().warnings.front().find("9.1 mm across"), std::string::npos);
+    EXPECT_NE(small.value().warnings.front().text().find("9.1 mm across"), std::string::npos);
 }
 
 TEST(ReadSurface, DamagedFilesSayWhatIsWrong)

@@ -34,7 +34,7 @@ inline void expectRefused(const std::string& path, const std::string& reason)
 {
     const auto loaded = io::readVolume(path);
     ASSERT_FALSE(loaded) << path;
-    EXPECT_NE(loaded.error().message.find(reason), std::string::npos) << loaded.error().message;
+    EXPECT_NE(loaded.error().message.text().find(reason), std::string::npos) << loaded.error().message;
     EXPECT_TRUE(loaded.error().message.starts_with(path)) << loaded.error().message;
 }
 

@@ -122,7 +122,7 @@ TEST(ReadVolume, FractionsAreRoundedAndItSaysSo)
         EXPECT_NEAR(loaded.value().volume.value(i), values[i], 0.5001 / 65535.0);
     }
     ASSERT_EQ(loaded.value().warnings.size(), 1U);
-    EXPECT_NE(loaded.value().warnings.front().find("steps of 1.53e-05"), std::string::npos);
+    EXPECT_NE(loaded.value().warnings.front().text().find("steps of 1.53e-05"), std::string::npos);
 }
 
 TEST(ReadVolume, BigEndianVoxelsAreTurned)
@@ -146,7 +146,7 @@ TEST(ReadVolume, NotANumberBecomesTheLowestValue)
     ASSERT_TRUE(some);
     EXPECT_EQ(some.value().volume.value(0), -9.0);
     EXPECT_EQ(some.value().volume.value(3), 5.0);
-    EXPECT_NE(some.value().warnings.front().find("2 voxels are not numbers"), std::string::npos);
+    EXPECT_NE(some.value().warnings.front().text().find("2 voxels are not numbers"), std::string::npos);
 
     expectRefused(folder.write("b.mha", metaImage("MET_FLOAT", bytesOf(std::vector<float>(8, none)))),
                   "none of its voxels is a number");
@@ -168,7 +168,7 @@ TEST(ReadVolume, StopEndsTheReadingWithinAChunk)
     });
 
     ASSERT_FALSE(stopped);
-    EXPECT_NE(stopped.error().message.find("stopped"), std::string::npos);
+    EXPECT_TRUE(stopped.isStopped());
     EXPECT_EQ(calls, 2);
 }
 

@@ -94,7 +94,7 @@ TEST(Nifti, TheScannersPlacementBeatsAnAtlas)
 
     ASSERT_TRUE(loaded);
     EXPECT_LT((loaded.value().volume.geometry.originInPatient - Eigen::Vector3d(-5, -6, 7)).norm(), 1e-5);
-    EXPECT_NE(loaded.value().warnings.front().find("qform"), std::string::npos);
+    EXPECT_NE(loaded.value().warnings.front().text().find("qform"), std::string::npos);
 }
 
 TEST(Nifti, SaysWhenThePlacementIsUnknown)
@@ -104,7 +104,7 @@ TEST(Nifti, SaysWhenThePlacementIsUnknown)
     ASSERT_TRUE(loaded);
     EXPECT_LT((loaded.value().volume.geometry.spacingMm - Eigen::Vector3d(0.5, 2.0, 3.0)).norm(), 1e-6);
     ASSERT_EQ(loaded.value().warnings.size(), 1U);
-    EXPECT_NE(loaded.value().warnings.front().find("left and right"), std::string::npos);
+    EXPECT_NE(loaded.value().warnings.front().text().find("left and right"), std::string::npos);
 }
 
 TEST(Nifti, RefusesWhatIsNoVolume)
@@ -153,7 +153,7 @@ TEST(Nrrd, SpacesBecomeLps)
     EXPECT_LT((place("space: left-anterior-superior\n") - Eigen::Vector3d(13, -22, 34)).norm(), 1e-9);
     const auto unknown = io::readVolume(folder.write("b.nrrd", header("") + std::string(16, '\0')));
     ASSERT_TRUE(unknown);
-    EXPECT_NE(unknown.value().warnings.front().find("left and right"), std::string::npos);
+    EXPECT_NE(unknown.value().warnings.front().text().find("left and right"), std::string::npos);
 }
 
 TEST(MetaImage, NamesHeaderAndVoxelsWhenTheseAreMissing)

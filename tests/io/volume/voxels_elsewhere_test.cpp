@@ -28,7 +28,8 @@ TEST(VoxelsElsewhere, OfAWholeVolumeAreRefusedUntilItsHeaderIsSkipped)
     const auto refused = io::readLabels(shifted);
     ASSERT_FALSE(refused);
     EXPECT_TRUE(refused.error().message.starts_with(shifted)) << refused.error().message;
-    EXPECT_NE(refused.error().message.find("header of another volume"), std::string::npos) << refused.error().message;
+    EXPECT_NE(refused.error().message.text().find("header of another volume"), std::string::npos)
+        << refused.error().message;
     EXPECT_FALSE(io::describeVolume(shifted));
 
     const std::string skipping = folder.write("skipping.nhdr", detachedHeader("fork.nii", "byte skip: -1\n"));
@@ -43,7 +44,7 @@ TEST(VoxelsElsewhere, AreNamedWhereTheyAreMissing)
     const std::string header = folder.write("scan.nhdr", detachedHeader("scan.raw", ""));
     const auto refused = io::readVolume(header);
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().message,
+    EXPECT_EQ(refused.error().message.text(),
               header + ": its voxels are in scan.raw, which is not there. Copy both files together.");
 }
 

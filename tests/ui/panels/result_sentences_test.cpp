@@ -1,4 +1,5 @@
 #include "ui/panels/result_sentences.h"
+#include "core/messages/says.h"
 
 #include <gtest/gtest.h>
 
@@ -50,12 +51,13 @@ TEST(ResultSentences, HaveNothingCertainWhenTheFitIsNotTrustworthy)
 {
     core::RegistrationResult result = resultWith({20.0, 20.0});
     result.trustworthy = false;
-    result.warnings = {"Only 5 % of the vessel tree lies on a traced vessel."};
+    result.warnings = {core::says::trustRival()};
 
     const auto sentences = sentencesOf(result, treeOf({"LM", "LAD"}), 0.3);
 
     EXPECT_TRUE(sentences.certain.isEmpty());
-    EXPECT_TRUE(sentences.doubtful.contains(QStringLiteral("Only 5 % of the vessel tree lies on a traced vessel.")));
+    EXPECT_TRUE(sentences.doubtful.contains(
+        QStringLiteral("Another pose explains the image nearly as well: compare the alternatives.")));
 }
 
 }   // namespace

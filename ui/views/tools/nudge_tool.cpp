@@ -52,7 +52,7 @@ NudgeGrip NudgeTool::grip() const
 {
     const core::ProjectionCamera& camera = view().camera();
     const Eigen::Vector3d pivotInCamera = view().cameraFromPatient() * view().pivotInPatient();
-    const auto pixel = core::findProblem(camera).empty() ? core::project(camera, pivotInCamera) : std::nullopt;
+    const auto pixel = !core::findProblem(camera) ? core::project(camera, pivotInCamera) : std::nullopt;
     if (!pixel) {
         return {};
     }

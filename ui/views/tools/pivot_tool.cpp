@@ -59,7 +59,7 @@ std::optional<Eigen::Vector3d> PivotTool::placeAt(const ToolPoint& point) const
     if (nearest) {
         return *nearest;
     }
-    if (!core::findProblem(view().camera()).empty()) {
+    if (core::findProblem(view().camera())) {
         return std::nullopt;
     }
     return core::placeUnderPixel(tree_, {view().camera(), view().cameraFromPatient()}, point.imagePx,

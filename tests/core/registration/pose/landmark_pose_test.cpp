@@ -58,7 +58,7 @@ TEST(LandmarkPose, FindsTheExactPoseWithoutAStart)
     for (const std::size_t count : {4U, 5U}) {
         const auto found =
             poseFromLandmarks(pairsOf({spread.begin(), spread.begin() + static_cast<long>(count)}), camera, {});
-        ASSERT_TRUE(found) << found.error().message;
+        ASSERT_TRUE(found) << found.error().message.text();
         EXPECT_LT((found.value().cameraFromPatient.matrix() - trueCameraFromPatient().matrix()).norm(), 1e-5);
         EXPECT_LT(found.value().rmsPx, 1e-6);
         EXPECT_FALSE(found.value().leansOnPrior);
@@ -92,7 +92,7 @@ TEST(LandmarkPose, OnePairShiftsThePoseAndTurnsNothing)
 {
     const RigidTransform before = disturbed(6.0, {20.0, -14.0, 30.0});
     const auto found = poseFromLandmarks(pairsOf({spread[0]}), camera, before);
-    ASSERT_TRUE(found) << found.error().message;
+    ASSERT_TRUE(found) << found.error().message.text();
     EXPECT_TRUE(found.value().leansOnPrior);
     EXPECT_LT(found.value().errorPx[0], 0.1);
     EXPECT_LT(turnDeg(found.value().cameraFromPatient, before), 0.05);
@@ -131,7 +131,7 @@ TEST(LandmarkPose, SaysWhatDegeneratePairsLack)
 {
     const auto messageOf = [](const std::vector<Landmark>& pairs, const std::optional<RigidTransform>& before) {
         const auto found = poseFromLandmarks(pairs, camera, before);
-        return found ? std::string() : found.error().message;
+        return found ? std::string() : found.error().message.text();
     };
     EXPECT_NE(messageOf({}, trueCameraFromPatient()).find("no landmarks"), std::string::npos);
     EXPECT_NE(messageOf(pairsOf({spread[0], spread[1], spread[2]}), {}).find("four"), std::string::npos);

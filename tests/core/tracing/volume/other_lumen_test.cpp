@@ -1,4 +1,5 @@
 #include "core/tracing/volume/other_lumen.h"
+#include "core/messages/says.h"
 
 #include "core/tracing/volume/trace_vessels.h"
 #include "tests/support/drawn_tubes.h"
@@ -61,8 +62,8 @@ bool warnsOfOtherLumen(const std::vector<Tube>& tubes, const std::vector<Eigen::
     const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {70, 60, 200}, {1.0, 1.0, 1.0});
     const auto traced = core::traceVessels(test::tubesInTissue(grid, tubes), {.seedsInPatient = seeds});
     EXPECT_TRUE(traced) << traced.error().message;
-    return traced && std::ranges::any_of(traced.value().warnings, [](const std::string& warning) {
-               return warning.find("other lumen") != std::string::npos;
+    return traced && std::ranges::any_of(traced.value().warnings, [](const core::Message& warning) {
+               return warning.is(core::says::otherLumenBeside);
            });
 }
 

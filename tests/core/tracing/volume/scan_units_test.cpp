@@ -1,3 +1,4 @@
+#include "core/messages/says.h"
 #include "core/simulation/simulate_cta.h"
 #include "core/tracing/volume/trace_vessels.h"
 
@@ -24,8 +25,8 @@ bool warnsOfUnits(const core::Volume& scan, const core::VesselTracingOptions& op
 {
     const auto traced = core::traceVessels(scan, options);
     EXPECT_TRUE(traced) << traced.error().message;
-    return traced && std::ranges::any_of(traced.value().warnings, [](const std::string& warning) {
-               return warning.find("Hounsfield") != std::string::npos;
+    return traced && std::ranges::any_of(traced.value().warnings, [](const core::Message& warning) {
+               return warning.is(core::says::perhapsNoHounsfield);
            });
 }
 

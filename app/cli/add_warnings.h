@@ -1,0 +1,16 @@
+#pragma once
+
+#include "io/support/message_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace angiopose::app {
+
+/// `warnings`, the sentences alone, as results always had them, and `messages` with their ids.
+inline void addWarnings(nlohmann::ordered_json& json, const core::Messages& warnings)
+{
+    json["warnings"] = io::sentencesOf(warnings);
+    json["messages"] = nlohmann::ordered_json::parse(io::messagesJson(warnings));
+}
+
+}   // namespace angiopose::app

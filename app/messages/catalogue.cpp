@@ -1,0 +1,20 @@
+#include "app/messages/catalogue.h"
+
+#include "app/messages/says.h"
+
+#include <array>
+
+namespace angiopose::app {
+
+std::span<const core::MessageEntry* const> messageCatalogue()
+{
+    static constexpr auto entries = std::to_array<const core::MessageEntry*>({
+#define MESSAGE(name, id, english) &says::name,
+#include "app/messages/commands.def"
+#include "app/messages/window.def"
+#undef MESSAGE
+    });
+    return entries;
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,23 @@
+#include "core/messages/catalogue.h"
+
+#include "core/messages/says.h"
+
+#include <array>
+
+namespace angiopose::core {
+
+std::span<const MessageEntry* const> messageCatalogue()
+{
+    static constexpr auto entries = std::to_array<const MessageEntry*>({
+#define MESSAGE(name, id, english) &says::name,
+#include "core/messages/evaluation.def"
+#include "core/messages/geometry.def"
+#include "core/messages/registration.def"
+#include "core/messages/tracing.def"
+#include "core/messages/vessels.def"
+#undef MESSAGE
+    });
+    return entries;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+#include <iosfwd>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace angiopose::core {
+
+/// A line of the catalogue: what identifies a message, for programs and for translations, and the English sentence
+/// with %1 … where the arguments go.
+struct MessageEntry {
+    const char* id;
+    const char* english;
+};
+
+class Message;
+using Messages = std::vector<Message>;
+
+/// A number as it is said. `unit` follows it, after a space unless it is "°"; may be empty.
+struct Quantity {
+    static constexpr int asNeeded = -1;   ///< up to six significant digits and no more than needed
+
+    double value;
+    int decimals = 0;
+    const char* unit = "";
+
+    bool operator==(const Quantity& other) const;
+};
+
+/// What fills one place of a sentence: a text that no language changes (a name, a word of a file), a number, texts in
+/// a row, or messages in a row: a sentence of its own, or words that have translations.
+using MessageArgument = std::variant<std::string, Quantity, std::vector<std::string>, Messages>;
+
+enum class Severity { Note, Warning, Error };
+
+/// "note", "warning", "error".
+std::string_view toText(Severity severity);
+
+/// Something to tell the user, as data: which sentence, how grave, and what it is about. Made by naming an entry of a
+/// layer's catalogue and giving its arguments: `says::noSuchBranch(7)`.
+class Message {
+public:
+    Message(const MessageEntry& entry, std::vector<MessageArgument> arguments)
+        : entry_(&entry), arguments_(std::move(arguments))
+    {
+    }
+    Message(std::string sentence);   ///< without an entry of its own: `text.plain`
+    Message(const char* sentence) : Message(std::string(sentence)) {}
+
+    const MessageEntry& entry() const { return *entry_; }
+    std::string_view id() const { return entry_->id; }
+    const std::vector<MessageArgument>& arguments() const { return arguments_; }
+
+    /// Whether it is this message, whatever its arguments.
+    bool is(const MessageEntry& entry) const { return entry_ == &entry; }
+
+    Severity severity() const { return severity_; }
+    Message as(Severity severity) const;
+
+    /// File, or key of a file, that the sentence is about; stands before it with a colon. May be empty.
+    const std::string& subject() const { return subject_; }
+    Message about(std::string_view subject) const;
+
+    /// The English sentence, after its subject.
+    std::string text() const;
+
+    bool operator==(const Message&) const = default;
+
+private:
+    const MessageEntry* entry_;
+    Severity severity_ = Severity::Warning;
+    std::string subject_;
+    std::vector<MessageArgument> arguments_;
+};
+
+/// For logs and tests.
+std::ostream& operator<<(std::ostream& stream, const Message& message);
+
+/// English words of one argument: "2.4 mm", "aorta, liver".
+std::string argumentText(const MessageArgument& argument);
+
+/// Highest number of a place in `english`: "… %1 of %2 …" has two.
+consteval std::size_t placesIn(std::string_view english)
+{
+    std::size_t places = 0;
+    for (std::size_t at = 0; at + 1 < english.size(); ++at) {
+        if (english[at] == '%' && english[at + 1] >= '1' && english[at + 1] <= '9') {
+            places = std::max(places, static_cast<std::size_t>(english[at + 1] - '0'));
+        }
+    }
+    return places;
+}
+
+/// What may be given for a place: a text, a number with or without its unit, a message, or several texts or messages.
+template <class Given>
+MessageArgument messageArgument(const Given& given)
+{
+    if constexpr (std::integral<Given>) {
+        return Quantity{static_cast<double>(given)};
+    } else if constexpr (std::same_as<Given, Message>) {
+        return Messages{given};
+    } else if constexpr (std::constructible_from<std::string, Given>) {
+        return std::string(given);
+    } else {
+        return given;
+    }
+}
+
+/// An entry that knows how many arguments it takes, so that a wrong number does not compile.
+template <std::size_t Places>
+struct MessageKind : MessageEntry {
+    template <class... Arguments>
+    requires(sizeof...(Arguments) == Places) Message operator()(const Arguments&... arguments) const
+    {
+        return Message(*this, {messageArgument(arguments)...});
+    }
+};
+
+/// For who gives a number with a unit.
+constexpr Quantity inMm(double value, int decimals)
+{
+    return {value, decimals, "mm"};
+}
+
+}   // namespace angiopose::core

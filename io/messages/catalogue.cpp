@@ -1,0 +1,23 @@
+#include "io/messages/catalogue.h"
+
+#include "io/messages/says.h"
+
+#include <array>
+
+namespace angiopose::io {
+
+std::span<const core::MessageEntry* const> messageCatalogue()
+{
+    static constexpr auto entries = std::to_array<const core::MessageEntry*>({
+#define MESSAGE(name, id, english) &says::name,
+#include "io/messages/case.def"
+#include "io/messages/files.def"
+#include "io/messages/images.def"
+#include "io/messages/vessels.def"
+#include "io/messages/volumes.def"
+#undef MESSAGE
+    });
+    return entries;
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,81 @@
+#include "core/support/message.h"
+
+#include "core/messages/catalogue.h"
+#include "core/messages/says.h"
+#include "core/support/result.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace angiopose::core {
+namespace {
+
+template <class Kind, class... Arguments>
+concept TakesArguments = requires(const Kind& kind, const Arguments&... arguments)
+{
+    kind(arguments...);
+};
+
+// A wrong number of arguments does not compile.
+static_assert(TakesArguments<decltype(says::noSuchBranch), int>);
+static_assert(!TakesArguments<decltype(says::noSuchBranch)>);
+static_assert(!TakesArguments<decltype(says::noSuchBranch), int, int>);
+static_assert(placesIn("%1 of %2 are within 5 %.") == 2);
+
+TEST(Message, SaysItsArgumentsInEnglish)
+{
+    EXPECT_EQ(says::noSuchBranch(7).text(), "The vessel tree has no branch 7.");
+    EXPECT_EQ(says::trustBetterAside(inMm(2.44, 1)).text(), "The vessels fit better 2.4 mm aside.");
+    EXPECT_EQ(says::trustOutsideImage(Quantity{31.2, 0, "%"}).text(),
+              "Only 31 % of the vessel tree lies inside the image.");
+    EXPECT_EQ(says::noSuchMethod("guess", std::vector<std::string>{"angiopose", "dt-icp"}).text(),
+              "There is no method 'guess'. Choose one of: angiopose, dt-icp.");
+}
+
+TEST(Message, HoldsOtherMessages)
+{
+    const Message inner = says::noSuchBranch(7);
+    const Message outer = says::inView(2, inner);
+
+    EXPECT_EQ(outer.text(), "View 2: The vessel tree has no branch 7.");
+    EXPECT_EQ(std::get<Messages>(outer.arguments()[1]).front(), inner);
+}
+
+TEST(Message, IsToldByItsIdWhateverItSays)
+{
+    EXPECT_TRUE(says::noSuchBranch(7).is(says::noSuchBranch));
+    EXPECT_FALSE(says::noSuchBranch(7).is(says::branchTwice));
+    EXPECT_EQ(says::noSuchBranch(7).id(), "tree.no-such-branch");
+    EXPECT_NE(says::noSuchBranch(7), says::noSuchBranch(8));
+}
+
+TEST(Message, NamesWhatItIsAboutOuterFirst)
+{
+    EXPECT_EQ(says::volumeEmpty().about("vessel").about("a.angiopose").text(),
+              "a.angiopose: vessel: The volume is empty. Choose another series or file.");
+}
+
+TEST(Message, KeepsPercentSignsThatAreNoPlaces)
+{
+    static constexpr MessageKind<1> kind{{"test.percent", "100 % of %1"}};
+
+    EXPECT_EQ(kind("50 %1").text(), "100 % of 50 %1");
+}
+
+TEST(Result, TellsStopFromErrors)
+{
+    const Result<int> stopped = Stopped{says::tracingStopped()};
+    const Result<int> failed = Error(says::volumeEmpty());
+
+    EXPECT_TRUE(stopped.isStopped());
+    EXPECT_EQ(stopped.error().message.severity(), Severity::Note);
+    EXPECT_FALSE(failed.isStopped());
+    EXPECT_EQ(failed.error().message.severity(), Severity::Error);
+    EXPECT_FALSE(Result<int>(3).isStopped());
+    EXPECT_TRUE(stopped.error().about("a.nii").isStop());
+}
+
+}   // namespace
+}   // namespace angiopose::core

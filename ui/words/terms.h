@@ -1,0 +1,14 @@
+#pragma once
+
+#include <QString>
+
+#include <string_view>
+
+namespace angiopose::ui {
+
+/// A word of core's tables in the language of the window: the label, help or choice of an option, the summary of a
+/// method, a stage of a run or why it ended. Others stay as they are. Sentences are messages, see message_text.h.
+QString termText(std::string_view term);
+QString termText(const QString& term);
+
+}   // namespace angiopose::ui
