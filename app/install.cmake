@@ -1,0 +1,14 @@
+# What `cmake --install` puts where, beside the library and the Python module, by component: runtime, doc.
+include(GNUInstallDirs)
+set(share ${CMAKE_INSTALL_DATAROOTDIR})
+set(packaging ${CMAKE_SOURCE_DIR}/packaging/linux)
+
+install(TARGETS angiopose angiopose-cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
+install(FILES ${packaging}/org.angiopose.AngioPose.desktop DESTINATION ${share}/applications COMPONENT runtime)
+install(FILES ${packaging}/org.angiopose.AngioPose.mime.xml DESTINATION ${share}/mime/packages COMPONENT runtime)
+install(FILES ${CMAKE_SOURCE_DIR}/resources/icons/angiopose.svg DESTINATION ${share}/icons/hicolor/scalable/apps
+  COMPONENT runtime)
+
+install(FILES ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/resources/docs ${CMAKE_SOURCE_DIR}/resources/examples
+  DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc PATTERN __pycache__ EXCLUDE)

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "angiopose/angiogram.h"
+#include "angiopose/geometry.h"
+#include "angiopose/options.h"
+#include "angiopose/registration.h"
+#include "angiopose/vessel_tree.h"
+#include "angiopose/volume.h"
+#include "core/geometry/c_arm.h"
+#include "core/geometry/projection_camera.h"
+#include "core/geometry/rigid_transform.h"
+#include "core/imaging/image2d.h"
+#include "core/registration/register_views.h"
+#include "core/registration/registration.h"
+#include "core/tracing/trace_angiogram.h"
+#include "core/tracing/volume/trace_vessels.h"
+#include "core/vessel/centerline2d.h"
+#include "core/vessel/vessel_input.h"
+#include "core/vessel/vessel_tree.h"
+
+// Between the types that others see and those of core. There and back restores every number to the last bit. `toCore`
+// throws Error where arrays do not fit together; whether the values make sense is checked by core.
+namespace angiopose::library {
+
+core::RigidTransform toCore(const Pose& pose);
+core::ProjectionCamera toCore(const ProjectionCamera& camera);
+core::CArm toCore(const CArm& cArm);
+core::VesselTree toCore(const VesselTree& tree);
+core::Centerline2d toCore(const Centerline2d& centerline);
+core::ImageF toCore(const Image& image);
+core::Polarity toCore(Polarity polarity);
+core::TraceOptions toCore(const TraceOptions& options);
+core::VolumeGeometry toCore(const VolumeGeometry& geometry);
+core::VesselTracingOptions toCore(const VesselTracingOptions& options);
+core::RegistrationOptions toCore(const RegistrationOptions& options);
+core::RegistrationInput toCore(const RegistrationInput& input);
+
+/// What the file offers, by its content, and how it is to be read.
+core::VesselInput vesselInputOf(const std::string& path, const VesselReadOptions& options);
+
+Pose toPublic(const core::RigidTransform& transform);
+ProjectionCamera toPublic(const core::ProjectionCamera& camera);
+CArm toPublic(const core::CArm& cArm);
+VesselTree toPublic(const core::VesselTree& tree);
+Centerline2d toPublic(const core::Centerline2d& centerline);
+Polarity toPublic(core::Polarity polarity);
+VolumeGeometry toPublic(const core::VolumeGeometry& geometry);
+RegistrationOptions toPublic(const core::RegistrationOptions& options);
+RegistrationInput toPublic(const core::RegistrationInput& input);
+StopReason toPublic(core::StopReason reason);
+DistanceMetrics toPublic(const core::DistanceMetrics& metrics);
+BranchResidual toPublic(const core::BranchResidual& branch);
+Hypothesis toPublic(const core::Hypothesis& hypothesis);
+PoseUncertainty toPublic(const core::PoseUncertainty& uncertainty);
+RegistrationResult toPublic(const core::RegistrationResult& result);
+MultiViewResult toPublic(const core::MultiViewResult& result);
+
+template <class T>
+Image2d<T> toPublic(core::Image2d<T> image)
+{
+    return {image.width, image.height, std::move(image.pixels)};
+}
+
+}   // namespace angiopose::library

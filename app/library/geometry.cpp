@@ -1,0 +1,99 @@
+#include "angiopose/geometry.h"
+
+#include "app/library/conversions.h"
+#include "app/library/relay.h"
+
+namespace angiopose::library {
+namespace {
+
+template <class T>
+core::Sourced<T> givenBy(const std::optional<T>& value)
+{
+    return {value, value ? core::Origin::User : core::Origin::Missing, {}};
+}
+
+}   // namespace
+
+core::RigidTransform toCore(const Pose& pose)
+{
+    if (pose.row(3) != Pose::Identity().row(3)) {
+        throw Error("library.no-pose",
+                    "The last row of a pose must be 0, 0, 0, 1. Give the 4 x 4 matrix that takes "
+                    "patient points to camera points.");
+    }
+    return {pose.topLeftCorner<3, 3>(), pose.topRightCorner<3, 1>()};
+}
+
+core::ProjectionCamera toCore(const ProjectionCamera& camera)
+{
+    const auto& [fx, fy, cx, cy, width, height] = camera;
+    return {fx, fy, cx, cy, width, height};
+}
+
+core::CArm toCore(const CArm& cArm)
+{
+    core::CArm converted;
+    converted.sourceToDetectorMm = givenBy(cArm.sourceToDetectorMm);
+    converted.sourceToPatientMm = givenBy(cArm.sourceToPatientMm);
+    converted.columnSpacingMm = givenBy(cArm.columnSpacingMm);
+    converted.rowSpacingMm = givenBy(cArm.rowSpacingMm);
+    converted.primaryAngleDeg = givenBy(cArm.primaryAngleDeg);
+    converted.secondaryAngleDeg = givenBy(cArm.secondaryAngleDeg);
+    converted.rollDeg = givenBy(cArm.rollDeg);
+    if (cArm.principalPointUPx && cArm.principalPointVPx) {
+        converted.principalPointPx =
+            givenBy(std::optional(Eigen::Vector2d(*cArm.principalPointUPx, *cArm.principalPointVPx)));
+    }
+    converted.mirrored = givenBy(std::optional(cArm.mirrored));
+    converted.isocentreInPatientMm = givenBy(cArm.isocentreInPatientMm);
+    return converted;
+}
+
+Pose toPublic(const core::RigidTransform& transform)
+{
+    Pose pose = Pose::Identity();
+    pose.topLeftCorner<3, 3>() = transform.rotation;
+    pose.topRightCorner<3, 1>() = transform.translation;
+    return pose;
+}
+
+ProjectionCamera toPublic(const core::ProjectionCamera& camera)
+{
+    const auto& [fx, fy, cx, cy, width, height] = camera;
+    return {fx, fy, cx, cy, width, height};
+}
+
+CArm toPublic(const core::CArm& cArm)
+{
+    const auto& [detector, patient, column, row, primary, secondary, roll, centre, mirrored, isocentre] = cArm;
+    CArm converted{detector.value,  patient.value, column.value, row.value, primary.value,
+                   secondary.value, roll.value,    {},           {},        mirrored.value.value_or(false),
+                   isocentre.value};
+    if (centre.value) {
+        converted.principalPointUPx = centre.value->x();
+        converted.principalPointVPx = centre.value->y();
+    }
+    return converted;
+}
+
+}   // namespace angiopose::library
+
+namespace angiopose {
+
+ProjectionCamera cameraFromCArm(const CArm& cArm, int width, int height)
+{
+    return library::toPublic(library::valueOf(core::cameraFromCArm(library::toCore(cArm), width, height)));
+}
+
+Pose cameraFromPatient(const CArm& cArm, const Eigen::Vector3d& isocentreInPatient)
+{
+    return library::toPublic(library::valueOf(core::cameraFromPatient(library::toCore(cArm), isocentreInPatient)));
+}
+
+std::optional<Eigen::Vector2d> project(const ProjectionCamera& camera, const Pose& cameraFromPatient,
+                                       const Eigen::Vector3d& pointInPatient)
+{
+    return core::project(library::toCore(camera), library::toCore(cameraFromPatient) * pointInPatient);
+}
+
+}   // namespace angiopose

@@ -1,0 +1,14 @@
+#pragma once
+
+// Where a 3-D vessel tree lies in a 2-D angiogram: all of the library.
+
+#include "angiopose/angiogram.h"
+#include "angiopose/case.h"
+#include "angiopose/error.h"
+#include "angiopose/geometry.h"
+#include "angiopose/observer.h"
+#include "angiopose/options.h"
+#include "angiopose/registration.h"
+#include "angiopose/version.h"
+#include "angiopose/vessel_tree.h"
+#include "angiopose/volume.h"

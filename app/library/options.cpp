@@ -1,0 +1,116 @@
+#include "angiopose/options.h"
+
+#include "app/library/conversions.h"
+#include "app/library/relay.h"
+#include "core/geometry/pose_axis.h"
+#include "core/registration/option_text.h"
+#include "io/support/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace angiopose::library {
+namespace {
+
+std::string textOf(const core::OptionField& field, double value)
+{
+    return field.choices.empty() ? io::toText(value)
+                                 : std::string(field.choices[static_cast<std::size_t>(std::lround(value))]);
+}
+
+void checkKey(const std::string& key)
+{
+    const auto& fields = core::optionFields();
+    if (std::ranges::find(fields, key, &core::OptionField::key) == fields.end()) {
+        throw Error("library.no-option",
+                    "There is no option '" + key + "'. `methods()` lists the options of every method.");
+    }
+}
+
+OptionInfo infoOf(const core::OptionField& field)
+{
+    return {std::string(field.key),
+            std::string(field.unit),
+            std::string(field.help),
+            field.min,
+            field.max,
+            {field.choices.begin(), field.choices.end()},
+            textOf(field, field.read({}))};
+}
+
+bool isFor(const core::OptionField& field, std::string_view method)
+{
+    return field.methods.empty() || std::ranges::find(field.methods, method) != field.methods.end();
+}
+
+}   // namespace
+
+core::RegistrationOptions toCore(const RegistrationOptions& options)
+{
+    core::RegistrationOptions converted;
+    converted.method = options.method;
+    for (const auto& [key, value] : options.values) {
+        checkKey(key);
+        check(core::setOption(converted, key + "=" + value));
+    }
+    for (const std::string& id : options.locks) {
+        const auto axis = core::poseAxisFrom(id);
+        if (!axis) {
+            throw Error("library.no-lock",
+                        "There is no degree of freedom '" + id + "' to lock. Use " + core::poseAxisIds() + ".");
+        }
+        converted.locks[static_cast<std::size_t>(*axis)] = true;
+    }
+    return converted;
+}
+
+RegistrationOptions toPublic(const core::RegistrationOptions& options)
+{
+    RegistrationOptions converted;
+    converted.method = options.method;
+    const core::RegistrationOptions defaults;
+    for (const core::OptionField& field : core::optionFields()) {
+        if (field.read(options) != field.read(defaults)) {
+            converted.values[std::string(field.key)] = textOf(field, field.read(options));
+        }
+    }
+    for (const core::PoseAxis axis : core::poseAxes) {
+        if (core::isLocked(options.locks, axis)) {
+            converted.locks.emplace_back(core::idOf(axis));
+        }
+    }
+    return converted;
+}
+
+}   // namespace angiopose::library
+
+namespace angiopose {
+
+RegistrationOptions& RegistrationOptions::set(const std::string& key, double value)
+{
+    values[key] = io::toText(value);
+    return *this;
+}
+
+RegistrationOptions& RegistrationOptions::set(const std::string& key, std::string_view choice)
+{
+    values[key] = choice;
+    return *this;
+}
+
+std::vector<MethodInfo> methods()
+{
+    std::vector<MethodInfo> all;
+    for (const core::MethodInfo& method : core::methodInfos()) {
+        MethodInfo info{std::string(method.id), std::string(method.label), std::string(method.summary), {}};
+        for (const core::OptionField& field : core::optionFields()) {
+            if (library::isFor(field, method.id)) {
+                info.options.push_back(library::infoOf(field));
+            }
+        }
+        all.push_back(std::move(info));
+    }
+    return all;
+}
+
+}   // namespace angiopose

@@ -1,0 +1,177 @@
+#include "angiopose/registration.h"
+
+#include "app/library/conversions.h"
+#include "app/library/relay.h"
+#include "io/pose_file.h"
+
+namespace angiopose::library {
+
+StopReason toPublic(core::StopReason reason)
+{
+    switch (reason) {
+        case core::StopReason::Converged:
+            return StopReason::Converged;
+        case core::StopReason::NoImprovement:
+            return StopReason::NoImprovement;
+        case core::StopReason::StoppedByUser:
+            return StopReason::StoppedByUser;
+        default:
+            return StopReason::IterationLimit;
+    }
+}
+
+// Naming every part makes it a compile error when core has one more.
+DistanceMetrics toPublic(const core::DistanceMetrics& metrics)
+{
+    const auto& [meanPx, medianPx, p75Px, p95Px, meanMm, medianMm, p75Mm, p95Mm, coverage, reversePx, reverseMm] =
+        metrics;
+    return {meanPx, medianPx, p75Px, p95Px, meanMm, medianMm, p75Mm, p95Mm, coverage, reversePx, reverseMm};
+}
+
+BranchResidual toPublic(const core::BranchResidual& branch)
+{
+    const auto& [id, pointCount, medianPx, p95Px, agreement] = branch;
+    return {id, pointCount, medianPx, p95Px, agreement};
+}
+
+Hypothesis toPublic(const core::Hypothesis& hypothesis)
+{
+    const auto& [cameraFromPatient, score] = hypothesis;
+    return {library::toPublic(cameraFromPatient), score};
+}
+
+namespace {
+
+template <class Core>
+auto eachPublic(const std::vector<Core>& all)
+{
+    std::vector<decltype(toPublic(all.front()))> converted;
+    converted.reserve(all.size());
+    for (const Core& each : all) {
+        converted.push_back(toPublic(each));
+    }
+    return converted;
+}
+
+std::shared_ptr<const core::ImageF> sharedImage(const Image& image)
+{
+    return image.isEmpty() ? nullptr : std::make_shared<const core::ImageF>(toCore(image));
+}
+
+}   // namespace
+
+core::RegistrationInput toCore(const RegistrationInput& input)
+{
+    core::RegistrationInput converted;
+    converted.tree = toCore(input.tree);
+    converted.target = toCore(input.target);
+    converted.camera = toCore(input.camera);
+    converted.initialCameraFromPatient = toCore(input.initialCameraFromPatient);
+    converted.auxiliaryBranchIds = input.auxiliaryBranchIds;
+    converted.excludedBranchIds = input.excludedBranchIds;
+    converted.image = sharedImage(input.image);
+    converted.polarity = toCore(input.polarity);
+    converted.volume = input.volume ? input.volume->content() : nullptr;
+    if (input.lockReference) {
+        converted.lockReference = toCore(*input.lockReference);
+    }
+    converted.lockPivotInPatient = input.lockPivotInPatient;
+    return converted;
+}
+
+RegistrationInput toPublic(const core::RegistrationInput& input)
+{
+    RegistrationInput converted;
+    converted.tree = toPublic(input.tree);
+    converted.target = toPublic(input.target);
+    converted.camera = toPublic(input.camera);
+    converted.initialCameraFromPatient = toPublic(input.initialCameraFromPatient);
+    converted.auxiliaryBranchIds = input.auxiliaryBranchIds;
+    converted.excludedBranchIds = input.excludedBranchIds;
+    if (input.image) {
+        converted.image = toPublic(core::ImageF(*input.image));
+    }
+    converted.polarity = toPublic(input.polarity);
+    if (input.volume) {
+        converted.volume.emplace(input.volume);
+    }
+    if (input.lockReference) {
+        converted.lockReference = toPublic(*input.lockReference);
+    }
+    converted.lockPivotInPatient = input.lockPivotInPatient;
+    return converted;
+}
+
+PoseUncertainty toPublic(const core::PoseUncertainty& uncertainty)
+{
+    const auto& [covariance, rotationDeg, inPlaneMm, depthMm, observed, weakestDirection] = uncertainty;
+    return {covariance, rotationDeg, inPlaneMm, depthMm, observed, weakestDirection};
+}
+
+RegistrationResult toPublic(const core::RegistrationResult& result)
+{
+    RegistrationResult converted;
+    converted.method = result.method;
+    converted.cameraFromPatient = toPublic(result.cameraFromPatient);
+    converted.stopReason = toPublic(result.stopReason);
+    converted.iterations = result.iterations;
+    converted.metrics = toPublic(result.metrics);
+    converted.uncertainty = toPublic(result.uncertainty);
+    converted.branches = eachPublic(result.branches);
+    converted.alternatives = eachPublic(result.alternatives);
+    converted.trustworthy = result.trustworthy;
+    converted.warnings = publicMessages(result.warnings);
+    converted.totalMs = result.time.totalMs;
+    return converted;
+}
+
+MultiViewResult toPublic(const core::MultiViewResult& result)
+{
+    return {eachPublic(result.views),
+            {result.corrections.begin(), result.corrections.end()},
+            toPublic(result.uncertainty),
+            result.trustworthy,
+            publicMessages(result.warnings)};
+}
+
+}   // namespace angiopose::library
+
+namespace angiopose {
+
+RegistrationResult registerVessels(const RegistrationInput& input, const RegistrationOptions& options,
+                                   const Observer& observe)
+{
+    library::Relay relay(observe);
+    return library::toPublic(
+        relay.take(core::registerVessels(library::toCore(input), library::toCore(options), relay.iterations())));
+}
+
+RegistrationResult evaluatePose(const RegistrationInput& input, const Pose& cameraFromPatient)
+{
+    return library::toPublic(
+        library::valueOf(core::evaluatePose(library::toCore(input), library::toCore(cameraFromPatient))));
+}
+
+MultiViewResult registerViews(const std::vector<RegistrationInput>& views, const RegistrationOptions& options,
+                              const Observer& observe)
+{
+    std::vector<core::RegistrationInput> inputs;
+    inputs.reserve(views.size());
+    for (const RegistrationInput& view : views) {
+        inputs.push_back(library::toCore(view));
+    }
+    library::Relay relay(observe);
+    return library::toPublic(relay.take(core::registerViews(inputs, library::toCore(options), {}, relay.iterations())));
+}
+
+Pose readPose(const std::string& path)
+{
+    return library::toPublic(library::valueOf(io::readPose(path)));
+}
+
+void writePose(const Pose& cameraFromPatient, const std::string& path)
+{
+    library::check(io::writePose(library::toCore(cameraFromPatient), path));
+}
+
+}   // namespace angiopose

@@ -1,0 +1,71 @@
+#include "app/library/relay.h"
+
+#include "app/library/conversions.h"
+
+namespace angiopose::library {
+
+Message publicMessage(const std::string& sentence)
+{
+    return {"text.plain", sentence};
+}
+
+std::vector<Message> publicMessages(const std::vector<std::string>& sentences)
+{
+    std::vector<Message> messages;
+    messages.reserve(sentences.size());
+    for (const std::string& sentence : sentences) {
+        messages.push_back(publicMessage(sentence));
+    }
+    return messages;
+}
+
+void raise(const core::Error& error)
+{
+    const Message message = publicMessage(error.message);
+    throw Error(message.id, message.text);
+}
+
+core::Verdict Relay::tell(const Progress& progress)
+{
+    if (isStopped_) {
+        return core::Verdict::Stop;
+    }
+    try {
+        isStopped_ = observe_(progress) == Verdict::Stop;
+    } catch (...) {
+        thrown_ = std::current_exception();
+        isStopped_ = true;
+    }
+    return isStopped_ ? core::Verdict::Stop : core::Verdict::Continue;
+}
+
+core::IterationObserver Relay::iterations()
+{
+    if (!observe_) {
+        return {};
+    }
+    return [this](const core::IterationReport& report) {
+        return tell({std::string(report.stage), report.progress, report.iteration, report.medianDistancePx,
+                     toPublic(report.cameraFromPatient)});
+    };
+}
+
+io::ReadObserver Relay::reading(std::string_view stage)
+{
+    if (!observe_) {
+        return {};
+    }
+    return [this, stage = std::string(stage)](double fraction) { return tell({stage, fraction, 0, 0.0, {}}); };
+}
+
+core::TracingObserver Relay::tracing()
+{
+    if (!observe_) {
+        return {};
+    }
+    return [this](const core::TracingReport& report) {
+        return tell({std::string(report.stage), report.progress, 0, 0.0, {}});
+    };
+}
+
+}   // namespace angiopose::library

@@ -1,0 +1,28 @@
+#include "app/library/case_content.h"
+#include "app/library/conversions.h"
+#include "core/simulation/simulated_case.h"
+
+namespace angiopose {
+
+SimulatedCase simulateCase(std::uint64_t seed, const SimulationOptions& options)
+{
+    core::TreeOptions tree;
+    tree.branchCount = options.branchCount;
+    core::DsaOptions dsa;
+    dsa.nonRigidStdMm = options.nonRigidStdMm;
+    dsa.missingBranchShare = options.missingBranchShare;
+    dsa.extraBranchShare = options.extraBranchShare;
+    dsa.frameCount = options.frameCount;
+    core::SimulatedCase simulated = core::simulateCase(seed, tree, dsa);
+
+    auto content = std::make_unique<Case::Content>();
+    content->values.title = "Simulated case, seed " + std::to_string(seed);
+    content->values.tree = std::make_shared<const core::VesselTree>(std::move(simulated.tree));
+    library::putAngiogram(content->values, std::make_shared<const core::Angiogram>(std::move(simulated.angiogram)));
+    Case theCase(std::move(content));
+    theCase.setStartPose(library::toPublic(simulated.initialCameraFromPatient));
+    return {std::move(theCase), library::toPublic(simulated.trueCameraFromPatient),
+            library::toPublic(simulated.trueTarget), std::move(simulated.missingBranchIds)};
+}
+
+}   // namespace angiopose

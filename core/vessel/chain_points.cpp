@@ -1,0 +1,157 @@
+#include "core/vessel/chain_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double reachInSpacings = 2.5;
+constexpr double pixelDiagonalPx = 1.5;   // a little more than √2
+
+struct Joint {
+    double lengthPx = 0.0;
+    std::size_t first = 0;
+    std::size_t second = 0;
+
+    bool operator<(const Joint& other) const
+    {
+        return std::tie(lengthPx, first, second) < std::tie(other.lengthPx, other.first, other.second);
+    }
+};
+
+using Points = std::vector<Eigen::Vector2d>;
+using Neighbours = std::vector<std::vector<std::size_t>>;
+
+std::vector<std::size_t> fromLeftToRight(const Points& points)
+{
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
+        return std::tuple(points[a].x(), points[a].y(), a) < std::tuple(points[b].x(), points[b].y(), b);
+    });
+    return order;
+}
+
+/// Every pair of points nearer than `reachPx`; `order` goes from left to right.
+std::vector<Joint> jointsWithin(const Points& points, const std::vector<std::size_t>& order, double reachPx)
+{
+    std::vector<Joint> joints;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        for (std::size_t k = i + 1; k < order.size(); ++k) {
+            const Eigen::Vector2d apart = points[order[k]] - points[order[i]];
+            if (apart.x() > reachPx) {
+                break;
+            }
+            if (apart.norm() <= reachPx) {
+                joints.push_back({apart.norm(), std::min(order[i], order[k]), std::max(order[i], order[k])});
+            }
+        }
+    }
+    return joints;
+}
+
+/// Distance from the point at `place` of `order` to the nearest other one; infinite where there is none.
+double nearestDistance(const Points& points, const std::vector<std::size_t>& order, std::size_t place)
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    const Eigen::Vector2d& point = points[order[place]];
+    const auto isFurther = [&](std::size_t other) {   // and so are all beyond it
+        const Eigen::Vector2d apart = points[order[other]] - point;
+        nearest = std::min(nearest, apart.norm());
+        return std::abs(apart.x()) > nearest;
+    };
+    for (std::size_t right = place + 1; right < order.size() && !isFurther(right); ++right) {
+    }
+    for (std::size_t left = place; left > 0 && !isFurther(left - 1); --left) {
+    }
+    return nearest;
+}
+
+/// Median over the points of the distance to the nearest other one.
+double usualSpacing(const Points& points, const std::vector<std::size_t>& order)
+{
+    std::vector<double> nearest(order.size());
+    for (std::size_t place = 0; place < order.size(); ++place) {
+        nearest[place] = nearestDistance(points, order, place);
+    }
+    const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+    std::nth_element(nearest.begin(), middle, nearest.end());
+    return *middle;
+}
+
+std::size_t rootOf(std::vector<std::size_t>& parents, std::size_t point)
+{
+    while (parents[point] != point) {
+        parents[point] = parents[parents[point]];
+        point = parents[point];
+    }
+    return point;
+}
+
+/// Who is joined to whom in the minimum spanning forest (Kruskal).
+Neighbours spanningForest(std::size_t count, std::vector<Joint> joints)
+{
+    std::ranges::sort(joints, std::less{});
+    std::vector<std::size_t> parents(count);
+    std::iota(parents.begin(), parents.end(), std::size_t{0});
+    Neighbours neighbours(count);
+    for (const Joint& joint : joints) {
+        const std::size_t first = rootOf(parents, joint.first);
+        const std::size_t second = rootOf(parents, joint.second);
+        if (first != second) {
+            parents[first] = second;
+            neighbours[joint.first].push_back(joint.second);
+            neighbours[joint.second].push_back(joint.first);
+        }
+    }
+    return neighbours;
+}
+
+/// From `start` over points that are not taken yet to the next end, or to the next fork.
+Curve2d curveFrom(std::size_t start, const Points& points, const Neighbours& neighbours, std::vector<char>& isTaken)
+{
+    Curve2d curve;
+    for (std::size_t at = start;;) {
+        isTaken[at] = 1;
+        curve.pointsPx.push_back(points[at]);
+        const auto next = std::ranges::find_if(neighbours[at], [&](std::size_t point) { return !isTaken[point]; });
+        if (next == neighbours[at].end() || (neighbours[at].size() > 2 && at != start)) {
+            return curve;
+        }
+        at = *next;
+    }
+}
+
+}   // namespace
+
+Centerline2d chainPoints(const Points& points)
+{
+    Centerline2d centerline;
+    if (points.empty()) {
+        return centerline;
+    }
+    const std::vector<std::size_t> order = fromLeftToRight(points);
+    const double reachPx = std::max(pixelDiagonalPx, reachInSpacings * usualSpacing(points, order));
+    const Neighbours neighbours = spanningForest(points.size(), jointsWithin(points, order, reachPx));
+    std::vector<char> isTaken(points.size());
+    const auto collect = [&](const auto& isStart) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (!isTaken[i] && isStart(i)) {
+                centerline.curves.push_back(curveFrom(i, points, neighbours, isTaken));
+                centerline.curves.back().id = static_cast<int>(centerline.curves.size());
+            }
+        }
+    };
+    collect([&](std::size_t i) { return neighbours[i].size() < 2; });   // from the ends
+    collect([&](std::size_t i) { return neighbours[i].size() > 2; });   // from forks that no end led to
+    const auto isCutOff = [&](std::size_t point) { return isTaken[point] != 0; };
+    collect([&](std::size_t i) { return std::ranges::any_of(neighbours[i], isCutOff); });   // between forks
+    collect([](std::size_t) { return true; });
+    return centerline;
+}
+
+}   // namespace angiopose::core

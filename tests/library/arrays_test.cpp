@@ -1,0 +1,135 @@
+#include "angiopose/angiopose.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <random>
+
+namespace angiopose {
+namespace {
+
+namespace fs = std::filesystem;
+
+SimulatedCase smallCase()
+{
+    SimulationOptions options;
+    options.branchCount = 8;
+    options.frameCount = 3;
+    return simulateCase(5, options);
+}
+
+/// The same numbers to the last bit.
+void expectSame(const RegistrationResult& one, const RegistrationResult& other)
+{
+    EXPECT_EQ(0, std::memcmp(one.cameraFromPatient.data(), other.cameraFromPatient.data(), sizeof(Pose)));
+    EXPECT_EQ(0, std::memcmp(&one.metrics, &other.metrics, sizeof(DistanceMetrics)));
+    EXPECT_EQ(0, std::memcmp(one.uncertainty.covariance.data(), other.uncertainty.covariance.data(), sizeof(Matrix6d)));
+    EXPECT_EQ(one.iterations, other.iterations);
+    EXPECT_EQ(one.warnings.size(), other.warnings.size());
+}
+
+template <class Work>
+std::string idOfErrorIn(const Work& work)
+{
+    try {
+        work();
+    } catch (const Error& error) {
+        EXPECT_FALSE(std::string(error.what()).empty());
+        return error.id();
+    }
+    return "no error";
+}
+
+TEST(Arrays, ACaseAndItsArraysGiveTheSameBits)
+{
+    Case theCase = smallCase().theCase;
+    const RegistrationInput input = inputOf(theCase);
+    const RegistrationOptions options = theCase.options();
+    expectSame(registerVessels(input, options), registerCase(theCase));
+}
+
+TEST(Arrays, OptionsOfACaseSurviveTheWayThroughTexts)
+{
+    Case theCase = smallCase().theCase;
+    RegistrationOptions options;
+    options.method = "dynaweight";
+    options.set("priorWeight", 1.0 / 3.0).set("preset", "seed_metric");
+    options.locks = {"roll"};
+    theCase.setOptions(options);
+    EXPECT_EQ(options.values, theCase.options().values);
+    EXPECT_EQ(options.locks, theCase.options().locks);
+    EXPECT_EQ("dynaweight", theCase.options().method);
+}
+
+TEST(Arrays, ImagePointsInNoOrderLeadToTheSamePlace)
+{
+    const SimulatedCase simulated = smallCase();
+    RegistrationInput input = inputOf(simulated.theCase);
+    const RegistrationResult ordered = registerVessels(input);
+    input.target.curveIds.clear();
+    input.target.radiusPx.clear();
+    std::ranges::shuffle(input.target.points, std::mt19937(1));
+    const RegistrationResult unordered = registerVessels(input);
+    EXPECT_LT(unordered.metrics.medianPx, 1.5 * ordered.metrics.medianPx + 0.2);
+}
+
+TEST(Arrays, UnknownRadiiStayUnknown)
+{
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    VesselTree tree{
+        {{0, 0, 0}, {1, 0, 0}, {5, 5, 5}, {5, 6, 5}}, {3, 3, 8, 8}, {1.5, 1.25, unknown, unknown}, {{8, "side", 1}}};
+    const fs::path file = fs::temp_directory_path() / "angiopose-arrays-test.csv";
+    writeVesselTree(tree, file.string());
+    const VesselTree read = readVesselTree(file.string());
+    fs::remove(file);
+    ASSERT_EQ(tree.points.size(), read.points.size());
+    EXPECT_EQ(tree.branchIds, read.branchIds);
+    ASSERT_EQ(4U, read.radiusMm.size());
+    EXPECT_EQ(1.25, read.radiusMm[1]);
+    EXPECT_TRUE(std::isnan(read.radiusMm[2]) || read.radiusMm[2] == 0.0);
+}
+
+TEST(Arrays, WhatDoesNotFitTogetherIsSaid)
+{
+    const RegistrationInput good = inputOf(smallCase().theCase);
+    RegistrationInput input = good;
+    input.tree.branchIds.pop_back();
+    EXPECT_EQ("library.lengths-differ", idOfErrorIn([&] { registerVessels(input); }));
+    input = good;
+    std::swap(input.tree.branchIds.front(), input.tree.branchIds.back());
+    EXPECT_EQ("library.points-apart", idOfErrorIn([&] { registerVessels(input); }));
+    input = good;
+    input.initialCameraFromPatient(3, 0) = 1.0;
+    EXPECT_EQ("library.no-pose", idOfErrorIn([&] { registerVessels(input); }));
+    input = good;
+    input.image.pixels.pop_back();
+    EXPECT_EQ("library.image-size", idOfErrorIn([&] { registerVessels(input); }));
+    EXPECT_EQ("library.no-option",
+              idOfErrorIn([&] { registerVessels(good, RegistrationOptions().set("maxIteration", 5)); }));
+    EXPECT_NE("no error", idOfErrorIn([&] { registerVessels(good, RegistrationOptions().set("maxIterations", -5)); }));
+    EXPECT_NE("no error", idOfErrorIn([] { readCase("no-such-file.angiopose"); }));
+}
+
+TEST(Arrays, EveryMethodIsListedWithOptionsThatCanBeSet)
+{
+    const auto all = methods();
+    ASSERT_GT(all.size(), 5U);
+    EXPECT_EQ("angiopose", all.front().id);
+    Case theCase = smallCase().theCase;
+    for (const MethodInfo& method : all) {
+        RegistrationOptions options;
+        options.method = method.id;
+        for (const OptionInfo& option : method.options) {
+            options.set(option.key, std::string_view(option.defaultValue));
+        }
+        theCase.setOptions(options);
+        EXPECT_TRUE(theCase.options().values.empty()) << method.id;
+    }
+}
+
+}   // namespace
+}   // namespace angiopose

@@ -1,0 +1,131 @@
+#include "angiopose/angiopose.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+namespace angiopose {
+namespace {
+
+namespace fs = std::filesystem;
+
+class CaseOfLibrary : public testing::Test {
+protected:
+    void SetUp() override { fs::create_directories(folder); }
+    void TearDown() override { fs::remove_all(folder); }
+    std::string at(const std::string& name) const { return (folder / name).string(); }
+
+    const fs::path folder = fs::temp_directory_path() / ("angiopose-library-" + std::to_string(getpid()));
+};
+
+SimulatedCase smallCase()
+{
+    SimulationOptions options;
+    options.branchCount = 8;
+    options.frameCount = 3;
+    return simulateCase(5, options);
+}
+
+TEST_F(CaseOfLibrary, OfArraysIsWrittenWithItsInputsAndOpensAgain)
+{
+    SimulatedCase simulated = smallCase();
+    writeCase(simulated.theCase, at("made.angiopose"));
+    EXPECT_TRUE(fs::exists(at("made.tree.vtp")));
+    EXPECT_TRUE(fs::exists(at("made.angiogram.dcm")));
+    const Case read = readCase(at("made.angiopose"));
+    EXPECT_EQ(simulated.theCase.title(), read.title());
+    EXPECT_EQ(simulated.theCase.startPose(), read.startPose());
+    EXPECT_EQ(simulated.theCase.tree().points, read.tree().points);
+    EXPECT_EQ(simulated.theCase.frame(), read.frame());
+    EXPECT_TRUE(read.warnings().empty());
+}
+
+TEST_F(CaseOfLibrary, OfTwoFilesIsTheCaseOfTheseFiles)
+{
+    SimulatedCase simulated = smallCase();
+    writeCase(simulated.theCase, at("made.angiopose"));
+    Case fromFiles = readCase(at("made.tree.vtp"), at("made.angiogram.dcm"));
+    fromFiles.setStartPose(simulated.theCase.startPose());
+    Case fromCase = readCase(at("made.angiopose"));
+    EXPECT_EQ(registerCase(fromCase).cameraFromPatient, registerCase(fromFiles).cameraFromPatient);
+    writeResult(fromCase, at("result.json"));
+    EXPECT_EQ(fromCase.cameraFromPatient(), readPose(at("result.json")));
+    writeCase(fromFiles, at("again.angiopose"));
+    EXPECT_EQ(fromFiles.cameraFromPatient(), readCase(at("again.angiopose")).cameraFromPatient());
+}
+
+TEST_F(CaseOfLibrary, KeepsAGivenTarget)
+{
+    SimulatedCase simulated = smallCase();
+    simulated.theCase.setTarget(simulated.trueTarget);
+    writeCase(simulated.theCase, at("made.angiopose"));
+    EXPECT_EQ(simulated.trueTarget.points.size(), targetOf(readCase(at("made.angiopose"))).points.size());
+}
+
+TEST_F(CaseOfLibrary, WithoutGeometryAsksForAStartPose)
+{
+    const SimulatedCase simulated = smallCase();
+    const Angiogram run = simulated.theCase.angiogram();
+    Case bare(simulated.theCase.tree(), Angiogram({run.frame(run.suggestedFrame())}, run.polarity()));
+    bare.setCamera(simulated.theCase.camera());
+    try {
+        registerCase(bare);
+        FAIL() << "a pose was made up";
+    } catch (const Error& error) {
+        EXPECT_EQ("library.no-start", error.id());
+    }
+    bare.setStartPose(simulated.theCase.startPose());
+    EXPECT_LT(registerCase(bare).metrics.medianPx, 5.0);
+}
+
+TEST_F(CaseOfLibrary, CopiesGoTheirOwnWays)
+{
+    const Case first = smallCase().theCase;
+    Case second = first;
+    second.setTitle("another");
+    Pose moved = second.cameraFromPatient();
+    moved(2, 3) += 10.0;
+    second.setCameraFromPatient(moved);
+    EXPECT_NE(first.title(), second.title());
+    EXPECT_NE(first.cameraFromPatient(), second.cameraFromPatient());
+    EXPECT_EQ(first.angiogram().pixels(0).data(), second.angiogram().pixels(0).data());
+}
+
+/// The projections of the tree of `view`, with its own camera.
+Centerline2d projections(const RegistrationInput& view, const Pose& cameraFromPatient)
+{
+    Centerline2d projected;
+    for (std::size_t i = 0; i < view.tree.points.size(); ++i) {
+        if (const auto pixel = project(view.camera, cameraFromPatient, view.tree.points[i])) {
+            projected.points.push_back(*pixel);
+            projected.curveIds.push_back(view.tree.branchIds[i]);
+        }
+    }
+    return projected;
+}
+
+TEST_F(CaseOfLibrary, TwoViewsAgreeOnOnePlace)
+{
+    const SimulatedCase one = smallCase();
+    RegistrationInput first = inputOf(one.theCase);
+    first.image = {};
+    RegistrationInput second = first;
+    Pose turn = Pose::Identity();   // a second camera at a right angle, about the place of the vessels
+    const double depth = one.theCase.startPose()(2, 3);
+    turn.topLeftCorner<3, 3>() << 0, 0, 1, 0, 1, 0, -1, 0, 0;
+    turn.topRightCorner<3, 1>() << -depth, 0, depth;
+    second.initialCameraFromPatient = turn * first.initialCameraFromPatient;
+    first.target = projections(first, one.trueCameraFromPatient);
+    second.target = projections(second, turn * one.trueCameraFromPatient);
+
+    const MultiViewResult joint = registerViews({first, second});
+
+    ASSERT_EQ(2U, joint.views.size());
+    EXPECT_LT((joint.views[0].cameraFromPatient - one.trueCameraFromPatient).norm(), 0.5);
+    EXPECT_LT((joint.views[1].cameraFromPatient - turn * one.trueCameraFromPatient).norm(), 0.5);
+    EXPECT_LT(joint.uncertainty.depthMm, 0.5);
+}
+
+}   // namespace
+}   // namespace angiopose
