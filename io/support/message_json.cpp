@@ -5,26 +5,26 @@
 namespace angiopose::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using MessageJson = nlohmann::ordered_json;
 
-Json jsonOf(const core::Message& message);
+MessageJson jsonOf(const core::Message& message);
 
 struct ArgumentJson {
-    Json operator()(const std::string& text) const { return text; }
-    Json operator()(const std::vector<std::string>& texts) const { return texts; }
+    MessageJson operator()(const std::string& text) const { return text; }
+    MessageJson operator()(const std::vector<std::string>& texts) const { return texts; }
 
-    Json operator()(const core::Quantity& quantity) const
+    MessageJson operator()(const core::Quantity& quantity) const
     {
-        Json json{{"value", quantity.value}};
+        MessageJson json{{"value", quantity.value}};
         if (*quantity.unit != '\0') {
             json["unit"] = quantity.unit;
         }
         return json;
     }
 
-    Json operator()(const core::Messages& messages) const
+    MessageJson operator()(const core::Messages& messages) const
     {
-        Json list = Json::array();
+        MessageJson list = MessageJson::array();
         for (const core::Message& message : messages) {
             list.push_back(jsonOf(message));
         }
@@ -32,13 +32,13 @@ struct ArgumentJson {
     }
 };
 
-Json jsonOf(const core::Message& message)
+MessageJson jsonOf(const core::Message& message)
 {
-    Json json{{"id", message.id()}, {"severity", core::toText(message.severity())}, {"text", message.text()}};
+    MessageJson json{{"id", message.id()}, {"severity", core::toText(message.severity())}, {"text", message.text()}};
     if (!message.subject().empty()) {
         json["subject"] = message.subject();
     }
-    json["arguments"] = Json::array();
+    json["arguments"] = MessageJson::array();
     for (const core::MessageArgument& argument : message.arguments()) {
         json["arguments"].push_back(std::visit(ArgumentJson(), argument));
     }
@@ -46,9 +46,9 @@ Json jsonOf(const core::Message& message)
 }
 
 /// Names of files need not be UTF-8.
-std::string textOf(const Json& json)
+std::string textOf(const MessageJson& json)
 {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return json.dump(-1, ' ', false, MessageJson::error_handler_t::replace);
 }
 
 }   // namespace
@@ -60,7 +60,7 @@ std::string messageJson(const core::Message& message)
 
 std::string messagesJson(const core::Messages& messages)
 {
-    Json list = Json::array();
+    MessageJson list = MessageJson::array();
     for (const core::Message& message : messages) {
         list.push_back(jsonOf(message));
     }

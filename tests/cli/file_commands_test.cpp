@@ -118,6 +118,18 @@ void expectOnlyOwnMessages(const std::string& messages, const std::string& path)
     }
 }
 
+TEST(Cli, ErrorsAreDataUnderJson)
+{
+    const auto outcome = runCli({"info", "/nowhere/scan.nii", "--json"});
+
+    EXPECT_EQ(outcome.exitCode, 3);
+    const auto error = nlohmann::json::parse(outcome.output)["error"];
+    EXPECT_EQ(error["id"], "file.missing");
+    EXPECT_EQ(error["severity"], "error");
+    EXPECT_EQ(error["subject"], "/nowhere/scan.nii");
+    EXPECT_NE(outcome.messages.find(error["text"].get<std::string>()), std::string::npos) << outcome.messages;
+}
+
 TEST(Cli, WarningsOfLibrariesAreNotPrinted)
 {
     ANGIOPOSE_NEEDS_DATA("cerebral-dsa-frame");

@@ -55,7 +55,7 @@ TEST(MessageText, LeavesNamesAlone)
     const Speaking german("de");
 
     EXPECT_EQ(messageText(says::noSuchMethod("1.5 %1", std::vector<std::string>{"2.5"})),
-              QStringLiteral("Es gibt kein Verfahren „1.5 %1“. Wählen: 2.5."));
+              QStringLiteral("Es gibt keine Methode „1.5 %1“. Wählbar: 2.5."));
 }
 
 TEST(TermText, KnowsEveryOptionAndMethodInEveryLanguage)
