@@ -234,7 +234,7 @@ core::Result<std::string> sha256OfVesselInput(const std::string& path, const cor
         return all.error();
     }
     for (const DicomSeries& series : all.value()) {
-        if (series.id == input.seriesId || (input.seriesId.empty() && series.problem.empty() && !series.isAngiogram)) {
+        if (series.id == input.seriesId || (input.seriesId.empty() && !series.problem && !series.isAngiogram)) {
             return sha256OfSeries(series);
         }
     }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "core/support/message.h"
+
+#include <optional>
 #include <string>
 #include <string_view>
 

@@ -4,6 +4,7 @@
 #include "io/file_hash.h"
 #include "io/messages/says.h"
 #include "io/series/group_slices.h"
+#include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 
 #include <algorithm>

@@ -209,7 +209,7 @@ std::vector<DicomSeries> groupSlices(std::vector<DicomImages> files)
     }
     std::stable_sort(result.begin(), result.end(), [](const DicomSeries& a, const DicomSeries& b) {
         const auto rank = [](const DicomSeries& series) {
-            return std::tuple(series.problem.empty(), !series.isAngiogram, series.slices.size());
+            return std::tuple(!series.problem, !series.isAngiogram, series.slices.size());
         };
         return rank(a) > rank(b);
     });

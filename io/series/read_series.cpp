@@ -4,6 +4,7 @@
 #include "io/dicom/pixel_layout.h"
 #include "io/dicom_series.h"
 #include "io/messages/says.h"
+#include "io/support/file_error.h"
 #include "io/volume/quantization.h"
 
 #include <algorithm>

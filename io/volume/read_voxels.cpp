@@ -1,6 +1,7 @@
 #include "io/volume/read_voxels.h"
 
 #include "io/messages/says.h"
+#include "io/support/file_error.h"
 #include "io/support/numbers.h"
 #include "io/volume/byte_stream.h"
 #include "io/volume/nifti.h"

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "core/imaging/volume.h"
+#include "core/support/message.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "core/imaging/volume.h"
+#include "core/support/message.h"
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 
 namespace angiopose::io {
