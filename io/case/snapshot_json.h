@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/registration/pose_snapshot.h"
+#include "core/support/message.h"
 
 #include <string>
 #include <string_view>

@@ -4,6 +4,7 @@
 #include "io/dicom/dicom_dataset.h"
 #include "io/support/input_bytes.h"
 
+#include <optional>
 #include <string>
 
 namespace angiopose::io {

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <exception>
 #include <numbers>
+#include <optional>
 #include <sstream>
 
 namespace angiopose::io {

@@ -3,6 +3,7 @@
 #include "core/imaging/volume.h"
 #include "io/series/slice_record.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <new>
+#include <optional>
 
 namespace angiopose::io {
 namespace {
