@@ -8,7 +8,7 @@
 
 namespace angiopose::io {
 
-/// What shows that a PNG or JPEG is damaged or cut short, in words; empty when it is whole. The libraries would fill
+/// What shows that a PNG or JPEG is damaged or cut short; nothing when it is whole. The libraries would fill
 /// what is missing with grey.
 std::optional<core::Message> findRasterDamage(std::string_view content);
 
