@@ -11,7 +11,7 @@ namespace angiopose {
 
 struct Case::Content {
     core::RegistrationCase values;
-    std::vector<std::string> warnings;   ///< of reading
+    core::Messages warnings;   ///< of reading
 };
 
 namespace library {

@@ -12,8 +12,8 @@ namespace {
 void requireStart(const core::RegistrationCase& values)
 {
     if (auto start = core::startPoseOf(values); !start) {
-        throw Error("library.no-start", "The geometry of the angiogram gives no start pose; set one. " +
-                                            std::string(publicMessage(start.error().message).text));
+        throw Error("library.no-start",
+                    "The geometry of the angiogram gives no start pose; set one. " + start.error().message.text());
     }
 }
 
@@ -32,7 +32,7 @@ core::RegistrationCase viewOf(const core::RegistrationCase& first, const core::O
     if (other.file.path.empty()) {
         throw Error("library.no-view", other.view->imageFile.path + ": the image of this view could not be read.");
     }
-    std::vector<std::string> warnings;
+    core::Messages warnings;
     return valueOf(io::loadCase(other.file.path, warnings));
 }
 

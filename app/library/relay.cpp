@@ -4,24 +4,27 @@
 
 namespace angiopose::library {
 
-Message publicMessage(const std::string& sentence)
+Message publicMessage(const core::Message& message)
 {
-    return {"text.plain", sentence};
+    return {std::string(message.id()), message.text()};
 }
 
-std::vector<Message> publicMessages(const std::vector<std::string>& sentences)
+std::vector<Message> publicMessages(const core::Messages& messages)
 {
-    std::vector<Message> messages;
-    messages.reserve(sentences.size());
-    for (const std::string& sentence : sentences) {
-        messages.push_back(publicMessage(sentence));
+    std::vector<Message> converted;
+    converted.reserve(messages.size());
+    for (const core::Message& message : messages) {
+        converted.push_back(publicMessage(message));
     }
-    return messages;
+    return converted;
 }
 
 void raise(const core::Error& error)
 {
     const Message message = publicMessage(error.message);
+    if (error.isStop()) {
+        throw Stopped(message.id, message.text);
+    }
     throw Error(message.id, message.text);
 }
 

@@ -16,8 +16,8 @@
 namespace angiopose::library {
 
 /// The messages of the layers below as the library gives them away.
-Message publicMessage(const std::string& sentence);
-std::vector<Message> publicMessages(const std::vector<std::string>& sentences);
+Message publicMessage(const core::Message& message);
+std::vector<Message> publicMessages(const core::Messages& messages);
 
 /// Throws what the layers below say.
 [[noreturn]] void raise(const core::Error& error);

@@ -56,7 +56,7 @@ void checkVoxelCount(std::size_t count, const VolumeGeometry& geometry)
 }
 
 TracedVessels publicVessels(const core::VesselTree& tree, core::VoxelMask lumen, double threshold,
-                            const std::vector<std::string>& warnings)
+                            const core::Messages& warnings)
 {
     return {toPublic(tree), toPublic(lumen.geometry), std::move(lumen.voxels), threshold, publicMessages(warnings)};
 }
