@@ -31,10 +31,10 @@ std::vector<std::string> filesBelow(const std::string& folder)
 
 void expectClearMessage(const core::Error& error, const std::string& path)
 {
-    EXPECT_TRUE(error.message.starts_with(path + ": ")) << error.message;
-    EXPECT_TRUE(error.message.ends_with(".")) << error.message;
-    EXPECT_LT(error.message.size(), path.size() + 400) << error.message;
-    EXPECT_EQ(error.message.find('\n'), std::string::npos) << error.message;
+    EXPECT_TRUE(error.message.text().starts_with(path + ": ")) << error.message;
+    EXPECT_TRUE(error.message.text().ends_with(".")) << error.message;
+    EXPECT_LT(error.message.text().size(), path.size() + 400) << error.message;
+    EXPECT_EQ(error.message.text().find('\n'), std::string::npos) << error.message;
 }
 
 void readWithEveryReader(const std::string& path)
@@ -59,12 +59,12 @@ void readWithEveryReader(const std::string& path)
     }
     if (const auto volume = io::readVolume(path); !volume) {
         EXPECT_NE(volume.error().message.text().find(": "), std::string::npos) << volume.error().message;
-        EXPECT_TRUE(volume.error().message.ends_with(".")) << volume.error().message;
+        EXPECT_TRUE(volume.error().message.text().ends_with(".")) << volume.error().message;
     } else {
         EXPECT_EQ(volume.value().volume.voxels.size(), volume.value().volume.geometry.voxelCount());
     }
     if (const auto labels = io::readLabels(path); !labels) {
-        EXPECT_TRUE(labels.error().message.ends_with(".")) << labels.error().message;
+        EXPECT_TRUE(labels.error().message.text().ends_with(".")) << labels.error().message;
     }
     core::Messages warnings;
     const auto loaded = io::loadCase(path, warnings);

@@ -1,6 +1,7 @@
 #include "io/support/message_json.h"
 
 #include "core/messages/says.h"
+#include "core/support/result.h"
 #include "io/messages/says.h"
 
 #include <gtest/gtest.h>

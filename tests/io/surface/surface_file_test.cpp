@@ -147,8 +147,8 @@ TEST(ReadSurface, DamagedFilesSayWhatIsWrong)
     for (const auto& [name, content] : files) {
         const auto surface = io::readSurface(folder.write(name, content));
         ASSERT_FALSE(surface) << name;
-        EXPECT_TRUE(surface.error().message.starts_with(folder.file(name))) << surface.error().message;
-        EXPECT_TRUE(surface.error().message.ends_with(".")) << surface.error().message;
+        EXPECT_TRUE(surface.error().message.text().starts_with(folder.file(name))) << surface.error().message;
+        EXPECT_TRUE(surface.error().message.text().ends_with(".")) << surface.error().message;
     }
 }
 

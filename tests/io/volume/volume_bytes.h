@@ -35,7 +35,7 @@ inline void expectRefused(const std::string& path, const std::string& reason)
     const auto loaded = io::readVolume(path);
     ASSERT_FALSE(loaded) << path;
     EXPECT_NE(loaded.error().message.text().find(reason), std::string::npos) << loaded.error().message;
-    EXPECT_TRUE(loaded.error().message.starts_with(path)) << loaded.error().message;
+    EXPECT_TRUE(loaded.error().message.text().starts_with(path)) << loaded.error().message;
 }
 
 }   // namespace angiopose::test

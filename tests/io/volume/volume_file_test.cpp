@@ -60,7 +60,7 @@ TEST_P(VolumeFormats, CutShortAnywhereSayWhatIsWrong)
         folder.write(std::string("cut") + GetParam(), whole.substr(0, size));
         const auto loaded = io::readVolume(folder.file(std::string("cut") + GetParam()));
         ASSERT_FALSE(loaded) << size << " bytes";
-        EXPECT_TRUE(loaded.error().message.ends_with(".")) << loaded.error().message;
+        EXPECT_TRUE(loaded.error().message.text().ends_with(".")) << loaded.error().message;
     }
 }
 

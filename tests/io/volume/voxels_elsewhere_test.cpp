@@ -27,7 +27,7 @@ TEST(VoxelsElsewhere, OfAWholeVolumeAreRefusedUntilItsHeaderIsSkipped)
     const std::string shifted = folder.write("shifted.nhdr", detachedHeader("fork.nii", ""));
     const auto refused = io::readLabels(shifted);
     ASSERT_FALSE(refused);
-    EXPECT_TRUE(refused.error().message.starts_with(shifted)) << refused.error().message;
+    EXPECT_TRUE(refused.error().message.text().starts_with(shifted)) << refused.error().message;
     EXPECT_NE(refused.error().message.text().find("header of another volume"), std::string::npos)
         << refused.error().message;
     EXPECT_FALSE(io::describeVolume(shifted));

@@ -28,7 +28,7 @@ struct VolumeGeometry {
     Eigen::Vector3d originInPatient = Eigen::Vector3d::Zero();   ///< centre of voxel (0, 0, 0), LPS mm
     Eigen::Matrix3d direction = Eigen::Matrix3d::Identity();   ///< columns: patient directions of i, j, k
 
-    std::size_t voxelCount() const;
+    ANGIOPOSE_EXPORT std::size_t voxelCount() const;
 };
 
 /// A CT volume of 16-bit voxels, i fastest, then j, then k. Copies share the voxels, which never change.
