@@ -94,7 +94,7 @@ void CaseController::followDocument()
     target_.want(document_.current());
     gestures_.show();
     run_.show();
-    judgement_.judge(document_.current().cameraFromPatient);
+    judgement_.judge(document_.current().shown().cameraFromPatient);
     judgement_.show();
     geometry_.show();
     steps_.show();
@@ -103,7 +103,7 @@ void CaseController::followDocument()
 void CaseController::followTarget()
 {
     sync_.showTarget(target_.current());
-    judgement_.judge(document_.current().cameraFromPatient);
+    judgement_.judge(document_.current().shown().cameraFromPatient);
     steps_.show();
 }
 

@@ -33,9 +33,9 @@ void StepController::show()
 /// A step whose input is missing asks for it.
 void StepController::goTo(ui::Step step)
 {
-    const core::RegistrationCase& current = on_.document.current();
-    const bool asks =
-        (step == ui::Step::Vessels && !current.tree) || (step == ui::Step::Angiogram && !current.angiogram);
+    const core::Case& current = on_.document.current();
+    const bool asks = (step == ui::Step::Vessels && !current.vessels.tree) ||
+                      (step == ui::Step::Angiogram && !current.shown().angiogram);
     if (asks && !on_.session.isLoading()) {
         on_.window.actions()[ui::Command::Open]->trigger();
     } else {

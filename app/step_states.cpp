@@ -17,26 +17,26 @@ struct StepWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::StepStates)
 };
 
-StepState vessels(const core::RegistrationCase& current, const StepFacts& facts)
+StepState vessels(const core::Case& current, const StepFacts& facts)
 {
-    if (!current.tree && current.volume) {
+    if (!current.vessels.tree && current.vessels.scan) {
         return {StepMark::Look, StepWords::tr("not traced"),
                 StepWords::tr("Nothing was traced in the scan. Place a seed or set the threshold beside its slices.")};
     }
-    if (!current.tree) {
+    if (!current.vessels.tree) {
         return {StepMark::Open, {}, StepWords::tr("Open a CT angiogram, a segmentation, a surface or a centreline.")};
     }
     if (facts.treePieces > 1) {
         return {StepMark::Look, StepWords::tr("%1 pieces").arg(facts.treePieces),
                 StepWords::tr("The vessels are in pieces. Below the branch list is how to join them.")};
     }
-    const auto count = static_cast<int>(current.tree->branches.size());
+    const auto count = static_cast<int>(current.vessels.tree->branches.size());
     return {StepMark::Done, count == 1 ? StepWords::tr("1 branch") : StepWords::tr("%1 branches").arg(count), {}};
 }
 
-StepState angiogram(const core::RegistrationCase& current, const StepFacts& facts)
+StepState angiogram(const core::Case& current, const StepFacts& facts)
 {
-    if (!current.angiogram) {
+    if (!current.shown().angiogram) {
         return {StepMark::Open, {}, StepWords::tr("Open an angiogram: DICOM XA, PNG or TIFF.")};
     }
     if (!facts.targetProblem.isEmpty()) {
@@ -45,17 +45,17 @@ StepState angiogram(const core::RegistrationCase& current, const StepFacts& fact
     if (facts.isTracing) {
         return {StepMark::Open, StepWords::tr("tracing …"), {}};
     }
-    if (const auto mismatch = core::findMismatch(current.scanIdentity, current.angiogram->identity);
+    if (const auto mismatch = core::findMismatch(current.vessels.scanIdentity, current.shown().angiogram->identity);
         !mismatch.empty()) {
         return {StepMark::Look, StepWords::tr("another patient?"), ui::messagesText(mismatch)};
     }
-    if (core::givenTargetOf(current)) {
+    if (core::givenTargetOf(current.shown())) {
         return {StepMark::Done,
-                current.editedFrame ? StepWords::tr("frame %1, edited").arg(current.frame)
-                                    : StepWords::tr("given centreline"),
+                current.shown().target.editedFrame ? StepWords::tr("frame %1, edited").arg(current.shown().frame)
+                                                   : StepWords::tr("given centreline"),
                 {}};
     }
-    return {StepMark::Done, StepWords::tr("frame %1").arg(current.frame), {}};
+    return {StepMark::Done, StepWords::tr("frame %1").arg(current.shown().frame), {}};
 }
 
 bool isAssumed(const core::CArm& cArm)
@@ -69,82 +69,84 @@ bool isAssumed(const core::CArm& cArm)
     return false;
 }
 
-StepState geometry(const core::RegistrationCase& current)
+StepState geometry(const core::Case& current)
 {
-    if (!current.angiogram) {
+    if (!current.shown().angiogram) {
         return {};
     }
-    if (const auto camera = core::cameraOf(current); !camera) {
+    if (const auto camera = core::cameraOf(current.shown()); !camera) {
         return {StepMark::Look, StepWords::tr("incomplete"), ui::messageText(camera.error().message)};
     }
-    if (current.cameraOverride) {
+    if (current.shown().geometry.cameraOverride) {
         return {StepMark::Done, StepWords::tr("from the case"), {}};
     }
-    if (const auto contradictions = core::contradictionsOf(current); !contradictions.empty()) {
+    if (const auto contradictions = core::contradictionsOf(current.shown()); !contradictions.empty()) {
         return {StepMark::Look, StepWords::tr("contradictory"), ui::messageText(contradictions.front())};
     }
-    if (isAssumed(current.cArm)) {
+    if (isAssumed(current.shown().geometry.cArm)) {
         return {StepMark::Look, StepWords::tr("partly assumed"),
                 StepWords::tr("Some values are assumed. Type them if you know them.")};
     }
-    switch (current.cArm.columnSpacingMm.origin) {
+    switch (current.shown().geometry.cArm.columnSpacingMm.origin) {
         case core::Origin::User:
             return {StepMark::Done, StepWords::tr("pixel spacing typed"), {}};
         case core::Origin::Derived:
             return {StepMark::Look, StepWords::tr("pixel spacing derived"),
                     StepWords::tr(
                         "The header gives no pixel spacing: %1. Type it, or press Enter in the field to confirm it.")
-                        .arg(QString::fromStdString(current.cArm.columnSpacingMm.basis))};
+                        .arg(QString::fromStdString(current.shown().geometry.cArm.columnSpacingMm.basis))};
         default:
             return {StepMark::Done, StepWords::tr("from the header"), {}};
     }
 }
 
-StepState startPose(const core::RegistrationCase& current)
+StepState startPose(const core::Case& current)
 {
-    if (!current.tree || !current.angiogram) {
+    if (!current.vessels.tree || !current.shown().angiogram) {
         return {};
     }
     if (const auto start = core::startPoseOf(current); !start) {
         return {StepMark::Look, StepWords::tr("missing"), ui::messageText(start.error().message)};
     }
     return {StepMark::Done,
-            current.hasInitialPose
-                ? current.landmarks.empty() ? StepWords::tr("from the case") : StepWords::tr("from landmarks")
+            current.shown().initialCameraFromPatient
+                ? current.shown().landmarks.empty() ? StepWords::tr("from the case") : StepWords::tr("from landmarks")
                 : StepWords::tr("from angles"),
             {}};
 }
 
-StepState registration(const core::RegistrationCase& current, const StepFacts& facts)
+StepState registration(const core::Case& current, const StepFacts& facts)
 {
     if (facts.isRunning) {
         return {StepMark::Open, StepWords::tr("running …"), {}};
     }
-    if (!current.result) {
+    if (!current.shown().result) {
         return {StepMark::Open, facts.poseEdited ? StepWords::tr("moved by hand") : QString(), {}};
     }
-    const double ms = current.result->time.totalMs;
+    const double ms = current.shown().result->time.totalMs;
     const QString time = ms < 1000.0 ? StepWords::tr("%1 ms").arg(ui::numberText(ms, ms < 10.0 ? 1 : 0))
                                      : StepWords::tr("%1 s").arg(ui::numberText(ms / 1000.0, 1));
     return {StepMark::Done, time, {}};
 }
 
-StepState review(const core::RegistrationCase& current)
+StepState review(const core::Case& current)
 {
-    if (!current.result) {
+    if (!current.shown().result) {
         return {};
     }
-    if (!current.result->trustworthy) {
-        const auto& warnings = current.result->warnings;
+    if (!current.shown().result->trustworthy) {
+        const auto& warnings = current.shown().result->warnings;
         return {StepMark::Look, StepWords::tr("look closely"),
                 warnings.empty() ? QString() : ui::messageText(warnings.front())};
     }
-    return {StepMark::Done, StepWords::tr("%1 mm median").arg(ui::numberText(current.result->metrics.medianMm, 2)), {}};
+    return {StepMark::Done,
+            StepWords::tr("%1 mm median").arg(ui::numberText(current.shown().result->metrics.medianMm, 2)),
+            {}};
 }
 
 }   // namespace
 
-std::array<ui::StepState, ui::stepCount> stepStates(const core::RegistrationCase& current, const StepFacts& facts)
+std::array<ui::StepState, ui::stepCount> stepStates(const core::Case& current, const StepFacts& facts)
 {
     const StepState exported = facts.exported ? StepState{StepMark::Done, StepWords::tr("written"), {}} : StepState{};
     return {vessels(current, facts),      angiogram(current, facts), geometry(current), startPose(current),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration_case.h"
+#include "core/case/case.h"
 #include "ui/panels/step_bar.h"
 
 namespace angiopose::app {
@@ -16,6 +16,6 @@ struct StepFacts {
 };
 
 /// Marks and hints of the step bar: true now, in few words.
-std::array<ui::StepState, ui::stepCount> stepStates(const core::RegistrationCase& current, const StepFacts& facts);
+std::array<ui::StepState, ui::stepCount> stepStates(const core::Case& current, const StepFacts& facts);
 
 }   // namespace angiopose::app

@@ -7,15 +7,15 @@
 namespace angiopose::core {
 namespace {
 
-Status checkCase(const RegistrationCase& registrationCase)
+Status checkCase(const Case& theCase)
 {
-    if (!registrationCase.angiogram || registrationCase.angiogram->frameCount() < 2) {
+    if (!theCase.shown().angiogram || theCase.shown().angiogram->frameCount() < 2) {
         return Error(says::followOneFrame());
     }
-    if (registrationCase.givenTarget && !registrationCase.editedFrame) {
+    if (theCase.shown().target.centerline && !theCase.shown().target.editedFrame) {
         return Error(says::followGivenTarget());
     }
-    if (!registrationCase.angiogram->gantry.angleIncrementsDeg.empty()) {
+    if (!theCase.shown().angiogram->gantry.angleIncrementsDeg.empty()) {
         return Error(says::followGantryTurns());
     }
     return Done{};
@@ -24,10 +24,8 @@ Status checkCase(const RegistrationCase& registrationCase)
 /// Walks away from the first frame in one direction.
 class Walk {
 public:
-    Walk(const RegistrationCase& registrationCase, RegistrationProblem problem)
-        : case_(registrationCase),
-          tracker_(std::move(problem), registrationCase.options),
-          last_(registrationCase.cameraFromPatient)
+    Walk(const Case& theCase, RegistrationProblem problem)
+        : case_(theCase), tracker_(std::move(problem), theCase.options), last_(theCase.shown().cameraFromPatient)
     {
     }
 
@@ -36,8 +34,8 @@ public:
         FollowedFrame followed;
         followed.frame = frame;
         followed.tracked.cameraFromPatient = last_;
-        case_.frame = frame;
-        const auto target = targetOf(case_);
+        case_.shown().frame = frame;
+        const auto target = targetOf(case_.shown());
         const auto tracked = target ? tracker_.next(target.value()) : Result<TrackedFrame>(target.error());
         if (tracked) {
             followed.tracked = tracked.value();
@@ -49,16 +47,16 @@ public:
     }
 
 private:
-    RegistrationCase case_;
+    Case case_;
     FrameTracker tracker_;
     RigidTransform last_;
 };
 
-FollowedFrame givenFrame(const RegistrationCase& registrationCase)
+FollowedFrame givenFrame(const Case& theCase)
 {
     FollowedFrame given;
-    given.frame = registrationCase.frame;
-    given.tracked.cameraFromPatient = registrationCase.cameraFromPatient;
+    given.frame = theCase.shown().frame;
+    given.tracked.cameraFromPatient = theCase.shown().cameraFromPatient;
     given.tracked.isTrustworthy = true;
     given.tracked.score = 1.0;
     return given;
@@ -66,30 +64,30 @@ FollowedFrame givenFrame(const RegistrationCase& registrationCase)
 
 }   // namespace
 
-Result<std::vector<FollowedFrame>> followFrames(const RegistrationCase& registrationCase,
+Result<std::vector<FollowedFrame>> followFrames(const Case& theCase,
                                                 const std::function<Verdict(double fraction)>& observe)
 {
-    if (const Status status = checkCase(registrationCase); !status) {
+    if (const Status status = checkCase(theCase); !status) {
         return status.error();
     }
-    auto target = targetOf(registrationCase);
+    auto target = targetOf(theCase.shown());
     if (!target) {
         return target.error();
     }
-    const auto input = registrationInputOf(registrationCase, std::move(target).value());
+    const auto input = registrationInputOf(theCase.shown(), theCase.vessels, std::move(target).value());
     if (!input) {
         return input.error();
     }
-    const auto problem = makeProblem(input.value(), registrationCase.options);
+    const auto problem = makeProblem(input.value(), theCase.options);
     if (!problem) {
         return problem.error();
     }
-    const int count = registrationCase.angiogram->frameCount();
-    std::vector<FollowedFrame> frames{givenFrame(registrationCase)};
+    const int count = theCase.shown().angiogram->frameCount();
+    std::vector<FollowedFrame> frames{givenFrame(theCase)};
     bool isStopped = false;
     for (const int direction : {1, -1}) {
-        Walk walk(registrationCase, problem.value());
-        for (int frame = registrationCase.frame + direction; frame >= 0 && frame < count && !isStopped;
+        Walk walk(theCase, problem.value());
+        for (int frame = theCase.shown().frame + direction; frame >= 0 && frame < count && !isStopped;
              frame += direction) {
             frames.push_back(walk.step(frame));
             isStopped = observe(static_cast<double>(frames.size()) / count) == Verdict::Stop;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/case/registration_input.h"
 #include "core/registration/track_frames.h"
-#include "core/registration_case.h"
 
 #include <functional>
 #include <optional>
@@ -19,7 +19,7 @@ struct FollowedFrame {
 /// Follows the vessels from the case's frame and pose to the end of the run, then back to its beginning
 /// (ALGORITHMS §6.11); frames in order, a stopped run only as far as it came. Fails where the case is not ready, where
 /// its frame's target is given rather than traced, or where the gantry turns during the run.
-Result<std::vector<FollowedFrame>> followFrames(const RegistrationCase& registrationCase,
+Result<std::vector<FollowedFrame>> followFrames(const Case& theCase,
                                                 const std::function<Verdict(double fraction)>& observe);
 
 }   // namespace angiopose::core

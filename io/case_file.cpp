@@ -23,7 +23,7 @@ namespace angiopose::io {
 namespace {
 
 namespace fs = std::filesystem;
-using core::RegistrationCase;
+using core::Case;
 
 constexpr std::size_t maxCaseBytes = 16 << 20;
 
@@ -71,29 +71,31 @@ core::Result<CaseDocument> readDocument(const std::string& path)
     return document;
 }
 
-/// A view that stands in the case, or in a case file of its own.
-core::Result<CaseDocument> documentOf(const core::OtherView& other, std::vector<CaseDocument>& standing)
+/// A view that stands in a case file of its own.
+core::Status readViewOfCase(core::View& view, ViewNotes& notes)
 {
-    if (!other.file.path.empty()) {
-        return readDocument(other.file.path);
+    auto read = readDocument(view.caseFile.path);
+    if (!read) {
+        return read.error();
     }
-    CaseDocument document = std::move(standing.front());
-    standing.erase(standing.begin());
-    return document;
+    CaseDocument document = std::move(read).value();
+    document.values.shown().caseFile = view.caseFile;
+    view = std::move(document.values.shown());
+    notes = std::move(document.notes.front());
+    return core::Done{};
 }
 
 /// A view that cannot be had is a warning: the case opens without.
-void loadOtherViews(RegistrationCase& loaded, std::vector<CaseDocument> standing, const std::string& path,
-                    core::Messages& warnings)
+void loadOtherViews(Case& loaded, std::vector<ViewNotes> notes, const std::string& path, core::Messages& warnings)
 {
     core::Messages found;
-    for (core::OtherView& other : loaded.otherViews) {
-        auto document = documentOf(other, standing);
-        if (document) {
-            other.view = std::make_shared<const RegistrationCase>(
-                loadOtherView(std::move(document).value(), loaded, path, found));
+    for (std::size_t k = 1; k < loaded.views.size(); ++k) {
+        core::View& view = loaded.views[k];
+        const core::Status read = view.caseFile.path.empty() ? core::Done{} : readViewOfCase(view, notes[k]);
+        if (read) {
+            loadOtherView(view, notes[k], loaded.vessels, path, found);
         } else {
-            found.push_back(says::caseViewLeftOut(document.error().message));
+            found.push_back(says::caseViewLeftOut(read.error().message));
         }
     }
     for (core::Message& warning : found) {   // what holds for all images of a study is said once
@@ -104,16 +106,11 @@ void loadOtherViews(RegistrationCase& loaded, std::vector<CaseDocument> standing
 }
 
 /// The input that `path` is, if any.
-std::string inputAt(const RegistrationCase& registrationCase, const std::string& path)
+std::string inputAt(const Case& theCase, const std::string& path)
 {
-    std::vector<const core::InputFile*> files{&registrationCase.centerlineFile, &registrationCase.scanFile,
-                                              &registrationCase.imageFile, &registrationCase.targetFile};
-    for (const core::OtherView& other : registrationCase.otherViews) {
-        files.push_back(&other.file);
-        if (other.view) {
-            files.push_back(&other.view->imageFile);
-            files.push_back(&other.view->targetFile);
-        }
+    std::vector<const core::InputFile*> files{&theCase.vessels.file, &theCase.vessels.scanFile};
+    for (const core::View& view : theCase.views) {
+        files.insert(files.end(), {&view.imageFile, &view.target.file, &view.caseFile});
     }
     for (const core::InputFile* file : files) {
         std::error_code absent;
@@ -126,8 +123,8 @@ std::string inputAt(const RegistrationCase& registrationCase, const std::string&
 
 }   // namespace
 
-core::Result<RegistrationCase> loadCase(const std::string& path, core::Messages& warnings, const ReadObserver& observe,
-                                        const MovedInputs& moved)
+core::Result<Case> loadCase(const std::string& path, core::Messages& warnings, const ReadObserver& observe,
+                            const MovedInputs& moved)
 {
     try {
         auto read = readDocument(path);
@@ -139,13 +136,13 @@ core::Result<RegistrationCase> loadCase(const std::string& path, core::Messages&
             const auto place = moved.find(file->path);
             file->path = place == moved.end() ? file->path : place->second;
         }
-        std::vector<CaseDocument> standing = std::move(document.views);
+        std::vector<ViewNotes> notes = document.notes;
         auto loaded = loadInputs(std::move(document), path, warnings, observe);
         if (!loaded) {
             return loaded.error();
         }
-        RegistrationCase values = std::move(loaded).value();
-        loadOtherViews(values, std::move(standing), path, warnings);
+        Case values = std::move(loaded).value();
+        loadOtherViews(values, std::move(notes), path, warnings);
         return values;
     } catch (const std::exception&) {   // a value the schema let through
         return fileError(path, says::caseWrongKind());
@@ -160,11 +157,11 @@ core::Result<std::vector<MissingInput>> missingInputs(const std::string& casePat
             return read.error();
         }
         CaseDocument document = std::move(read).value();
-        const RegistrationCase& values = document.values;
+        const Case& values = document.values;
         std::vector<MissingInput> missing;
         for (const core::InputFile* file : inputsOf(document)) {
-            const bool isNeeded =
-                file == &values.centerlineFile || file == &values.imageFile || file == &values.targetFile;
+            const bool isNeeded = file == &values.vessels.file || file == &values.shown().imageFile ||
+                                  file == &values.shown().target.file;
             if (std::error_code failed; !fs::exists(file->path, failed)) {
                 missing.push_back({file->path, file->sha256, !isNeeded});
             }
@@ -184,10 +181,10 @@ core::Result<core::Messages> validateCase(const std::string& path)
     try {
         CaseDocument document = examine(text.value());
         makePathsAbsolute(document, path);
-        for (const core::InputFile* file :
-             {&document.values.centerlineFile, &document.values.imageFile, &document.values.targetFile}) {
-            const bool isSeries = document.values.vesselInput.kind == core::VesselInputKind::Volume &&
-                                  file == &document.values.centerlineFile && fs::is_directory(file->path);
+        for (const core::InputFile* file : {&document.values.vessels.file, &document.values.shown().imageFile,
+                                            &document.values.shown().target.file}) {
+            const bool isSeries = document.values.vessels.input.kind == core::VesselInputKind::Volume &&
+                                  file == &document.values.vessels.file && fs::is_directory(file->path);
             if (file->path.empty() || isSeries) {
                 continue;
             }
@@ -210,16 +207,16 @@ core::Result<core::Messages> doubtsOfCase(const std::string& path)
     try {
         CaseDocument document = examine(text.value());
         makePathsAbsolute(document, path);
-        RegistrationCase& values = document.values;
-        const auto angiogram = readAngiogram(values.imageFile.path);
+        Case& values = document.values;
+        const auto angiogram = readAngiogram(values.shown().imageFile.path);
         if (!angiogram) {
             return angiogram.error();
         }
-        fillFromHeader(values.cArm, angiogram.value().cArm);
-        auto doubts = core::findContradictions(values.cArm, angiogram.value().gantry,
+        fillFromHeader(values.shown().geometry.cArm, angiogram.value().cArm);
+        auto doubts = core::findContradictions(values.shown().geometry.cArm, angiogram.value().gantry,
                                                {angiogram.value().width(), angiogram.value().height()});
-        if (!values.cameraOverride && !values.hasInitialPose) {
-            for (core::Message& missing : core::findMissing(values.cArm)) {
+        if (!values.shown().geometry.cameraOverride && !values.shown().initialCameraFromPatient) {
+            for (core::Message& missing : core::findMissing(values.shown().geometry.cArm)) {
                 doubts.push_back(std::move(missing));
             }
         }
@@ -229,30 +226,30 @@ core::Result<core::Messages> doubtsOfCase(const std::string& path)
     }
 }
 
-std::optional<core::Message> findUnsavable(const RegistrationCase& registrationCase)
+std::optional<core::Message> findUnsavable(const Case& theCase)
 {
-    if (!registrationCase.tree && registrationCase.volume) {
+    if (!theCase.vessels.tree && theCase.vessels.scan) {
         return says::caseScanAlone();
     }
-    if (registrationCase.centerlineFile.path.empty() || registrationCase.imageFile.path.empty()) {
+    if (theCase.vessels.file.path.empty() || theCase.shown().imageFile.path.empty()) {
         return says::caseIncomplete();
     }
-    if (!core::isRigid(registrationCase.cameraFromPatient) ||
-        (registrationCase.hasInitialPose && !core::isRigid(registrationCase.initialCameraFromPatient))) {
+    const auto& initial = theCase.shown().initialCameraFromPatient;
+    if (!core::isRigid(theCase.shown().cameraFromPatient) || (initial && !core::isRigid(*initial))) {
         return says::casePoseNotRigid();
     }
     return {};
 }
 
-core::Status saveCase(const RegistrationCase& registrationCase, const std::string& path)
+core::Status saveCase(const Case& theCase, const std::string& path)
 {
-    if (const std::string input = inputAt(registrationCase, path); !input.empty()) {
+    if (const std::string input = inputAt(theCase, path); !input.empty()) {
         return fileError(path, says::caseIsInput());
     }
-    if (const auto unsavable = findUnsavable(registrationCase)) {
+    if (const auto unsavable = findUnsavable(theCase)) {
         return fileError(path, *unsavable);
     }
-    RegistrationCase hashed = registrationCase;
+    Case hashed = theCase;
     if (auto completed = completeFiles(hashed, path); !completed) {
         return completed;
     }

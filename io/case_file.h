@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration_case.h"
+#include "core/case/case.h"
 #include "core/support/result.h"
 #include "io/moved_inputs.h"
 #include "io/support/read_observer.h"
@@ -18,8 +18,8 @@ std::string_view caseSchema();
 /// An input whose content no longer matches its stored hash loads with a warning. Vessels given as a volume, a
 /// segmentation or a surface are traced: `observe` shows the progress and can stop it. Inputs in `moved` are read from
 /// there instead.
-core::Result<core::RegistrationCase> loadCase(const std::string& path, core::Messages& warnings,
-                                              const ReadObserver& observe = {}, const MovedInputs& moved = {});
+core::Result<core::Case> loadCase(const std::string& path, core::Messages& warnings, const ReadObserver& observe = {},
+                                  const MovedInputs& moved = {});
 
 /// Schema and meaning only, without loading the inputs: every problem found, empty when the case is fine.
 core::Result<core::Messages> validateCase(const std::string& path);
@@ -29,10 +29,10 @@ core::Result<core::Messages> validateCase(const std::string& path);
 core::Result<core::Messages> doubtsOfCase(const std::string& path);
 
 /// What the case lacks to be written as a file that opens again.
-std::optional<core::Message> findUnsavable(const core::RegistrationCase& registrationCase);
+std::optional<core::Message> findUnsavable(const core::Case& theCase);
 
 /// Writes atomically (temporary file, flush, rename); paths relative to the case file, hashes of the inputs,
 /// keys unknown to this version kept.
-core::Status saveCase(const core::RegistrationCase& registrationCase, const std::string& path);
+core::Status saveCase(const core::Case& theCase, const std::string& path);
 
 }   // namespace angiopose::io

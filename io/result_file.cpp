@@ -53,7 +53,7 @@ Json uncertaintyJson(const core::PoseUncertainty& uncertainty)
             {"weakestDirection", weakest}};
 }
 
-Json branchesJson(const core::RegistrationCase& registrationCase, const core::RegistrationResult& result)
+Json branchesJson(const core::Case& theCase, const core::RegistrationResult& result)
 {
     Json branches = Json::array();
     for (const core::BranchResidual& branch : result.branches) {
@@ -62,8 +62,7 @@ Json branchesJson(const core::RegistrationCase& registrationCase, const core::Re
                      {"medianPx", branch.medianPx},
                      {"p95Px", branch.p95Px},
                      {"agreement", branch.agreement}};
-        const core::VesselBranch* known =
-            registrationCase.tree ? registrationCase.tree->find(branch.branchId) : nullptr;
+        const core::VesselBranch* known = theCase.vessels.tree ? theCase.vessels.tree->find(branch.branchId) : nullptr;
         if (known && !known->name.empty()) {
             json["name"] = known->name;
         }
@@ -83,7 +82,7 @@ Json alternativesJson(const core::RegistrationResult& result)
 }
 
 /// File names only: results are passed around, and folders may name patients.
-Json inputsJson(const core::RegistrationCase& registrationCase)
+Json inputsJson(const core::Case& theCase)
 {
     Json inputs = Json::object();
     const auto add = [&](const char* key, const core::InputFile& file) {
@@ -91,26 +90,26 @@ Json inputsJson(const core::RegistrationCase& registrationCase)
             inputs[key] = {{"file", std::filesystem::path(file.path).filename().string()}, {"sha256", file.sha256}};
         }
     };
-    add("vessel", registrationCase.centerlineFile);
-    add("angiogram", registrationCase.imageFile);
-    add("centerline", registrationCase.targetFile);
-    inputs["frame"] = registrationCase.frame;
+    add("vessel", theCase.vessels.file);
+    add("angiogram", theCase.shown().imageFile);
+    add("centerline", theCase.shown().target.file);
+    inputs["frame"] = theCase.shown().frame;
     return inputs;
 }
 
 }   // namespace
 
-std::string resultJson(const core::RegistrationCase& registrationCase, const core::RegistrationResult& result)
+std::string resultJson(const core::Case& theCase, const core::RegistrationResult& result)
 {
     Json root;
     root["format"] = "angiopose-result";
     root["version"] = 1;
-    root["title"] = registrationCase.title;
+    root["title"] = theCase.title;
     root["method"] = result.method;
     root["pose"]["cameraFromPatient"] = rowsOf(result.cameraFromPatient);
     root["metrics"] = metricsJson(result.metrics);
     root["uncertainty"] = uncertaintyJson(result.uncertainty);
-    root["perBranch"] = branchesJson(registrationCase, result);
+    root["perBranch"] = branchesJson(theCase, result);
     root["alternatives"] = alternativesJson(result);
     root["trustworthy"] = result.trustworthy;
     root["warnings"] = sentencesOf(result.warnings);
@@ -121,17 +120,16 @@ std::string resultJson(const core::RegistrationCase& registrationCase, const cor
                       {"search", result.time.searchMs},
                       {"solve", result.time.solveMs},
                       {"total", result.time.totalMs}};
-    root["inputs"] = inputsJson(registrationCase);
-    root["options"] = Json::parse(optionsJson(registrationCase.options));
+    root["inputs"] = inputsJson(theCase);
+    root["options"] = Json::parse(optionsJson(theCase.options));
     root["programVersion"] = ANGIOPOSE_VERSION;
     // File names and titles need not be UTF-8; the result must be written all the same.
     return prettyJson(root.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-core::Status writeResult(const core::RegistrationCase& registrationCase, const core::RegistrationResult& result,
-                         const std::string& path)
+core::Status writeResult(const core::Case& theCase, const core::RegistrationResult& result, const std::string& path)
 {
-    return writeAtomically(path, resultJson(registrationCase, result));
+    return writeAtomically(path, resultJson(theCase, result));
 }
 
 }   // namespace angiopose::io

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration_case.h"
+#include "core/case/case.h"
 #include "core/support/result.h"
 
 #include <string>
@@ -8,10 +8,9 @@
 namespace angiopose::io {
 
 /// result.json of FORMATS §3 as text.
-std::string resultJson(const core::RegistrationCase& registrationCase, const core::RegistrationResult& result);
+std::string resultJson(const core::Case& theCase, const core::RegistrationResult& result);
 
 /// Writes it atomically.
-core::Status writeResult(const core::RegistrationCase& registrationCase, const core::RegistrationResult& result,
-                         const std::string& path);
+core::Status writeResult(const core::Case& theCase, const core::RegistrationResult& result, const std::string& path);
 
 }   // namespace angiopose::io

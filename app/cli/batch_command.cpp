@@ -21,20 +21,20 @@ core::Result<core::RegistrationResult> registerEntry(const io::BatchEntry& entry
     if (!loaded) {
         return loaded.error();
     }
-    core::RegistrationCase registrationCase = std::move(loaded).value();
+    core::Case theCase = std::move(loaded).value();
     RegisterArguments arguments;
     arguments.method = entry.method;
-    if (const auto status = applyArguments(registrationCase, arguments); !status) {
+    if (const auto status = applyArguments(theCase, arguments); !status) {
         return status.error();
     }
-    auto registered = registerCase(std::move(registrationCase), entry.name);
+    auto registered = registerCase(std::move(theCase), entry.name);
     if (!registered) {
         return registered.error();
     }
     if (const auto status = writeOutputs(registered.value(), folder); !status) {
         return status.error();
     }
-    return *registered.value().registrationCase.result;
+    return *registered.value().theCase.shown().result;
 }
 
 /// Whatever goes wrong with one case stays with it.

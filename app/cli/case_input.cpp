@@ -6,7 +6,7 @@
 
 namespace angiopose::app {
 
-core::Result<core::RegistrationCase> loadCaseForCommand(const std::string& path, std::optional<int> frame)
+core::Result<core::Case> loadCaseForCommand(const std::string& path, std::optional<int> frame)
 {
     core::Messages warnings;
     auto loaded = [&] {
@@ -20,13 +20,13 @@ core::Result<core::RegistrationCase> loadCaseForCommand(const std::string& path,
     if (!loaded || !frame) {
         return loaded;
     }
-    core::RegistrationCase registrationCase = std::move(loaded).value();
-    const int frameCount = registrationCase.angiogram ? registrationCase.angiogram->frameCount() : 0;
+    core::Case theCase = std::move(loaded).value();
+    const int frameCount = theCase.shown().angiogram ? theCase.shown().angiogram->frameCount() : 0;
     if (*frame < 0 || *frame >= frameCount) {
         return core::Error(says::frameBeyondRun(*frame, frameCount - 1).about(path));
     }
-    registrationCase.frame = *frame;
-    return registrationCase;
+    theCase.shown().frame = *frame;
+    return theCase;
 }
 
 }   // namespace angiopose::app

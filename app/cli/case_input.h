@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration_case.h"
+#include "core/case/case.h"
 #include "core/support/result.h"
 
 #include <optional>
@@ -9,6 +9,6 @@
 namespace angiopose::app {
 
 /// Loads a case, prints its warnings, and moves it to `frame` where one is given.
-core::Result<core::RegistrationCase> loadCaseForCommand(const std::string& path, std::optional<int> frame);
+core::Result<core::Case> loadCaseForCommand(const std::string& path, std::optional<int> frame);
 
 }   // namespace angiopose::app

@@ -4,7 +4,7 @@
 #include "app/cli/describe_volume.h"
 #include "app/messages/says.h"
 #include "app/texts/number_text.h"
-#include "core/registration_case.h"
+#include "core/case/case.h"
 #include "io/angiogram_file.h"
 #include "io/case_file.h"
 #include "io/centerline2d_file.h"
@@ -72,21 +72,21 @@ Json treeJson(const core::VesselTree& tree)
             {"branches", branches}};
 }
 
-Json caseJson(const core::RegistrationCase& registrationCase, const core::Messages& warnings)
+Json caseJson(const core::Case& theCase, const core::Messages& warnings)
 {
-    Json json{{"kind", "case"}, {"title", registrationCase.title}, {"frame", registrationCase.frame}};
-    if (registrationCase.tree) {
-        json["tree"] = treeJson(*registrationCase.tree);
+    Json json{{"kind", "case"}, {"title", theCase.title}, {"frame", theCase.shown().frame}};
+    if (theCase.vessels.tree) {
+        json["tree"] = treeJson(*theCase.vessels.tree);
     }
-    if (registrationCase.angiogram) {
-        json["angiogram"] = angiogramJson(*registrationCase.angiogram);
-        json["angiogram"]["geometry"] = geometryJson(registrationCase.cArm, *registrationCase.angiogram);
+    if (theCase.shown().angiogram) {
+        json["angiogram"] = angiogramJson(*theCase.shown().angiogram);
+        json["angiogram"]["geometry"] = geometryJson(theCase.shown().geometry.cArm, *theCase.shown().angiogram);
     }
-    if (const auto camera = core::cameraOf(registrationCase); camera) {
+    if (const auto camera = core::cameraOf(theCase.shown()); camera) {
         json["camera"] = cameraJson(camera.value());
-        json["camera"]["origin"] = registrationCase.cameraOverride ? "user" : "derived";
+        json["camera"]["origin"] = theCase.shown().geometry.cameraOverride ? "user" : "derived";
     }
-    json["startPose"] = registrationCase.hasInitialPose ? "given" : "from the angles";
+    json["startPose"] = theCase.shown().initialCameraFromPatient ? "given" : "from the angles";
     addWarnings(json, warnings);
     return json;
 }

@@ -14,14 +14,14 @@ int runProject(const ProjectArguments& arguments)
     if (!loaded) {
         return failInput(loaded.error());
     }
-    core::RegistrationCase registrationCase = std::move(loaded).value();
+    core::Case theCase = std::move(loaded).value();
     if (!arguments.posePath.empty()) {
         const auto pose = io::readPose(arguments.posePath);
         if (!pose) {
             return failInput(pose.error());
         }
-        registrationCase.cameraFromPatient = pose.value();
-        registrationCase.result.reset();
+        theCase.shown().cameraFromPatient = pose.value();
+        theCase.shown().result.reset();
     }
     OverlayPictureOptions options;
     options.widthPx = arguments.widthPx;
@@ -31,12 +31,11 @@ int runProject(const ProjectArguments& arguments)
         options.cutout = {ui::Cutout::Shape::RightOf, {*arguments.swipePx, 0.0}, 0.0};
     }
     options.isStartBeside = arguments.startBeside;
-    const auto picture = drawOverlay(registrationCase, {}, options);
+    const auto picture = drawOverlay(theCase, {}, options);
     if (!picture) {
         return failInput(picture.error().about(arguments.casePath));
     }
-    if (const auto status = io::writePng(picture.value(), arguments.outputPath, provenanceTexts(registrationCase));
-        !status) {
+    if (const auto status = io::writePng(picture.value(), arguments.outputPath, provenanceTexts(theCase)); !status) {
         return failInput(status.error());
     }
     std::printf("%s\n", arguments.outputPath.c_str());

@@ -4,6 +4,7 @@
 #include "app/messages/says.h"
 #include "app/texts/number_text.h"
 #include "app/texts/overlay_picture.h"
+#include "core/case/registration_input.h"
 #include "core/registration/option_text.h"
 #include "io/image_file.h"
 #include "io/pose_file.h"
@@ -44,13 +45,13 @@ core::Result<core::PoseLocks> locksFrom(const std::vector<std::string>& ids)
 
 }   // namespace
 
-core::Status applyArguments(core::RegistrationCase& registrationCase, const RegisterArguments& arguments)
+core::Status applyArguments(core::Case& theCase, const RegisterArguments& arguments)
 {
     if (!arguments.method.empty()) {
-        registrationCase.options.method = arguments.method;
+        theCase.options.method = arguments.method;
     }
     for (const std::string& assignment : arguments.options) {
-        if (const auto status = core::setOption(registrationCase.options, assignment); !status) {
+        if (const auto status = core::setOption(theCase.options, assignment); !status) {
             return status.error();
         }
     }
@@ -59,60 +60,59 @@ core::Status applyArguments(core::RegistrationCase& registrationCase, const Regi
         if (!locks) {
             return locks.error();
         }
-        registrationCase.options.locks = locks.value();
+        theCase.options.locks = locks.value();
     }
-    if (const auto problem = core::findProblem(registrationCase.options)) {
+    if (const auto problem = core::findProblem(theCase.options)) {
         return core::Error(*problem);
     }
     if (!arguments.auxiliaryBranchIds.empty()) {
-        registrationCase.auxiliaryBranchIds = arguments.auxiliaryBranchIds;
+        theCase.vessels.auxiliaryBranchIds = arguments.auxiliaryBranchIds;
     }
     if (!arguments.excludedBranchIds.empty()) {
-        registrationCase.excludedBranchIds = arguments.excludedBranchIds;
+        theCase.vessels.excludedBranchIds = arguments.excludedBranchIds;
     }
     return core::Done{};
 }
 
-core::Result<RegisteredCase> registerCase(core::RegistrationCase registrationCase, const std::string& label)
+core::Result<RegisteredCase> registerCase(core::Case theCase, const std::string& label)
 {
-    auto target = core::targetOf(registrationCase);
+    auto target = core::targetOf(theCase.shown());
     if (!target) {
         return target.error();
     }
-    const auto input = core::registrationInputOf(registrationCase, target.value());
+    const auto input = core::registrationInputOf(theCase, target.value());
     if (!input) {
         return input.error();
     }
-    auto result = registerWithProgress(input.value(), registrationCase.options, label);
+    auto result = registerWithProgress(input.value(), theCase.options, label);
     if (!result) {
         return result.error();
     }
-    registrationCase.cameraFromPatient = result.value().cameraFromPatient;
-    registrationCase.result = std::move(result).value();
-    return RegisteredCase{std::move(registrationCase), std::move(target).value()};
+    theCase.shown().cameraFromPatient = result.value().cameraFromPatient;
+    theCase.shown().result = std::move(result).value();
+    return RegisteredCase{std::move(theCase), std::move(target).value()};
 }
 
 core::Status writeOutputs(const RegisteredCase& registered, const std::string& folderName)
 {
-    const core::RegistrationCase& registrationCase = registered.registrationCase;
+    const core::Case& theCase = registered.theCase;
     const fs::path folder(folderName);
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure) {
         return core::Error(says::folderNotMade(folder.string(), failure.message()));
     }
-    if (auto status = io::writeResult(registrationCase, *registrationCase.result, (folder / "result.json").string());
-        !status) {
+    if (auto status = io::writeResult(theCase, *theCase.shown().result, (folder / "result.json").string()); !status) {
         return status;
     }
-    if (auto status = io::writePose(registrationCase.cameraFromPatient, (folder / "pose.tfm").string()); !status) {
+    if (auto status = io::writePose(theCase.shown().cameraFromPatient, (folder / "pose.tfm").string()); !status) {
         return status;
     }
-    const auto picture = drawOverlay(registrationCase, registered.target);
+    const auto picture = drawOverlay(theCase, registered.target);
     if (!picture) {
         return picture.error();
     }
-    return io::writePng(picture.value(), (folder / "overlay.png").string(), provenanceTexts(registrationCase));
+    return io::writePng(picture.value(), (folder / "overlay.png").string(), provenanceTexts(theCase));
 }
 
 }   // namespace angiopose::app

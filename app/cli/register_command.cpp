@@ -60,18 +60,18 @@ int runRegister(const RegisterArguments& arguments)
     if (!loaded) {
         return failInput(loaded.error(), arguments.format);
     }
-    core::RegistrationCase registrationCase = std::move(loaded).value();
-    if (const auto status = applyArguments(registrationCase, arguments); !status) {
+    core::Case theCase = std::move(loaded).value();
+    if (const auto status = applyArguments(theCase, arguments); !status) {
         printMessage(status.error().message.text());
         return exitUsage;
     }
     for (const std::string& path : arguments.otherViews) {
-        registrationCase.otherViews.push_back({{fs::absolute(path).string(), ""}, nullptr});
+        theCase.views.emplace_back().caseFile.path = fs::absolute(path).string();
     }
-    if (!registrationCase.otherViews.empty()) {
-        return registerViewsOf(registrationCase, arguments, outputFolderOf(arguments));
+    if (theCase.views.size() > 1) {
+        return registerViewsOf(theCase, arguments, outputFolderOf(arguments));
     }
-    const auto registered = registerCase(std::move(registrationCase), "registering");
+    const auto registered = registerCase(std::move(theCase), "registering");
     if (!registered) {
         return failInput(registered.error().about(arguments.casePath), arguments.format);
     }
@@ -79,9 +79,9 @@ int runRegister(const RegisterArguments& arguments)
     if (const auto status = writeOutputs(registered.value(), folder); !status) {
         return failInput(status.error(), arguments.format);
     }
-    const core::RegistrationResult& result = *registered.value().registrationCase.result;
+    const core::RegistrationResult& result = *registered.value().theCase.shown().result;
     if (arguments.format == OutputFormat::Json) {
-        std::puts(io::resultJson(registered.value().registrationCase, result).c_str());
+        std::puts(io::resultJson(registered.value().theCase, result).c_str());
     } else {
         printSummary(result, folder);
     }

@@ -5,13 +5,14 @@
 #include "app/cli/register_case.h"
 #include "app/messages/says.h"
 #include "app/texts/number_text.h"
-#include "core/case_views.h"
+#include "core/case/case_views.h"
+#include "core/case/registration_input.h"
 #include "core/geometry/angle_units.h"
-#include "core/joint_case.h"
 #include "core/registration/register_views.h"
 #include "io/result_file.h"
 #include "io/support/atomic_file.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -24,38 +25,44 @@ using Json = nlohmann::ordered_json;
 
 /// All views with what they are registered to.
 struct Views {
-    std::vector<core::RegistrationCase> cases;
+    std::vector<core::Case> cases;   ///< each shows one of the views
     std::vector<core::Centerline2d> targets;
 };
 
-/// As it stands in the case, or in the case file it refers to.
-core::Result<core::RegistrationCase> readView(const core::RegistrationCase& first, const core::OtherView& other)
+/// Views that stand in case files which the case does not hold yet.
+core::Status readViews(core::Case& theCase)
 {
-    if (other.view && other.view->angiogram) {
-        return core::withView(first, *other.view);
-    }
-    if (other.file.path.empty()) {
-        return core::Error(says::viewImageUnread().about(other.view->imageFile.path));
-    }
-    return loadCaseForCommand(other.file.path, std::nullopt);
-}
-
-core::Result<Views> readViews(const core::RegistrationCase& first)
-{
-    Views views{{first}, {}};
-    for (const core::OtherView& other : first.otherViews) {
-        auto read = readView(first, other);
+    for (std::size_t k = 0; k < theCase.views.size(); ++k) {
+        core::View& view = theCase.views[k];
+        if (k == theCase.shownView || view.angiogram) {
+            continue;
+        }
+        if (view.caseFile.path.empty()) {
+            return core::Error(says::viewImageUnread().about(view.imageFile.path));
+        }
+        auto read = loadCaseForCommand(view.caseFile.path, std::nullopt);
         if (!read) {
             return read.error();
         }
-        views.cases.push_back(std::move(read).value());
+        view = std::move(read).value().shown();
     }
-    for (const core::RegistrationCase& view : views.cases) {
+    return core::Done{};
+}
+
+core::Result<Views> viewsOf(core::Case theCase)
+{
+    if (const auto read = readViews(theCase); !read) {
+        return read.error();
+    }
+    Views views;
+    for (const std::size_t place : core::registeredViews(theCase)) {
+        const core::View& view = theCase.views[place];
         auto target = core::targetOf(view);
         if (!target) {
             return target.error().about(view.imageFile.path);
         }
         views.targets.push_back(std::move(target).value());
+        views.cases.push_back(core::showingView(theCase, place));
     }
     return views;
 }
@@ -68,6 +75,13 @@ core::Result<core::MultiViewResult> solve(const std::vector<core::RegistrationIn
         progress.show(report.progress, std::string(report.stage));
         return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
     });
+}
+
+std::vector<core::View> shownOf(const std::vector<core::Case>& cases)
+{
+    std::vector<core::View> views;
+    std::ranges::transform(cases, std::back_inserter(views), [](const core::Case& each) { return each.shown(); });
+    return views;
 }
 
 std::string viewFolder(const std::string& folder, std::size_t index)
@@ -95,14 +109,13 @@ Json jointJson(const Views& views, const core::MultiViewResult& joint)
 core::Status writeViews(Views& views, const core::MultiViewResult& joint, const std::string& folder)
 {
     for (std::size_t k = 0; k < views.cases.size(); ++k) {
-        core::RegistrationCase& view = views.cases[k];
-        view.tree = views.cases.front().tree;
+        core::View& view = views.cases[k].shown();
         view.cameraFromPatient = joint.views[k].cameraFromPatient;
         view.result = joint.views[k];
         if (k == 0) {
             view.result->uncertainty = joint.uncertainty;
         }
-        if (auto status = writeOutputs({view, views.targets[k]}, viewFolder(folder, k)); !status) {
+        if (auto status = writeOutputs({views.cases[k], views.targets[k]}, viewFolder(folder, k)); !status) {
             return status;
         }
     }
@@ -120,7 +133,7 @@ void printSummary(const Views& views, const core::MultiViewResult& joint, const 
                     fixedText(100.0 * metrics.coverage, 0).c_str(),
                     fixedText(core::degreesPerRadian * correction.head<3>().norm(), 2).c_str(),
                     fixedText(correction.tail<3>().norm(), 2).c_str(),
-                    fs::path(views.cases[k].imageFile.path).filename().string().c_str());
+                    fs::path(views.cases[k].shown().imageFile.path).filename().string().c_str());
     }
     std::printf("%-14s in plane ±%s mm, depth ±%s mm, rotation ±%s°\n", "uncertainty",
                 fixedText(joint.uncertainty.inPlaneMm, 2).c_str(), fixedText(joint.uncertainty.depthMm, 2).c_str(),
@@ -134,14 +147,14 @@ void printSummary(const Views& views, const core::MultiViewResult& joint, const 
 
 }   // namespace
 
-int registerViewsOf(const core::RegistrationCase& first, const RegisterArguments& arguments, const std::string& folder)
+int registerViewsOf(const core::Case& first, const RegisterArguments& arguments, const std::string& folder)
 {
-    auto read = readViews(first);
+    auto read = viewsOf(first);
     if (!read) {
         return failInput(read.error(), arguments.format);
     }
     Views views = std::move(read).value();
-    const auto inputs = core::jointInputsOf(views.cases, views.targets);
+    const auto inputs = core::jointInputsOf(shownOf(views.cases), first.vessels, views.targets);
     if (!inputs) {
         return failInput(inputs.error().about(arguments.casePath), arguments.format);
     }

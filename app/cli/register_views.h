@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/cli/commands.h"
-#include "core/registration_case.h"
+#include "core/case/case.h"
 
 #include <string>
 
@@ -9,6 +9,6 @@ namespace angiopose::app {
 
 /// Registers a case together with its other views; writes result.json, pose.tfm and overlay.png of each (the first
 /// in the output folder, the others in view-2, view-3, …) and joint.json about all. Returns the exit code.
-int registerViewsOf(const core::RegistrationCase& first, const RegisterArguments& arguments, const std::string& folder);
+int registerViewsOf(const core::Case& first, const RegisterArguments& arguments, const std::string& folder);
 
 }   // namespace angiopose::app

@@ -1,6 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/messages/says.h"
-#include "core/registration_case.h"
+#include "core/case/case.h"
 #include "core/simulation/simulated_case.h"
 #include "io/angiogram_file.h"
 #include "io/case_file.h"
@@ -17,20 +17,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-core::RegistrationCase caseOf(const core::SimulatedCase& simulated, const fs::path& folder, std::uint64_t seed)
+core::Case caseOf(const core::SimulatedCase& simulated, const fs::path& folder, std::uint64_t seed)
 {
-    core::RegistrationCase registrationCase;
-    registrationCase.title = "Simulated case, seed " + std::to_string(seed);
-    registrationCase.centerlineFile.path = (folder / "tree.vtp").string();
-    registrationCase.imageFile.path = (folder / "angiogram.dcm").string();
-    registrationCase.tree = std::make_shared<const core::VesselTree>(simulated.tree);
-    registrationCase.angiogram = std::make_shared<const core::Angiogram>(simulated.angiogram);
-    registrationCase.frame = simulated.angiogram.suggestedFrame;
-    registrationCase.cArm = simulated.angiogram.cArm;
-    registrationCase.initialCameraFromPatient = simulated.initialCameraFromPatient;
-    registrationCase.hasInitialPose = true;
-    registrationCase.cameraFromPatient = simulated.initialCameraFromPatient;
-    return registrationCase;
+    core::Case theCase;
+    theCase.title = "Simulated case, seed " + std::to_string(seed);
+    theCase.vessels.file.path = (folder / "tree.vtp").string();
+    theCase.vessels.tree = std::make_shared<const core::VesselTree>(simulated.tree);
+    core::View& view = theCase.shown();
+    view.imageFile.path = (folder / "angiogram.dcm").string();
+    view.angiogram = std::make_shared<const core::Angiogram>(simulated.angiogram);
+    view.frame = simulated.angiogram.suggestedFrame;
+    view.geometry.cArm = simulated.angiogram.cArm;
+    view.initialCameraFromPatient = simulated.initialCameraFromPatient;
+    view.cameraFromPatient = simulated.initialCameraFromPatient;
+    return theCase;
 }
 
 core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const fs::path& folder, std::uint64_t seed)

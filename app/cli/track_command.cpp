@@ -11,10 +11,10 @@
 namespace angiopose::app {
 namespace {
 
-core::Result<std::vector<core::FollowedFrame>> followWithProgress(const core::RegistrationCase& registrationCase)
+core::Result<std::vector<core::FollowedFrame>> followWithProgress(const core::Case& theCase)
 {
     ProgressLine progress("following");
-    return core::followFrames(registrationCase, [&progress](double fraction) {
+    return core::followFrames(theCase, [&progress](double fraction) {
         progress.show(fraction, "");
         return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
     });
@@ -39,15 +39,15 @@ int runTrack(const TrackArguments& arguments)
     if (!loaded) {
         return failInput(loaded.error());
     }
-    core::RegistrationCase registrationCase = std::move(loaded).value();
+    core::Case theCase = std::move(loaded).value();
     if (!arguments.keepPose) {
-        auto registered = registerCase(std::move(registrationCase), "registering");
+        auto registered = registerCase(std::move(theCase), "registering");
         if (!registered) {
             return failInput(registered.error().about(arguments.casePath));
         }
-        registrationCase = std::move(registered).value().registrationCase;
+        theCase = std::move(registered).value().theCase;
     }
-    const auto frames = followWithProgress(registrationCase);
+    const auto frames = followWithProgress(theCase);
     if (!frames) {
         return failInput(frames.error().about(arguments.casePath));
     }

@@ -9,7 +9,7 @@ CaseDocument::CaseDocument(QObject* parent) : QObject(parent)
     connect(this, &CaseDocument::changed, this, [this] { ++revision_; });
 }
 
-void CaseDocument::replace(core::RegistrationCase opened, const QString& path)
+void CaseDocument::replace(core::Case opened, const QString& path)
 {
     case_ = std::move(opened);
     path_ = path;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration_case.h"
+#include "core/case/case.h"
 
 #include <QObject>
 #include <QString>
@@ -25,17 +25,17 @@ class CaseDocument : public QObject {
 public:
     explicit CaseDocument(QObject* parent = nullptr);
 
-    const core::RegistrationCase& current() const { return case_; }
+    const core::Case& current() const { return case_; }
     QUndoStack& undoStack() { return undoStack_; }
     const QUndoStack& undoStack() const { return undoStack_; }
-    bool isEmpty() const { return !case_.tree && !case_.angiogram; }
+    bool isEmpty() const { return !case_.vessels.tree && !case_.shown().angiogram; }
     bool isModified() const { return unsavedByNature_ || !undoStack_.isClean(); }
     /// Something would be lost with it: edits, or a copy of a crashed session. Opening files alone is no work.
     bool holdsWork() const { return isModified() && (isRecovered_ || !undoStack_.isClean()); }
     const QString& path() const { return path_; }   ///< empty until saved or opened from a case file
 
     /// Another case takes the place of the open one. Without a path it counts as unsaved.
-    void replace(core::RegistrationCase opened, const QString& path);
+    void replace(core::Case opened, const QString& path);
     CaseState state() const { return {caseNumber_, revision_}; }
 
     /// The case as it was at `written` now lies in a file; edits made since then stay unsaved.
@@ -67,7 +67,7 @@ private:
     template <auto... Fields>
     friend class SetFields;
 
-    core::RegistrationCase case_;
+    core::Case case_;
     QUndoStack undoStack_;
     QString path_;
     int caseNumber_ = 0;   ///< counts the cases opened

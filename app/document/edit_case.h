@@ -7,93 +7,59 @@
 
 namespace angiopose::app {
 
-using core::RegistrationCase;
+using core::Case;
+using core::Vessels;
+using core::View;
 
 /// A hand edit of the pose: what the last run said no longer holds.
-using MovePose = SetFields<&RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
-
-/// The same, and the other views move along.
-using MoveAllPoses =
-    SetFields<&RegistrationCase::cameraFromPatient, &RegistrationCase::result, &RegistrationCase::otherViews>;
+using MovePose = SetFields<&View::cameraFromPatient, &View::result>;
 
 /// What a run found, and the snapshot it leaves.
-using ApplyRun =
-    SetFields<&RegistrationCase::cameraFromPatient, &RegistrationCase::result, &RegistrationCase::snapshots>;
+using ApplyRun = SetFields<&View::cameraFromPatient, &View::result, &View::snapshots>;
 
-using ChangeSnapshots = SetFields<&RegistrationCase::snapshots>;
+using ChangeSnapshots = SetFields<&View::snapshots>;
 
 /// A blind trial: another start pose, and nothing in sight of what was found before.
 using HideWhatIsKnown =
-    SetFields<&RegistrationCase::cameraFromPatient, &RegistrationCase::hasInitialPose,
-              &RegistrationCase::initialCameraFromPatient, &RegistrationCase::result, &RegistrationCase::snapshots>;
+    SetFields<&View::cameraFromPatient, &View::initialCameraFromPatient, &View::result, &View::snapshots>;
 
 /// Another frame; where the gantry turned, the poses turn with it.
-using ShowFrame = SetFields<&RegistrationCase::frame, &RegistrationCase::initialCameraFromPatient,
-                            &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
-using ChooseAuxiliary = SetFields<&RegistrationCase::auxiliaryBranchIds>;
-using ExcludeBranches = SetFields<&RegistrationCase::excludedBranchIds, &RegistrationCase::result>;
-using HideBranches = SetFields<&RegistrationCase::hiddenBranchIds>;
-using RelabelTree = SetFields<&RegistrationCase::tree, &RegistrationCase::isTreeEdited>;
-using EditTree =
-    SetFields<&RegistrationCase::tree, &RegistrationCase::isTreeEdited, &RegistrationCase::auxiliaryBranchIds,
-              &RegistrationCase::excludedBranchIds, &RegistrationCase::hiddenBranchIds,
-              &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
-using TraceTree =
-    SetFields<&RegistrationCase::centerlineFile, &RegistrationCase::scanFile, &RegistrationCase::scanSeriesId,
-              &RegistrationCase::vesselInput, &RegistrationCase::lumen, &RegistrationCase::tree,
-              &RegistrationCase::isTreeEdited, &RegistrationCase::auxiliaryBranchIds,
-              &RegistrationCase::excludedBranchIds, &RegistrationCase::hiddenBranchIds,
-              &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
-using ChangeOptions = SetFields<&RegistrationCase::options>;
-using ChangeGeometry = SetFields<&RegistrationCase::cArm, &RegistrationCase::cameraOverride,
-                                 &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
-using ChangeViews = SetFields<&RegistrationCase::otherViews>;
+using ShowFrame = SetFields<&View::frame, &View::initialCameraFromPatient, &View::cameraFromPatient, &View::result>;
 
-/// What a run over all views found, in each of them.
-using ApplyJointRun = SetFields<&RegistrationCase::cameraFromPatient, &RegistrationCase::result,
-                                &RegistrationCase::snapshots, &RegistrationCase::otherViews>;
+using ChooseAuxiliary = SetFields<&Vessels::auxiliaryBranchIds>;
+using ExcludeBranches = SetFields<&Vessels::excludedBranchIds, &View::result>;
+using HideBranches = SetFields<&Vessels::hiddenBranchIds>;
+using RelabelTree = SetFields<&Vessels::tree, &Vessels::isTreeEdited>;
+using PickPivot = SetFields<&Vessels::pickedPivotInPatient>;
 
-/// Another view in the place of the shown one, which takes its place among the others.
-using ShowView = SetFields<&RegistrationCase::otherViews, &RegistrationCase::imageFile, &RegistrationCase::angiogram,
-                           &RegistrationCase::storedRun, &RegistrationCase::headerPlan, &RegistrationCase::treatment,
-                           &RegistrationCase::frame, &RegistrationCase::targetFile, &RegistrationCase::givenTarget,
-                           &RegistrationCase::editedFrame, &RegistrationCase::acceptedCurveIds,
-                           &RegistrationCase::traceOptions, &RegistrationCase::cArm, &RegistrationCase::cameraOverride,
-                           &RegistrationCase::hasInitialPose, &RegistrationCase::initialCameraFromPatient,
-                           &RegistrationCase::cameraFromPatient, &RegistrationCase::landmarks,
-                           &RegistrationCase::result, &RegistrationCase::snapshots, &RegistrationCase::viewExtraKeys>;
+/// Other vessels, and the pose that goes with them.
+using ChangeVessels = SetFields<&Case::vessels, &View::cameraFromPatient, &View::result>;
 
-using PickPivot = SetFields<&RegistrationCase::pickedPivotInPatient>;
-using ChangeLandmarks = SetFields<&RegistrationCase::landmarks>;
+using ChangeOptions = SetFields<&Case::options>;
+using ChangeGeometry = SetFields<&View::geometry, &View::cameraFromPatient, &View::result>;
+
+/// All views at once: added, moved along with the shown one, or registered together.
+using ChangeViews = SetFields<&Case::views>;
+
+/// Another view is shown, or one taken out.
+using ShowView = SetFields<&Case::views, &Case::shownView>;
+
+using ChangeLandmarks = SetFields<&View::landmarks>;
 
 /// A start pose found by hand or landmarks becomes the case's own.
-using PlaceVessels = SetFields<&RegistrationCase::hasInitialPose, &RegistrationCase::initialCameraFromPatient,
-                               &RegistrationCase::cameraFromPatient, &RegistrationCase::result>;
+using PlaceVessels = SetFields<&View::initialCameraFromPatient, &View::cameraFromPatient, &View::result>;
 
-using ChangeTracing = SetFields<&RegistrationCase::traceOptions, &RegistrationCase::result>;
+using ChangeTracing = SetFields<&View::traceOptions, &View::result>;
 
 /// Another target: the result of the last run was found with the former one.
-using ChangeTarget =
-    SetFields<&RegistrationCase::targetFile, &RegistrationCase::givenTarget, &RegistrationCase::editedFrame,
-              &RegistrationCase::acceptedCurveIds, &RegistrationCase::result>;
-using ChangeTreatment = SetFields<&RegistrationCase::treatment, &RegistrationCase::angiogram,
-                                  &RegistrationCase::storedRun, &RegistrationCase::result>;
-using JoinInputs =
-    SetFields<&RegistrationCase::title, &RegistrationCase::centerlineFile, &RegistrationCase::vesselInput,
-              &RegistrationCase::volume, &RegistrationCase::scanFile, &RegistrationCase::scanSeriesId,
-              &RegistrationCase::scanIdentity, &RegistrationCase::lumen, &RegistrationCase::tree,
-              &RegistrationCase::isTreeEdited, &RegistrationCase::hiddenBranchIds,
-              &RegistrationCase::auxiliaryBranchIds, &RegistrationCase::excludedBranchIds,
-              &RegistrationCase::pickedPivotInPatient, &RegistrationCase::imageFile, &RegistrationCase::angiogram,
-              &RegistrationCase::storedRun, &RegistrationCase::headerPlan, &RegistrationCase::treatment,
-              &RegistrationCase::frame, &RegistrationCase::targetFile, &RegistrationCase::givenTarget,
-              &RegistrationCase::editedFrame, &RegistrationCase::acceptedCurveIds, &RegistrationCase::cArm,
-              &RegistrationCase::cameraOverride, &RegistrationCase::hasInitialPose,
-              &RegistrationCase::cameraFromPatient, &RegistrationCase::landmarks, &RegistrationCase::result>;
+using ChangeTarget = SetFields<&View::target, &View::result>;
+using ChangeTreatment = SetFields<&View::treatment, &View::angiogram, &View::storedRun, &View::result>;
+
+/// Other inputs, and all that hangs on them.
+using JoinInputs = SetFields<&Case::title, &Case::vessels, &Case::views>;
 
 /// The edit that makes the document's case like `wanted`, geometry only.
-std::unique_ptr<QUndoCommand> changeGeometry(CaseDocument& document, const RegistrationCase& wanted,
-                                             const ui::Words& name);
+std::unique_ptr<QUndoCommand> changeGeometry(CaseDocument& document, const Case& wanted, const ui::Words& name);
 
 /// The edit that puts an edited tree into the case. Marks of branches that are gone go too; a pose at the start stays
 /// there; what the last run said no longer holds.
@@ -109,9 +75,9 @@ struct TracedTree {
 std::unique_ptr<QUndoCommand> takeTrace(CaseDocument& document, const TracedTree& traced, const ui::Words& name);
 
 /// The edit that makes the document's case like `wanted`, as far as views go; see core::showingView.
-std::unique_ptr<QUndoCommand> showView(CaseDocument& document, const RegistrationCase& wanted, const ui::Words& name);
+std::unique_ptr<QUndoCommand> showView(CaseDocument& document, const Case& wanted, const ui::Words& name);
 
 /// The edit that takes over the inputs of `wanted` and all that hangs on them.
-std::unique_ptr<QUndoCommand> joinInputs(CaseDocument& document, const RegistrationCase& wanted, const ui::Words& name);
+std::unique_ptr<QUndoCommand> joinInputs(CaseDocument& document, const Case& wanted, const ui::Words& name);
 
 }   // namespace angiopose::app

@@ -25,12 +25,34 @@ private:
     ui::Words name_;
 };
 
-/// Undoable change of some fields of the open case. Edits with the same burst number merge into one step.
-///   stack.push(new SetFields<&core::RegistrationCase::frame>(document, {4}, [] { return tr("Show frame 4"); }));
+/// The part of a case that has a field: the case itself, its vessels, its shown view.
+template <class Value>
+auto& partWith(core::Case& theCase, Value core::Case::*)
+{
+    return theCase;
+}
+template <class Value>
+auto& partWith(core::Case& theCase, Value core::Vessels::*)
+{
+    return theCase.vessels;
+}
+template <class Value>
+auto& partWith(core::Case& theCase, Value core::View::*)
+{
+    return theCase.shown();
+}
+
+/// What a pointer to a member points to.
+template <class Owner, class Value>
+Value valueOf(Value Owner::*);
+
+/// Undoable change of some fields of the open case: of itself, its vessels or its shown view. Which view is shown may
+/// change with `Case::views` as a whole only. Edits with the same burst number merge into one step.
+///   stack.push(new SetFields<&core::View::frame>(document, {4}, [] { return tr("Show frame 4"); }));
 template <auto... Fields>
 class SetFields : public NamedEdit {
 public:
-    using Values = std::tuple<std::decay_t<decltype(std::declval<core::RegistrationCase>().*Fields)>...>;
+    using Values = std::tuple<decltype(valueOf(Fields))...>;
 
     SetFields(CaseDocument& document, Values values, ui::Words name, int burst = separateEdit)
         : NamedEdit(std::move(name)), document_(document), others_(std::move(values)), burst_(burst)
@@ -38,7 +60,7 @@ public:
     }
 
     /// The fields as they are in `wanted`.
-    static Values valuesOf(const core::RegistrationCase& wanted) { return {wanted.*Fields...}; }
+    static Values valuesOf(core::Case wanted) { return {std::move(partWith(wanted, Fields).*Fields)...}; }
 
     void redo() override { swapWithDocument(); }
     void undo() override { swapWithDocument(); }
@@ -50,7 +72,8 @@ public:
 private:
     void swapWithDocument()
     {
-        std::apply([this](auto&... other) { (std::swap(document_.case_.*Fields, other), ...); }, others_);
+        std::apply([this](auto&... other) { (std::swap(partWith(document_.case_, Fields).*Fields, other), ...); },
+                   others_);
         emit document_.changed();
     }
 

@@ -123,14 +123,14 @@ void AuxiliaryController::connectDialog()
 
 void AuxiliaryController::chooseInside(const QPolygonF& outlineInImagePx, ui::LassoEffect effect)
 {
-    const core::RegistrationCase& current = document_.current();
-    const auto camera = core::cameraOf(current);
-    if (!current.tree || !camera) {
+    const core::Case& current = document_.current();
+    const auto camera = core::cameraOf(current.shown());
+    if (!current.vessels.tree || !camera) {
         return;
     }
     std::set<int> inside;
-    for (const core::VesselBranch& branch : current.tree->branches) {
-        const double share = shareInside(branch, camera.value(), current.cameraFromPatient, outlineInImagePx);
+    for (const core::VesselBranch& branch : current.vessels.tree->branches) {
+        const double share = shareInside(branch, camera.value(), current.shown().cameraFromPatient, outlineInImagePx);
         if (share >= insideShare && !branches_.marks().excluded.contains(branch.id)) {
             inside.insert(branch.id);
         }
@@ -153,7 +153,7 @@ void AuxiliaryController::chooseInside(const QPolygonF& outlineInImagePx, ui::La
 void AuxiliaryController::chooseGenerations(int last)
 {
     std::set<int> chosen;
-    const auto& tree = document_.current().tree;
+    const auto& tree = document_.current().vessels.tree;
     for (const core::VesselBranch& branch : tree ? tree->branches : std::vector<core::VesselBranch>{}) {
         if (branch.generation >= 0 && branch.generation <= last && !branches_.marks().excluded.contains(branch.id)) {
             chosen.insert(branch.id);
@@ -169,7 +169,7 @@ void AuxiliaryController::chooseGenerations(int last)
 void AuxiliaryController::chooseWide(double atLeastMm)
 {
     std::set<int> chosen;
-    const auto& tree = document_.current().tree;
+    const auto& tree = document_.current().vessels.tree;
     for (const core::VesselBranch& branch : tree ? tree->branches : std::vector<core::VesselBranch>{}) {
         if (!branch.radiusMm.empty() && medianRadiusMm(branch) >= atLeastMm &&
             !branches_.marks().excluded.contains(branch.id)) {
@@ -205,37 +205,39 @@ void AuxiliaryController::request()
 
 void AuxiliaryController::start()
 {
-    const core::RegistrationCase& current = document_.current();
-    const auto camera = core::cameraOf(current);
-    if (!current.tree || !camera) {
+    const core::Case& current = document_.current();
+    const auto camera = core::cameraOf(current.shown());
+    if (!current.vessels.tree || !camera) {
         isKnown_ = false;
         show();
         return;
     }
     const core::Vector6d priorStd =
         core::startPrior({}, current.options).std;   // what the solver believes of a start pose
-    job_.setFuture(QtConcurrent::run([tree = current.tree, camera = camera.value(), pose = current.cameraFromPatient,
-                                      excluded = current.excludedBranchIds, chosen = current.auxiliaryBranchIds,
-                                      priorStd] {
-        const auto branches = core::branchInformation(core::without(*tree, excluded), camera, pose);
-        std::vector<int> all(branches.size());
-        std::ranges::transform(branches, all.begin(), &core::BranchInformation::branchId);
-        Advice advice;
-        advice.stdOfAll = inDegrees(core::expectedStd(branches, all, priorStd));
-        advice.stdOfChosen = inDegrees(core::expectedStd(branches, chosen.empty() ? all : chosen, priorStd));
-        for (std::size_t step = 0; step < advice.pinnedBy.size(); ++step) {
-            advice.pinnedBy[step] = core::branchesThatPin(branches, static_cast<int>(step), priorStd, branchesPerStep);
-        }
-        advice.suggested = core::mostInformativeBranches(branches, priorStd);
-        return advice;
-    }));
+    job_.setFuture(QtConcurrent::run(
+        [tree = current.vessels.tree, camera = camera.value(), pose = current.shown().cameraFromPatient,
+         excluded = current.vessels.excludedBranchIds, chosen = current.vessels.auxiliaryBranchIds, priorStd] {
+            const auto branches = core::branchInformation(core::without(*tree, excluded), camera, pose);
+            std::vector<int> all(branches.size());
+            std::ranges::transform(branches, all.begin(), &core::BranchInformation::branchId);
+            Advice advice;
+            advice.stdOfAll = inDegrees(core::expectedStd(branches, all, priorStd));
+            advice.stdOfChosen = inDegrees(core::expectedStd(branches, chosen.empty() ? all : chosen, priorStd));
+            for (std::size_t step = 0; step < advice.pinnedBy.size(); ++step) {
+                advice.pinnedBy[step] =
+                    core::branchesThatPin(branches, static_cast<int>(step), priorStd, branchesPerStep);
+            }
+            advice.suggested = core::mostInformativeBranches(branches, priorStd);
+            return advice;
+        }));
 }
 
 QString AuxiliaryController::namesOf(const std::vector<int>& branchIds) const
 {
     QStringList names;
     for (const int id : branchIds) {
-        const core::VesselBranch* branch = document_.current().tree ? document_.current().tree->find(id) : nullptr;
+        const core::VesselBranch* branch =
+            document_.current().vessels.tree ? document_.current().vessels.tree->find(id) : nullptr;
         names << (branch ? ui::displayName(*branch) : QString::number(id));
     }
     return ui::joinedNames(names);
@@ -243,22 +245,22 @@ QString AuxiliaryController::namesOf(const std::vector<int>& branchIds) const
 
 QString AuxiliaryController::previewWords() const
 {
-    const core::RegistrationCase& current = document_.current();
-    if (!current.tree) {
+    const core::Case& current = document_.current();
+    if (!current.vessels.tree) {
         return {};
     }
     double lengthMm = 0.0;
     double chosenMm = 0.0;
-    for (const core::VesselBranch& branch : current.tree->branches) {
+    for (const core::VesselBranch& branch : current.vessels.tree->branches) {
         lengthMm += branch.lengthMm();
-        const auto& chosenIds = current.auxiliaryBranchIds;
+        const auto& chosenIds = current.vessels.auxiliaryBranchIds;
         chosenMm += std::ranges::find(chosenIds, branch.id) != chosenIds.end() ? branch.lengthMm() : 0.0;
     }
-    const QString chosen = current.auxiliaryBranchIds.empty()
+    const QString chosen = current.vessels.auxiliaryBranchIds.empty()
                                ? tr("Nothing is chosen: the alternation takes the %1 nodes of the tree.")
-                                     .arg(core::findNodes(*current.tree).size())
+                                     .arg(core::findNodes(*current.vessels.tree).size())
                                : tr("Chosen: %1 (%2 mm, %3 % of the tree).")
-                                     .arg(namesOf(current.auxiliaryBranchIds))
+                                     .arg(namesOf(current.vessels.auxiliaryBranchIds))
                                      .arg(ui::numberText(chosenMm, 0))
                                      .arg(ui::numberText(100.0 * chosenMm / std::max(1e-9, lengthMm), 0));
     if (!alternates(current.options.method)) {
@@ -277,7 +279,7 @@ void AuxiliaryController::show()
     }
     ui::AuxiliaryAdvice shown;
     shown.preview = previewWords();
-    const auto& tree = document_.current().tree;
+    const auto& tree = document_.current().vessels.tree;
     for (const core::VesselBranch& branch : tree ? tree->branches : std::vector<core::VesselBranch>{}) {
         shown.generations = std::max(shown.generations, branch.generation + 1);
         if (!branch.radiusMm.empty()) {

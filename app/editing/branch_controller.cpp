@@ -62,7 +62,7 @@ void BranchController::click(int branchId, Qt::KeyboardModifiers modifiers)
 void BranchController::selectAll()
 {
     std::set<int> ids;
-    if (const auto& tree = document_.current().tree) {
+    if (const auto& tree = document_.current().vessels.tree) {
         for (const core::VesselBranch& branch : tree->branches) {
             ids.insert(branch.id);
         }
@@ -85,7 +85,7 @@ void BranchController::toggleAuxiliary(const std::set<int>& branchIds)
 void BranchController::setAuxiliary(const std::set<int>& branchIds)
 {
     const std::vector<int> ids(branchIds.begin(), branchIds.end());
-    if (ids != document_.current().auxiliaryBranchIds) {
+    if (ids != document_.current().vessels.auxiliaryBranchIds) {
         document_.push(
             std::make_unique<ChooseAuxiliary>(document_, ids, [] { return tr("Choose auxiliary branches"); }));
     }
@@ -98,7 +98,7 @@ void BranchController::toggleExcluded(const std::set<int>& branchIds)
         return;
     }
     const std::set<int> excluded = toggled(marks_.excluded, branchIds);
-    const auto& tree = document_.current().tree;
+    const auto& tree = document_.current().vessels.tree;
     if (tree && excluded.size() >= tree->branches.size()) {
         emit refused(tr("At least one branch has to stay."));
         return;
@@ -130,7 +130,7 @@ void BranchController::setAuxiliaryInside(const std::map<int, ui::ViewRect>& ext
 
 void BranchController::setAuxiliaryWide()
 {
-    const auto& tree = document_.current().tree;
+    const auto& tree = document_.current().vessels.tree;
     std::vector<std::pair<double, int>> radii;
     for (const core::VesselBranch& branch : tree ? tree->branches : std::vector<core::VesselBranch>{}) {
         if (!branch.radiusMm.empty() && !marks_.excluded.contains(branch.id)) {
@@ -151,13 +151,14 @@ void BranchController::setAuxiliaryWide()
 
 void BranchController::followDocument()
 {
-    const core::RegistrationCase& current = document_.current();
+    const core::Case& current = document_.current();
     ui::BranchMarks marks = marks_;
-    marks.auxiliary = {current.auxiliaryBranchIds.begin(), current.auxiliaryBranchIds.end()};
-    marks.excluded = {current.excludedBranchIds.begin(), current.excludedBranchIds.end()};
-    marks.hidden = {current.hiddenBranchIds.begin(), current.hiddenBranchIds.end()};
-    std::erase_if(marks.selected, [&current](int id) { return !current.tree || !current.tree->find(id); });
-    if (marks.hovered && (!current.tree || !current.tree->find(*marks.hovered))) {
+    marks.auxiliary = {current.vessels.auxiliaryBranchIds.begin(), current.vessels.auxiliaryBranchIds.end()};
+    marks.excluded = {current.vessels.excludedBranchIds.begin(), current.vessels.excludedBranchIds.end()};
+    marks.hidden = {current.vessels.hiddenBranchIds.begin(), current.vessels.hiddenBranchIds.end()};
+    std::erase_if(marks.selected,
+                  [&current](int id) { return !current.vessels.tree || !current.vessels.tree->find(id); });
+    if (marks.hovered && (!current.vessels.tree || !current.vessels.tree->find(*marks.hovered))) {
         marks.hovered.reset();
     }
     if (marks != marks_) {
@@ -168,7 +169,7 @@ void BranchController::followDocument()
 
 ui::Words BranchController::namesOf(const std::set<int>& branchIds) const
 {
-    const auto& tree = document_.current().tree;
+    const auto& tree = document_.current().vessels.tree;
     return branchWords(tree ? *tree : core::VesselTree{}, branchIds);
 }
 

@@ -56,7 +56,7 @@ void BranchPicking::connectCommands()
 void BranchPicking::makeAuxiliaryWhatIsInView()
 {
     std::map<int, ui::ViewRect> extents;
-    if (const auto& tree = document_.current().tree) {
+    if (const auto& tree = document_.current().vessels.tree) {
         for (const core::VesselBranch& branch : tree->branches) {
             if (const auto extent = window_.angiogramView().scene().extentOf(branch.id)) {
                 extents[branch.id] = *extent;

@@ -87,16 +87,16 @@ void CurveController::connectTool()
 
 void CurveController::follow()
 {
-    const core::RegistrationCase& current = document_.current();
-    const bool isGiven = core::givenTargetOf(current) != nullptr;
-    window_.actions()[ui::Command::EditVessels]->setEnabled(current.angiogram != nullptr);
+    const core::Case& current = document_.current();
+    const bool isGiven = core::givenTargetOf(current.shown()) != nullptr;
+    window_.actions()[ui::Command::EditVessels]->setEnabled(current.shown().angiogram != nullptr);
     window_.actions()[ui::Command::TraceAgain]->setEnabled(isGiven);
     bar_->setEdited(isGiven);
     if (window_.angiogramView().tool() != tool_) {
         dropGround();
         return;
     }
-    if (!current.angiogram) {
+    if (!current.shown().angiogram) {
         window_.angiogramView().setTool(nullptr);
         return;
     }
@@ -107,7 +107,7 @@ void CurveController::follow()
 void CurveController::showCurves()
 {
     tool_->setReady(target_.current() || target_.problem().has_value());
-    const std::vector<int>& accepted = document_.current().acceptedCurveIds;
+    const std::vector<int>& accepted = document_.current().shown().target.acceptedCurveIds;
     if (shownCurves_ && shownCurves_ == target_.current() && shownAccepted_ == accepted) {
         return;   // what is under way on them may go on
     }
@@ -124,21 +124,23 @@ std::vector<int> CurveController::suspects() const
     if (target_.trace()) {
         return target_.trace()->suspectIds;
     }
-    const core::RegistrationCase& current = document_.current();
-    if (!target_.current() || !current.angiogram) {
+    const core::Case& current = document_.current();
+    if (!target_.current() || !current.shown().angiogram) {
         return {};
     }
-    std::vector<int> ids =
-        core::suspectCurves(*target_.current(), std::max(current.angiogram->width(), current.angiogram->height()));
-    std::erase_if(
-        ids, [&](int id) { return std::ranges::find(current.acceptedCurveIds, id) != current.acceptedCurveIds.end(); });
+    std::vector<int> ids = core::suspectCurves(
+        *target_.current(), std::max(current.shown().angiogram->width(), current.shown().angiogram->height()));
+    std::erase_if(ids, [&](int id) {
+        return std::ranges::find(current.shown().target.acceptedCurveIds, id) !=
+               current.shown().target.acceptedCurveIds.end();
+    });
     return ids;
 }
 
 void CurveController::wantGround()
 {
-    const core::RegistrationCase& current = document_.current();
-    const TraceRequest request{current.angiogram, current.frame, current.traceOptions};
+    const core::Case& current = document_.current();
+    const TraceRequest request{current.shown().angiogram, current.shown().frame, current.shown().traceOptions};
     const bool exists = request.frame >= 0 && request.frame < request.angiogram->frameCount();
     if (!exists || grounded_ == request) {
         return;
@@ -161,7 +163,7 @@ void CurveController::dropGround()
 /// Of a traced frame nothing was accepted yet: what the case has is of the curves of another.
 std::vector<int> CurveController::acceptedHere() const
 {
-    return target_.trace() ? std::vector<int>() : document_.current().acceptedCurveIds;
+    return target_.trace() ? std::vector<int>() : document_.current().shown().target.acceptedCurveIds;
 }
 
 void CurveController::take(const core::Centerline2d& curves, const ui::Words& what)
@@ -185,11 +187,12 @@ void CurveController::accept(int curveId)
 void CurveController::push(std::shared_ptr<const core::Centerline2d> curves, std::vector<int> accepted,
                            const ui::Words& what)
 {
-    const core::RegistrationCase& current = document_.current();
-    const auto formerFrame = current.editedFrame;
-    const int frame = current.frame;
+    const core::Case& current = document_.current();
+    const auto formerFrame = current.shown().target.editedFrame;
+    const int frame = current.shown().frame;
     const bool isPushed = document_.push(std::make_unique<ChangeTarget>(
-        document_, ChangeTarget::Values{core::InputFile{}, std::move(curves), frame, std::move(accepted), std::nullopt},
+        document_,
+        ChangeTarget::Values{core::GivenTarget{{}, std::move(curves), frame, std::move(accepted)}, std::nullopt},
         what));
     if (isPushed && formerFrame && formerFrame != frame) {
         notices_.showNote(
@@ -199,7 +202,7 @@ void CurveController::push(std::shared_ptr<const core::Centerline2d> curves, std
 
 void CurveController::askToTraceAgain()
 {
-    if (!core::givenTargetOf(document_.current())) {
+    if (!core::givenTargetOf(document_.current().shown())) {
         return;
     }
     auto* question = new ui::QuestionDialog(
@@ -216,9 +219,8 @@ void CurveController::askToTraceAgain()
 
 void CurveController::traceAgain()
 {
-    document_.push(std::make_unique<ChangeTarget>(
-        document_, ChangeTarget::Values{core::InputFile{}, nullptr, std::nullopt, std::vector<int>{}, std::nullopt},
-        [] { return tr("Trace again"); }));
+    document_.push(std::make_unique<ChangeTarget>(document_, ChangeTarget::Values{core::GivenTarget{}, std::nullopt},
+                                                  [] { return tr("Trace again"); }));
 }
 
 }   // namespace angiopose::app

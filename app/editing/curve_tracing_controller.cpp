@@ -11,7 +11,7 @@ CurveTracingController::CurveTracingController(const AngiogramParts& parts, QObj
 {
     connect(&window_.angiogramPanel(), &ui::AngiogramPanel::tracingEdited, this, &CurveTracingController::change);
     connect(&document_, &CaseDocument::changed, this,
-            [this] { window_.angiogramPanel().showTracing(document_.current().traceOptions); });
+            [this] { window_.angiogramPanel().showTracing(document_.current().shown().traceOptions); });
     connect(&target_, &TargetProvider::changed, this, &CurveTracingController::showKeptOut);
     connect(&window_.angiogramView(), &ui::AngiogramView::toolChanged, this, &CurveTracingController::showKeptOut);
     connect(window_.actions()[ui::Command::ShowTrace], &QAction::toggled, this, &CurveTracingController::showKeptOut);

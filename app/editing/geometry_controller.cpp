@@ -28,9 +28,9 @@ void GeometryController::change(const core::CArm& cArm, const ui::Words& what)
 
 void GeometryController::dropCameraOverride()
 {
-    core::RegistrationCase wanted = document_.current();
-    wanted.cameraOverride.reset();
-    wanted.result.reset();
+    core::Case wanted = document_.current();
+    wanted.shown().geometry.cameraOverride.reset();
+    wanted.shown().result.reset();
     document_.push(changeGeometry(document_, wanted, [] { return tr("Use distances and spacing"); }));
 }
 

@@ -52,9 +52,9 @@ std::vector<int> LabelController::draft() const
 
 void LabelController::followDocument()
 {
-    const core::RegistrationCase& current = document_.current();
-    const bool isLabels = current.vesselInput.kind == core::VesselInputKind::Segmentation;
-    const core::InputFile file = isLabels ? current.centerlineFile : core::InputFile();
+    const core::Case& current = document_.current();
+    const bool isLabels = current.vessels.input.kind == core::VesselInputKind::Segmentation;
+    const core::InputFile file = isLabels ? current.vessels.file : core::InputFile();
     window_.actions()[ui::Command::ChooseLabels]->setEnabled(!file.path.empty());
     if (file != shownFile_) {
         shownFile_ = file;
@@ -66,11 +66,11 @@ void LabelController::followDocument()
         } else {
             window_.tracing().labels().showReading();
         }
-        shownLabels_ = current.vesselInput.labels;
+        shownLabels_ = current.vessels.input.labels;
         isEdited_ = false;
         readIfWanted();
-    } else if (current.vesselInput.labels != shownLabels_) {
-        shownLabels_ = current.vesselInput.labels;
+    } else if (current.vessels.input.labels != shownLabels_) {
+        shownLabels_ = current.vessels.input.labels;
         takeTicksOfCase();
     }
 }

@@ -108,12 +108,12 @@ void LandmarkController::connectTool()
     connect(tool_, &ui::LandmarkTool::pixelPicked, this, &LandmarkController::pickPixel);
     connect(tool_, &ui::LandmarkTool::pairDrawn, this, &LandmarkController::addPair);
     connect(tool_, &ui::LandmarkTool::pairMoved, this, [this](int index, const Eigen::Vector2d& pixel) {
-        std::vector<core::Landmark> moved = document_.current().landmarks;
+        std::vector<core::Landmark> moved = document_.current().shown().landmarks;
         moved[static_cast<std::size_t>(index)].pixel = pixel;
         change(std::move(moved), [index] { return tr("Move landmark %1").arg(index + 1); });
     });
     connect(tool_, &ui::LandmarkTool::lastRemoved, this,
-            [this] { removePairs({static_cast<int>(document_.current().landmarks.size()) - 1}); });
+            [this] { removePairs({static_cast<int>(document_.current().shown().landmarks.size()) - 1}); });
     connect(tool_, &ui::LandmarkTool::pendingDropped, this, &LandmarkController::dropPending);
     connect(tool_, &ui::LandmarkTool::poseRequested, this, &LandmarkController::placeVessels);
 }
@@ -144,20 +144,21 @@ void LandmarkController::completePair()
 
 void LandmarkController::addPair(const Eigen::Vector3d& pointInPatient, const Eigen::Vector2d& pixel)
 {
-    const core::RegistrationCase& current = document_.current();
-    if (!current.tree) {
+    const core::Case& current = document_.current();
+    if (!current.vessels.tree) {
         emit refused(tr("Open the vessels first."));
         return;
     }
-    std::vector<core::Landmark> landmarks = current.landmarks;
-    landmarks.push_back({pointInPatient, pixel, placeName(*current.tree, nodes_, pointInPatient).toStdString()});
+    std::vector<core::Landmark> landmarks = current.shown().landmarks;
+    landmarks.push_back(
+        {pointInPatient, pixel, placeName(*current.vessels.tree, nodes_, pointInPatient).toStdString()});
     change(std::move(landmarks), [] { return tr("Add landmark"); });
 }
 
 void LandmarkController::removePairs(const std::vector<int>& indices)
 {
     std::vector<core::Landmark> kept;
-    const std::vector<core::Landmark>& all = document_.current().landmarks;
+    const std::vector<core::Landmark>& all = document_.current().shown().landmarks;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (std::ranges::find(indices, static_cast<int>(i)) == indices.end()) {
             kept.push_back(all[i]);
@@ -182,28 +183,27 @@ void LandmarkController::dropPending()
 
 std::optional<core::RigidTransform> LandmarkController::poseBefore() const
 {
-    const core::RegistrationCase& current = document_.current();
-    return core::startPoseOf(current) ? std::optional(current.cameraFromPatient) : std::nullopt;
+    const core::Case& current = document_.current();
+    return core::startPoseOf(current) ? std::optional(current.shown().cameraFromPatient) : std::nullopt;
 }
 
 void LandmarkController::placeVessels()
 {
-    const core::RegistrationCase& current = document_.current();
-    const auto camera = core::cameraOf(current);
+    const core::Case& current = document_.current();
+    const auto camera = core::cameraOf(current.shown());
     if (!camera) {
         emit refused(ui::messageText(camera.error().message));
         return;
     }
-    const auto pose = core::poseFromLandmarks(current.landmarks, camera.value(), poseBefore());
+    const auto pose = core::poseFromLandmarks(current.shown().landmarks, camera.value(), poseBefore());
     if (!pose) {
         emit refused(ui::messageText(pose.error().message));
         return;
     }
     const core::RigidTransform& found = pose.value().cameraFromPatient;
     const QString verdict = verdictOf(pose.value());
-    const bool isDone =
-        document_.push(std::make_unique<PlaceVessels>(document_, PlaceVessels::Values{true, found, found, std::nullopt},
-                                                      [] { return tr("Place vessels by landmarks"); }));
+    const bool isDone = document_.push(std::make_unique<PlaceVessels>(
+        document_, PlaceVessels::Values{found, found, std::nullopt}, [] { return tr("Place vessels by landmarks"); }));
     if (isDone) {
         emit placed(verdict);
     }
@@ -211,8 +211,8 @@ void LandmarkController::placeVessels()
 
 void LandmarkController::followDocument()
 {
-    if (tree_ != document_.current().tree) {
-        tree_ = document_.current().tree;
+    if (tree_ != document_.current().vessels.tree) {
+        tree_ = document_.current().vessels.tree;
         nodes_ = tree_ ? core::findNodes(*tree_) : std::vector<core::VesselNode>{};
         pendingPoint_.reset();
         pendingPixel_.reset();
@@ -222,8 +222,8 @@ void LandmarkController::followDocument()
 
 void LandmarkController::showState()
 {
-    const core::RegistrationCase& current = document_.current();
-    ui::LandmarkMarks marks{current.landmarks, pendingPoint_, pendingPixel_, {}};
+    const core::Case& current = document_.current();
+    ui::LandmarkMarks marks{current.shown().landmarks, pendingPoint_, pendingPixel_, {}};
     for (const core::VesselNode& node : nodes_) {
         marks.nodesInPatient.push_back(node.pointInPatient);
     }
@@ -231,7 +231,7 @@ void LandmarkController::showState()
 
     const bool isOn = window_.actions()[ui::Command::Landmarks]->isChecked();
     std::vector<Eigen::Vector3d> points;
-    for (const core::Landmark& landmark : current.landmarks) {
+    for (const core::Landmark& landmark : current.shown().landmarks) {
         points.push_back(landmark.pointInPatient);
     }
     window_.treeView().showLandmarks(isOn ? points : std::vector<Eigen::Vector3d>{}, pendingPoint_);
@@ -239,10 +239,11 @@ void LandmarkController::showState()
                                isOn ? sliceMarksAt(points, pendingPoint_) : std::vector<ui::SliceMark>{});
 
     ui::LandmarkState state;
-    state.landmarks = current.landmarks;
-    if (const auto camera = core::cameraOf(current); camera && !current.landmarks.empty()) {
-        state.errorPx = core::landmarkErrorsPx(current.landmarks, camera.value(), current.cameraFromPatient);
-        const auto pose = core::poseFromLandmarks(current.landmarks, camera.value(), poseBefore());
+    state.landmarks = current.shown().landmarks;
+    if (const auto camera = core::cameraOf(current.shown()); camera && !current.shown().landmarks.empty()) {
+        state.errorPx =
+            core::landmarkErrorsPx(current.shown().landmarks, camera.value(), current.shown().cameraFromPatient);
+        const auto pose = core::poseFromLandmarks(current.shown().landmarks, camera.value(), poseBefore());
         state.isEnough = static_cast<bool>(pose);
         state.verdict = pose ? verdictOf(pose.value()) : ui::messageText(pose.error().message);
     }

@@ -28,9 +28,9 @@ PivotController::PivotController(CaseDocument& document, ui::MainWindow& window,
 
 void PivotController::pick(const Eigen::Vector3d& pointInPatient)
 {
-    const auto& tree = document_.current().tree;
+    const auto& tree = document_.current().vessels.tree;
     const auto place =
-        tree ? core::nearestOnTree(core::without(*tree, document_.current().hiddenBranchIds), pointInPatient)
+        tree ? core::nearestOnTree(core::without(*tree, document_.current().vessels.hiddenBranchIds), pointInPatient)
              : std::nullopt;
     if (place) {
         change(
@@ -40,7 +40,7 @@ void PivotController::pick(const Eigen::Vector3d& pointInPatient)
 
 void PivotController::backToCentroid()
 {
-    if (document_.current().pickedPivotInPatient) {
+    if (document_.current().vessels.pickedPivotInPatient) {
         change(
             std::nullopt, [] { return tr("Pivot back to the centroid"); },
             tr("The vessels turn about their centroid again."));
@@ -57,13 +57,13 @@ void PivotController::change(const std::optional<Eigen::Vector3d>& pivot, const 
 
 void PivotController::followDocument()
 {
-    const core::RegistrationCase& current = document_.current();
-    if (current.tree != tree_ || current.hiddenBranchIds != hidden_) {
-        tree_ = current.tree;
-        hidden_ = current.hiddenBranchIds;
+    const core::Case& current = document_.current();
+    if (current.vessels.tree != tree_ || current.vessels.hiddenBranchIds != hidden_) {
+        tree_ = current.vessels.tree;
+        hidden_ = current.vessels.hiddenBranchIds;
         tool_->showTree(tree_ ? core::without(*tree_, hidden_) : core::VesselTree{});
     }
-    const auto& picked = tree_ ? current.pickedPivotInPatient : std::nullopt;
+    const auto& picked = tree_ ? current.vessels.pickedPivotInPatient : std::nullopt;
     window_.angiogramView().setPickedPivot(picked);
     window_.treeView().setPickedPivot(picked);
     window_.pose().showPickedPivot(picked.has_value());

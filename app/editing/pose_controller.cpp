@@ -1,7 +1,7 @@
 #include "app/editing/pose_controller.h"
 
 #include "app/document/edit_case.h"
-#include "core/case_views.h"
+#include "core/case/case_views.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,16 +18,16 @@ PoseController::PoseController(CaseDocument& document, QObject* parent) : QObjec
 
 std::optional<PoseController::Frame> PoseController::frame() const
 {
-    const core::RegistrationCase& current = document_.current();
-    if (!current.tree) {
+    const core::Case& current = document_.current();
+    if (!current.vessels.tree) {
         return std::nullopt;
     }
     const auto start = core::startPoseOf(current);
-    const auto camera = core::cameraOf(current);
+    const auto camera = core::cameraOf(current.shown());
     if (!start || !camera) {
         return std::nullopt;
     }
-    return Frame{start.value(), camera.value(), *core::pivotInPatient(current)};
+    return Frame{start.value(), camera.value(), *core::pivotInPatient(current.vessels)};
 }
 
 std::optional<core::PoseOffset> PoseController::currentOffset() const
@@ -36,7 +36,7 @@ std::optional<core::PoseOffset> PoseController::currentOffset() const
     if (!context) {
         return std::nullopt;
     }
-    const core::RigidTransform& pose = dragged_.value_or(document_.current().cameraFromPatient);
+    const core::RigidTransform& pose = dragged_.value_or(document_.current().shown().cameraFromPatient);
     return core::offsetBetween(context->startPose, pose, context->pivotInPatient, context->camera);
 }
 
@@ -82,16 +82,16 @@ void PoseController::nudge(const ui::Nudge& nudge)
     core::PoseOffset change;
     ui::valueOf(change, nudge.axis) = nudge.amount;
     move(
-        core::applyOffset(document_.current().cameraFromPatient, change, context->pivotInPatient, context->camera),
+        core::applyOffset(document_.current().shown().cameraFromPatient, change, context->pivotInPatient,
+                          context->camera),
         [] { return tr("Move vessels"); }, burstFor(static_cast<int>(nudge.axis)));
 }
 
 void PoseController::reset()
 {
-    if (const auto context = frame()) {
+    if (frame()) {
         push(
-            context->startPose, core::atStart(document_.current()), [] { return tr("Back to start pose"); },
-            separateEdit);
+            core::atStart(document_.current()), [] { return tr("Back to start pose"); }, separateEdit);
     }
 }
 
@@ -102,7 +102,7 @@ void PoseController::startDrag()
         return;
     }
     if (frame()) {
-        dragStart_ = document_.current().cameraFromPatient;
+        dragStart_ = document_.current().shown().cameraFromPatient;
     }
 }
 
@@ -137,19 +137,19 @@ void PoseController::cancelDrag()
 
 void PoseController::move(const core::RigidTransform& pose, const ui::Words& name, int burst)
 {
-    push(pose, core::movedAlong(document_.current(), pose), name, burst);
+    push(core::movedAlong(document_.current(), pose), name, burst);
 }
 
 /// The shown view's pose, and those of the others where all move together.
-void PoseController::push(const core::RigidTransform& pose, std::vector<core::OtherView> others, const ui::Words& name,
-                          int burst)
+void PoseController::push(std::vector<core::View> moved, const ui::Words& name, int burst)
 {
-    if ((pose.matrix() - document_.current().cameraFromPatient.matrix()).cwiseAbs().maxCoeff() == 0.0) {
+    const core::Case& current = document_.current();
+    const core::RigidTransform pose = moved[current.shownView].cameraFromPatient;
+    if ((pose.matrix() - current.shown().cameraFromPatient.matrix()).cwiseAbs().maxCoeff() == 0.0) {
         return;
     }
     if (movesOthers()) {
-        document_.push(std::make_unique<MoveAllPoses>(
-            document_, MoveAllPoses::Values{pose, std::nullopt, std::move(others)}, name, burst));
+        document_.push(std::make_unique<ChangeViews>(document_, ChangeViews::Values{std::move(moved)}, name, burst));
     } else {
         document_.push(std::make_unique<MovePose>(document_, MovePose::Values{pose, std::nullopt}, name, burst));
     }

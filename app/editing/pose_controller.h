@@ -46,8 +46,8 @@ private:
     };
     std::optional<Frame> frame() const;
     void move(const core::RigidTransform& pose, const ui::Words& name, int burst);
-    void push(const core::RigidTransform& pose, std::vector<core::OtherView> others, const ui::Words& name, int burst);
-    bool movesOthers() const { return movesAllViews_ && !document_.current().otherViews.empty(); }
+    void push(std::vector<core::View> moved, const ui::Words& name, int burst);
+    bool movesOthers() const { return movesAllViews_ && document_.current().views.size() > 1; }
     int burstFor(int kind);
 
     CaseDocument& document_;

@@ -89,12 +89,12 @@ void PoseGestures::endPreview()
 {
     on_.sync.endPreview();
     on_.window.pose().showOffset(on_.pose.currentOffset());
-    on_.judgement.judge(on_.document.current().cameraFromPatient);
+    on_.judgement.judge(on_.document.current().shown().cameraFromPatient);
 }
 
 void PoseGestures::copyMatrix()
 {
-    QGuiApplication::clipboard()->setText(matrixText(on_.document.current().cameraFromPatient));
+    QGuiApplication::clipboard()->setText(matrixText(on_.document.current().shown().cameraFromPatient));
     on_.notices.showNote(tr("Copied: camera from patient, 4 × 4, mm"));
 }
 

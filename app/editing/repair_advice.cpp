@@ -17,10 +17,10 @@ RepairAdvice::RepairAdvice(CaseDocument& document, QObject* parent) : QObject(pa
 
 void RepairAdvice::followDocument()
 {
-    if (document_.current().tree == tree_) {
+    if (document_.current().vessels.tree == tree_) {
         return;
     }
-    tree_ = document_.current().tree;
+    tree_ = document_.current().vessels.tree;
     found_ = {};
     watcher_.setFuture({});
     if (tree_) {

@@ -16,16 +16,16 @@ StartPoseController::StartPoseController(CaseDocument& document, ui::MainWindow&
 
 void StartPoseController::startFromAngles()
 {
-    core::RegistrationCase wanted = document_.current();
-    wanted.hasInitialPose = false;
-    const auto start = core::startPoseOf(wanted);
+    core::View view = document_.current().shown();
+    view.initialCameraFromPatient.reset();
+    const auto start = core::startPoseOf(view, document_.current().vessels);
     if (!start) {
         emit refused(ui::messageText(start.error().message));
         return;
     }
-    const bool isDone = document_.push(std::make_unique<PlaceVessels>(
-        document_, PlaceVessels::Values{false, wanted.initialCameraFromPatient, start.value(), std::nullopt},
-        [] { return tr("Start pose from angles"); }));
+    const bool isDone = document_.push(
+        std::make_unique<PlaceVessels>(document_, PlaceVessels::Values{std::nullopt, start.value(), std::nullopt},
+                                       [] { return tr("Start pose from angles"); }));
     if (isDone) {
         emit done(tr("Start pose from the angles, the isocentre in the vessels"));
     }
@@ -33,14 +33,14 @@ void StartPoseController::startFromAngles()
 
 void StartPoseController::startHere()
 {
-    const core::RegistrationCase& current = document_.current();
-    if (!current.tree || !core::cameraOf(current)) {
+    const core::Case& current = document_.current();
+    if (!current.vessels.tree || !core::cameraOf(current.shown())) {
         emit refused(tr("Vessels, angiogram and geometry come first."));
         return;
     }
-    const core::RigidTransform pose = current.cameraFromPatient;
+    const core::RigidTransform pose = current.shown().cameraFromPatient;
     const bool isDone = document_.push(std::make_unique<PlaceVessels>(
-        document_, PlaceVessels::Values{true, pose, pose, std::nullopt}, [] { return tr("Start pose by hand"); }));
+        document_, PlaceVessels::Values{pose, pose, std::nullopt}, [] { return tr("Start pose by hand"); }));
     if (isDone) {
         emit done(tr("The pose as it is has become the start pose"));
     }

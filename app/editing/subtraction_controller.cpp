@@ -65,12 +65,12 @@ void SubtractionController::connectCommands()
 {
     ui::WindowActions& actions = window_.actions();
     connect(actions[ui::Command::Subtract], &QAction::triggered, this, [this](bool on) {
-        core::RunTreatment wanted = document_.current().treatment;
+        core::RunTreatment wanted = document_.current().shown().treatment;
         wanted.isSubtracted = on;
         change(wanted, [on] { return on ? tr("Subtract mask") : tr("Show native frames"); });
     });
     connect(actions[ui::Command::Composite], &QAction::triggered, this, [this](bool on) {
-        core::RunTreatment wanted = document_.current().treatment;
+        core::RunTreatment wanted = document_.current().shown().treatment;
         wanted.isComposite = on;
         change(wanted, [on] { return on ? tr("Whole run in one picture") : tr("One frame at a time"); });
     });
@@ -91,10 +91,10 @@ void SubtractionController::connectMasks()
 
 void SubtractionController::markMasks(const std::vector<int>& frames)
 {
-    if (!document_.current().angiogram) {
+    if (!document_.current().shown().angiogram) {
         return;
     }
-    core::RunTreatment wanted = document_.current().treatment;
+    core::RunTreatment wanted = document_.current().shown().treatment;
     wanted.plan.maskFrames = frames;
     wanted.plan.interval.reset();
     wanted.isSubtracted = true;
@@ -124,15 +124,15 @@ void SubtractionController::connectShift()
 
 void SubtractionController::change(const core::RunTreatment& wanted, const ui::Words& what)
 {
-    const core::RegistrationCase& current = document_.current();
-    if (!current.angiogram || document_.isLocked()) {
-        notices_.showNote(current.angiogram ? tr("A registration is running. Stop it to edit.")
-                                            : tr("Open an angiogram first."));
+    const core::Case& current = document_.current();
+    if (!current.shown().angiogram || document_.isLocked()) {
+        notices_.showNote(current.shown().angiogram ? tr("A registration is running. Stop it to edit.")
+                                                    : tr("Open an angiogram first."));
         showState();
         return;
     }
-    wish_ = Wish{core::storedRunOf(current), wanted, what};
-    if (wanted == current.treatment) {
+    wish_ = Wish{core::storedRunOf(current.shown()), wanted, what};
+    if (wanted == current.shown().treatment) {
         wish_.reset();   // back to what is there before the other was made
     } else if (!wanted.changesFrames()) {
         take(*std::exchange(wish_, std::nullopt), nullptr);
@@ -174,7 +174,7 @@ void SubtractionController::publish()
     wish_.reset();
     if (!outcome) {
         notices_.showNote(ui::messageText(outcome.error().message));
-    } else if (core::storedRunOf(document_.current()) == done.stored) {
+    } else if (core::storedRunOf(document_.current().shown()) == done.stored) {
         take(done, outcome.value());
     }
     showState();
@@ -192,7 +192,7 @@ void SubtractionController::take(const Wish& wish, const SharedRun& run)
 void SubtractionController::beginShift()
 {
     window_.actions()[ui::Command::Cine]->setChecked(false);
-    const auto& given = document_.current().treatment.plan.maskShiftPx;
+    const auto& given = document_.current().shown().treatment.plan.maskShiftPx;
     isShiftFound_ = given.has_value();
     isPreviewNew_ = true;
     shiftBegan_ = given.value_or(Eigen::Vector2d(Eigen::Vector2d::Zero()));
@@ -202,20 +202,20 @@ void SubtractionController::beginShift()
 
 void SubtractionController::previewShift(const std::optional<Eigen::Vector2d>& shiftPx)
 {
-    wantedPreview_ = document_.current().treatment.plan;
+    wantedPreview_ = document_.current().shown().treatment.plan;
     wantedPreview_->maskShiftPx = shiftPx;
     startPreview();
 }
 
 void SubtractionController::startPreview()
 {
-    const core::RegistrationCase& current = document_.current();
-    if (!wantedPreview_ || preview_.isRunning() || !current.angiogram) {
+    const core::Case& current = document_.current();
+    if (!wantedPreview_ || preview_.isRunning() || !current.shown().angiogram) {
         return;
     }
-    preview_.setFuture(
-        QtConcurrent::run([stored = core::storedRunOf(current), plan = *std::exchange(wantedPreview_, std::nullopt),
-                           frame = current.frame, polarity = current.angiogram->polarity]() -> Picture {
+    preview_.setFuture(QtConcurrent::run(
+        [stored = core::storedRunOf(current.shown()), plan = *std::exchange(wantedPreview_, std::nullopt),
+         frame = current.shown().frame, polarity = current.shown().angiogram->polarity]() -> Picture {
             auto picture = core::subtractFrame(stored->frames, polarity, plan, frame);
             if (!picture) {
                 return picture.error();
@@ -249,12 +249,12 @@ void SubtractionController::settleShift()
 {
     rest_.stop();
     if (shiftTool_->shiftPx() == shiftBegan_) {
-        sync_.showFrame(document_.current().frame);   // as it was
+        sync_.showFrame(document_.current().shown().frame);   // as it was
         window_.angiogramView().autoWindowLevel();
         return;
     }
     shiftBegan_ = shiftTool_->shiftPx();
-    core::RunTreatment wanted = document_.current().treatment;
+    core::RunTreatment wanted = document_.current().shown().treatment;
     wanted.plan.maskShiftPx = shiftTool_->shiftPx();
     wanted.isSubtracted = true;
     change(wanted, [] { return tr("Move the mask"); });
@@ -262,11 +262,11 @@ void SubtractionController::settleShift()
 
 void SubtractionController::follow()
 {
-    const core::RegistrationCase& current = document_.current();
-    made_.forgetAllBut(core::storedRunOf(current));
-    if (window_.angiogramView().tool() == shiftTool_ && current.treatment.plan.maskShiftPx && !rest_.isActive() &&
-        !wish_) {
-        shiftBegan_ = *current.treatment.plan.maskShiftPx;   // an undo
+    const core::Case& current = document_.current();
+    made_.forgetAllBut(core::storedRunOf(current.shown()));
+    if (window_.angiogramView().tool() == shiftTool_ && current.shown().treatment.plan.maskShiftPx &&
+        !rest_.isActive() && !wish_) {
+        shiftBegan_ = *current.shown().treatment.plan.maskShiftPx;   // an undo
         shiftTool_->showShift(shiftBegan_);
     }
     showState();
@@ -274,20 +274,23 @@ void SubtractionController::follow()
 
 void SubtractionController::showState()
 {
-    const core::RegistrationCase& current = document_.current();
+    const core::Case& current = document_.current();
     ui::RunState state;
-    state.treatment = current.treatment;
-    state.polarity = current.angiogram ? current.angiogram->polarity : core::Polarity::VesselsDark;
-    state.maskFrames =
-        current.treatment.plan.maskFrames.empty() ? sync_.suggestedMasks() : current.treatment.plan.maskFrames;
-    state.hasRun = current.angiogram && current.angiogram->frameCount() > 1;
+    state.treatment = current.shown().treatment;
+    state.polarity = current.shown().angiogram ? current.shown().angiogram->polarity : core::Polarity::VesselsDark;
+    state.maskFrames = current.shown().treatment.plan.maskFrames.empty() ? sync_.suggestedMasks()
+                                                                         : current.shown().treatment.plan.maskFrames;
+    state.hasRun = current.shown().angiogram && current.shown().angiogram->frameCount() > 1;
     state.isComputing = isComputing();
     window_.angiogramPanel().showRun(state);
-    window_.strip().showMasks(state.hasRun && !current.treatment.plan.interval ? state.maskFrames : std::vector<int>(),
-                              current.treatment.isSubtracted);
+    window_.strip().showMasks(
+        state.hasRun && !current.shown().treatment.plan.interval ? state.maskFrames : std::vector<int>(),
+        current.shown().treatment.isSubtracted);
     ui::WindowActions& actions = window_.actions();
-    actions[ui::Command::Subtract]->setChecked(wish_ ? wish_->treatment.isSubtracted : current.treatment.isSubtracted);
-    actions[ui::Command::Composite]->setChecked(wish_ ? wish_->treatment.isComposite : current.treatment.isComposite);
+    actions[ui::Command::Subtract]->setChecked(wish_ ? wish_->treatment.isSubtracted
+                                                     : current.shown().treatment.isSubtracted);
+    actions[ui::Command::Composite]->setChecked(wish_ ? wish_->treatment.isComposite
+                                                      : current.shown().treatment.isComposite);
     for (const ui::Command command :
          {ui::Command::Subtract, ui::Command::Composite, ui::Command::ShiftMask, ui::Command::MaskHere}) {
         actions[command]->setEnabled(state.hasRun);

@@ -45,18 +45,18 @@ struct Source {
 };
 
 /// What the vessels were traced from, or the scan of a case without vessels: tracing it as it was opened has failed.
-Source sourceOf(const core::RegistrationCase& current)
+Source sourceOf(const core::Case& current)
 {
-    if (!current.centerlineFile.path.empty() && current.vesselInput.kind != core::VesselInputKind::Centerline) {
-        return {current.centerlineFile, current.vesselInput};
+    if (!current.vessels.file.path.empty() && current.vessels.input.kind != core::VesselInputKind::Centerline) {
+        return {current.vessels.file, current.vessels.input};
     }
-    if (current.tree || !current.volume) {
+    if (current.vessels.tree || !current.vessels.scan) {
         return {};
     }
     core::VesselInput asVolume;
     asVolume.kind = core::VesselInputKind::Volume;
-    asVolume.seriesId = current.scanSeriesId;
-    return {current.scanFile, asVolume};
+    asVolume.seriesId = current.vessels.scanSeriesId;
+    return {current.vessels.scanFile, asVolume};
 }
 
 }   // namespace
@@ -124,7 +124,7 @@ void TracingController::connectPanel()
 
 QString TracingController::whyNot() const
 {
-    const core::RegistrationCase& current = document_.current();
+    const core::Case& current = document_.current();
     if (sourceOf(current).file.path.empty()) {
         return tr("These vessels were not traced: open a scan, a segmentation or a surface.");
     }
@@ -136,10 +136,10 @@ QString TracingController::whyNot() const
 
 void TracingController::followDocument()
 {
-    const core::RegistrationCase& current = document_.current();
+    const core::Case& current = document_.current();
     ui::TracingPanel& panel = window_.tracing();
     const std::shared_ptr<const core::Volume> traced =
-        sourceOf(current).input.kind == core::VesselInputKind::Volume ? current.volume : nullptr;
+        sourceOf(current).input.kind == core::VesselInputKind::Volume ? current.vessels.scan : nullptr;
     if (traced != shownVolume_) {
         shownVolume_ = traced;
         level_.setFuture({});
@@ -149,8 +149,8 @@ void TracingController::followDocument()
             findThreshold();
         }
     }
-    if (current.vesselInput != shownInput_) {
-        shownInput_ = current.vesselInput;
+    if (current.vessels.input != shownInput_) {
+        shownInput_ = current.vessels.input;
         setDraft(shownInput_.tracing);
     }
     showWhyNot();
@@ -212,10 +212,10 @@ void TracingController::start()
         return;
     }
     setPick(ui::TracingPick::Nothing);
-    const core::RegistrationCase& current = document_.current();
+    const core::Case& current = document_.current();
     const Source source = sourceOf(current);
     source_ = source.file;
-    VesselTraceRequest request{source.file.path, source.input, current.volume};
+    VesselTraceRequest request{source.file.path, source.input, current.vessels.scan};
     request.input.tracing = draft_;
     request.input.labels = labels_.draft();
     startedFrom_ = document_.state();

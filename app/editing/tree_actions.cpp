@@ -134,18 +134,18 @@ void TreeActions::connectViews()
 
 void TreeActions::enableCommands()
 {
-    const bool hasTree = document_.current().tree != nullptr;
+    const bool hasTree = document_.current().vessels.tree != nullptr;
     for (const Command command : branchCommands) {
         window_.actions()[command]->setEnabled(hasTree);
     }
     window_.actions()[Command::PruneTree]->setEnabled(hasTree);
     window_.actions()[Command::FindBranch]->setEnabled(hasTree);
-    window_.actions()[Command::ShowAllBranches]->setEnabled(!document_.current().hiddenBranchIds.empty());
+    window_.actions()[Command::ShowAllBranches]->setEnabled(!document_.current().vessels.hiddenBranchIds.empty());
 }
 
 void TreeActions::askToPrune()
 {
-    const auto tree = document_.current().tree;
+    const auto tree = document_.current().vessels.tree;
     if (!tree) {
         return;
     }
@@ -158,7 +158,7 @@ void TreeActions::askToPrune()
 
 void TreeActions::showAdvice()
 {
-    const auto& tree = document_.current().tree;
+    const auto& tree = document_.current().vessels.tree;
     const bool isBroken = tree && advice_.pieceCount() > 1;
     const bool isMendable = isBroken && !advice_.gaps().empty();
     window_.actions()[Command::MendGap]->setEnabled(isMendable);
@@ -217,7 +217,7 @@ void TreeActions::openBranchMenu(int branchId, const Eigen::Vector3d& pointInPat
 void TreeActions::openSliceMenu(const Eigen::Vector3d& pointInPatient, const QPoint& globalPosition)
 {
     window_.slices().setCrosshair(pointInPatient);
-    const auto& tree = document_.current().tree;
+    const auto& tree = document_.current().vessels.tree;
     const auto branch = tree ? branchNear(*tree, pointInPatient) : std::nullopt;
     if (branch && !branches_.marks().selected.contains(*branch)) {
         branches_.select({*branch});

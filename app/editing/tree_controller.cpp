@@ -174,7 +174,7 @@ void TreeController::toggleHiddenSelected()
 
 void TreeController::showAll()
 {
-    if (!document_.current().hiddenBranchIds.empty()) {
+    if (!document_.current().vessels.hiddenBranchIds.empty()) {
         document_.push(std::make_unique<HideBranches>(document_, HideBranches::Values{std::vector<int>()},
                                                       [] { return tr("Show all branches"); }));
     }

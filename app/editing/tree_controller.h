@@ -40,7 +40,7 @@ signals:
 
 private:
     using Edited = core::Result<core::VesselTree>;
-    const core::VesselTree* tree() const { return document_.current().tree.get(); }
+    const core::VesselTree* tree() const { return document_.current().vessels.tree.get(); }
     std::optional<int> onlySelected();
     bool hasSelection();
     ui::Words namesOf(const std::set<int>& branchIds) const;

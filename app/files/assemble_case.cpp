@@ -6,61 +6,51 @@ namespace angiopose::app {
 namespace {
 
 /// The scan of the case stays beside vessels that come from elsewhere but lie in it.
-void putScan(core::RegistrationCase& target, const LoadedInputs& inputs)
+void putScan(core::Vessels& vessels, const LoadedInputs& inputs)
 {
-    if (!inputs.volume && target.volume && liesIn(target.volume->geometry, *inputs.tree)) {
-        if (target.vesselInput.kind == core::VesselInputKind::Volume) {
-            target.scanFile = target.centerlineFile;
-            target.scanSeriesId = target.vesselInput.seriesId;
+    if (!inputs.volume && vessels.scan && liesIn(vessels.scan->geometry, *inputs.tree)) {
+        if (vessels.input.kind == core::VesselInputKind::Volume) {
+            vessels.scanFile = vessels.file;
+            vessels.scanSeriesId = vessels.input.seriesId;
         }
         return;
     }
-    target.volume = inputs.volume;
-    target.scanIdentity = inputs.scanIdentity;
-    target.scanFile = {};
-    target.scanSeriesId.clear();
+    vessels.scan = inputs.volume;
+    vessels.scanIdentity = inputs.scanIdentity;
+    vessels.scanFile = {};
+    vessels.scanSeriesId.clear();
 }
 
-void putTree(core::RegistrationCase& target, const LoadedInputs& inputs)
+void putTree(core::Vessels& vessels, const LoadedInputs& inputs)
 {
-    putScan(target, inputs);
-    target.tree = inputs.tree;
-    target.centerlineFile = inputs.centerlineFile;
-    target.vesselInput = inputs.vesselInput;
-    target.lumen = inputs.lumen;
-    target.isTreeEdited = false;
-    target.hiddenBranchIds.clear();
-    target.pickedPivotInPatient.reset();
-    target.auxiliaryBranchIds.clear();
-    target.excludedBranchIds.clear();
+    putScan(vessels, inputs);
+    vessels.tree = inputs.tree;
+    vessels.file = inputs.centerlineFile;
+    vessels.input = inputs.vesselInput;
+    vessels.lumen = inputs.lumen;
+    vessels.isTreeEdited = false;
+    vessels.hiddenBranchIds.clear();
+    vessels.pickedPivotInPatient.reset();
+    vessels.auxiliaryBranchIds.clear();
+    vessels.excludedBranchIds.clear();
 }
 
-void putTarget(core::RegistrationCase& target, const std::shared_ptr<const core::Centerline2d>& given,
-               const core::InputFile& file)
+void putImage(core::View& view, const LoadedInputs& inputs)
 {
-    target.givenTarget = given;
-    target.targetFile = file;
-    target.editedFrame.reset();
-    target.acceptedCurveIds.clear();
+    view.angiogram = inputs.angiogram;
+    view.imageFile = inputs.imageFile;
+    view.frame = inputs.angiogram->suggestedFrame;
+    view.geometry = {inputs.angiogram->cArm, std::nullopt};
+    view.storedRun.reset();
+    view.headerPlan = inputs.headerPlan;
+    view.treatment = {.plan = inputs.headerPlan};
+    view.target = {};
 }
 
-void putImage(core::RegistrationCase& target, const LoadedInputs& inputs)
-{
-    target.angiogram = inputs.angiogram;
-    target.imageFile = inputs.imageFile;
-    target.frame = inputs.angiogram->suggestedFrame;
-    target.cArm = inputs.angiogram->cArm;
-    target.cameraOverride.reset();
-    target.storedRun.reset();
-    target.headerPlan = inputs.headerPlan;
-    target.treatment = {.plan = inputs.headerPlan};
-    putTarget(target, nullptr, {});
-}
-
-void goToStart(core::RegistrationCase& target)
+void goToStart(core::Case& target)
 {
     if (const auto start = core::startPoseOf(target)) {
-        target.cameraFromPatient = start.value();
+        target.shown().cameraFromPatient = start.value();
     }
 }
 
@@ -83,32 +73,35 @@ bool liesIn(const core::VolumeGeometry& scan, const core::VesselTree& tree)
     return 2 * inside > tree.pointCount();
 }
 
-core::RegistrationCase withInputs(core::RegistrationCase base, const LoadedInputs& inputs)
+core::Case withInputs(core::Case base, const LoadedInputs& inputs)
 {
+    core::Vessels& vessels = base.vessels;
+    core::View& view = base.shown();
     if (inputs.tree) {
-        putTree(base, inputs);
+        putTree(vessels, inputs);
     }
     if (inputs.volume && !inputs.tree) {
-        base.volume = inputs.volume;
-        base.scanIdentity = inputs.scanIdentity;
-        base.scanFile = inputs.scanFile;
-        base.scanSeriesId = inputs.scanSeriesId;
+        vessels.scan = inputs.volume;
+        vessels.scanIdentity = inputs.scanIdentity;
+        vessels.scanFile = inputs.scanFile;
+        vessels.scanSeriesId = inputs.scanSeriesId;
     }
     if (inputs.angiogram) {
-        putImage(base, inputs);
+        putImage(view, inputs);
     }
     if (inputs.target) {
-        putTarget(base, inputs.target, inputs.targetFile);
+        view.target = {inputs.targetFile, inputs.target, std::nullopt, {}};
     }
     if (inputs.tree || inputs.angiogram) {
-        base.result.reset();
-        base.hasInitialPose = false;
-        base.landmarks.clear();   // of other vessels, or in another image
+        view.result.reset();
+        view.initialCameraFromPatient.reset();
+        view.landmarks.clear();   // of other vessels, or in another image
         goToStart(base);
     }
     if (base.title.empty()) {
-        const std::string& vessels = base.tree ? base.centerlineFile.path : base.scanFile.path;
-        const std::string& path = base.angiogram ? base.imageFile.path : vessels;
+        const std::string& path = view.angiogram ? view.imageFile.path
+                                  : vessels.tree ? vessels.file.path
+                                                 : vessels.scanFile.path;
         base.title = std::filesystem::path(path).stem().string();
     }
     return base;
@@ -119,15 +112,16 @@ bool makesNewCase(const LoadedInputs& inputs)
     return inputs.tree && inputs.angiogram;
 }
 
-core::RegistrationCase withGeometry(core::RegistrationCase base, const core::CArm& cArm)
+core::Case withGeometry(core::Case base, const core::CArm& cArm)
 {
     const auto before = core::startPoseOf(base);
-    base.cArm = cArm;
-    const bool wasAtStart = !before || isSamePose(before.value(), base.cameraFromPatient);
+    core::View& view = base.shown();
+    view.geometry.cArm = cArm;
+    const bool wasAtStart = !before || isSamePose(before.value(), view.cameraFromPatient);
     if (wasAtStart) {
         goToStart(base);
     }
-    base.result.reset();
+    view.result.reset();
     return base;
 }
 

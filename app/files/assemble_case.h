@@ -1,13 +1,13 @@
 #pragma once
 
 #include "app/jobs/load_job.h"
-#include "core/registration_case.h"
+#include "core/case/case.h"
 
 namespace angiopose::app {
 
 /// `base` with the loaded parts in place of its own: a new image brings its geometry and fullest frame, a new tree
 /// forgets branch choices, and the pose goes to the start pose where one can be had.
-core::RegistrationCase withInputs(core::RegistrationCase base, const LoadedInputs& inputs);
+core::Case withInputs(core::Case base, const LoadedInputs& inputs);
 
 /// Whether most of a tree lies within a scan: then it is of this scan, however it was made.
 bool liesIn(const core::VolumeGeometry& scan, const core::VesselTree& tree);
@@ -16,6 +16,6 @@ bool liesIn(const core::VolumeGeometry& scan, const core::VesselTree& tree);
 bool makesNewCase(const LoadedInputs& inputs);
 
 /// The case moved to `cArm`: a pose that still was the start pose follows the new one.
-core::RegistrationCase withGeometry(core::RegistrationCase base, const core::CArm& cArm);
+core::Case withGeometry(core::Case base, const core::CArm& cArm);
 
 }   // namespace angiopose::app

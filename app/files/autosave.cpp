@@ -46,11 +46,11 @@ QString vesselsBeside(const QString& casePath)
     return file.dir().filePath(file.completeBaseName() + QStringLiteral(".vtp"));
 }
 
-core::Result<QString> write(const core::RegistrationCase& snapshot, const QString& path, const QString& original)
+core::Result<QString> write(const core::Case& snapshot, const QString& path, const QString& original)
 {
-    if (snapshot.tree && !snapshot.angiogram) {
+    if (snapshot.vessels.tree && !snapshot.shown().angiogram) {
         const QString vessels = vesselsBeside(path);
-        if (const core::Status written = io::writeVesselTree(*snapshot.tree, vessels.toStdString()); !written) {
+        if (const core::Status written = io::writeVesselTree(*snapshot.vessels.tree, vessels.toStdString()); !written) {
             return written.error();
         }
         QFile::remove(path);   // an angiogram that was there has been taken back
@@ -98,12 +98,13 @@ QString Autosave::path() const
 
 bool Autosave::isWorthCopying() const
 {
-    const core::RegistrationCase& current = document_.current();
+    const core::Case& current = document_.current();
     if (document_.isEmpty() || !document_.isModified() || document_.isInTrial()) {
         return false;
     }
     // Centrelines that were only opened lie in their file; tracing took its time.
-    return current.angiogram || document_.holdsWork() || current.vesselInput.kind != core::VesselInputKind::Centerline;
+    return current.shown().angiogram || document_.holdsWork() ||
+           current.vessels.input.kind != core::VesselInputKind::Centerline;
 }
 
 void Autosave::saveSoon()

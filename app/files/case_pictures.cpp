@@ -50,17 +50,17 @@ std::shared_ptr<const core::Angiogram> withoutLetters(const core::Angiogram& run
 
 }   // namespace
 
-bool storeCasePicture(const core::RegistrationCase& registrationCase, const QString& casePath)
+bool storeCasePicture(const core::Case& theCase, const QString& casePath)
 {
-    const auto& run = registrationCase.angiogram;
-    const int frame = registrationCase.frame;
+    const auto& run = theCase.shown().angiogram;
+    const int frame = theCase.shown().frame;
     if (!run || frame < 0 || frame >= run->frameCount()) {
         return false;
     }
-    core::RegistrationCase shown = registrationCase;
-    shown.angiogram = withoutLetters(*run, frame);
-    shown.frame = 0;
-    const auto picture = drawThumbnail(shown, casePictureWidthPx);
+    core::Case pictured = theCase;
+    pictured.shown().angiogram = withoutLetters(*run, frame);
+    pictured.shown().frame = 0;
+    const auto picture = drawThumbnail(pictured, casePictureWidthPx);
     if (!picture || !QDir().mkpath(folderName())) {
         return false;
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration_case.h"
+#include "core/case/case.h"
 
 #include <QImage>
 #include <QStringList>
@@ -14,7 +14,7 @@ namespace angiopose::app {
 inline constexpr int casePictureWidthPx = 192;
 
 /// Makes and stores the picture of a case file; on a worker. False where there is nothing to show yet.
-bool storeCasePicture(const core::RegistrationCase& registrationCase, const QString& casePath);
+bool storeCasePicture(const core::Case& theCase, const QString& casePath);
 
 /// Null where there is none.
 QImage casePicture(const QString& casePath);

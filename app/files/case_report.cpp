@@ -69,16 +69,16 @@ QString fromCore(const std::string& text)
     return QString::fromStdString(text);
 }
 
-double mmPerPxOf(const core::RegistrationCase& shown)
+double mmPerPxOf(const core::Case& theCase)
 {
-    const auto camera = core::cameraOf(shown);
-    const double depthMm = (shown.cameraFromPatient * core::centroidInPatient(*shown.tree)).z();
+    const auto camera = core::cameraOf(theCase.shown());
+    const double depthMm = (theCase.shown().cameraFromPatient * core::centroidInPatient(*theCase.vessels.tree)).z();
     return camera ? core::millimetresPerPixel(camera.value(), std::max(depthMm, core::minProjectableDepthMm)) : 0.0;
 }
 
 QString titleLines(const CaseReport& report)
 {
-    const core::StudyIdentity& study = report.shown.angiogram->identity;
+    const core::StudyIdentity& study = report.theCase.shown().angiogram->identity;
     QStringList patient;
     if (report.look.identity == Identity::Shown) {
         for (const std::string& part : {study.patientName, study.patientId, study.birthDate, study.institution}) {
@@ -89,7 +89,7 @@ QString titleLines(const CaseReport& report)
         patient << ui::messageText(says::identityHidden());
     }
     return QStringLiteral("<h2>%1</h2><p><b style=\"color:#9a5b00\">%2</b> · %3</p>")
-        .arg(fromCore(report.shown.title).toHtmlEscaped(), ui::messageText(says::notForClinicalUse()).toHtmlEscaped(),
+        .arg(fromCore(report.theCase.title).toHtmlEscaped(), ui::messageText(says::notForClinicalUse()).toHtmlEscaped(),
              patient.join(QStringLiteral(" · ")).toHtmlEscaped());
 }
 
@@ -105,13 +105,14 @@ QString resultPart(const CaseReport& report)
          ReportWords::tr("%1 mm (%2 px)").arg(ui::numberText(metrics.p95Mm, 2), ui::numberText(metrics.p95Px, 2))},
         {ReportWords::tr("Traced vessels covered"),
          QStringLiteral("%1 %").arg(ui::numberText(100.0 * metrics.coverage, 0))}};
-    if (report.shown.result) {
+    if (report.theCase.shown().result) {
         rows.emplace_back(ReportWords::tr("Method"), fromCore(judged.method) + QStringLiteral(" · ") +
                                                          ui::termText(core::toText(judged.stopReason)));
     } else {
         rows.emplace_back(ReportWords::tr("Method"), ReportWords::tr("pose set by hand"));
     }
-    const ui::ResultSentences sentences = ui::sentencesOf(judged, *report.shown.tree, mmPerPxOf(report.shown));
+    const ui::ResultSentences sentences =
+        ui::sentencesOf(judged, *report.theCase.vessels.tree, mmPerPxOf(report.theCase));
     return heading(ReportWords::tr("Result")) + table(rows) + list(sentences.certain + sentences.doubtful);
 }
 
@@ -122,10 +123,10 @@ QString branchPart(const CaseReport& report)
     const std::size_t count = std::min(worstFirst.size(), branchesListed);
     Rows rows;
     for (const core::BranchResidual& residual : std::span(worstFirst).first(count)) {
-        if (const core::VesselBranch* branch = report.shown.tree->find(residual.branchId)) {
+        if (const core::VesselBranch* branch = report.theCase.vessels.tree->find(residual.branchId)) {
             rows.emplace_back(ui::displayName(*branch),
                               ReportWords::tr("%1 mm median · %2 mm long")
-                                  .arg(ui::numberText(residual.medianPx * mmPerPxOf(report.shown), 2),
+                                  .arg(ui::numberText(residual.medianPx * mmPerPxOf(report.theCase), 2),
                                        ui::numberText(branch->lengthMm(), 0)));
         }
     }
@@ -137,7 +138,7 @@ QString branchPart(const CaseReport& report)
 
 QString geometryPart(const CaseReport& report)
 {
-    const ui::GeometryState state = geometryState(report.shown);
+    const ui::GeometryState state = geometryState(report.theCase);
     Rows rows;
     for (std::size_t i = 0; i < ui::geometryValueCount; ++i) {
         const auto value = static_cast<ui::GeometryValue>(i);
@@ -162,8 +163,9 @@ QString posePart(const CaseReport& report)
     for (int row = 0; row < 4; ++row) {
         text += QStringLiteral("<tr>");
         for (int column = 0; column < 4; ++column) {
-            text += QStringLiteral("<td align=\"right\">%1</td>")
-                        .arg(report.shown.cameraFromPatient.matrix()(row, column), 0, 'f', 6);   // to be copied
+            text +=
+                QStringLiteral("<td align=\"right\">%1</td>")
+                    .arg(report.theCase.shown().cameraFromPatient.matrix()(row, column), 0, 'f', 6);   // to be copied
         }
         text += QStringLiteral("</tr>");
     }
@@ -179,9 +181,9 @@ QString inputPart(const CaseReport& report)
                                         fromCore(file.sha256).left(16));
         }
     };
-    add(ReportWords::tr("Vessels"), report.shown.centerlineFile);
-    add(ReportWords::tr("Angiogram"), report.shown.imageFile);
-    add(ReportWords::tr("Traced vessels"), report.shown.targetFile);
+    add(ReportWords::tr("Vessels"), report.theCase.vessels.file);
+    add(ReportWords::tr("Angiogram"), report.theCase.shown().imageFile);
+    add(ReportWords::tr("Traced vessels"), report.theCase.shown().target.file);
     rows.emplace_back(ReportWords::tr("Program"), QStringLiteral("AngioPose ") + QStringLiteral(ANGIOPOSE_VERSION));
     rows.emplace_back(ReportWords::tr("Made"),
                       ui::languageLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat) +
@@ -210,7 +212,7 @@ QString htmlOf(const CaseReport& report, const QString& pictureUrl, const QSize&
     return QStringLiteral(
                "<html><head><meta charset=\"utf-8\"/><title>%1</title></head>"
                "<body style=\"font-family:sans-serif; font-size:8.5pt\">")
-               .arg(fromCore(report.shown.title).toHtmlEscaped()) +
+               .arg(fromCore(report.theCase.title).toHtmlEscaped()) +
            titleLines(report) + picture +
            beside(resultPart(report) + branchPart(report), geometryPart(report) + posePart(report)) +
            inputPart(report) + QStringLiteral("</body></html>");
@@ -221,8 +223,8 @@ core::Result<QImage> pictureOf(const CaseReport& report)
 {
     OverlayPictureOptions look = report.look;
     look.widthPx = pictureWidthPx;
-    look.isStartBeside = static_cast<bool>(core::startPoseOf(report.shown));
-    const auto drawn = drawOverlay(report.shown, report.target, look);
+    look.isStartBeside = static_cast<bool>(core::startPoseOf(report.theCase));
+    const auto drawn = drawOverlay(report.theCase, report.target, look);
     if (!drawn) {
         return drawn.error();
     }
@@ -241,7 +243,7 @@ QByteArray pdfOf(const CaseReport& report, const QImage& picture)
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageMargins(QMarginsF(15.0, 15.0, 15.0, 15.0), QPageLayout::Millimeter);
     writer.setResolution(pageDpi);
-    writer.setTitle(fromCore(report.shown.title));
+    writer.setTitle(fromCore(report.theCase.title));
     writer.setCreator(QStringLiteral("AngioPose ") + QStringLiteral(ANGIOPOSE_VERSION));
     QTextDocument document;
     document.documentLayout()->setPaintDevice(&writer);

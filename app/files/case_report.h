@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/texts/overlay_picture.h"
-#include "core/registration_case.h"
+#include "core/case/case.h"
 
 #include <QByteArray>
 #include <QString>
@@ -11,7 +11,7 @@ namespace angiopose::app {
 /// One case on one page or two: the overlay before and after, what it measures and how far it can be trusted, the
 /// geometry with its origins, pose, inputs with hashes, who made it and when. In the language of the window.
 struct CaseReport {
-    core::RegistrationCase shown;
+    core::Case theCase;
     core::RegistrationResult judgement;   ///< of the pose that is shown
     core::Centerline2d target;
     OverlayPictureOptions look;

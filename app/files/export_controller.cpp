@@ -6,6 +6,7 @@
 #include "app/review/snapshot_texts.h"
 #include "app/settings.h"
 #include "app/texts/overlay_picture.h"
+#include "core/case/registration_input.h"
 #include "io/centerline2d_file.h"
 #include "io/image_file.h"
 #include "io/pose_file.h"
@@ -69,13 +70,13 @@ void ExportController::writeFile(const QString& path, const Write& write, const 
 
 void ExportController::askOverlay()
 {
-    const core::RegistrationCase& current = document_.current();
-    if (!current.tree || !current.angiogram) {
+    const core::Case& current = document_.current();
+    if (!current.vessels.tree || !current.shown().angiogram) {
         emit failed(tr("There is nothing to export yet. Open a vessel tree and an angiogram first."));
         return;
     }
     ui::AngiogramView& view = window_.angiogramView();
-    const core::Angiogram& run = *current.angiogram;
+    const core::Angiogram& run = *current.shown().angiogram;
     const auto viewWidth = static_cast<int>(std::lround(view.zoom() * run.width() * view.devicePixelRatioF()));
     auto* dialog =
         new ui::ExportDialog(std::max(64, viewWidth), static_cast<double>(run.height()) / run.width(), &window_);
@@ -136,8 +137,8 @@ void ExportController::exportOverlay(const ui::ExportChoice& choice, const QStri
 
 void ExportController::askReport()
 {
-    const core::RegistrationCase& current = document_.current();
-    if (!current.tree || !current.angiogram || !target_.current()) {
+    const core::Case& current = document_.current();
+    if (!current.vessels.tree || !current.shown().angiogram || !target_.current()) {
         emit failed(tr("There is nothing to report yet. Open vessels and an angiogram first."));
         return;
     }
@@ -152,8 +153,9 @@ void ExportController::askReport()
     const CaseReport report{current, {}, *target_.current(), lookOf(choice), observerName()};
     askFile({tr("Export report"), tr("Reports (*.pdf *.html)"), QStringLiteral("pdf")},
             [report, input = std::move(input).value()](const QString& path) -> core::Status {
-                const auto judged = report.shown.result ? core::Result<core::RegistrationResult>(*report.shown.result)
-                                                        : core::evaluatePose(input, report.shown.cameraFromPatient);
+                const auto judged = report.theCase.shown().result
+                                        ? core::Result<core::RegistrationResult>(*report.theCase.shown().result)
+                                        : core::evaluatePose(input, report.theCase.shown().cameraFromPatient);
                 if (!judged) {
                     return judged.error();
                 }
@@ -169,20 +171,20 @@ void ExportController::askReport()
 
 void ExportController::askResult()
 {
-    if (!document_.current().result) {
+    if (!document_.current().shown().result) {
         emit failed(tr("There is no result for this pose. Register first (R)."));
         return;
     }
     askFile({tr("Export result"), tr("Results (*.json)"), QStringLiteral("result.json")},
             [snapshot = document_.current()](const QString& path) {
-                return io::writeResult(snapshot, *snapshot.result, path.toStdString());
+                return io::writeResult(snapshot, *snapshot.shown().result, path.toStdString());
             });
 }
 
 void ExportController::askPose()
 {
     askFile({tr("Export pose"), tr("Poses (*.json *.tfm)"), QStringLiteral("pose.json")},
-            [pose = document_.current().cameraFromPatient](const QString& path) {
+            [pose = document_.current().shown().cameraFromPatient](const QString& path) {
                 return io::writePose(pose, path.toStdString());
             });
 }
@@ -201,13 +203,13 @@ void ExportController::askTrace()
 
 void ExportController::askVessels(const Then& then)
 {
-    if (!document_.current().tree) {
+    if (!document_.current().vessels.tree) {
         emit failed(tr("There are no vessels yet. Open a centreline, or trace a scan."));
         return;
     }
     askFile(
         {tr("Export vessel tree"), tr("Centrelines (*.vtp *.csv *.swc *.mrk.json)"), QStringLiteral("vtp")},
-        [tree = document_.current().tree](const QString& path) {
+        [tree = document_.current().vessels.tree](const QString& path) {
             return io::writeVesselTree(*tree, path.toStdString());
         },
         then);

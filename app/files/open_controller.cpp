@@ -6,7 +6,7 @@
 #include "app/files/recent_cases.h"
 #include "app/files/view_from_inputs.h"
 #include "app/settings.h"
-#include "core/case_views.h"
+#include "core/case/case_views.h"
 #include "ui/words/message_text.h"
 
 #include <QFileInfo>
@@ -47,12 +47,12 @@ void OpenController::open(const QStringList& paths)
 /// Vessels of a file without a scan: a scan that is opened may be theirs.
 ScanUse OpenController::scanUse() const
 {
-    const core::RegistrationCase& current = document_.current();
-    if (!current.tree) {
+    const core::Case& current = document_.current();
+    if (!current.vessels.tree) {
         return ScanUse::TraceOrShow;
     }
-    const bool isOfFile = current.vesselInput.kind != core::VesselInputKind::Volume;
-    return !current.volume && isOfFile ? ScanUse::Ask : ScanUse::Trace;
+    const bool isOfFile = current.vessels.input.kind != core::VesselInputKind::Volume;
+    return !current.vessels.scan && isOfFile ? ScanUse::Ask : ScanUse::Trace;
 }
 
 void OpenController::openScan(ScanUse use)
@@ -262,9 +262,10 @@ void OpenController::replaceWith(const LoadedInputs& inputs, const QString& path
 
 bool OpenController::isAnotherView(const LoadedInputs& inputs) const
 {
-    const core::RegistrationCase& current = document_.current();
-    const bool isNew = inputs.imageFile.path != current.imageFile.path;
-    return inputs.angiogram && !inputs.tree && !inputs.wholeCase && current.tree && current.angiogram && isNew;
+    const core::Case& current = document_.current();
+    const bool isNew = inputs.imageFile.path != current.shown().imageFile.path;
+    return inputs.angiogram && !inputs.tree && !inputs.wholeCase && current.vessels.tree && current.shown().angiogram &&
+           isNew;
 }
 
 void OpenController::addView(const LoadedInputs& inputs, const QStringList& paths)
@@ -274,10 +275,10 @@ void OpenController::addView(const LoadedInputs& inputs, const QStringList& path
         emit failed(ui::messageText(added.error().message), paths);
         return;
     }
-    auto views = document_.current().otherViews;
-    views.push_back(std::move(added).value());
-    const QStringList notes = notesOf(inputs, core::withView(document_.current(), *views.back().view));
-    document_.push(std::make_unique<ChangeViews>(document_, ChangeViews::Values{std::move(views)},
+    core::Case wanted = document_.current();
+    wanted.views.push_back(std::move(added).value());
+    const QStringList notes = notesOf(inputs, core::showingView(wanted, wanted.views.size() - 1));
+    document_.push(std::make_unique<ChangeViews>(document_, ChangeViews::valuesOf(wanted),
                                                  [names = namesOf(paths)] { return tr("Add view %1").arg(names); }));
     emit opened(notes + QStringList{tr("View added: a click in the strip above the image shows it.")});
 }

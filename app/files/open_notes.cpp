@@ -28,7 +28,7 @@ QString namesOf(const QStringList& paths)
     return names.join(QStringLiteral(", "));
 }
 
-QStringList notesOf(const LoadedInputs& inputs, const core::RegistrationCase& opened)
+QStringList notesOf(const LoadedInputs& inputs, const core::Case& opened)
 {
     QStringList notes;
     for (const core::Message& warning : inputs.warnings) {
@@ -38,24 +38,25 @@ QStringList notesOf(const LoadedInputs& inputs, const core::RegistrationCase& op
         notes << NoteWords::tr("One unit of the file is %1 mm, as you chose.")
                      .arg(ui::briefNumber(inputs.vesselInput.unitMm, 6));
     }
-    if (!inputs.wholeCase && opened.angiogram) {   // a case file has compared them itself
-        for (const core::Message& mismatch : core::findMismatch(opened.scanIdentity, opened.angiogram->identity)) {
+    if (!inputs.wholeCase && opened.shown().angiogram) {   // a case file has compared them itself
+        for (const core::Message& mismatch :
+             core::findMismatch(opened.vessels.scanIdentity, opened.shown().angiogram->identity)) {
             notes << ui::messageText(mismatch);
         }
     }
     return notes;
 }
 
-QStringList notesOnScan(const LoadedInputs& inputs, const core::RegistrationCase& opened)
+QStringList notesOnScan(const LoadedInputs& inputs, const core::Case& opened)
 {
-    if (inputs.volume && !opened.tree) {
+    if (inputs.volume && !opened.vessels.tree) {
         return {
             NoteWords::tr("The scan is shown without vessels: place a seed or set the threshold in the slices (%1), "
                           "then trace.")
                 .arg(ui::keyOf(ui::Command::SlicesLarge))};
     }
-    const bool isBeside = inputs.volume && !inputs.tree && opened.tree;
-    return isBeside && !liesIn(inputs.volume->geometry, *opened.tree)
+    const bool isBeside = inputs.volume && !inputs.tree && opened.vessels.tree;
+    return isBeside && !liesIn(inputs.volume->geometry, *opened.vessels.tree)
                ? QStringList(
                      NoteWords::tr("The vessels do not lie in this scan: it may be another one, or have other axes."))
                : QStringList();

@@ -1,6 +1,6 @@
 #include "app/files/sample_case.h"
 
-#include "core/registration_case.h"
+#include "core/case/case.h"
 #include "core/simulation/simulated_case.h"
 #include "io/angiogram_file.h"
 #include "io/case_file.h"
@@ -14,20 +14,19 @@ namespace {
 
 constexpr std::uint64_t sampleSeed = 7;
 
-core::RegistrationCase caseOf(const core::SimulatedCase& simulated, const std::string& treePath,
-                              const std::string& imagePath)
+core::Case caseOf(const core::SimulatedCase& simulated, const std::string& treePath, const std::string& imagePath)
 {
-    core::RegistrationCase result;
+    core::Case result;
     result.title = "Sample case (simulated)";
-    result.tree = std::make_shared<core::VesselTree>(simulated.tree);
-    result.centerlineFile.path = treePath;
-    result.angiogram = std::make_shared<core::Angiogram>(simulated.angiogram);
-    result.imageFile.path = imagePath;
-    result.frame = simulated.angiogram.suggestedFrame;
-    result.cArm = simulated.angiogram.cArm;
-    result.initialCameraFromPatient = simulated.initialCameraFromPatient;
-    result.hasInitialPose = true;
-    result.cameraFromPatient = simulated.initialCameraFromPatient;
+    result.vessels.tree = std::make_shared<core::VesselTree>(simulated.tree);
+    result.vessels.file.path = treePath;
+    core::View& view = result.shown();
+    view.angiogram = std::make_shared<core::Angiogram>(simulated.angiogram);
+    view.imageFile.path = imagePath;
+    view.frame = simulated.angiogram.suggestedFrame;
+    view.geometry.cArm = simulated.angiogram.cArm;
+    view.initialCameraFromPatient = simulated.initialCameraFromPatient;
+    view.cameraFromPatient = simulated.initialCameraFromPatient;
     return result;
 }
 

@@ -49,8 +49,10 @@ void SaveController::save(const std::function<void()>& whenSaved)
 
 SaveController::Savable SaveController::savable() const
 {
-    const core::RegistrationCase& current = document_.current();
-    return current.tree && current.angiogram ? Savable::Case : current.tree ? Savable::Vessels : Savable::Nothing;
+    const core::Case& current = document_.current();
+    return current.vessels.tree && current.shown().angiogram ? Savable::Case
+           : current.vessels.tree                            ? Savable::Vessels
+                                                             : Savable::Nothing;
 }
 
 bool SaveController::holdsWork() const
@@ -201,7 +203,7 @@ void SaveController::noteOpened(const QString& copy)
         autosave_.saveSoon();
     }
     const QString vessels = std::exchange(recoveredVessels_, {});
-    if (!vessels.isEmpty() && document_.current().centerlineFile.path == vessels.toStdString()) {
+    if (!vessels.isEmpty() && document_.current().vessels.file.path == vessels.toStdString()) {
         document_.markUnsaved();   // the user has given them no name yet
     }
 }

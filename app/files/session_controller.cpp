@@ -38,9 +38,10 @@ SessionController::SessionController(ui::MainWindow& window, CaseDocument& docum
 
 void SessionController::warnOfMismatch()
 {
-    const core::RegistrationCase& current = document_.current();
-    const core::Messages mismatch =
-        current.angiogram ? core::findMismatch(current.scanIdentity, current.angiogram->identity) : core::Messages();
+    const core::Case& current = document_.current();
+    const core::Messages mismatch = current.shown().angiogram ? core::findMismatch(current.vessels.scanIdentity,
+                                                                                   current.shown().angiogram->identity)
+                                                              : core::Messages();
     if (!mismatch.empty()) {
         notices_.showProblem(tr("Not the same patient?"), ui::messagesText(mismatch));
     }

@@ -40,18 +40,18 @@ void TitleController::showSaveState()
 
 QString TitleController::studyLine() const
 {
-    const core::RegistrationCase& current = document_.current();
-    if (!current.angiogram) {
+    const core::Case& current = document_.current();
+    if (!current.shown().angiogram) {
         return {};
     }
-    const core::StudyIdentity& identity = current.angiogram->identity;
+    const core::StudyIdentity& identity = current.shown().angiogram->identity;
     QStringList parts;
     for (const std::string& part : {identity.studyDate, identity.modality}) {
         if (!part.empty()) {
             parts << QString::fromStdString(part);
         }
     }
-    const int count = current.angiogram->frameCount();
+    const int count = current.shown().angiogram->frameCount();
     parts << (count > 1 ? tr("%1 frames").arg(count) : tr("1 frame"));
     return parts.join(QStringLiteral(" · "));
 }

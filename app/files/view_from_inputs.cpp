@@ -2,51 +2,45 @@
 
 #include "app/files/assemble_case.h"
 #include "app/messages/says.h"
-#include "core/case_views.h"
-#include "core/joint_case.h"
-
-#include <memory>
 
 namespace angiopose::app {
 namespace {
 
-/// The case with the image that was opened in place of its own, at its start pose.
-core::RegistrationCase withImageOf(core::RegistrationCase registrationCase, const LoadedInputs& inputs)
+/// The image that was opened as a view of the case's vessels, at its start pose.
+core::View viewWithImage(const core::Case& theCase, const LoadedInputs& inputs)
 {
-    registrationCase.snapshots.clear();
-    registrationCase.traceOptions = {};
-    registrationCase.cameraFromPatient = {};
-    registrationCase.initialCameraFromPatient = {};
+    core::Case blank = theCase;
+    blank.shown() = {};
     LoadedInputs imageOnly;
     imageOnly.angiogram = inputs.angiogram;
     imageOnly.imageFile = inputs.imageFile;
     imageOnly.headerPlan = inputs.headerPlan;
     imageOnly.target = inputs.target;
     imageOnly.targetFile = inputs.targetFile;
-    return withInputs(std::move(registrationCase), imageOnly);
+    return withInputs(std::move(blank), imageOnly).shown();
 }
 
 }   // namespace
 
-core::Result<core::OtherView> viewFrom(const core::RegistrationCase& registrationCase, const LoadedInputs& inputs,
-                                       const std::string& path)
+core::Result<core::View> viewFrom(const core::Case& theCase, const LoadedInputs& inputs, const std::string& path)
 {
-    if (inputs.wholeCase && inputs.wholeCase->angiogram) {
-        return core::OtherView{{path, {}},
-                               std::make_shared<const core::RegistrationCase>(core::viewOf(*inputs.wholeCase))};
+    if (inputs.wholeCase && inputs.wholeCase->shown().angiogram) {
+        core::View view = inputs.wholeCase->shown();
+        view.caseFile = {path, {}};
+        return view;
     }
     if (!inputs.angiogram) {
         return core::Error(says::openNoAngiogram().about(path));
     }
-    core::RegistrationCase view = withImageOf(registrationCase, inputs);
-    if (const auto fromShown = core::viewFromView(registrationCase, view)) {
-        view.cameraFromPatient = fromShown.value() * registrationCase.cameraFromPatient;
-        if (registrationCase.hasInitialPose) {   // vessels may have axes of their own, which angles know nothing about
-            view.hasInitialPose = true;
-            view.initialCameraFromPatient = fromShown.value() * registrationCase.initialCameraFromPatient;
+    const core::View& shown = theCase.shown();
+    core::View view = viewWithImage(theCase, inputs);
+    if (const auto fromShown = core::viewFromView(shown, view, theCase.vessels)) {
+        view.cameraFromPatient = fromShown.value() * shown.cameraFromPatient;
+        if (shown.initialCameraFromPatient) {   // vessels may have axes of their own, which angles know nothing about
+            view.initialCameraFromPatient = fromShown.value() * *shown.initialCameraFromPatient;
         }
     }
-    return core::OtherView{{}, std::make_shared<const core::RegistrationCase>(core::viewOf(view))};
+    return view;
 }
 
 }   // namespace angiopose::app

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/jobs/load_job.h"
-#include "core/registration_case.h"
+#include "core/case/case.h"
 
 #include <string>
 
@@ -10,7 +10,6 @@ namespace angiopose::app {
 /// What was opened as another view of the case's vessels: an angiogram, or the image of a whole case, which `path` then
 /// is. Its pose is where the geometry between the views puts the vessels now; where that is not known, its start pose.
 /// Fails where there is no angiogram in it.
-core::Result<core::OtherView> viewFrom(const core::RegistrationCase& registrationCase, const LoadedInputs& inputs,
-                                       const std::string& path);
+core::Result<core::View> viewFrom(const core::Case& theCase, const LoadedInputs& inputs, const std::string& path);
 
 }   // namespace angiopose::app

@@ -50,18 +50,18 @@ core::PoseOffset errorOf(ui::FitExample example)
     return error;
 }
 
-core::RegistrationCase caseOf(const core::SimulatedCase& simulated, ui::FitExample example)
+core::Case caseOf(const core::SimulatedCase& simulated, ui::FitExample example)
 {
-    core::RegistrationCase shown;
-    shown.tree = std::make_shared<const core::VesselTree>(simulated.tree);
+    core::Case theCase;
+    theCase.vessels.tree = std::make_shared<const core::VesselTree>(simulated.tree);
     core::Angiogram single = simulated.angiogram;
     single.frames = {simulated.angiogram.frames[static_cast<std::size_t>(simulated.angiogram.suggestedFrame)]};
-    shown.angiogram = std::make_shared<const core::Angiogram>(std::move(single));
-    shown.cArm = simulated.angiogram.cArm;
-    shown.cameraOverride = simulated.camera;
-    shown.cameraFromPatient = core::applyOffset(simulated.trueCameraFromPatient, errorOf(example),
-                                                core::centroidInPatient(simulated.tree), simulated.camera);
-    return shown;
+    core::View& view = theCase.shown();
+    view.angiogram = std::make_shared<const core::Angiogram>(std::move(single));
+    view.geometry = {simulated.angiogram.cArm, simulated.camera};
+    view.cameraFromPatient = core::applyOffset(simulated.trueCameraFromPatient, errorOf(example),
+                                               core::centroidInPatient(simulated.tree), simulated.camera);
+    return theCase;
 }
 
 }   // namespace

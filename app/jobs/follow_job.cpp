@@ -21,12 +21,12 @@ FollowJob::~FollowJob()
     waitFor(watcher_);
 }
 
-void FollowJob::start(core::RegistrationCase registrationCase)
+void FollowJob::start(core::Case theCase)
 {
     Q_ASSERT(!running_);
     running_ = true;
     stopRequested_ = false;
-    watcher_.setFuture(QtConcurrent::run([this, followed = std::move(registrationCase)]() -> Outcome {
+    watcher_.setFuture(QtConcurrent::run([this, followed = std::move(theCase)]() -> Outcome {
         return guarded<std::vector<core::FollowedFrame>>([&] {
             return core::followFrames(followed, [this](double fraction) {
                 QMetaObject::invokeMethod(

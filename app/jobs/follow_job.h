@@ -18,7 +18,7 @@ public:
     explicit FollowJob(QObject* parent = nullptr);
     ~FollowJob() override;   ///< stops and waits, for one frame at most
 
-    void start(core::RegistrationCase registrationCase);
+    void start(core::Case theCase);
     void requestStop() { stopRequested_ = true; }   ///< returns at once; `finished` follows
     bool isRunning() const { return running_; }
 

@@ -3,16 +3,13 @@
 namespace angiopose::app {
 namespace {
 
-core::RegistrationCase freedElsewhere(core::RegistrationCase read)
+core::Case freedElsewhere(core::Case read)
 {
-    read.volume = app::freedElsewhere(std::move(read.volume));
-    read.lumen = app::freedElsewhere(std::move(read.lumen));
-    read.angiogram = app::freedElsewhere(std::move(read.angiogram));
-    read.storedRun = app::freedElsewhere(std::move(read.storedRun));
-    for (core::OtherView& other : read.otherViews) {
-        if (other.view) {
-            other.view = std::make_shared<const core::RegistrationCase>(freedElsewhere(*other.view));
-        }
+    read.vessels.scan = app::freedElsewhere(std::move(read.vessels.scan));
+    read.vessels.lumen = app::freedElsewhere(std::move(read.vessels.lumen));
+    for (core::View& view : read.views) {
+        view.angiogram = app::freedElsewhere(std::move(view.angiogram));
+        view.storedRun = app::freedElsewhere(std::move(view.storedRun));
     }
     return read;
 }

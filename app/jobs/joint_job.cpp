@@ -4,7 +4,8 @@
 #include "app/jobs/guarded.h"
 #include "app/jobs/publish_outcome.h"
 #include "app/messages/says.h"
-#include "core/joint_case.h"
+#include "core/case/case_views.h"
+#include "core/case/registration_input.h"
 
 #include <QtConcurrentRun>
 
@@ -17,8 +18,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds jointReportPause{33};   // what the eye can follow
 
-core::Result<std::vector<core::Centerline2d>> targetsOf(const std::vector<core::RegistrationCase>& views,
-                                                        core::Centerline2d target, const std::atomic<bool>& isStopped)
+core::Result<std::vector<core::Centerline2d>> targetsOf(const std::vector<core::View>& views, core::Centerline2d target,
+                                                        const std::atomic<bool>& isStopped)
 {
     std::vector<core::Centerline2d> targets{std::move(target)};
     for (std::size_t k = 1; k < views.size(); ++k) {
@@ -45,24 +46,25 @@ JointJob::~JointJob()
     waitFor(watcher_);
 }
 
-void JointJob::start(std::vector<core::RegistrationCase> views, core::Centerline2d target)
+void JointJob::start(core::Case theCase, core::Centerline2d target)
 {
     Q_ASSERT(!watcher_.isRunning());
     stopRequested_ = false;
     watcher_.setFuture(
-        QtConcurrent::run([this, views = std::move(views), target = std::move(target)]() mutable -> Outcome {
-            return guarded<core::MultiViewResult>([&] { return solve(views, std::move(target)); });
+        QtConcurrent::run([this, theCase = std::move(theCase), target = std::move(target)]() mutable -> Outcome {
+            return guarded<core::MultiViewResult>([&] { return solve(theCase, std::move(target)); });
         }));
 }
 
-JointJob::Outcome JointJob::solve(const std::vector<core::RegistrationCase>& views, core::Centerline2d target)
+JointJob::Outcome JointJob::solve(const core::Case& theCase, core::Centerline2d target)
 {
+    const std::vector<core::View> views = core::viewsAt(theCase, core::registeredViews(theCase));
     const auto begin = Clock::now();
     const auto targets = targetsOf(views, std::move(target), stopRequested_);
     if (!targets) {
         return targets.error();
     }
-    const auto inputs = core::jointInputsOf(views, targets.value());
+    const auto inputs = core::jointInputsOf(views, theCase.vessels, targets.value());
     if (!inputs) {
         return inputs.error();
     }
@@ -75,7 +77,7 @@ JointJob::Outcome JointJob::solve(const std::vector<core::RegistrationCase>& vie
         }
         return stopRequested_ ? core::Verdict::Stop : core::Verdict::Continue;
     };
-    auto solved = core::registerViews(inputs.value(), views.front().options, {}, observe);
+    auto solved = core::registerViews(inputs.value(), theCase.options, {}, observe);
     if (!solved) {
         return solved.error();
     }

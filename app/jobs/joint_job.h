@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/case/case.h"
 #include "core/registration/register_views.h"
-#include "core/registration_case.h"
 #include "core/support/result.h"
 
 #include <QFutureWatcher>
@@ -20,8 +20,8 @@ public:
     explicit JointJob(QObject* parent = nullptr);
     ~JointJob() override;   ///< stops and waits, for one solver iteration or one frame's tracing at most
 
-    /// `views`: see core::casesOfViews; `target`: of the first.
-    void start(std::vector<core::RegistrationCase> views, core::Centerline2d target);
+    /// Registers core::registeredViews(theCase); `target`: of the shown one.
+    void start(core::Case theCase, core::Centerline2d target);
     void requestStop() { stopRequested_ = true; }   ///< returns at once; `finished` or `failed` follows
 
 signals:
@@ -31,7 +31,7 @@ signals:
 
 private:
     using Outcome = core::Result<core::MultiViewResult>;
-    Outcome solve(const std::vector<core::RegistrationCase>& views, core::Centerline2d target);
+    Outcome solve(const core::Case& theCase, core::Centerline2d target);
     void publish();
 
     std::atomic<bool> stopRequested_{false};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration_case.h"
+#include "core/case/case.h"
 #include "io/dicom_series.h"
 #include "io/moved_inputs.h"
 #include "io/support/read_observer.h"
@@ -16,7 +16,7 @@ namespace angiopose::app {
 
 /// What a set of files turned out to be: a whole case, or parts of one.
 struct LoadedInputs {
-    std::optional<core::RegistrationCase> wholeCase;
+    std::optional<core::Case> wholeCase;
     core::InputFile centerlineFile;
     core::VesselInput vesselInput;
     std::shared_ptr<const core::Volume> volume;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration_case.h"
+#include "core/case/case.h"
 #include "core/support/result.h"
 
 #include <QFutureWatcher>

@@ -12,8 +12,8 @@ using library::valueOf;
 
 Case::Case(const VesselTree& tree, const Angiogram& angiogram) : content_(std::make_unique<Content>())
 {
-    core::RegistrationCase& values = content_->values;
-    values.tree = std::make_shared<const core::VesselTree>(toCore(tree));
+    core::Case& values = content_->values;
+    values.vessels.tree = std::make_shared<const core::VesselTree>(toCore(tree));
     library::putAngiogram(values, angiogram.content());
 }
 
@@ -40,42 +40,43 @@ void Case::setTitle(const std::string& title)
 
 VesselTree Case::tree() const
 {
-    return toPublic(*content_->values.tree);
+    return toPublic(*content_->values.vessels.tree);
 }
 
 Angiogram Case::angiogram() const
 {
-    return Angiogram(content_->values.angiogram);
+    return Angiogram(content_->values.shown().angiogram);
 }
 
 int Case::viewCount() const
 {
-    return 1 + static_cast<int>(content_->values.otherViews.size());
+    return static_cast<int>(content_->values.views.size());
 }
 
 int Case::frame() const
 {
-    return content_->values.frame;
+    return content_->values.shown().frame;
 }
 
 void Case::setFrame(int frame)
 {
-    const int count = content_->values.angiogram->frameCount();
+    const int count = content_->values.shown().angiogram->frameCount();
     if (frame < 0 || frame >= count) {
         throw Error("library.no-frame", "Frame " + std::to_string(frame) + " does not exist: the run has " +
                                             std::to_string(count) + " frames, the first is 0.");
     }
-    content_->values = core::withFrame(std::move(content_->values), frame);
+    core::View& view = content_->values.shown();
+    view = core::withFrame(std::move(view), content_->values.vessels, frame);
 }
 
 ProjectionCamera Case::camera() const
 {
-    return toPublic(valueOf(core::cameraOf(content_->values)));
+    return toPublic(valueOf(core::cameraOf(content_->values.shown())));
 }
 
 void Case::setCamera(const ProjectionCamera& camera)
 {
-    content_->values.cameraOverride = toCore(camera);
+    content_->values.shown().geometry.cameraOverride = toCore(camera);
 }
 
 Pose Case::startPose() const
@@ -85,20 +86,19 @@ Pose Case::startPose() const
 
 void Case::setStartPose(const Pose& cameraFromPatient)
 {
-    content_->values.initialCameraFromPatient = toCore(cameraFromPatient);
-    content_->values.hasInitialPose = true;
+    content_->values.shown().initialCameraFromPatient = toCore(cameraFromPatient);
     setCameraFromPatient(cameraFromPatient);
 }
 
 Pose Case::cameraFromPatient() const
 {
-    return toPublic(content_->values.cameraFromPatient);
+    return toPublic(content_->values.shown().cameraFromPatient);
 }
 
 void Case::setCameraFromPatient(const Pose& cameraFromPatient)
 {
-    content_->values.cameraFromPatient = toCore(cameraFromPatient);
-    content_->values.result.reset();
+    content_->values.shown().cameraFromPatient = toCore(cameraFromPatient);
+    content_->values.shown().result.reset();
 }
 
 RegistrationOptions Case::options() const
@@ -113,11 +113,8 @@ void Case::setOptions(const RegistrationOptions& options)
 
 void Case::setTarget(const Centerline2d& target)
 {
-    core::RegistrationCase& values = content_->values;
-    values.givenTarget = std::make_shared<const core::Centerline2d>(toCore(target));
-    values.targetFile = {};
-    values.editedFrame = values.frame;
-    values.acceptedCurveIds.clear();
+    core::View& view = content_->values.shown();
+    view.target = {{}, std::make_shared<const core::Centerline2d>(toCore(target)), view.frame, {}};
 }
 
 std::vector<Message> Case::warnings() const

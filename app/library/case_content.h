@@ -1,7 +1,7 @@
 #pragma once
 
 #include "angiopose/case.h"
-#include "core/registration_case.h"
+#include "core/case/case.h"
 
 #include <memory>
 #include <string>
@@ -10,7 +10,7 @@
 namespace angiopose {
 
 struct Case::Content {
-    core::RegistrationCase values;
+    core::Case values;
     core::Messages warnings;   ///< of reading
 };
 
@@ -18,7 +18,7 @@ namespace library {
 
 /// Puts the run into a case that has vessels: its geometry, its suggested frame, and the start pose where that is
 /// known.
-void putAngiogram(core::RegistrationCase& values, const std::shared_ptr<const core::Angiogram>& angiogram);
+void putAngiogram(core::Case& values, const std::shared_ptr<const core::Angiogram>& angiogram);
 
 }   // namespace library
 }   // namespace angiopose

@@ -26,40 +26,43 @@ std::string besideCase(const std::string& casePath, const std::string& ending)
     return fs::path(absolute(casePath)).replace_extension(ending).string();
 }
 
-void putVessels(core::RegistrationCase& values, const std::string& path, io::LoadedVessels vessels)
+void putVessels(core::Vessels& vessels, const std::string& path, io::LoadedVessels loaded)
 {
-    values.centerlineFile = {absolute(path), valueOf(io::sha256OfVesselInput(path, vessels.input))};
-    values.vesselInput = vessels.input;
-    values.volume = vessels.volume;
-    values.scanIdentity = vessels.identity;
-    values.lumen = io::sharedLumen(vessels);
-    values.tree = std::make_shared<const core::VesselTree>(std::move(vessels.tree));
+    vessels.file = {absolute(path), valueOf(io::sha256OfVesselInput(path, loaded.input))};
+    vessels.input = loaded.input;
+    vessels.scan = loaded.volume;
+    vessels.scanIdentity = loaded.identity;
+    vessels.lumen = io::sharedLumen(loaded);
+    vessels.tree = std::make_shared<const core::VesselTree>(std::move(loaded.tree));
 }
 
 /// Vessels and angiogram that come from no file get one.
-void keepInputs(core::RegistrationCase& values, const std::string& casePath)
+void keepInputs(core::Case& values, const std::string& casePath)
 {
-    if (values.centerlineFile.path.empty()) {
+    core::Vessels& vessels = values.vessels;
+    core::View& view = values.shown();
+    if (vessels.file.path.empty()) {
         const std::string path = besideCase(casePath, ".tree.vtp");
-        check(io::writeVesselTree(*values.tree, path));
-        values.centerlineFile = {path, {}};
+        check(io::writeVesselTree(*vessels.tree, path));
+        vessels.file = {path, {}};
     }
-    if (values.imageFile.path.empty()) {
+    if (view.imageFile.path.empty()) {
         const std::string path = besideCase(casePath, ".angiogram.dcm");
-        check(io::writeAngiogram(*values.angiogram, path));
-        values.imageFile = {path, {}};
+        check(io::writeAngiogram(*view.angiogram, path));
+        view.imageFile = {path, {}};
     }
 }
 
 }   // namespace
 
-void putAngiogram(core::RegistrationCase& values, const std::shared_ptr<const core::Angiogram>& angiogram)
+void putAngiogram(core::Case& values, const std::shared_ptr<const core::Angiogram>& angiogram)
 {
-    values.angiogram = angiogram;
-    values.frame = angiogram->suggestedFrame;
-    values.cArm = angiogram->cArm;
+    core::View& view = values.shown();
+    view.angiogram = angiogram;
+    view.frame = angiogram->suggestedFrame;
+    view.geometry.cArm = angiogram->cArm;
     if (const auto start = core::startPoseOf(values)) {
-        values.cameraFromPatient = start.value();
+        view.cameraFromPatient = start.value();
     }
 }
 
@@ -83,13 +86,14 @@ Case readCase(const std::string& vesselPath, const std::string& imagePath, const
     io::LoadedVessels vessels =
         relay.take(io::readVessels(vesselPath, library::vesselInputOf(vesselPath, options), relay.reading("reading")));
     content->warnings = vessels.warnings;
-    library::putVessels(content->values, vesselPath, std::move(vessels));
+    library::putVessels(content->values.vessels, vesselPath, std::move(vessels));
     auto angiogram = std::make_shared<const core::Angiogram>(library::valueOf(io::readAngiogram(imagePath)));
     content->warnings.insert(content->warnings.end(), angiogram->warnings.begin(), angiogram->warnings.end());
     library::putAngiogram(content->values, angiogram);
-    content->values.imageFile = {library::absolute(imagePath), {}};
-    content->values.headerPlan = library::valueOf(io::readSubtractionPlan(imagePath));
-    content->values.treatment.plan = content->values.headerPlan;
+    core::View& view = content->values.shown();
+    view.imageFile = {library::absolute(imagePath), {}};
+    view.headerPlan = library::valueOf(io::readSubtractionPlan(imagePath));
+    view.treatment.plan = view.headerPlan;
     return Case(std::move(content));
 }
 
@@ -101,12 +105,12 @@ void writeCase(Case& theCase, const std::string& path)
 
 void writeResult(const Case& theCase, const std::string& path)
 {
-    const core::RegistrationCase& values = theCase.content().values;
-    if (!values.result) {
+    const core::Case& values = theCase.content().values;
+    if (!values.shown().result) {
         throw Error("library.no-result",
                     "The case has no result: it was not registered, or its pose was changed since.");
     }
-    library::check(io::writeResult(values, *values.result, path));
+    library::check(io::writeResult(values, *values.shown().result, path));
 }
 
 }   // namespace angiopose

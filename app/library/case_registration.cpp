@@ -1,60 +1,53 @@
 #include "app/library/case_content.h"
 #include "app/library/conversions.h"
 #include "app/library/relay.h"
-#include "core/case_views.h"
-#include "core/joint_case.h"
-#include "io/case_file.h"
+#include "core/case/case_views.h"
+#include "core/case/registration_input.h"
 
 namespace angiopose::library {
 namespace {
 
 /// Where the vessels are told to be: a pose that nobody gave would be the identity.
-void requireStart(const core::RegistrationCase& values)
+void requireStart(const core::View& view, const core::Vessels& vessels)
 {
-    if (auto start = core::startPoseOf(values); !start) {
+    if (auto start = core::startPoseOf(view, vessels); !start) {
         throw Error("library.no-start",
                     "The geometry of the angiogram gives no start pose; set one. " + start.error().message.text());
     }
 }
 
-core::RegistrationInput coreInputOf(const core::RegistrationCase& values)
+core::RegistrationInput coreInputOf(const core::Case& values)
 {
-    requireStart(values);
-    return valueOf(core::registrationInputOf(values, valueOf(core::targetOf(values))));
+    requireStart(values.shown(), values.vessels);
+    return valueOf(core::registrationInputOf(values, valueOf(core::targetOf(values.shown()))));
 }
 
-/// As it stands in the case, or in the case file that it refers to.
-core::RegistrationCase viewOf(const core::RegistrationCase& first, const core::OtherView& other)
+void requireImages(const core::Case& values)
 {
-    if (other.view && other.view->angiogram) {
-        return core::withView(first, *other.view);
+    for (const core::View& view : values.views) {
+        if (!view.angiogram) {
+            const std::string& path = view.imageFile.path.empty() ? view.caseFile.path : view.imageFile.path;
+            throw Error("library.no-view", path + ": the image of this view could not be read.");
+        }
     }
-    if (other.file.path.empty()) {
-        throw Error("library.no-view", other.view->imageFile.path + ": the image of this view could not be read.");
-    }
-    core::Messages warnings;
-    return valueOf(io::loadCase(other.file.path, warnings));
 }
 
-std::vector<core::RegistrationInput> jointInputsOf(const core::RegistrationCase& first)
+std::vector<core::RegistrationInput> jointInputsOf(const core::Case& values)
 {
-    std::vector<core::RegistrationCase> views{first};
-    for (const core::OtherView& other : first.otherViews) {
-        views.push_back(viewOf(first, other));
-    }
+    requireImages(values);
+    const std::vector<core::View> views = core::viewsAt(values, core::registeredViews(values));
     std::vector<core::Centerline2d> targets;
-    for (const core::RegistrationCase& view : views) {
-        requireStart(view);
+    for (const core::View& view : views) {
+        requireStart(view, values.vessels);
         targets.push_back(valueOf(core::targetOf(view)));
     }
-    return valueOf(core::jointInputsOf(views, targets));
+    return valueOf(core::jointInputsOf(views, values.vessels, targets));
 }
 
-void takeOver(core::RegistrationCase& values, const core::RegistrationResult& result)
+void takeOver(core::Case& values, const core::RegistrationResult& result)
 {
-    values.otherViews = core::movedAlong(values, result.cameraFromPatient);
-    values.cameraFromPatient = result.cameraFromPatient;
-    values.result = result;
+    values.views = core::movedAlong(values, result.cameraFromPatient);
+    values.shown().result = result;
 }
 
 }   // namespace
@@ -64,7 +57,7 @@ namespace angiopose {
 
 Centerline2d targetOf(const Case& theCase)
 {
-    return library::toPublic(library::valueOf(core::targetOf(theCase.content().values)));
+    return library::toPublic(library::valueOf(core::targetOf(theCase.content().values.shown())));
 }
 
 RegistrationInput inputOf(const Case& theCase)
@@ -74,8 +67,8 @@ RegistrationInput inputOf(const Case& theCase)
 
 RegistrationResult registerCase(Case& theCase, const Observer& observe)
 {
-    core::RegistrationCase& values = theCase.content().values;
-    if (!values.otherViews.empty()) {
+    core::Case& values = theCase.content().values;
+    if (values.views.size() > 1) {
         throw Error("library.several-views", "The case has " + std::to_string(theCase.viewCount()) +
                                                  " views of the vessels. Register them together with registerViews.");
     }
@@ -88,7 +81,7 @@ RegistrationResult registerCase(Case& theCase, const Observer& observe)
 
 MultiViewResult registerViews(Case& theCase, const Observer& observe)
 {
-    core::RegistrationCase& values = theCase.content().values;
+    core::Case& values = theCase.content().values;
     library::Relay relay(observe);
     const core::MultiViewResult joint =
         relay.take(core::registerViews(library::jointInputsOf(values), values.options, {}, relay.iterations()));

@@ -1,19 +1,19 @@
 #include "app/registration/joint_poses.h"
 
 #include "app/review/snapshot_texts.h"
-#include "core/case_views.h"
+#include "core/case/case_views.h"
 
 #include <algorithm>
 
 namespace angiopose::app {
 namespace {
 
-core::RegistrationCase withResult(core::RegistrationCase view, const core::RegistrationResult& result)
+void takeOver(core::View& view, const core::RegistrationResult& result)
 {
+    view.caseFile = {};
     view.cameraFromPatient = result.cameraFromPatient;
     view.result = result;
     view.snapshots = core::withSnapshot(std::move(view.snapshots), snapshotOfRun(result, view.frame));
-    return view;
 }
 
 /// What holds for all views together belongs to the shown one: its depth is known from the others.
@@ -32,16 +32,14 @@ core::RegistrationResult ownResult(const core::MultiViewResult& joint)
 
 }   // namespace
 
-JointPoses jointPosesOf(const core::RegistrationCase& registrationCase, const core::MultiViewResult& joint)
+std::vector<core::View> viewsAfter(const core::Case& theCase, const core::MultiViewResult& joint)
 {
-    JointPoses poses{withResult(registrationCase, ownResult(joint)), registrationCase.otherViews};
-    std::size_t k = 1;
-    for (core::OtherView& other : poses.others) {
-        if (other.view && other.view->angiogram) {
-            other = {{}, std::make_shared<const core::RegistrationCase>(withResult(*other.view, joint.views[k++]))};
-        }
+    std::vector<core::View> views = theCase.views;
+    const std::vector<std::size_t> places = core::registeredViews(theCase);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        takeOver(views[places[k]], k == 0 ? ownResult(joint) : joint.views[k]);
     }
-    return poses;
+    return views;
 }
 
 }   // namespace angiopose::app

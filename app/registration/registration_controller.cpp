@@ -3,7 +3,8 @@
 #include "app/document/edit_case.h"
 #include "app/registration/joint_poses.h"
 #include "app/review/snapshot_texts.h"
-#include "core/case_views.h"
+#include "core/case/case_views.h"
+#include "core/case/registration_input.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/words/message_text.h"
 
@@ -23,17 +24,17 @@ RegistrationController::RegistrationController(CaseDocument& document, TargetPro
 
 QString RegistrationController::whyNotReady() const
 {
-    const core::RegistrationCase& current = document_.current();
+    const core::Case& current = document_.current();
     if (document_.isInTrial()) {
         return tr("A blind trial is fitted by hand.");
     }
-    if (!current.tree) {
+    if (!current.vessels.tree) {
         return tr("Open a vessel centreline first.");
     }
-    if (!current.angiogram) {
+    if (!current.shown().angiogram) {
         return tr("Open an angiogram first.");
     }
-    if (const auto camera = core::cameraOf(current); !camera) {
+    if (const auto camera = core::cameraOf(current.shown()); !camera) {
         return ui::messageText(camera.error().message);
     }
     if (const auto start = core::startPoseOf(current); !start) {
@@ -91,9 +92,8 @@ void RegistrationController::continueAfterTracing()
         return;
     }
     phase_ = Phase::Solving;
-    auto views = core::casesOfViews(document_.current());
-    if (allViews_ && views.size() > 1) {
-        jointJob_.start(std::move(views), *target_.current());
+    if (allViews_ && core::registeredViews(document_.current()).size() > 1) {
+        jointJob_.start(document_.current(), *target_.current());
         return;
     }
     job_.start(std::move(input).value(), document_.current().options);
@@ -102,11 +102,11 @@ void RegistrationController::continueAfterTracing()
 void RegistrationController::apply(const core::RegistrationResult& result)
 {
     end();
-    const core::RegistrationCase& current = document_.current();
+    const core::Case& current = document_.current();
     document_.push(std::make_unique<ApplyRun>(
         document_,
         ApplyRun::Values{result.cameraFromPatient, result,
-                         core::withSnapshot(current.snapshots, snapshotOfRun(result, current.frame))},
+                         core::withSnapshot(current.shown().snapshots, snapshotOfRun(result, current.shown().frame))},
         [method = current.options.method] { return tr("Register (%1)").arg(ui::methodWords(method)); }));
     emit finished(result);
 }
@@ -114,12 +114,9 @@ void RegistrationController::apply(const core::RegistrationResult& result)
 void RegistrationController::applyJoint(const core::MultiViewResult& joint)
 {
     end();
-    const JointPoses poses = jointPosesOf(document_.current(), joint);
-    document_.push(std::make_unique<ApplyJointRun>(
-        document_,
-        ApplyJointRun::Values{poses.own.cameraFromPatient, poses.own.result, poses.own.snapshots, poses.others},
-        [] { return tr("Register all views"); }));
-    emit finished(*poses.own.result);
+    document_.push(std::make_unique<ChangeViews>(document_, ChangeViews::Values{viewsAfter(document_.current(), joint)},
+                                                 [] { return tr("Register all views"); }));
+    emit finished(*document_.current().shown().result);
 }
 
 void RegistrationController::giveUp(const core::Message& reason)

@@ -13,13 +13,13 @@ std::size_t bytesOf(const SharedTrace& trace)
     return trace->fieldMask.pixels.size();
 }
 
-std::optional<TraceRequest> requestFor(const core::RegistrationCase& registrationCase)
+std::optional<TraceRequest> requestFor(const core::Case& theCase)
 {
-    const auto& angiogram = registrationCase.angiogram;
-    if (!angiogram || registrationCase.frame < 0 || registrationCase.frame >= angiogram->frameCount()) {
+    const auto& angiogram = theCase.shown().angiogram;
+    if (!angiogram || theCase.shown().frame < 0 || theCase.shown().frame >= angiogram->frameCount()) {
         return std::nullopt;
     }
-    return TraceRequest{angiogram, registrationCase.frame, registrationCase.traceOptions};
+    return TraceRequest{angiogram, theCase.shown().frame, theCase.shown().traceOptions};
 }
 
 }   // namespace
@@ -39,14 +39,14 @@ TargetProvider::TargetProvider(QObject* parent) : QObject(parent)
     });
 }
 
-void TargetProvider::want(const core::RegistrationCase& registrationCase)
+void TargetProvider::want(const core::Case& theCase)
 {
-    if (const auto given = core::givenTargetOf(registrationCase)) {
+    if (const auto given = core::givenTargetOf(theCase.shown())) {
         wanted_.reset();
         settleGiven(given);
         return;
     }
-    const auto request = requestFor(registrationCase);
+    const auto request = requestFor(theCase);
     if (request && request == wanted_) {
         return;
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/jobs/trace_job.h"
-#include "core/registration_case.h"
+#include "core/case/case.h"
 
 #include <QObject>
 
@@ -18,7 +18,7 @@ class TargetProvider : public QObject {
 public:
     explicit TargetProvider(QObject* parent = nullptr);
 
-    void want(const core::RegistrationCase& registrationCase);
+    void want(const core::Case& theCase);
     const SharedCenterline& current() const { return current_; }   ///< null until ready
     const SharedTrace& trace() const { return trace_; }   ///< null while the target is a given one, or not ready
     const std::optional<core::Message>& problem() const { return problem_; }   ///< why there is none

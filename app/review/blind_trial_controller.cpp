@@ -5,6 +5,7 @@
 #include "app/messages/says.h"
 #include "app/review/snapshot_texts.h"
 #include "app/settings.h"
+#include "core/case/registration_input.h"
 #include "core/simulation/simulated_case.h"
 #include "core/support/random.h"
 #include "ui/main_window.h"
@@ -48,14 +49,14 @@ BlindTrialController::BlindTrialController(CaseDocument& document, TargetProvide
 
 void BlindTrialController::ask()
 {
-    const core::RegistrationCase& current = document_.current();
-    if (!current.tree || !current.angiogram || !core::startPoseOf(current) || document_.isLocked()) {
+    const core::Case& current = document_.current();
+    if (!current.vessels.tree || !current.shown().angiogram || !core::startPoseOf(current) || document_.isLocked()) {
         emit failed(tr("A trial needs vessels, an angiogram and a start pose, and no registration running."));
         return;
     }
     ui::BlindTrialSetup suggested;
     suggested.observer = observerName();
-    suggested.seed = nextSeed(current.snapshots);
+    suggested.seed = nextSeed(current.shown().snapshots);
     suggested.rangeMm = settings::trialRangeMm.read();
     suggested.rangeDeg = settings::trialRangeDeg.read();
     suggested.logPath = settings::trialLog.read();
@@ -69,8 +70,8 @@ void BlindTrialController::ask()
 
 void BlindTrialController::start(const ui::BlindTrialSetup& setup)
 {
-    const core::RegistrationCase& current = document_.current();
-    if (isRunning() || document_.isLocked() || !current.tree) {
+    const core::Case& current = document_.current();
+    if (isRunning() || document_.isLocked() || !current.vessels.tree) {
         return;
     }
     settings::observer.write(setup.observer);
@@ -86,16 +87,16 @@ void BlindTrialController::start(const ui::BlindTrialSetup& setup)
     trial_.startedAt = timeNow();
     trial_.observer = setup.observer.toStdString();
     trial_.caseTitle = current.title;
-    trial_.imageSha256 = current.imageFile.sha256;
+    trial_.imageSha256 = current.shown().imageFile.sha256;
     trial_.seed = setup.seed;
     trial_.rangeMm = setup.rangeMm;
     trial_.rangeDeg = setup.rangeDeg;
-    trial_.centrePose = current.cameraFromPatient;
-    trial_.pivotInPatient = core::centroidInPatient(*current.tree);
+    trial_.centrePose = current.shown().cameraFromPatient;
+    trial_.pivotInPatient = core::centroidInPatient(*current.vessels.tree);
     trial_.startPose =
         core::uniformlyDisplaced(trial_.centrePose, trial_.pivotInPatient, setup.rangeDeg, setup.rangeMm, random);
     document_.beginTrial(std::make_unique<HideWhatIsKnown>(
-        document_, HideWhatIsKnown::Values{trial_.startPose, true, trial_.startPose, std::nullopt, {}},
+        document_, HideWhatIsKnown::Values{trial_.startPose, trial_.startPose, std::nullopt, {}},
         [] { return tr("Blind trial"); }));
     showRunning(true);
     clock_.start();
@@ -120,8 +121,8 @@ void BlindTrialController::end(bool isAbandoned)
     trial_.durationS = 1e-3 * static_cast<double>(clock_.elapsed());
     trial_.editCount = document_.trialEdits();
     trial_.isAbandoned = isAbandoned;
-    trial_.frame = document_.current().frame;
-    trial_.finalPose = document_.current().cameraFromPatient;
+    trial_.frame = document_.current().shown().frame;
+    trial_.finalPose = document_.current().shown().cameraFromPatient;
     document_.endTrial();
     showRunning(false);
     emit ended();
@@ -170,7 +171,7 @@ void BlindTrialController::log(const io::ObserverTrial& trial)
 
 void BlindTrialController::judge(const io::ObserverTrial& trial)
 {
-    const bool isSameFrame = target_.current() && trial.frame == document_.current().frame;
+    const bool isSameFrame = target_.current() && trial.frame == document_.current().shown().frame;
     auto input = isSameFrame ? core::registrationInputOf(document_.current(), *target_.current())
                              : core::Result<core::RegistrationInput>(core::Error(says::notShown()));
     if (input) {
@@ -202,7 +203,8 @@ void BlindTrialController::keep(const core::RegistrationResult& judged)
         snapshot.metrics = core::metricsOf(judged);
     }
     document_.push(std::make_unique<ChangeSnapshots>(
-        document_, ChangeSnapshots::Values{core::withSnapshot(document_.current().snapshots, std::move(snapshot))},
+        document_,
+        ChangeSnapshots::Values{core::withSnapshot(document_.current().shown().snapshots, std::move(snapshot))},
         [] { return tr("Keep a blind trial"); }));
 }
 

@@ -14,13 +14,13 @@ using namespace std::chrono_literals;
 constexpr qsizetype keptSeries = 200;
 
 /// A series without telling whose it is: settings are no place for identities.
-QString seriesKey(const core::RegistrationCase& current)
+QString seriesKey(const core::Case& current)
 {
-    if (!current.angiogram) {
+    if (!current.shown().angiogram) {
         return {};
     }
-    const std::string& uid = current.angiogram->identity.seriesUid;
-    const std::string& known = uid.empty() ? current.imageFile.sha256 : uid;
+    const std::string& uid = current.shown().angiogram->identity.seriesUid;
+    const std::string& known = uid.empty() ? current.shown().imageFile.sha256 : uid;
     const QByteArray text(known.data(), static_cast<qsizetype>(known.size()));
     return known.empty() ? QString()
                          : QString::fromLatin1(QCryptographicHash::hash(text, QCryptographicHash::Sha1).toHex());
@@ -47,8 +47,8 @@ BrightnessMemory::~BrightnessMemory()
 
 void BrightnessMemory::followDocument()
 {
-    if (document_.current().angiogram != shown_) {
-        shown_ = document_.current().angiogram;
+    if (document_.current().shown().angiogram != shown_) {
+        shown_ = document_.current().shown().angiogram;
         series_.clear();   // what the view does by itself on a new image is not the user's choice
         QMetaObject::invokeMethod(this, &BrightnessMemory::recall, Qt::QueuedConnection);   // once the image is shown
     }

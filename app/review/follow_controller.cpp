@@ -45,11 +45,11 @@ FollowController::FollowController(const Parts& parts, QObject* parent) : QObjec
 
 QString FollowController::whyNot() const
 {
-    const core::RegistrationCase& current = on_.document.current();
+    const core::Case& current = on_.document.current();
     if (on_.document.isInTrial() || on_.document.isLocked()) {
         return tr("Something else is under way. Let it end first.");
     }
-    return !current.tree || !current.angiogram ? tr("Open vessels and an angiogram first.") : QString();
+    return !current.vessels.tree || !current.shown().angiogram ? tr("Open vessels and an angiogram first.") : QString();
 }
 
 void FollowController::start()
@@ -95,18 +95,20 @@ std::optional<core::RigidTransform> FollowController::poseOf(int frame) const
 /// Whether the poses still are of these vessels, in this run, from this pose on.
 bool FollowController::holds() const
 {
-    const core::RegistrationCase& current = on_.document.current();
-    const auto pose = poseOf(current.frame);
-    return current.tree == startedFrom_.tree && current.angiogram == startedFrom_.angiogram &&
-           current.excludedBranchIds == startedFrom_.excludedBranchIds && core::cameraOf(current) &&
-           core::cameraOf(startedFrom_) && core::cameraOf(current).value() == core::cameraOf(startedFrom_).value() &&
-           (!pose || isFollowedPose(*pose, current.cameraFromPatient));
+    const core::Case& current = on_.document.current();
+    const auto pose = poseOf(current.shown().frame);
+    return current.vessels.tree == startedFrom_.vessels.tree &&
+           current.shown().angiogram == startedFrom_.shown().angiogram &&
+           current.vessels.excludedBranchIds == startedFrom_.vessels.excludedBranchIds &&
+           core::cameraOf(current.shown()) && core::cameraOf(startedFrom_.shown()) &&
+           core::cameraOf(current.shown()).value() == core::cameraOf(startedFrom_.shown()).value() &&
+           (!pose || isFollowedPose(*pose, current.shown().cameraFromPatient));
 }
 
 void FollowController::followDocument()
 {
-    const auto& angiogram = on_.document.current().angiogram;
-    const bool isRun = angiogram && angiogram->frameCount() > 1 && on_.document.current().tree;
+    const auto& angiogram = on_.document.current().shown().angiogram;
+    const bool isRun = angiogram && angiogram->frameCount() > 1 && on_.document.current().vessels.tree;
     on_.window.actions()[ui::Command::FollowFrames]->setEnabled(isRun);
     if (!frames_.empty() && !holds()) {
         forget();
@@ -122,7 +124,7 @@ void FollowController::showFrame(int frame)
         return;
     }
     const auto pose = poseOf(frame);
-    if (frame == on_.document.current().frame || !pose) {
+    if (frame == on_.document.current().shown().frame || !pose) {
         on_.sync.endPreview();
     } else {
         on_.sync.showPreview(*pose, ResidualColors::Hidden);
@@ -131,12 +133,13 @@ void FollowController::showFrame(int frame)
 
 void FollowController::showMotion()
 {
-    const core::RegistrationCase& current = on_.document.current();
+    const core::Case& current = on_.document.current();
     std::vector<ui::FrameMotion> motion;
-    const Eigen::Vector3d pivot = current.tree ? core::centroidInPatient(*current.tree) : Eigen::Vector3d::Zero();
+    const Eigen::Vector3d pivot =
+        current.vessels.tree ? core::centroidInPatient(*current.vessels.tree) : Eigen::Vector3d::Zero();
     for (const core::FollowedFrame& each : frames_) {
         const core::PoseDifference from =
-            core::differenceBetween(startedFrom_.cameraFromPatient, each.tracked.cameraFromPatient, pivot);
+            core::differenceBetween(startedFrom_.shown().cameraFromPatient, each.tracked.cameraFromPatient, pivot);
         motion.push_back({each.frame, from.inPlaneMm, from.depthMm, from.rotationDeg, each.tracked.isTrustworthy});
     }
     on_.window.result().showMotion(motion);

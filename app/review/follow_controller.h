@@ -48,7 +48,7 @@ private:
 
     Parts on_;
     FollowJob job_;
-    core::RegistrationCase startedFrom_;
+    core::Case startedFrom_;
     std::vector<core::FollowedFrame> frames_;
 };
 

@@ -1,6 +1,7 @@
 #include "app/review/judgement_controller.h"
 
 #include "app/texts/overlay_picture.h"
+#include "core/case/registration_input.h"
 #include "ui/main_window.h"
 #include "ui/words/message_text.h"
 
@@ -9,12 +10,11 @@
 namespace angiopose::app {
 namespace {
 
-std::vector<double> residualsMm(const core::RegistrationCase& current, const Judgement& judgement,
-                                double millimetresPerPixel)
+std::vector<double> residualsMm(const core::Case& current, const Judgement& judgement, double millimetresPerPixel)
 {
     std::vector<double> residuals;
     for (const auto& [branchId, distancesPx] : judgement.residualPx) {
-        if (std::ranges::find(current.excludedBranchIds, branchId) != current.excludedBranchIds.end()) {
+        if (std::ranges::find(current.vessels.excludedBranchIds, branchId) != current.vessels.excludedBranchIds.end()) {
             continue;
         }
         for (const double distancePx : distancesPx) {
@@ -66,10 +66,11 @@ void JudgementController::judge(const core::RigidTransform& cameraFromPatient)
 
 void JudgementController::show()
 {
-    const core::RegistrationCase& current = on_.document.current();
-    on_.window.result().showHistory(current.result ? current.result->history : std::vector<core::IterationReport>{});
-    const auto camera = core::cameraOf(current);
-    if (!judgement_ || !camera || !current.tree || on_.registration.isRunning()) {
+    const core::Case& current = on_.document.current();
+    on_.window.result().showHistory(current.shown().result ? current.shown().result->history
+                                                           : std::vector<core::IterationReport>{});
+    const auto camera = core::cameraOf(current.shown());
+    if (!judgement_ || !camera || !current.vessels.tree || on_.registration.isRunning()) {
         showNothing();
         return;
     }
@@ -77,7 +78,7 @@ void JudgementController::show()
     on_.sync.showJudgement(judgement_);
     on_.look.knowResiduals(judged.result.branches, judged.millimetresPerPixel);
     on_.replay.knowUncertainty(judged.result.uncertainty);
-    on_.window.result().showJudgement(judged, *current.tree);
+    on_.window.result().showJudgement(judged, *current.vessels.tree);
 }
 
 void JudgementController::showNothing()
@@ -93,14 +94,14 @@ void JudgementController::showNothing()
 
 ui::JudgedPose JudgementController::judgedPose(const core::ProjectionCamera& camera) const
 {
-    const core::RegistrationCase& current = on_.document.current();
-    const double depthMm = (current.cameraFromPatient * core::centroidInPatient(*current.tree)).z();
+    const core::Case& current = on_.document.current();
+    const double depthMm = (current.shown().cameraFromPatient * core::centroidInPatient(*current.vessels.tree)).z();
     const double shownDepthMm = std::max(depthMm, core::minProjectableDepthMm);
     ui::JudgedPose judged;
     judged.result = judgement_->result;
-    if (current.result) {
+    if (current.shown().result) {
         judged.source = ui::PoseSource::Run;
-        takeOverFromRun(judged.result, *current.result);
+        takeOverFromRun(judged.result, *current.shown().result);
     } else {
         judged.source = isFollowed()                  ? ui::PoseSource::Followed
                         : on_.pose.isMovedFromStart() ? ui::PoseSource::Edited
@@ -114,9 +115,9 @@ ui::JudgedPose JudgementController::judgedPose(const core::ProjectionCamera& cam
 
 bool JudgementController::isFollowed() const
 {
-    const core::RegistrationCase& current = on_.document.current();
-    const auto followed = followedPoseOf_ ? followedPoseOf_(current.frame) : std::nullopt;
-    return followed && followed->matrix() == current.cameraFromPatient.matrix();
+    const core::Case& current = on_.document.current();
+    const auto followed = followedPoseOf_ ? followedPoseOf_(current.shown().frame) : std::nullopt;
+    return followed && followed->matrix() == current.shown().cameraFromPatient.matrix();
 }
 
 }   // namespace angiopose::app

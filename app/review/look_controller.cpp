@@ -68,7 +68,7 @@ void LookController::connectBrightness()
     connect(&panel, &ui::AngiogramPanel::windowLevelTyped, &view, &ui::AngiogramView::setWindowLevel);
     connect(actions[ui::Command::AutoWindow], &QAction::triggered, &view, &ui::AngiogramView::autoWindowLevel);
     connect(actions[ui::Command::VesselWindow], &QAction::triggered, this, [this] {
-        const auto& angiogram = document_.current().angiogram;
+        const auto& angiogram = document_.current().shown().angiogram;
         const core::Polarity polarity = angiogram ? angiogram->polarity : core::Polarity::VesselsDark;
         showRange(core::vesselRange(window_.angiogramView().scene().frame(), polarity));
     });
@@ -95,7 +95,7 @@ void LookController::showStyle()
 
 bool LookController::hasRadii() const
 {
-    const auto& tree = document_.current().tree;
+    const auto& tree = document_.current().vessels.tree;
     return tree && std::ranges::any_of(tree->branches, [](const core::VesselBranch& branch) {
                return std::ranges::any_of(branch.radiusMm, [](double radius) { return radius > 0.0; });
            });
@@ -103,8 +103,8 @@ bool LookController::hasRadii() const
 
 QString LookController::radiographWords() const
 {
-    return document_.current().volume ? tr("Vessels as a radiograph of the scan (DRR)")
-                                      : tr("Vessels as a radiograph of tubes (DRR)");
+    return document_.current().vessels.scan ? tr("Vessels as a radiograph of the scan (DRR)")
+                                            : tr("Vessels as a radiograph of tubes (DRR)");
 }
 
 void LookController::nextStyle()

@@ -45,7 +45,7 @@ void OpacificationController::show()
     if (!plot_) {
         return;
     }
-    const core::SubtractionPlan& plan = document_.current().treatment.plan;
+    const core::SubtractionPlan& plan = document_.current().shown().treatment.plan;
     plot_->showFrames(sync_.frameCurve());
     plot_->showMasks(plan.interval             ? std::vector<int>()
                      : plan.maskFrames.empty() ? sync_.suggestedMasks()

@@ -2,6 +2,7 @@
 
 #include "app/document/edit_case.h"
 #include "app/review/snapshot_texts.h"
+#include "core/case/registration_input.h"
 #include "io/snapshot_table.h"
 #include "ui/main_window.h"
 #include "ui/words/message_text.h"
@@ -39,7 +40,7 @@ PoseTableController::PoseTableController(CaseDocument& document, TargetProvider&
 
 void PoseTableController::open()
 {
-    if (!document_.current().tree || document_.isInTrial()) {
+    if (!document_.current().vessels.tree || document_.isInTrial()) {
         window_.strip().showStatus(tr("There are no poses to compare yet."));
         return;
     }
@@ -81,24 +82,24 @@ void PoseTableController::connectTable()
 
 std::vector<core::PoseSnapshot> PoseTableController::listed() const
 {
-    const core::RegistrationCase& current = document_.current();
+    const core::Case& current = document_.current();
     core::PoseSnapshot itself;
     itself.name = tr("The pose as it is").toStdString();
-    itself.frame = current.frame;
-    itself.cameraFromPatient = current.cameraFromPatient;
+    itself.frame = current.shown().frame;
+    itself.cameraFromPatient = current.shown().cameraFromPatient;
     itself.metrics = snapshots_.metricsOfPose();
-    if (current.result) {
-        itself.method = current.result->method;
-        itself.runMs = current.result->time.totalMs;
+    if (current.shown().result) {
+        itself.method = current.shown().result->method;
+        itself.runMs = current.shown().result->time.totalMs;
     }
     std::vector<core::PoseSnapshot> all{itself};
-    all.insert(all.end(), current.snapshots.begin(), current.snapshots.end());
+    all.insert(all.end(), current.shown().snapshots.begin(), current.shown().snapshots.end());
     return all;
 }
 
 void PoseTableController::refresh()
 {
-    if (!table_ || !document_.current().tree) {
+    if (!table_ || !document_.current().vessels.tree) {
         return;
     }
     const std::vector<core::PoseSnapshot> all = listed();
@@ -107,7 +108,7 @@ void PoseTableController::refresh()
         referenceId_ = 0;
         reference = &all.front();
     }
-    const Eigen::Vector3d pivot = core::centroidInPatient(*document_.current().tree);
+    const Eigen::Vector3d pivot = core::centroidInPatient(*document_.current().vessels.tree);
     std::vector<ui::PoseRow> rows;
     rows.reserve(all.size());
     for (const core::PoseSnapshot& each : all) {
@@ -118,7 +119,7 @@ void PoseTableController::refresh()
 
 void PoseTableController::run(const std::vector<std::string>& methodIds)
 {
-    const core::RegistrationCase& current = document_.current();
+    const core::Case& current = document_.current();
     if (job_.isRunning() || methodIds.empty() || document_.isInTrial() || !table_) {
         return;
     }
@@ -132,7 +133,7 @@ void PoseTableController::run(const std::vector<std::string>& methodIds)
         table_->showIdle(ui::messageText(input.error().message));
         return;
     }
-    origin_ = {document_.state().caseNumber, current.tree, current.angiogram, current.frame};
+    origin_ = {document_.state().caseNumber, current.vessels.tree, current.shown().angiogram, current.shown().frame};
     chosen_ = methodIds;
     failures_.clear();
     solvedCount_ = 0;
@@ -167,10 +168,11 @@ void PoseTableController::flush()
     if (waiting_.empty() || document_.isLocked() || document_.isInTrial()) {
         return;
     }
-    const core::RegistrationCase& current = document_.current();
-    const bool stillFits = document_.state().caseNumber == origin_.caseNumber && current.tree == origin_.tree.lock() &&
-                           current.angiogram == origin_.angiogram.lock();
-    std::vector<core::PoseSnapshot> snapshots = current.snapshots;
+    const core::Case& current = document_.current();
+    const bool stillFits = document_.state().caseNumber == origin_.caseNumber &&
+                           current.vessels.tree == origin_.tree.lock() &&
+                           current.shown().angiogram == origin_.angiogram.lock();
+    std::vector<core::PoseSnapshot> snapshots = current.shown().snapshots;
     for (core::PoseSnapshot& solved : std::exchange(waiting_, {})) {
         snapshots = core::withSnapshot(std::move(snapshots), std::move(solved));
     }
@@ -195,14 +197,13 @@ void PoseTableController::exportTable()
 {
     const std::vector<core::PoseSnapshot> all = listed();
     const core::PoseSnapshot* reference = core::findSnapshot(all, referenceId_);
-    if (!reference || !document_.current().tree) {
+    if (!reference || !document_.current().vessels.tree) {
         return;
     }
     exporting_.askFile(
         {tr("Export comparison"), tr("Tables (*.csv)"), QStringLiteral("poses.csv")},
-        [all, chosen = *reference, pivot = core::centroidInPatient(*document_.current().tree)](const QString& path) {
-            return io::writeSnapshotTable(all, chosen, pivot, path.toStdString());
-        });
+        [all, chosen = *reference, pivot = core::centroidInPatient(*document_.current().vessels.tree)](
+            const QString& path) { return io::writeSnapshotTable(all, chosen, pivot, path.toStdString()); });
 }
 
 }   // namespace angiopose::app

@@ -1,5 +1,6 @@
 #include "app/review/radiograph_controller.h"
 
+#include "core/case/registration_input.h"
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/words/message_text.h"
@@ -30,7 +31,7 @@ void RadiographController::setWanted(bool wanted)
     if (wanted) {
         followDocument();
         if (isReady_) {
-            job_.request(on_.document.current().cameraFromPatient);
+            job_.request(on_.document.current().shown().cameraFromPatient);
         }
     } else {
         clear();
@@ -48,12 +49,12 @@ void RadiographController::clear()
 
 void RadiographController::followDocument()
 {
-    const core::RegistrationCase& current = on_.document.current();
-    const auto camera = core::cameraOf(current);
+    const core::Case& current = on_.document.current();
+    const auto camera = core::cameraOf(current.shown());
     const std::optional<core::ProjectionCamera> known = camera ? std::optional(camera.value()) : std::nullopt;
-    const bool isSame = isReady_ && current.tree == tree_ && current.volume == volume_ && known == camera_ &&
-                        current.excludedBranchIds == excluded_;
-    if (isReady_ && !(current.tree && current.angiogram)) {
+    const bool isSame = isReady_ && current.vessels.tree == tree_ && current.vessels.scan == volume_ &&
+                        known == camera_ && current.vessels.excludedBranchIds == excluded_;
+    if (isReady_ && !(current.vessels.tree && current.shown().angiogram)) {
         clear();
     }
     if (!isWanted_ || isSame || !on_.target.current()) {
@@ -65,12 +66,12 @@ void RadiographController::followDocument()
         return;
     }
     isReady_ = true;
-    tree_ = current.tree;
-    volume_ = current.volume;
+    tree_ = current.vessels.tree;
+    volume_ = current.vessels.scan;
     camera_ = known;
-    excluded_ = current.excludedBranchIds;
+    excluded_ = current.vessels.excludedBranchIds;
     job_.setInput(std::move(input).value(), current.options);
-    job_.request(current.cameraFromPatient);
+    job_.request(current.shown().cameraFromPatient);
 }
 
 void RadiographController::show(const core::ImageF& picture)

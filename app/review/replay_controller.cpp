@@ -86,7 +86,8 @@ void ReplayController::setReplaying(bool on)
         endPreview();
         return;
     }
-    if (!document_.current().result || document_.current().result->history.empty() || document_.isLocked()) {
+    if (!document_.current().shown().result || document_.current().shown().result->history.empty() ||
+        document_.isLocked()) {
         window_.actions()[ui::Command::Replay]->setChecked(false);
         window_.strip().showStatus(tr("There is no run to replay. Register first (R)."));
         return;
@@ -98,7 +99,7 @@ void ReplayController::setReplaying(bool on)
 
 void ReplayController::showStep()
 {
-    const auto& result = document_.current().result;
+    const auto& result = document_.current().shown().result;
     if (!result || step_ >= result->history.size()) {
         window_.actions()[ui::Command::Replay]->setChecked(false);
         window_.strip().showStatus(tr("Replay ended"));
@@ -114,12 +115,12 @@ void ReplayController::showStep()
 
 std::optional<ReplayController::Swing> ReplayController::swing() const
 {
-    const core::RegistrationCase& current = document_.current();
-    if (!uncertainty_ || !current.tree || uncertainty_->weakestDirection.norm() < 0.5) {
+    const core::Case& current = document_.current();
+    if (!uncertainty_ || !current.vessels.tree || uncertainty_->weakestDirection.norm() < 0.5) {
         return std::nullopt;
     }
     core::Vector6d perMm = core::Vector6d::Ones();   // from (rad, mm) to mm at the tree
-    perMm.head<3>().setConstant(spreadMm(*current.tree, core::centroidInPatient(*current.tree)));
+    perMm.head<3>().setConstant(spreadMm(*current.vessels.tree, core::centroidInPatient(*current.vessels.tree)));
     const core::Vector6d& direction = uncertainty_->weakestDirection;
     const core::Vector6d scaled = perMm.cwiseProduct(direction);
     Swing swing;
@@ -157,8 +158,8 @@ void ReplayController::showSwing()
         return;
     }
     const double sigmas = swingSigmas * std::sin(2.0 * std::numbers::pi * phase_++ / phasesPerSwing);
-    const Eigen::Vector3d centroid = core::centroidInPatient(*document_.current().tree);
-    const core::CentroidPose pose = core::aboutCentroid(document_.current().cameraFromPatient, centroid);
+    const Eigen::Vector3d centroid = core::centroidInPatient(*document_.current().vessels.tree);
+    const core::CentroidPose pose = core::aboutCentroid(document_.current().shown().cameraFromPatient, centroid);
     sync_.showPreview(core::cameraFromPatient(core::moved(pose, sigmas * weakest->perSigma), centroid),
                       ResidualColors::Hidden);
     window_.strip().showStatus(tr("The image hardly tells these apart: ±%1 mm, mostly %2")
@@ -168,7 +169,7 @@ void ReplayController::showSwing()
 
 void ReplayController::showNextSolution()
 {
-    const auto& result = document_.current().result;
+    const auto& result = document_.current().shown().result;
     if (!result || result->alternatives.empty() || document_.isLocked()) {
         window_.strip().showStatus(result ? tr("The run found no other solution.")
                                           : tr("There is no run yet. Register first (R)."));
@@ -179,7 +180,7 @@ void ReplayController::showNextSolution()
 
 void ReplayController::showSolution(std::size_t index)
 {
-    const auto& result = document_.current().result;
+    const auto& result = document_.current().shown().result;
     if (!result || index > result->alternatives.size() || document_.isLocked()) {
         return;
     }
@@ -202,7 +203,7 @@ void ReplayController::showSolution(std::size_t index)
 
 void ReplayController::takeSolution()
 {
-    const auto& result = document_.current().result;
+    const auto& result = document_.current().shown().result;
     if (solution_ == 0 || !result || solution_ > result->alternatives.size()) {
         window_.strip().showStatus(tr("J shows the other solutions first."));
         return;

@@ -39,7 +39,8 @@ void ReviewController::connectMotion()
     connect(&flickerTimer_, &QTimer::timeout, this, &ReviewController::flick);
     connect(actions[ui::Command::Flicker], &QAction::toggled, this, &ReviewController::setFlickering);
     connect(&cineTimer_, &QTimer::timeout, this, [this] {
-        const int count = document_.current().angiogram ? document_.current().angiogram->frameCount() : 0;
+        const int count =
+            document_.current().shown().angiogram ? document_.current().shown().angiogram->frameCount() : 0;
         if (count > 1) {
             sync_.showFrame((sync_.shownFrame() + 1) % count);
         }
@@ -80,7 +81,7 @@ void ReviewController::connectWindow()
 
 void ReviewController::stepFrame(int step)
 {
-    const auto& angiogram = document_.current().angiogram;
+    const auto& angiogram = document_.current().shown().angiogram;
     if (!angiogram) {
         return;
     }
@@ -95,7 +96,7 @@ void ReviewController::stepFrame(int step)
 void ReviewController::showFrame(int frame)
 {
     window_.actions()[ui::Command::Cine]->setChecked(false);
-    if (frame == document_.current().frame) {
+    if (frame == document_.current().shown().frame) {
         sync_.showFrame(frame);
         return;
     }
@@ -104,7 +105,7 @@ void ReviewController::showFrame(int frame)
         ++frameBurst_;
     }
     lastFrameMs_ = now;
-    core::RegistrationCase turned = core::withFrame(document_.current(), frame);
+    core::View turned = core::withFrame(document_.current().shown(), document_.current().vessels, frame);
     if (const auto followed = poseOfFrame_ ? poseOfFrame_(frame) : std::nullopt) {
         turned.cameraFromPatient = *followed;
         turned.result.reset();
@@ -146,14 +147,14 @@ void ReviewController::flick()
 
 void ReviewController::setPlaying(bool on)
 {
-    const auto& angiogram = document_.current().angiogram;
+    const auto& angiogram = document_.current().shown().angiogram;
     if (on && angiogram && angiogram->frameCount() > 1) {
         const double frameMs = angiogram->frameTimeMs > 1.0 ? angiogram->frameTimeMs : usualFrameMs;
         cineTimer_.start(static_cast<int>(frameMs));
         return;
     }
     cineTimer_.stop();
-    sync_.showFrame(document_.current().frame);
+    sync_.showFrame(document_.current().shown().frame);
     if (on) {
         window_.actions()[ui::Command::Cine]->setChecked(false);
     }

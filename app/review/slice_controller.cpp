@@ -70,25 +70,25 @@ void SliceController::setLarge(bool large)
 
 void SliceController::followDocument()
 {
-    const core::RegistrationCase& current = document_.current();
-    const bool isNew = current.volume != shownVolume_;
-    shownVolume_ = current.volume;
-    const bool hasLabels = current.vesselInput.kind == core::VesselInputKind::Segmentation;
-    const core::InputFile labels = hasLabels ? current.centerlineFile : core::InputFile();
+    const core::Case& current = document_.current();
+    const bool isNew = current.vessels.scan != shownVolume_;
+    shownVolume_ = current.vessels.scan;
+    const bool hasLabels = current.vessels.input.kind == core::VesselInputKind::Segmentation;
+    const core::InputFile labels = hasLabels ? current.vessels.file : core::InputFile();
     const bool isNewLabels = labels != shownLabels_ && hasLabels;
     shownLabels_ = labels;
-    window_.slices().setTree(current.tree);
-    window_.slices().setScan(current.volume, current.lumen);
+    window_.slices().setTree(current.vessels.tree);
+    window_.slices().setScan(current.vessels.scan, current.vessels.lumen);
     const bool hasScan = window_.slices().hasScan();
     window_.actions()[ui::Command::SlicesLarge]->setEnabled(hasScan);
     window_.actions()[ui::Command::NextCornerView]->setEnabled(hasScan);
     if (!hasScan) {
         window_.actions()[ui::Command::SlicesLarge]->setChecked(false);
-    } else if ((isNew && current.volume) || isNewLabels) {
-        if (current.tree && !current.tree->branches.empty()) {
-            goToBranch(current.tree->branches.front().id);
+    } else if ((isNew && current.vessels.scan) || isNewLabels) {
+        if (current.vessels.tree && !current.vessels.tree->branches.empty()) {
+            goToBranch(current.vessels.tree->branches.front().id);
         }
-        if (!current.angiogram) {   // nothing else to look at yet
+        if (!current.shown().angiogram) {   // nothing else to look at yet
             window_.actions()[ui::Command::SlicesLarge]->setChecked(true);
         }
     }
@@ -106,7 +106,7 @@ void SliceController::followBranches()
 /// To the middle of a branch, unless the cross-hair is on it already.
 void SliceController::goToBranch(int branchId)
 {
-    const auto& tree = document_.current().tree;
+    const auto& tree = document_.current().vessels.tree;
     const core::VesselBranch* branch = tree ? tree->find(branchId) : nullptr;
     if (!branch) {
         return;

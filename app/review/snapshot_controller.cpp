@@ -34,7 +34,7 @@ SnapshotController::SnapshotController(CaseDocument& document, ViewSync& sync, u
     : QObject(parent), document_(document), sync_(sync), window_(window)
 {
     connectWindow();
-    ui::speak(this, [this] { window_.snapshots().showSnapshots(document_.current().snapshots); });
+    ui::speak(this, [this] { window_.snapshots().showSnapshots(document_.current().shown().snapshots); });
     connect(&document_, &CaseDocument::changed, this, &SnapshotController::followDocument);
     connect(&window_, &ui::MainWindow::escapePressed, this, &SnapshotController::showItself);
 }
@@ -63,16 +63,16 @@ void SnapshotController::knowJudgement(const SharedJudgement& judgement)
 
 const core::PoseSnapshot* SnapshotController::find(int snapshotId) const
 {
-    return core::findSnapshot(document_.current().snapshots, snapshotId);
+    return core::findSnapshot(document_.current().shown().snapshots, snapshotId);
 }
 
 std::optional<core::SnapshotMetrics> SnapshotController::metricsOfPose() const
 {
-    const core::RegistrationCase& current = document_.current();
-    if (current.result) {
-        return core::metricsOf(*current.result);
+    const core::Case& current = document_.current();
+    if (current.shown().result) {
+        return core::metricsOf(*current.shown().result);
     }
-    if (judgement_ && isSnapshotPose(judgement_->result.cameraFromPatient, current.cameraFromPatient)) {
+    if (judgement_ && isSnapshotPose(judgement_->result.cameraFromPatient, current.shown().cameraFromPatient)) {
         return core::metricsOf(judgement_->result);
     }
     return std::nullopt;
@@ -80,22 +80,22 @@ std::optional<core::SnapshotMetrics> SnapshotController::metricsOfPose() const
 
 void SnapshotController::keep()
 {
-    const core::RegistrationCase& current = document_.current();
-    if (!current.tree || !current.angiogram) {
+    const core::Case& current = document_.current();
+    if (!current.vessels.tree || !current.shown().angiogram) {
         window_.strip().showStatus(tr("There is no pose to keep yet."));
         return;
     }
     core::PoseSnapshot kept;
-    kept.name = freeName(current.snapshots).toStdString();
+    kept.name = freeName(current.shown().snapshots).toStdString();
     kept.author = observerName().toStdString();
     kept.time = timeNow();
-    kept.method = current.result ? current.result->method : std::string();
-    kept.frame = current.frame;
-    kept.cameraFromPatient = current.cameraFromPatient;
+    kept.method = current.shown().result ? current.shown().result->method : std::string();
+    kept.frame = current.shown().frame;
+    kept.cameraFromPatient = current.shown().cameraFromPatient;
     kept.metrics = metricsOfPose();
-    kept.runMs = current.result ? current.result->time.totalMs : 0.0;
+    kept.runMs = current.shown().result ? current.shown().result->time.totalMs : 0.0;
     const QString name = QString::fromStdString(kept.name);
-    push(core::withSnapshot(current.snapshots, kept), [name] { return tr("Keep %1").arg(name); });
+    push(core::withSnapshot(current.shown().snapshots, kept), [name] { return tr("Keep %1").arg(name); });
     window_.strip().showStatus(tr("Kept as “%1” · Y compares").arg(name));
 }
 
@@ -132,7 +132,7 @@ void SnapshotController::showItself()
 
 void SnapshotController::switchSides()
 {
-    const auto& snapshots = document_.current().snapshots;
+    const auto& snapshots = document_.current().shown().snapshots;
     if (snapshots.empty()) {
         window_.strip().showStatus(tr("There is nothing to compare with yet: K keeps a pose, R leaves one."));
         return;
@@ -181,7 +181,7 @@ void SnapshotController::rename(int snapshotId, const QString& name)
 
 void SnapshotController::change(const core::PoseSnapshot& edited)
 {
-    std::vector<core::PoseSnapshot> snapshots = document_.current().snapshots;
+    std::vector<core::PoseSnapshot> snapshots = document_.current().shown().snapshots;
     const auto found = std::ranges::find(snapshots, edited.id, &core::PoseSnapshot::id);
     if (found == snapshots.end()) {
         return;
@@ -196,7 +196,7 @@ void SnapshotController::change(const core::PoseSnapshot& edited)
 
 void SnapshotController::remove(const std::set<int>& snapshotIds)
 {
-    std::vector<core::PoseSnapshot> snapshots = document_.current().snapshots;
+    std::vector<core::PoseSnapshot> snapshots = document_.current().shown().snapshots;
     const auto count =
         std::erase_if(snapshots, [&](const core::PoseSnapshot& each) { return snapshotIds.contains(each.id); });
     if (count > 0) {
@@ -207,7 +207,7 @@ void SnapshotController::remove(const std::set<int>& snapshotIds)
 
 void SnapshotController::followDocument()
 {
-    const auto& snapshots = document_.current().snapshots;
+    const auto& snapshots = document_.current().shown().snapshots;
     showItself();
     isOnB_ = false;
     for (std::optional<int>* side : {&marks_.a, &marks_.b}) {

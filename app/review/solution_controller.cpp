@@ -24,14 +24,15 @@ bool isSame(const std::vector<core::RigidTransform>& a, const std::vector<core::
 }
 
 /// The pose itself and the others; nothing where there are no others.
-std::vector<core::RigidTransform> posesOf(const core::RegistrationCase& current)
+std::vector<core::RigidTransform> posesOf(const core::Case& current)
 {
     std::vector<core::RigidTransform> poses;
-    if (!current.result || current.result->alternatives.empty() || !current.tree || !current.angiogram) {
+    if (!current.shown().result || current.shown().result->alternatives.empty() || !current.vessels.tree ||
+        !current.shown().angiogram) {
         return poses;
     }
-    poses.push_back(current.result->cameraFromPatient);
-    for (const core::Hypothesis& other : current.result->alternatives) {
+    poses.push_back(current.shown().result->cameraFromPatient);
+    for (const core::Hypothesis& other : current.shown().result->alternatives) {
         if (poses.size() < mostSolutions) {
             poses.push_back(other.cameraFromPatient);
         }
@@ -39,15 +40,15 @@ std::vector<core::RigidTransform> posesOf(const core::RegistrationCase& current)
     return poses;
 }
 
-std::vector<ui::SolutionLine> linesOf(const core::RegistrationCase& current, std::size_t count)
+std::vector<ui::SolutionLine> linesOf(const core::Case& current, std::size_t count)
 {
     std::vector<ui::SolutionLine> lines;
-    const Eigen::Vector3d pivot = core::centroidInPatient(*current.tree);
+    const Eigen::Vector3d pivot = core::centroidInPatient(*current.vessels.tree);
     lines.push_back({SolutionController::tr("found"), SolutionController::tr("The solution itself")});
     for (std::size_t i = 1; i < count; ++i) {
-        const core::Hypothesis& other = current.result->alternatives[i - 1];
+        const core::Hypothesis& other = current.shown().result->alternatives[i - 1];
         const core::PoseDifference difference =
-            core::differenceBetween(current.result->cameraFromPatient, other.cameraFromPatient, pivot);
+            core::differenceBetween(current.shown().result->cameraFromPatient, other.cameraFromPatient, pivot);
         lines.push_back({SolutionController::tr("%1 mm, %2°")
                              .arg(ui::numberText(difference.inPlaneMm, 1))
                              .arg(ui::numberText(difference.rotationDeg, 1)),
@@ -125,7 +126,7 @@ void SolutionController::draw(const std::vector<core::RigidTransform>& poses)
         QtConcurrent::run([snapshot = document_.current(), poses, widthPx, stop = stopWished_]() mutable {
             Pictures pictures;
             for (const core::RigidTransform& pose : poses) {
-                snapshot.cameraFromPatient = pose;
+                snapshot.shown().cameraFromPatient = pose;
                 auto picture = *stop ? core::Result<core::ColorImage>(core::Stopped{says::notShown()})
                                      : drawThumbnail(snapshot, widthPx);
                 if (!picture) {

@@ -22,31 +22,31 @@
 namespace angiopose::app {
 namespace {
 
-double sourceToDetectorMm(const core::RegistrationCase& current)
+double sourceToDetectorMm(const core::Case& current)
 {
     // Only the drawing of the detector hangs on this: a usual C-arm where nobody says.
-    return current.cArm.sourceToDetectorMm.value.value_or(1000.0);
+    return current.shown().geometry.cArm.sourceToDetectorMm.value.value_or(1000.0);
 }
 
-double depthOfTreeMm(const core::RegistrationCase& current)
+double depthOfTreeMm(const core::Case& current)
 {
-    const double depth = (current.cameraFromPatient * core::centroidInPatient(*current.tree)).z();
+    const double depth = (current.shown().cameraFromPatient * core::centroidInPatient(*current.vessels.tree)).z();
     return std::max(depth, core::minProjectableDepthMm);
 }
 
 /// Whether the tree's coordinates are the patient's. A case brings its own start pose with whatever axes its tree has:
 /// believed only while it agrees with the angles of the C-arm, which are the patient's.
-bool isOrientationKnown(const core::RegistrationCase& current)
+bool isOrientationKnown(const core::Case& current)
 {
     constexpr double farthestDeg = 45.0;
-    core::RegistrationCase byAngles = current;
-    byAngles.hasInitialPose = false;
-    const auto expected = core::startPoseOf(byAngles);
+    core::View byAngles = current.shown();
+    byAngles.initialCameraFromPatient.reset();
+    const auto expected = core::startPoseOf(byAngles, current.vessels);
     if (!expected) {
         return false;
     }
     const Eigen::AngleAxisd turn(
-        Eigen::Matrix3d(expected.value().rotation * current.cameraFromPatient.rotation.transpose()));
+        Eigen::Matrix3d(expected.value().rotation * current.shown().cameraFromPatient.rotation.transpose()));
     return std::abs(turn.angle()) < farthestDeg * std::numbers::pi / 180.0;
 }
 
@@ -74,23 +74,23 @@ ViewSync::ViewSync(ui::MainWindow& window, const CaseDocument& document, QObject
 
 void ViewSync::refresh()
 {
-    const core::RegistrationCase& current = document_.current();
-    if (current.angiogram != shownAngiogram_) {
+    const core::Case& current = document_.current();
+    if (current.shown().angiogram != shownAngiogram_) {
         showAngiogram();
     }
-    if (current.tree != shownTree_ || current.hiddenBranchIds != shownHidden_) {
+    if (current.vessels.tree != shownTree_ || current.vessels.hiddenBranchIds != shownHidden_) {
         showTree();
     }
     showCamera();
-    if (current.frame != shownFrame_) {
-        showFrame(current.frame);
+    if (current.shown().frame != shownFrame_) {
+        showFrame(current.shown().frame);
     }
     if (!previewing_) {
-        showPose(current.cameraFromPatient);
+        showPose(current.shown().cameraFromPatient);
     }
     window_.angiogramView().setOrientationKnown(shownCamera_ && isOrientationKnown(current));
     showCornerTexts();
-    if (document_.isEmpty() && !current.volume) {
+    if (document_.isEmpty() && !current.vessels.scan) {
         window_.showWelcomePage();
     } else {
         window_.showImagePage();
@@ -99,8 +99,8 @@ void ViewSync::refresh()
 
 void ViewSync::showTree()
 {
-    shownTree_ = document_.current().tree;
-    shownHidden_ = document_.current().hiddenBranchIds;
+    shownTree_ = document_.current().vessels.tree;
+    shownHidden_ = document_.current().vessels.hiddenBranchIds;
     const core::VesselTree tree = shownTree_ ? *shownTree_ : core::VesselTree{};
     const core::VesselTree drawn = core::without(tree, shownHidden_);
     ui::AngiogramView& view = window_.angiogramView();
@@ -113,9 +113,9 @@ void ViewSync::showTree()
 
 void ViewSync::showAngiogram()
 {
-    shownAngiogram_ = document_.current().angiogram;
+    shownAngiogram_ = document_.current().shown().angiogram;
     shownFrame_ = -1;
-    if (measuredRun_ == core::storedRunOf(document_.current())) {
+    if (measuredRun_ == core::storedRunOf(document_.current().shown())) {
         isGreyNew_ = shownAngiogram_ != nullptr;   // the same run, subtracted or native
     } else {
         measureOpacification();   // of what is stored: it does not change with the subtraction
@@ -124,7 +124,7 @@ void ViewSync::showAngiogram()
 
 void ViewSync::showCamera()
 {
-    const auto camera = core::cameraOf(document_.current());
+    const auto camera = core::cameraOf(document_.current().shown());
     const std::optional<core::ProjectionCamera> known = camera ? std::optional(camera.value()) : std::nullopt;
     if (known == shownCamera_ && known) {
         return;
@@ -179,7 +179,7 @@ void ViewSync::endPreview()
     if (std::exchange(colorsHidden_, false)) {
         showResidualColors();
     }
-    showPose(document_.current().cameraFromPatient);
+    showPose(document_.current().shown().cameraFromPatient);
 }
 
 void ViewSync::showMarks(const ui::BranchMarks& marks)
@@ -203,8 +203,8 @@ void ViewSync::showJudgement(const SharedJudgement& judgement)
 {
     judgement_ = judgement;
     showResidualColors();
-    const core::RegistrationCase& current = document_.current();
-    if (!judgement_ || !shownCamera_ || !current.tree) {
+    const core::Case& current = document_.current();
+    if (!judgement_ || !shownCamera_ || !current.vessels.tree) {
         window_.branches().showResiduals({}, 0.0);
         return;
     }
@@ -220,8 +220,8 @@ void ViewSync::showJudgement(const SharedJudgement& judgement)
 void ViewSync::showResidualColors()
 {
     ui::AngiogramView& view = window_.angiogramView();
-    const core::RegistrationCase& current = document_.current();
-    if (!judgement_ || !shownCamera_ || !current.tree || colorsHidden_) {
+    const core::Case& current = document_.current();
+    if (!judgement_ || !shownCamera_ || !current.vessels.tree || colorsHidden_) {
         view.scene().clearResiduals();
         view.setResidualScale(0.0, 0.0);
     } else {
@@ -262,7 +262,7 @@ void ViewSync::showFrameNote()
 
 void ViewSync::measureOpacification()
 {
-    measuredRun_ = core::storedRunOf(document_.current());
+    measuredRun_ = core::storedRunOf(document_.current().shown());
     frameCurve_ = {};
     suggestedMasks_.clear();
     window_.strip().showFrames(frameCurve_);

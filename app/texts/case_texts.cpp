@@ -83,17 +83,16 @@ void addDistances(core::Messages& lines, const core::CArm& cArm)
 }
 
 /// "0.391 mm/px detector (header)", with the scale at the vessel where the depth is known.
-void addPixelScale(core::Messages& lines, const core::RegistrationCase& registrationCase)
+void addPixelScale(core::Messages& lines, const core::Case& theCase)
 {
     std::optional<core::Message> atDetector, atVessels;
-    const auto& spacing = registrationCase.cArm.columnSpacingMm;
+    const auto& spacing = theCase.shown().geometry.cArm.columnSpacingMm;
     if (spacing.value) {
         atDetector = says::scaleAtDetector(core::Quantity{*spacing.value, 3, "mm/px"}, originWord(spacing.origin));
     }
-    const auto camera = core::cameraOf(registrationCase);
-    if (camera && registrationCase.tree) {
-        const double depthMm =
-            (registrationCase.cameraFromPatient * core::centroidInPatient(*registrationCase.tree)).z();
+    const auto camera = core::cameraOf(theCase.shown());
+    if (camera && theCase.vessels.tree) {
+        const double depthMm = (theCase.shown().cameraFromPatient * core::centroidInPatient(*theCase.vessels.tree)).z();
         if (depthMm > core::minProjectableDepthMm) {
             atVessels =
                 says::scaleAtVessels(core::Quantity{core::millimetresPerPixel(camera.value(), depthMm), 3, "mm/px"});
@@ -156,17 +155,17 @@ ui::CornerTexts windowTexts(const CornerLines& lines)
     return texts;
 }
 
-CornerLines cornerLines(const core::RegistrationCase& registrationCase, Identity identity)
+CornerLines cornerLines(const core::Case& theCase, Identity identity)
 {
     CornerLines lines;
-    if (registrationCase.angiogram) {
-        const core::StudyIdentity& study = registrationCase.angiogram->identity;
+    if (theCase.shown().angiogram) {
+        const core::StudyIdentity& study = theCase.shown().angiogram->identity;
         lines.topLeft = identity == Identity::Shown ? patientLines(study) : core::Messages{says::identityHidden()};
         lines.topRight = studyLines(study, identity);
     }
-    addAngles(lines.bottomRight, core::cArmOfFrame(registrationCase));
-    addDistances(lines.bottomRight, registrationCase.cArm);
-    addPixelScale(lines.bottomRight, registrationCase);
+    addAngles(lines.bottomRight, core::cArmOfFrame(theCase.shown()));
+    addDistances(lines.bottomRight, theCase.shown().geometry.cArm);
+    addPixelScale(lines.bottomRight, theCase);
     return lines;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration_case.h"
+#include "core/case/case.h"
 #include "core/support/message.h"
 #include "ui/scenes/render_offscreen.h"
 
@@ -25,6 +25,6 @@ ui::CornerTexts windowTexts(const CornerLines& lines);
 
 /// Corner texts where readers of other viewers look for them: patient and study on top, geometry with its basis at the
 /// bottom right. The bottom left is the caller's: frame, window and zoom belong to the view.
-CornerLines cornerLines(const core::RegistrationCase& registrationCase, Identity identity);
+CornerLines cornerLines(const core::Case& theCase, Identity identity);
 
 }   // namespace angiopose::app

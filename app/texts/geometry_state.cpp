@@ -11,16 +11,16 @@ namespace angiopose::app {
 namespace {
 
 /// Everything that is missing, one line each; what a given camera or start pose replaces is not missed.
-QString missingIn(const core::RegistrationCase& current)
+QString missingIn(const core::Case& current)
 {
-    const auto camera = core::cameraOf(current);
+    const auto camera = core::cameraOf(current.shown());
     const bool isCameraMissing = !camera;
-    const bool isStartMissing = current.tree && !core::startPoseOf(current);
+    const bool isStartMissing = current.vessels.tree && !core::startPoseOf(current);
     if (!isCameraMissing && !isStartMissing) {
         return {};
     }
     QStringList lines;
-    for (const core::Message& message : core::findMissing(current.cArm)) {
+    for (const core::Message& message : core::findMissing(current.shown().geometry.cArm)) {
         lines << ui::messageText(message);
     }
     return lines.isEmpty() && isCameraMissing ? ui::messageText(camera.error().message) : lines.join(QLatin1Char('\n'));
@@ -28,28 +28,28 @@ QString missingIn(const core::RegistrationCase& current)
 
 }   // namespace
 
-ui::GeometryState geometryState(const core::RegistrationCase& current)
+ui::GeometryState geometryState(const core::Case& current)
 {
     ui::GeometryState state;
-    state.cArm = current.cArm;
-    state.cameraOverride = current.cameraOverride;
-    if (current.tree) {
-        state.vesselCentroidMm = core::centroidInPatient(*current.tree);
+    state.cArm = current.shown().geometry.cArm;
+    state.cameraOverride = current.shown().geometry.cameraOverride;
+    if (current.vessels.tree) {
+        state.vesselCentroidMm = core::centroidInPatient(*current.vessels.tree);
     }
-    if (!current.angiogram) {
+    if (!current.shown().angiogram) {
         return state;
     }
-    const core::Angiogram& angiogram = *current.angiogram;
+    const core::Angiogram& angiogram = *current.shown().angiogram;
     state.headerTags = angiogram.gantry.tags;
     state.imageSizePx = {angiogram.width(), angiogram.height()};
-    const auto frame = static_cast<std::size_t>(std::max(0, current.frame));
+    const auto frame = static_cast<std::size_t>(std::max(0, current.shown().frame));
     if (frame < angiogram.gantry.angleIncrementsDeg.size()) {
         state.turnedDeg = angiogram.gantry.angleIncrementsDeg[frame];
     }
     state.missing = missingIn(current);
-    state.contradictions = core::contradictionsOf(current);
-    if (const auto camera = core::cameraOf(current); camera && state.vesselCentroidMm) {
-        const double depthMm = (current.cameraFromPatient * *state.vesselCentroidMm).z();
+    state.contradictions = core::contradictionsOf(current.shown());
+    if (const auto camera = core::cameraOf(current.shown()); camera && state.vesselCentroidMm) {
+        const double depthMm = (current.shown().cameraFromPatient * *state.vesselCentroidMm).z();
         if (depthMm > core::minProjectableDepthMm) {
             state.vesselMmPerPx = core::millimetresPerPixel(camera.value(), depthMm);
         }

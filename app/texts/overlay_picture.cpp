@@ -27,40 +27,39 @@ ui::ViewRect wholeImage(const core::ImageF& frame)
 }
 
 /// `heading` tells two pictures beside each other apart.
-ui::CornerTexts exportTexts(const core::RegistrationCase& registrationCase, const OverlayPictureOptions& options,
+ui::CornerTexts exportTexts(const core::Case& theCase, const OverlayPictureOptions& options,
                             const std::optional<core::Message>& heading)
 {
-    CornerLines lines = cornerLines(registrationCase, options.identity);
+    CornerLines lines = cornerLines(theCase, options.identity);
     lines.topRight.insert(lines.topRight.begin(), says::notForClinicalUse());
     if (heading) {
         lines.bottomLeft.push_back(*heading);
     }
-    if (const int count = registrationCase.angiogram->frameCount(); count > 1) {
-        lines.bottomLeft.push_back(says::frameOfRun(registrationCase.frame, count - 1));
+    if (const int count = theCase.shown().angiogram->frameCount(); count > 1) {
+        lines.bottomLeft.push_back(says::frameOfRun(theCase.shown().frame, count - 1));
     }
-    if (registrationCase.result) {
-        const core::RegistrationResult& result = *registrationCase.result;
+    if (theCase.shown().result) {
+        const core::RegistrationResult& result = *theCase.shown().result;
         const core::Quantity median{result.metrics.medianPx, 2, "px"};
         lines.bottomLeft.push_back(result.trustworthy ? says::poseOfMethod(result.method, median)
                                                       : says::poseNotTrustworthy(result.method, median));
     }
     ui::CornerTexts texts = options.language == PictureLanguage::Window ? windowTexts(lines) : englishTexts(lines);
-    texts.topLeft.insert(texts.topLeft.begin(), registrationCase.title);   // the user's words
+    texts.topLeft.insert(texts.topLeft.begin(), theCase.title);   // the user's words
     return texts;
 }
 
-void dressScene(ui::OverlayScene& scene, const core::RegistrationCase& registrationCase,
-                const core::ProjectionCamera& camera)
+void dressScene(ui::OverlayScene& scene, const core::Case& theCase, const core::ProjectionCamera& camera)
 {
-    const core::ImageF& frame = registrationCase.angiogram->frames[static_cast<std::size_t>(registrationCase.frame)];
+    const core::ImageF& frame = theCase.shown().angiogram->frames[static_cast<std::size_t>(theCase.shown().frame)];
     scene.setFrame(frame);
     setAutomaticWindow(scene, frame);
     scene.setCamera(camera);
-    scene.setTree(*registrationCase.tree);
-    scene.setPose(registrationCase.cameraFromPatient);
+    scene.setTree(*theCase.vessels.tree);
+    scene.setPose(theCase.shown().cameraFromPatient);
     ui::BranchMarks marks;
-    marks.auxiliary = {registrationCase.auxiliaryBranchIds.begin(), registrationCase.auxiliaryBranchIds.end()};
-    marks.excluded = {registrationCase.excludedBranchIds.begin(), registrationCase.excludedBranchIds.end()};
+    marks.auxiliary = {theCase.vessels.auxiliaryBranchIds.begin(), theCase.vessels.auxiliaryBranchIds.end()};
+    marks.excluded = {theCase.vessels.excludedBranchIds.begin(), theCase.vessels.excludedBranchIds.end()};
     scene.setMarks(marks);
 }
 
@@ -85,8 +84,8 @@ double residualScaleMaximumPx(const core::ProjectionCamera& camera, double depth
 namespace {
 
 /// The scene as the options want it; the residual, in px, at which its colours end, 0 without colours.
-double styleScene(ui::OverlayScene& scene, const core::RegistrationCase& registrationCase,
-                  const core::Centerline2d& target, const OverlayPictureOptions& options)
+double styleScene(ui::OverlayScene& scene, const core::Case& theCase, const core::Centerline2d& target,
+                  const OverlayPictureOptions& options)
 {
     scene.setMode(options.radiograph ? ui::OverlayMode::Hidden : options.vessels);
     scene.setDepthCue(options.depthCue);
@@ -98,38 +97,38 @@ double styleScene(ui::OverlayScene& scene, const core::RegistrationCase& registr
     if (!isColored || scene.mode() == ui::OverlayMode::Hidden) {
         return 0.0;
     }
-    const core::ProjectionCamera camera = core::cameraOf(registrationCase).value();
-    const double depthMm = (registrationCase.cameraFromPatient * core::centroidInPatient(*registrationCase.tree)).z();
+    const core::ProjectionCamera camera = core::cameraOf(theCase.shown()).value();
+    const double depthMm = (theCase.shown().cameraFromPatient * core::centroidInPatient(*theCase.vessels.tree)).z();
     const double maximumPx = residualScaleMaximumPx(camera, std::max(depthMm, core::minProjectableDepthMm));
-    scene.setResiduals(
-        core::branchDistances(*registrationCase.tree, target, camera, registrationCase.cameraFromPatient), maximumPx);
+    scene.setResiduals(core::branchDistances(*theCase.vessels.tree, target, camera, theCase.shown().cameraFromPatient),
+                       maximumPx);
     return maximumPx;
 }
 
-core::Result<core::ColorImage> drawOne(const core::RegistrationCase& registrationCase, const core::Centerline2d& target,
+core::Result<core::ColorImage> drawOne(const core::Case& theCase, const core::Centerline2d& target,
                                        const OverlayPictureOptions& options,
                                        const std::optional<core::Message>& heading)
 {
-    const auto camera = core::cameraOf(registrationCase);
+    const auto camera = core::cameraOf(theCase.shown());
     if (!camera) {
         return camera.error();
     }
     ui::OverlayScene scene;
-    dressScene(scene, registrationCase, camera.value());
-    const double scaleMaximumPx = styleScene(scene, registrationCase, target, options);
-    const core::ImageF& frame = registrationCase.angiogram->frames.front();
+    dressScene(scene, theCase, camera.value());
+    const double scaleMaximumPx = styleScene(scene, theCase, target, options);
+    const core::ImageF& frame = theCase.shown().angiogram->frames.front();
     const int width = options.widthPx > 0 ? options.widthPx : 2 * frame.width;
     const int height =
         std::max(1, static_cast<int>(std::lround(static_cast<double>(width) * frame.height / frame.width)));
     scene.setLineWidthPx(std::max(1.5, width / 512.0 * 1.5));
     if (options.radiograph) {
-        const auto radiograph = options.radiograph(registrationCase.cameraFromPatient);
+        const auto radiograph = options.radiograph(theCase.shown().cameraFromPatient);
         if (!radiograph) {
             return radiograph.error();
         }
         scene.setRadiograph(radiograph.value());
     }
-    return ui::renderOffscreen(scene, width, height, wholeImage(frame), exportTexts(registrationCase, options, heading),
+    return ui::renderOffscreen(scene, width, height, wholeImage(frame), exportTexts(theCase, options, heading),
                                scaleMaximumPx, residualScaleMaximumMm);
 }
 
@@ -150,24 +149,24 @@ core::ColorImage besideEachOther(const core::ColorImage& left, const core::Color
 
 }   // namespace
 
-core::Result<core::ColorImage> drawOverlay(const core::RegistrationCase& registrationCase,
-                                           const core::Centerline2d& target, const OverlayPictureOptions& options)
+core::Result<core::ColorImage> drawOverlay(const core::Case& theCase, const core::Centerline2d& target,
+                                           const OverlayPictureOptions& options)
 {
-    if (!registrationCase.tree || !registrationCase.angiogram || registrationCase.angiogram->frames.empty()) {
+    if (!theCase.vessels.tree || !theCase.shown().angiogram || theCase.shown().angiogram->frames.empty()) {
         return core::Error(says::overlayIncomplete());
     }
     if (!options.isStartBeside) {
-        return drawOne(registrationCase, target, options, std::nullopt);
+        return drawOne(theCase, target, options, std::nullopt);
     }
-    const auto start = core::startPoseOf(registrationCase);
+    const auto start = core::startPoseOf(theCase);
     if (!start) {
         return start.error();
     }
-    core::RegistrationCase before = registrationCase;
-    before.cameraFromPatient = start.value();
-    before.result.reset();
+    core::Case before = theCase;
+    before.shown().cameraFromPatient = start.value();
+    before.shown().result.reset();
     const auto left = drawOne(before, target, options, says::beforeAtStart());
-    const auto right = drawOne(registrationCase, target, options, says::afterAtPose());
+    const auto right = drawOne(theCase, target, options, says::afterAtPose());
     if (!left) {
         return left.error();
     }
@@ -177,36 +176,36 @@ core::Result<core::ColorImage> drawOverlay(const core::RegistrationCase& registr
     return besideEachOther(left.value(), right.value());
 }
 
-core::Result<core::ColorImage> drawThumbnail(const core::RegistrationCase& registrationCase, int widthPx)
+core::Result<core::ColorImage> drawThumbnail(const core::Case& theCase, int widthPx)
 {
-    const auto& angiogram = registrationCase.angiogram;
-    if (!registrationCase.tree || !angiogram || registrationCase.frame >= angiogram->frameCount()) {
+    const auto& angiogram = theCase.shown().angiogram;
+    if (!theCase.vessels.tree || !angiogram || theCase.shown().frame >= angiogram->frameCount()) {
         return core::Error(says::pictureIncomplete());
     }
-    const auto camera = core::cameraOf(registrationCase);
+    const auto camera = core::cameraOf(theCase.shown());
     if (!camera) {
         return camera.error();
     }
     ui::OverlayScene scene;
-    dressScene(scene, registrationCase, camera.value());
-    const core::ImageF& frame = angiogram->frames[static_cast<std::size_t>(registrationCase.frame)];
+    dressScene(scene, theCase, camera.value());
+    const core::ImageF& frame = angiogram->frames[static_cast<std::size_t>(theCase.shown().frame)];
     const int height = std::max(1, widthPx * frame.height / frame.width);
     scene.setLineWidthPx(std::max(1.0, widthPx / 80.0));
     return ui::renderOffscreen(scene, widthPx, height, wholeImage(frame));
 }
 
-std::map<std::string, std::string> provenanceTexts(const core::RegistrationCase& registrationCase)
+std::map<std::string, std::string> provenanceTexts(const core::Case& theCase)
 {
     std::map<std::string, std::string> texts{
         {"Software", std::string("AngioPose ") + ANGIOPOSE_VERSION},
         {"Disclaimer", says::notForClinicalUse().text()},
-        {"Centreline", registrationCase.centerlineFile.sha256},
-        {"Angiogram", registrationCase.imageFile.sha256 + " frame " + std::to_string(registrationCase.frame)},
-        {"cameraFromPatient", poseText(registrationCase.cameraFromPatient)},
+        {"Centreline", theCase.vessels.file.sha256},
+        {"Angiogram", theCase.shown().imageFile.sha256 + " frame " + std::to_string(theCase.shown().frame)},
+        {"cameraFromPatient", poseText(theCase.shown().cameraFromPatient)},
     };
-    if (registrationCase.result) {
-        texts["Method"] = registrationCase.result->method;
-        texts["Trustworthy"] = registrationCase.result->trustworthy ? "yes" : "no";
+    if (theCase.shown().result) {
+        texts["Method"] = theCase.shown().result->method;
+        texts["Trustworthy"] = theCase.shown().result->trustworthy ? "yes" : "no";
     }
     return texts;
 }

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/texts/case_texts.h"
+#include "core/case/case.h"
 #include "core/imaging/display_range.h"
 #include "core/imaging/image2d.h"
-#include "core/registration_case.h"
 #include "core/support/result.h"
 #include "ui/scenes/overlay_scene.h"
 
@@ -35,14 +35,14 @@ struct OverlayPictureOptions {
 
 /// The picture that reports carry: angiogram, projected tree at the case's pose, residual colours against `target`
 /// with their scale, corner texts and the notice. Needs no display.
-core::Result<core::ColorImage> drawOverlay(const core::RegistrationCase& registrationCase,
-                                           const core::Centerline2d& target, const OverlayPictureOptions& options = {});
+core::Result<core::ColorImage> drawOverlay(const core::Case& theCase, const core::Centerline2d& target,
+                                           const OverlayPictureOptions& options = {});
 
 /// The same small, without colours of residuals and texts: the tree at the case's pose over the image.
-core::Result<core::ColorImage> drawThumbnail(const core::RegistrationCase& registrationCase, int widthPx);
+core::Result<core::ColorImage> drawThumbnail(const core::Case& theCase, int widthPx);
 
 /// Where the picture comes from (inputs with hashes, version, method, pose, notice), for the PNG's text chunks.
-std::map<std::string, std::string> provenanceTexts(const core::RegistrationCase& registrationCase);
+std::map<std::string, std::string> provenanceTexts(const core::Case& theCase);
 
 /// The residual, in px, at which the colour ramp ends: 2 mm at the vessels.
 double residualScaleMaximumPx(const core::ProjectionCamera& camera, double depthMm);

@@ -1,34 +1,41 @@
 #include "app/views/look_at_view.h"
 
 #include "app/texts/overlay_picture.h"
-#include "core/case_views.h"
+#include "core/case/case_views.h"
+#include "core/case/registration_input.h"
 
 #include <algorithm>
 
 namespace angiopose::app {
 namespace {
 
-std::shared_ptr<const core::Centerline2d> knownTarget(const std::vector<ViewLook>& known,
-                                                      const std::shared_ptr<const core::RegistrationCase>& view)
+bool isSameTarget(const ViewSight& a, const ViewSight& b)
 {
-    const auto found = std::ranges::find(known, view, &ViewLook::view);
+    return a.angiogram == b.angiogram && a.frame == b.frame && a.givenTarget == b.givenTarget &&
+           a.traceOptions == b.traceOptions;
+}
+
+std::shared_ptr<const core::Centerline2d> knownTarget(const std::vector<ViewLook>& known, const ViewSight& sight)
+{
+    const auto found = std::ranges::find_if(
+        known, [&sight](const ViewLook& look) { return look.target && isSameTarget(look.of, sight); });
     return found == known.end() ? nullptr : found->target;
 }
 
-core::Status judge(ViewLook& look, const core::RegistrationCase& view)
+core::Status judge(ViewLook& look, const core::Case& showing)
 {
     if (!look.target) {
-        auto traced = core::targetOf(view);
+        auto traced = core::targetOf(showing.shown());
         if (!traced) {
             return traced.error();
         }
         look.target = std::make_shared<const core::Centerline2d>(std::move(traced).value());
     }
-    const auto input = core::registrationInputOf(view, *look.target);
+    const auto input = core::registrationInputOf(showing, *look.target);
     if (!input) {
         return input.error();
     }
-    const auto judged = core::evaluatePose(input.value(), view.cameraFromPatient);
+    const auto judged = core::evaluatePose(input.value(), showing.shown().cameraFromPatient);
     if (!judged) {
         return judged.error();
     }
@@ -36,40 +43,49 @@ core::Status judge(ViewLook& look, const core::RegistrationCase& view)
     return core::Done{};
 }
 
-void draw(ViewLook& look, const core::RegistrationCase& view, int widthPx)
+void draw(ViewLook& look, const core::Case& showing, int widthPx)
 {
-    if (auto picture = drawThumbnail(view, widthPx)) {
+    if (auto picture = drawThumbnail(showing, widthPx)) {
         look.picture = std::move(picture).value();
     } else {
         look.problem = picture.error().message;
     }
 }
 
-void lookAt(ViewLook& look, const core::RegistrationCase& view, int widthPx)
+void lookAt(ViewLook& look, const core::Case& showing, int widthPx)
 {
-    draw(look, view, widthPx);
-    if (const auto judged = judge(look, view); !judged) {
+    draw(look, showing, widthPx);
+    if (const auto judged = judge(look, showing); !judged) {
         look.problem = judged.error().message;
     }
 }
 
 }   // namespace
 
-std::vector<ViewLook> lookAtViews(const core::RegistrationCase& registrationCase,
-                                  const std::shared_ptr<const core::Centerline2d>& ownTarget,
+ViewSight sightOf(const core::View& view)
+{
+    const auto camera = core::cameraOf(view);
+    return {view.angiogram,
+            view.frame,
+            core::givenTargetOf(view),
+            view.traceOptions,
+            camera ? std::optional(camera.value()) : std::nullopt,
+            view.cameraFromPatient.matrix()};
+}
+
+std::vector<ViewLook> lookAtViews(const core::Case& theCase,
+                                  const std::shared_ptr<const core::Centerline2d>& shownTarget,
                                   const std::vector<ViewLook>& known, int widthPx)
 {
-    std::vector<ViewLook> looks(1);
-    looks.front().target = ownTarget;
-    lookAt(looks.front(), registrationCase, widthPx);
-    for (const core::OtherView& other : registrationCase.otherViews) {
+    std::vector<ViewLook> looks;
+    for (std::size_t place = 0; place < theCase.views.size(); ++place) {
         ViewLook& look = looks.emplace_back();
-        look.view = other.view;
-        if (!other.view || !other.view->angiogram) {
-            continue;
+        look.of = sightOf(theCase.views[place]);
+        const bool isShown = place == theCase.shownView;
+        if (isShown || look.of.angiogram) {
+            look.target = isShown ? shownTarget : knownTarget(known, look.of);
+            lookAt(look, core::showingView(theCase, place), widthPx);
         }
-        look.target = knownTarget(known, other.view);
-        lookAt(look, core::withView(registrationCase, *other.view), widthPx);
     }
     return looks;
 }

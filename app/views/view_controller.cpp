@@ -3,7 +3,7 @@
 #include "app/document/edit_case.h"
 #include "app/jobs/future_result.h"
 #include "app/texts/number_text.h"
-#include "core/case_views.h"
+#include "core/case/case_views.h"
 #include "ui/main_window.h"
 #include "ui/panels/view_strip.h"
 #include "ui/words/message_text.h"
@@ -24,41 +24,37 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const core::RegistrationCase* viewAt(const core::RegistrationCase& current, std::size_t place)
-{
-    return place == 0 ? &current : current.otherViews[place - 1].view.get();
-}
-
 /// Lines keep their places whichever view is shown: sorted by angles, then by file.
-std::vector<std::size_t> lineOrder(const core::RegistrationCase& current)
+std::vector<std::size_t> lineOrder(const std::vector<core::View>& views)
 {
-    std::vector<std::size_t> order(current.otherViews.size() + 1);
+    std::vector<std::size_t> order(views.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto key = [&current](std::size_t place) {
-        const core::RegistrationCase* view = viewAt(current, place);
-        return view ? std::tuple(view->cArm.primaryAngleDeg.value.value_or(1e3),
-                                 view->cArm.secondaryAngleDeg.value.value_or(1e3), view->imageFile.path)
-                    : std::tuple(1e4, 1e4, current.otherViews[place - 1].file.path);
+    const auto key = [&views](std::size_t place) {
+        const core::View& view = views[place];
+        const core::CArm& cArm = view.geometry.cArm;
+        return view.imageFile.path.empty()
+                   ? std::tuple(1e4, 1e4, view.caseFile.path)
+                   : std::tuple(cArm.primaryAngleDeg.value.value_or(1e3), cArm.secondaryAngleDeg.value.value_or(1e3),
+                                view.imageFile.path);
     };
     std::ranges::stable_sort(order, {}, key);
     return order;
 }
 
-QString nameOf(const core::RegistrationCase& current, std::size_t place)
+QString nameOf(const core::View& view)
 {
-    const core::RegistrationCase* view = viewAt(current, place);
-    const std::string& path = view ? view->imageFile.path : current.otherViews[place - 1].file.path;
+    const std::string& path = view.imageFile.path.empty() ? view.caseFile.path : view.imageFile.path;
     return QFileInfo(QString::fromStdString(path)).fileName();
 }
 
-QString anglesOf(const core::RegistrationCase& current, std::size_t place)
+QString anglesOf(const core::View& view)
 {
-    const core::RegistrationCase* view = viewAt(current, place);
-    if (!view || !view->cArm.primaryAngleDeg.value || !view->cArm.secondaryAngleDeg.value) {
-        return nameOf(current, place);
+    const core::CArm& cArm = view.geometry.cArm;
+    if (!cArm.primaryAngleDeg.value || !cArm.secondaryAngleDeg.value) {
+        return nameOf(view);
     }
-    return QString::fromStdString(primaryAngleText(*view->cArm.primaryAngleDeg.value)) + QStringLiteral(" · ") +
-           QString::fromStdString(secondaryAngleText(*view->cArm.secondaryAngleDeg.value));
+    return QString::fromStdString(primaryAngleText(*cArm.primaryAngleDeg.value)) + QStringLiteral(" · ") +
+           QString::fromStdString(secondaryAngleText(*cArm.secondaryAngleDeg.value));
 }
 
 }   // namespace
@@ -102,19 +98,20 @@ void ViewController::connectWindow()
 
 void ViewController::followDocument()
 {
-    const core::RegistrationCase& current = document_.current();
-    const bool areSeveral = !current.otherViews.empty() && current.angiogram;
+    const core::Case& current = document_.current();
+    const core::Vessels& vessels = current.vessels;
+    const bool hasImage = current.shown().angiogram != nullptr;
+    const bool areSeveral = current.views.size() > 1 && hasImage;
     window_.actions()[ui::Command::NextView]->setEnabled(areSeveral && !document_.isInTrial());
-    window_.actions()[ui::Command::AddView]->setEnabled(current.angiogram && current.tree && !document_.isInTrial());
+    window_.actions()[ui::Command::AddView]->setEnabled(hasImage && vessels.tree && !document_.isInTrial());
     window_.views().setEnabled(!document_.isLocked() && !document_.isInTrial());
-    window_.registration().showViewCount(areSeveral ? static_cast<int>(core::casesOfViews(current).size()) : 1);
-    order_ = areSeveral ? lineOrder(current) : std::vector<std::size_t>{};
+    window_.registration().showViewCount(areSeveral ? static_cast<int>(core::registeredViews(current).size()) : 1);
+    order_ = areSeveral ? lineOrder(current.views) : std::vector<std::size_t>{};
     showLines();
     Seen seen;
     if (areSeveral) {
-        seen = {
-            current.tree,       current.angiogram,         current.frame,           current.cameraFromPatient.matrix(),
-            current.otherViews, current.excludedBranchIds, current.hiddenBranchIds, target_.current()};
+        seen = {vessels.tree, vessels.excludedBranchIds, vessels.hiddenBranchIds, {}, target_.current()};
+        std::ranges::transform(current.views, std::back_inserter(seen.views), sightOf);
     }
     if (seen != seen_) {
         seen_ = seen;
@@ -128,34 +125,36 @@ void ViewController::followDocument()
 
 const ViewLook* ViewController::lookOf(std::size_t place) const
 {
-    const auto& others = document_.current().otherViews;
-    const auto view = place == 0 ? nullptr : others[place - 1].view;
-    const auto found = std::ranges::find(looks_, view, &ViewLook::view);
-    return found == looks_.end() || (place > 0 && !view) ? nullptr : &*found;
+    const core::Case& current = document_.current();
+    const core::View& view = current.views[place];
+    const auto found = std::ranges::find_if(looks_, [&](const ViewLook& look) {   // of the shown one, the last known
+        return place == current.shownView ? look.of.angiogram == view.angiogram : look.of == sightOf(view);
+    });
+    return found == looks_.end() || !view.angiogram ? nullptr : &*found;
 }
 
 void ViewController::showLines()
 {
-    const core::RegistrationCase& current = document_.current();
+    const core::Case& current = document_.current();
     std::vector<ui::ViewLine> lines;
     int shown = 0;
     for (const std::size_t place : order_) {
-        const core::RegistrationCase* view = viewAt(current, place);
+        const core::View& view = current.views[place];
         const ViewLook* look = lookOf(place);
-        shown = place == 0 ? static_cast<int>(lines.size()) : shown;
+        shown = place == current.shownView ? static_cast<int>(lines.size()) : shown;
         QString agreement;
         if (look && look->metrics) {
             agreement = tr("%1 mm · %2 px")
                             .arg(ui::numberText(look->metrics->medianMm, 2))
                             .arg(ui::numberText(look->metrics->medianPx, 1));
         } else {
-            agreement = view && view->angiogram ? QStringLiteral("…") : tr("not found");
+            agreement = view.angiogram ? QStringLiteral("…") : tr("not found");
         }
         const QString problem = look ? ui::messageText(look->problem) : QString();
-        lines.push_back({ui::withDecimalSign(anglesOf(current, place)) + QLatin1Char('\n') + agreement,
+        lines.push_back({ui::withDecimalSign(anglesOf(view)) + QLatin1Char('\n') + agreement,
                          problem.isEmpty()
-                             ? tr("%1. A click shows it, Delete takes the shown view out.").arg(nameOf(current, place))
-                             : nameOf(current, place) + QStringLiteral(": ") + problem});
+                             ? tr("%1. A click shows it, Delete takes the shown view out.").arg(nameOf(view))
+                             : nameOf(view) + QStringLiteral(": ") + problem});
     }
     window_.views().showViews(lines, shown);
 }
@@ -166,7 +165,7 @@ void ViewController::look()
         pause_.start();
         return;
     }
-    if (seen_.others.empty()) {
+    if (seen_.views.empty()) {
         return;
     }
     looking_.setFuture(QtConcurrent::run(
@@ -180,7 +179,7 @@ void ViewController::showPictures()
         return;
     }
     std::vector<ViewLook> looks = takeResult(looking_);
-    if (seen_.others.empty()) {
+    if (seen_.views.empty()) {
         return;   // of a case that was closed meanwhile
     }
     looks_ = std::move(looks);
@@ -196,24 +195,23 @@ void ViewController::showPictures()
 void ViewController::show(int line)
 {
     const std::size_t place = order_[static_cast<std::size_t>(line)];
-    if (place == 0) {
+    const core::Case& current = document_.current();
+    if (place == current.shownView) {
         return;
     }
-    const core::RegistrationCase& current = document_.current();
-    const core::RegistrationCase* view = viewAt(current, place);
-    if (!view || !view->angiogram) {
+    const core::View& view = current.views[place];
+    if (!view.angiogram) {
         emit refused(tr("The image of this view could not be read."));
     } else {
-        document_.push(showView(document_, core::showingView(current, place - 1), [name = anglesOf(current, place)] {
-            return tr("Show view %1").arg(ui::withDecimalSign(name));
-        }));
+        document_.push(showView(document_, core::showingView(current, place),
+                                [name = anglesOf(view)] { return tr("Show view %1").arg(ui::withDecimalSign(name)); }));
     }
     showLines();   // the mark goes back where it was refused
 }
 
 void ViewController::showNext()
 {
-    const auto shown = std::ranges::find(order_, std::size_t{0});
+    const auto shown = std::ranges::find(order_, document_.current().shownView);
     if (shown != order_.end()) {
         const auto next = shown + 1 == order_.end() ? order_.begin() : shown + 1;
         show(static_cast<int>(next - order_.begin()));
@@ -222,21 +220,13 @@ void ViewController::showNext()
 
 void ViewController::remove(int line)
 {
-    core::RegistrationCase wanted = document_.current();
-    std::size_t place = order_[static_cast<std::size_t>(line)];
-    if (place == 0) {
-        const auto& others = wanted.otherViews;
-        const auto next =
-            std::ranges::find_if(others, [](const auto& other) { return other.view && other.view->angiogram; });
-        if (next == others.end()) {
-            emit refused(tr("No other view can be shown in its place."));
-            return;
-        }
-        place = static_cast<std::size_t>(next - others.begin()) + 1;
-        wanted = core::showingView(std::move(wanted), place - 1);
+    const core::Case& current = document_.current();
+    const core::Case without = core::withoutView(current, order_[static_cast<std::size_t>(line)]);
+    if (without.views.size() == current.views.size()) {
+        emit refused(tr("No other view can be shown in its place."));
+        return;
     }
-    wanted.otherViews.erase(wanted.otherViews.begin() + static_cast<std::ptrdiff_t>(place - 1));
-    document_.push(showView(document_, wanted, [] { return tr("Take a view out"); }));
+    document_.push(showView(document_, without, [] { return tr("Take a view out"); }));
 }
 
 }   // namespace angiopose::app

@@ -37,12 +37,9 @@ private:
     /// Something of a case that the pictures and numbers hang on.
     struct Seen {
         std::shared_ptr<const core::VesselTree> tree;
-        std::shared_ptr<const core::Angiogram> angiogram;
-        int frame = 0;
-        Eigen::Matrix4d pose = Eigen::Matrix4d::Zero();
-        std::vector<core::OtherView> others;
         std::vector<int> excluded;
         std::vector<int> hidden;
+        std::vector<ViewSight> views;
         SharedCenterline target;
 
         bool operator==(const Seen&) const = default;
@@ -58,7 +55,7 @@ private:
     CaseDocument& document_;
     const TargetProvider& target_;
     ui::MainWindow& window_;
-    std::vector<std::size_t> order_;   ///< of the lines: 0 the case's own view, k its other view k − 1
+    std::vector<std::size_t> order_;   ///< of the lines: places in the case's views
     Seen seen_;
     std::vector<ViewLook> looks_;
     QTimer pause_;   ///< pictures are drawn when things have come to rest

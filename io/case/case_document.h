@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration_case.h"
+#include "core/case/case.h"
 
 #include <filesystem>
 #include <optional>
@@ -19,21 +19,25 @@ struct SubtractionKeys {
     std::optional<core::PixelRelation> relation;
 };
 
-/// A case file's content before its inputs are loaded.
-struct CaseDocument {
-    core::RegistrationCase values;   ///< paths as written; cArm holds only what the file gives
+/// What a case says about a view beside its values, for when the image is read.
+struct ViewNotes {
     bool hasFrame = false;
     bool hasCurrentPose = false;
     std::optional<SubtractionKeys> subtraction;
     std::string sopInstanceUid;   ///< of the image, when noted
-    std::vector<CaseDocument> views;   ///< of `values.otherViews`, in order, those without a file of their own
+};
+
+/// A case file's content before its inputs are loaded.
+struct CaseDocument {
+    core::Case values;   ///< paths as written; the C-arms hold only what the file gives
+    std::vector<ViewNotes> notes;   ///< of `values.views`, in order; nothing noted of those with a file of their own
     core::Messages problems;   ///< what makes no sense, each with key and remedy
 };
 
-/// Content of a JSON text that follows the schema; unknown keys go to `values.extraKeys`.
+/// Content of a JSON text that follows the schema; unknown keys go to `values`.
 CaseDocument parseCaseDocument(std::string_view json);
 
 /// The case as JSON, paths relative to `folder`, unknown keys included.
-std::string caseDocumentText(const core::RegistrationCase& registrationCase, const std::filesystem::path& folder);
+std::string caseDocumentText(const core::Case& theCase, const std::filesystem::path& folder);
 
 }   // namespace angiopose::io

@@ -72,8 +72,8 @@ void readEditedTree(const Json& vessel, CaseDocument& document)
         document.problems.push_back(says::caseEditedTree(tree.error().message).about("vessel.editedTree"));
         return;
     }
-    document.values.tree = std::make_shared<const core::VesselTree>(std::move(tree).value());
-    document.values.isTreeEdited = true;
+    document.values.vessels.tree = std::make_shared<const core::VesselTree>(std::move(tree).value());
+    document.values.vessels.isTreeEdited = true;
 }
 
 std::string seriesIdOf(const Json& input)
@@ -82,35 +82,35 @@ std::string seriesIdOf(const Json& input)
 }
 
 /// A volume beside vessels of another kind is the scan they lie in.
-void readScan(const Json& vessel, core::RegistrationCase& values)
+void readScan(const Json& vessel, core::Case& values)
 {
     const Json& scan = member(vessel, vesselKey(core::VesselInputKind::Volume));
-    if (values.vesselInput.kind != core::VesselInputKind::Volume && scan.is_object()) {
-        values.scanFile = inputFile(scan);
-        values.scanSeriesId = seriesIdOf(scan);
+    if (values.vessels.input.kind != core::VesselInputKind::Volume && scan.is_object()) {
+        values.vessels.scanFile = inputFile(scan);
+        values.vessels.scanSeriesId = seriesIdOf(scan);
     }
 }
 
 /// The first of the four kinds that the case names; centrelines before what they would be traced from.
 void readVessel(const Json& vessel, CaseDocument& document)
 {
-    core::RegistrationCase& values = document.values;
-    values.auxiliaryBranchIds = vessel.value("auxiliaryBranches", std::vector<int>());
-    values.excludedBranchIds = vessel.value("excludedBranches", std::vector<int>());
-    values.hiddenBranchIds = vessel.value("hiddenBranches", std::vector<int>());
+    core::Case& values = document.values;
+    values.vessels.auxiliaryBranchIds = vessel.value("auxiliaryBranches", std::vector<int>());
+    values.vessels.excludedBranchIds = vessel.value("excludedBranches", std::vector<int>());
+    values.vessels.hiddenBranchIds = vessel.value("hiddenBranches", std::vector<int>());
     if (const Json& pivot = member(vessel, "pivotInPatientMm"); pivot.is_array()) {
-        values.pickedPivotInPatient = pointFrom(pivot);
+        values.vessels.pickedPivotInPatient = pointFrom(pivot);
     }
     readEditedTree(vessel, document);
-    values.vesselInput.labels = vessel.value("labels", std::vector<int>());
-    values.vesselInput.unitMm = vessel.value("unitMm", 1.0);
-    values.vesselInput.tracing = tracingOptions(member(vessel, "tracing"));
+    values.vessels.input.labels = vessel.value("labels", std::vector<int>());
+    values.vessels.input.unitMm = vessel.value("unitMm", 1.0);
+    values.vessels.input.tracing = tracingOptions(member(vessel, "tracing"));
     for (const core::VesselInputKind kind : vesselInputKinds) {
         const Json& input = member(vessel, vesselKey(kind));
         if (input.is_object()) {
-            values.centerlineFile = inputFile(input);
-            values.vesselInput.kind = kind;
-            values.vesselInput.seriesId = seriesIdOf(input);
+            values.vessels.file = inputFile(input);
+            values.vessels.input.kind = kind;
+            values.vessels.input.seriesId = seriesIdOf(input);
             readScan(vessel, values);
             return;
         }
@@ -118,25 +118,31 @@ void readVessel(const Json& vessel, CaseDocument& document)
     document.problems.push_back(says::caseNoInput().about("vessel"));
 }
 
+/// What is read of one view.
+struct ReadView {
+    core::View& values;
+    ViewNotes& notes;
+    core::Messages& problems;
+};
+
 /// A 2-D centreline edited in the window says so, and for which frame.
-void readTarget(const Json& centerline, core::RegistrationCase& values)
+void readTarget(const Json& centerline, core::View& view)
 {
-    values.targetFile = inputFile(centerline);
+    view.target.file = inputFile(centerline);
     if (centerline.is_object() && centerline.value("origin", "") == "edited") {
-        values.editedFrame = centerline.value("frame", values.frame);
-        values.acceptedCurveIds = centerline.value("acceptedCurves", std::vector<int>());
+        view.target.editedFrame = centerline.value("frame", view.frame);
+        view.target.acceptedCurveIds = centerline.value("acceptedCurves", std::vector<int>());
     }
 }
 
-/// What is absent stays as the image's header has it, so `document` keeps it open until that is read.
-void readSubtraction(const Json& json, CaseDocument& document)
+/// What is absent stays as the image's header has it, so the notes keep it open until that is read.
+void readSubtraction(const Json& json, ReadView& view)
 {
     if (!json.is_object()) {
         return;
     }
-    document.subtraction = SubtractionKeys{};
-    SubtractionKeys& keys = *document.subtraction;
-    core::RunTreatment& treatment = document.values.treatment;
+    SubtractionKeys& keys = view.notes.subtraction.emplace();
+    core::RunTreatment& treatment = view.values.treatment;
     treatment.isSubtracted = json.value("on", true);
     treatment.isComposite = json.value("composite", "none") == "minimum";
     if (const Json& frames = member(json, "maskFrames"); frames.is_array()) {
@@ -160,17 +166,16 @@ void readSubtraction(const Json& json, CaseDocument& document)
     }
 }
 
-void readAngiogram(const Json& angiogram, CaseDocument& document)
+void readAngiogram(const Json& angiogram, ReadView& view)
 {
-    core::RegistrationCase& values = document.values;
-    values.imageFile = inputFile(member(angiogram, "image"));
-    document.sopInstanceUid = member(member(angiogram, "image"), "dicom").is_object()
-                                  ? angiogram["image"]["dicom"].value("sopInstanceUid", "")
-                                  : "";
-    document.hasFrame = angiogram.contains("frame");
+    core::View& values = view.values;
+    const Json& image = member(angiogram, "image");
+    values.imageFile = inputFile(image);
+    view.notes.sopInstanceUid = member(image, "dicom").is_object() ? image["dicom"].value("sopInstanceUid", "") : "";
+    view.notes.hasFrame = angiogram.contains("frame");
     values.frame = angiogram.value("frame", 0);
     readTarget(member(angiogram, "centerline"), values);
-    readSubtraction(member(angiogram, "subtraction"), document);
+    readSubtraction(member(angiogram, "subtraction"), view);
     if (const Json& trace = member(angiogram, "trace"); trace.is_object()) {
         core::TraceOptions& options = values.traceOptions;
         options.minVesselRadiusPx = trace.value("minVesselRadiusPx", options.minVesselRadiusPx);
@@ -179,13 +184,13 @@ void readAngiogram(const Json& angiogram, CaseDocument& document)
         options.minComponentLengthPx = trace.value("minComponentLengthPx", options.minComponentLengthPx);
         options.sensitivity = trace.value("sensitivity", options.sensitivity);
         if (options.maxVesselRadiusPx < options.minVesselRadiusPx) {
-            document.problems.push_back(says::caseRadiiSwapped().about("angiogram.trace"));
+            view.problems.push_back(says::caseRadiiSwapped().about("angiogram.trace"));
         }
     }
 }
 
 /// The pose under `pose.<key>`, when it is there and makes sense.
-std::optional<core::RigidTransform> readPose(const Json& poses, const char* key, CaseDocument& document)
+std::optional<core::RigidTransform> readPose(const Json& poses, const char* key, core::Messages& problems)
 {
     const Json& pose = member(poses, key);
     if (!pose.is_object()) {
@@ -193,32 +198,33 @@ std::optional<core::RigidTransform> readPose(const Json& poses, const char* key,
     }
     const auto result = poseFromRows(pose["cameraFromPatient"].get<MatrixRows>());
     if (!result) {
-        document.problems.push_back(result.error().message.about(std::string("pose.") + key));
+        problems.push_back(result.error().message.about(std::string("pose.") + key));
         return std::nullopt;
     }
     return result.value();
 }
 
-void readPoses(const Json& poses, CaseDocument& document)
+void readPoses(const Json& poses, ReadView& view)
 {
-    if (const auto initial = readPose(poses, "initial", document)) {
-        document.values.initialCameraFromPatient = *initial;
-        document.values.hasInitialPose = true;
-    }
-    if (const auto current = readPose(poses, "current", document)) {
-        document.values.cameraFromPatient = *current;
-        document.hasCurrentPose = true;
-    }
-    for (const Json& id : member(poses, "locked")) {
-        if (const auto axis = core::poseAxisFrom(id.get<std::string>())) {   // the schema knows no others
-            document.values.options.locks[static_cast<std::size_t>(*axis)] = true;
-        }
+    view.values.initialCameraFromPatient = readPose(poses, "initial", view.problems);
+    if (const auto current = readPose(poses, "current", view.problems)) {
+        view.values.cameraFromPatient = *current;
+        view.notes.hasCurrentPose = true;
     }
     for (const Json& landmark : poses.is_object() ? poses.value("landmarks", Json::array()) : Json::array()) {
-        document.values.landmarks.push_back(
+        view.values.landmarks.push_back(
             {pointFrom(landmark["pointInPatientMm"]),
              Eigen::Vector2d(landmark["pixel"][0].get<double>(), landmark["pixel"][1].get<double>()),
              landmark.value("name", "")});
+    }
+}
+
+void readLocks(const Json& poses, core::PoseLocks& locks)
+{
+    for (const Json& id : member(poses, "locked")) {
+        if (const auto axis = core::poseAxisFrom(id.get<std::string>())) {   // the schema knows no others
+            locks[static_cast<std::size_t>(*axis)] = true;
+        }
     }
 }
 
@@ -250,43 +256,38 @@ void readOptions(const Json& root, CaseDocument& document)
     }
 }
 
-void readSnapshots(const Json& root, CaseDocument& document)
+/// Image, geometry and poses, of the case itself or of a view that stands in it.
+void readView(const Json& json, ReadView view)
 {
-    if (const Json& snapshots = member(root, "snapshots"); snapshots.is_array()) {
-        document.values.snapshots = snapshotsFromJson(snapshots.dump(), document.problems);
+    readAngiogram(json["angiogram"], view);
+    readGeometry(json.value("geometry", Json::object()).dump(), view.values.geometry, view.problems);
+    readPoses(member(json, "pose"), view);
+    if (const Json& snapshots = member(json, "snapshots"); snapshots.is_array()) {
+        view.values.snapshots = snapshotsFromJson(snapshots.dump(), view.problems);
     }
 }
 
-/// Image, geometry and poses, of the case itself or of a view that stands in it.
-void readView(const Json& view, CaseDocument& document)
+/// A case file of its own, or what a case says about a view.
+void readOtherView(const Json& json, CaseDocument& document)
 {
-    readAngiogram(view["angiogram"], document);
-    readGeometry(view.value("geometry", Json::object()).dump(), document);
-    readPoses(member(view, "pose"), document);
-    readSnapshots(view, document);
-}
-
-void readOtherViews(const Json& root, CaseDocument& document)
-{
-    for (const Json& view : root.value("views", Json::array())) {
-        if (!view.contains("angiogram")) {
-            document.values.otherViews.push_back({inputFile(view), nullptr});
-            continue;
-        }
-        CaseDocument& own = document.views.emplace_back();
-        readView(view, own);
-        own.values.viewExtraKeys = unknownKeys(view.dump(), knownViewKeys());
-        for (const core::Message& problem : own.problems) {
-            document.problems.push_back(problem.about("views"));
-        }
-        document.values.otherViews.emplace_back();
+    core::View& view = document.values.views.emplace_back();
+    ViewNotes& notes = document.notes.emplace_back();
+    if (!json.contains("angiogram")) {
+        view.caseFile = inputFile(json);
+        return;
+    }
+    core::Messages problems;
+    readView(json, {view, notes, problems});
+    view.extraKeys = unknownKeys(json.dump(), knownViewKeys());
+    for (const core::Message& problem : problems) {
+        document.problems.push_back(problem.about("views"));
     }
 }
 
 /// What this version does not know goes with the view it belongs to.
-void readUnknown(std::string_view json, core::RegistrationCase& values)
+void readUnknown(std::string_view json, core::Case& values)
 {
-    const std::string unknown = unknownKeys(json, knownCaseKeys(values.vesselInput.kind));
+    const std::string unknown = unknownKeys(json, knownCaseKeys(values.vessels.input.kind));
     Json ofCase = unknown.empty() ? Json::object() : Json::parse(unknown);
     Json ofView = Json::object();
     for (const char* key : {"angiogram", "geometry", "pose"}) {
@@ -296,7 +297,7 @@ void readUnknown(std::string_view json, core::RegistrationCase& values)
         }
     }
     values.extraKeys = ofCase.empty() ? std::string() : ofCase.dump();
-    values.viewExtraKeys = ofView.empty() ? std::string() : ofView.dump();
+    values.shown().extraKeys = ofView.empty() ? std::string() : ofView.dump();
 }
 
 }   // namespace
@@ -311,9 +312,12 @@ CaseDocument parseCaseDocument(std::string_view json)
     }
     document.values.title = root.value("title", "");
     readVessel(root["vessel"], document);
-    readView(root, document);
-    readOtherViews(root, document);
+    readView(root, {document.values.shown(), document.notes.emplace_back(), document.problems});
+    for (const Json& view : member(root, "views")) {
+        readOtherView(view, document);
+    }
     readOptions(root, document);
+    readLocks(member(root, "pose"), document.values.options.locks);
     readUnknown(json, document.values);
     return document;
 }

@@ -84,20 +84,20 @@ Json tracingJson(const core::VesselTracingOptions& options)
     return json;
 }
 
-Json vesselJson(const core::RegistrationCase& registrationCase, const std::filesystem::path& folder)
+Json vesselJson(const core::Case& theCase, const std::filesystem::path& folder)
 {
-    const core::VesselInput& input = registrationCase.vesselInput;
+    const core::VesselInput& input = theCase.vessels.input;
     Json vessel;
     Json& file = vessel[vesselKey(input.kind)];
-    file = fileJson(registrationCase.centerlineFile, folder);
+    file = fileJson(theCase.vessels.file, folder);
     if (!input.seriesId.empty()) {
         file["dicom"]["seriesInstanceUid"] = input.seriesId;
     }
-    if (input.kind != core::VesselInputKind::Volume && !registrationCase.scanFile.path.empty()) {
+    if (input.kind != core::VesselInputKind::Volume && !theCase.vessels.scanFile.path.empty()) {
         Json& scan = vessel[vesselKey(core::VesselInputKind::Volume)];
-        scan = fileJson(registrationCase.scanFile, folder);
-        if (!registrationCase.scanSeriesId.empty()) {
-            scan["dicom"]["seriesInstanceUid"] = registrationCase.scanSeriesId;
+        scan = fileJson(theCase.vessels.scanFile, folder);
+        if (!theCase.vessels.scanSeriesId.empty()) {
+            scan["dicom"]["seriesInstanceUid"] = theCase.vessels.scanSeriesId;
         }
     }
     if (input.kind != core::VesselInputKind::Centerline) {
@@ -109,27 +109,27 @@ Json vesselJson(const core::RegistrationCase& registrationCase, const std::files
     if (input.unitMm != 1.0) {
         vessel["unitMm"] = input.unitMm;
     }
-    vessel["auxiliaryBranches"] = registrationCase.auxiliaryBranchIds;
-    vessel["excludedBranches"] = registrationCase.excludedBranchIds;
-    if (!registrationCase.hiddenBranchIds.empty()) {
-        vessel["hiddenBranches"] = registrationCase.hiddenBranchIds;
+    vessel["auxiliaryBranches"] = theCase.vessels.auxiliaryBranchIds;
+    vessel["excludedBranches"] = theCase.vessels.excludedBranchIds;
+    if (!theCase.vessels.hiddenBranchIds.empty()) {
+        vessel["hiddenBranches"] = theCase.vessels.hiddenBranchIds;
     }
-    if (registrationCase.pickedPivotInPatient) {
-        vessel["pivotInPatientMm"] = pointJson(*registrationCase.pickedPivotInPatient);
+    if (theCase.vessels.pickedPivotInPatient) {
+        vessel["pivotInPatientMm"] = pointJson(*theCase.vessels.pickedPivotInPatient);
     }
-    if (registrationCase.isTreeEdited && registrationCase.tree) {
-        vessel["editedTree"] = Json::parse(treeJson(*registrationCase.tree));
+    if (theCase.vessels.isTreeEdited && theCase.vessels.tree) {
+        vessel["editedTree"] = Json::parse(treeJson(*theCase.vessels.tree));
     }
     return vessel;
 }
 
-Json targetJson(const core::RegistrationCase& registrationCase, const std::filesystem::path& folder)
+Json targetJson(const core::View& view, const std::filesystem::path& folder)
 {
-    Json target = fileJson(registrationCase.targetFile, folder);
-    if (registrationCase.editedFrame) {
+    Json target = fileJson(view.target.file, folder);
+    if (view.target.editedFrame) {
         target["origin"] = "edited";
-        target["frame"] = *registrationCase.editedFrame;
-        target["acceptedCurves"] = registrationCase.acceptedCurveIds;
+        target["frame"] = *view.target.editedFrame;
+        target["acceptedCurves"] = view.target.acceptedCurveIds;
     }
     return target;
 }
@@ -157,24 +157,24 @@ Json subtractionJson(const core::RunTreatment& treatment)
     return json;
 }
 
-Json angiogramJson(const core::RegistrationCase& registrationCase, const std::filesystem::path& folder)
+Json angiogramJson(const core::View& view, const std::filesystem::path& folder)
 {
     Json angiogram;
-    angiogram["image"] = fileJson(registrationCase.imageFile, folder);
-    if (registrationCase.angiogram && !registrationCase.angiogram->identity.sopInstanceUid.empty()) {
-        const core::StudyIdentity& identity = registrationCase.angiogram->identity;
+    angiogram["image"] = fileJson(view.imageFile, folder);
+    if (view.angiogram && !view.angiogram->identity.sopInstanceUid.empty()) {
+        const core::StudyIdentity& identity = view.angiogram->identity;
         angiogram["image"]["dicom"] = {{"studyInstanceUid", identity.studyUid},
                                        {"seriesInstanceUid", identity.seriesUid},
                                        {"sopInstanceUid", identity.sopInstanceUid}};
     }
-    angiogram["frame"] = registrationCase.frame;
-    if (!registrationCase.targetFile.path.empty()) {
-        angiogram["centerline"] = targetJson(registrationCase, folder);
+    angiogram["frame"] = view.frame;
+    if (!view.target.file.path.empty()) {
+        angiogram["centerline"] = targetJson(view, folder);
     }
-    if (registrationCase.treatment != core::RunTreatment{.plan = registrationCase.headerPlan}) {
-        angiogram["subtraction"] = subtractionJson(registrationCase.treatment);
+    if (view.treatment != core::RunTreatment{.plan = view.headerPlan}) {
+        angiogram["subtraction"] = subtractionJson(view.treatment);
     }
-    const core::TraceOptions& trace = registrationCase.traceOptions;
+    const core::TraceOptions& trace = view.traceOptions;
     angiogram["trace"] = {{"minVesselRadiusPx", trace.minVesselRadiusPx},
                           {"maxVesselRadiusPx", trace.maxVesselRadiusPx},
                           {"minBranchLengthPx", trace.minBranchLengthPx},
@@ -183,14 +183,14 @@ Json angiogramJson(const core::RegistrationCase& registrationCase, const std::fi
     return angiogram;
 }
 
-Json geometryJson(const core::RegistrationCase& registrationCase)
+Json geometryJson(const core::ViewGeometry& values)
 {
     Json geometry = Json::object();
-    if (const auto& camera = registrationCase.cameraOverride) {
+    if (const auto& camera = values.cameraOverride) {
         geometry["camera"] = {{"fx", camera->fx}, {"fy", camera->fy},       {"cx", camera->cx},
                               {"cy", camera->cy}, {"width", camera->width}, {"height", camera->height}};
     }
-    const core::CArm& cArm = registrationCase.cArm;
+    const core::CArm& cArm = values.cArm;
     addNumber(geometry, "sourceToDetectorMm", cArm.sourceToDetectorMm);
     addNumber(geometry, "sourceToPatientMm", cArm.sourceToPatientMm);
     if (cArm.rowSpacingMm.value && cArm.columnSpacingMm.value) {
@@ -235,61 +235,63 @@ Json landmarkJson(const core::Landmark& landmark)
     return json;
 }
 
-Json poseJson(const core::RegistrationCase& view)
+Json poseJson(const core::View& view)
 {
     Json pose;
-    if (view.hasInitialPose) {
-        pose["initial"]["cameraFromPatient"] = rowsOf(view.initialCameraFromPatient);
+    if (view.initialCameraFromPatient) {
+        pose["initial"]["cameraFromPatient"] = rowsOf(*view.initialCameraFromPatient);
     }
     pose["current"]["cameraFromPatient"] = rowsOf(view.cameraFromPatient);
-    if (core::isAnyLocked(view.options.locks)) {
-        pose["locked"] = lockedJson(view.options.locks);
-    }
     for (const core::Landmark& landmark : view.landmarks) {
         pose["landmarks"].push_back(landmarkJson(landmark));
     }
     return pose;
 }
 
-void addSnapshots(Json& json, const core::RegistrationCase& view)
+void addSnapshots(Json& json, const core::View& view)
 {
     if (!view.snapshots.empty()) {
         json["snapshots"] = Json::parse(snapshotsJson(view.snapshots));
     }
 }
 
-Json otherViewJson(const core::OtherView& other, const std::filesystem::path& folder)
+Json otherViewJson(const core::View& view, const std::filesystem::path& folder)
 {
-    if (!other.file.path.empty() || !other.view) {
-        return fileJson(other.file, folder);
+    if (!view.caseFile.path.empty()) {
+        return fileJson(view.caseFile, folder);
     }
-    Json json{{"angiogram", angiogramJson(*other.view, folder)},
-              {"geometry", geometryJson(*other.view)},
-              {"pose", poseJson(*other.view)}};
-    addSnapshots(json, *other.view);
-    return Json::parse(withExtraKeys(json.dump(), other.view->viewExtraKeys));
+    Json json{{"angiogram", angiogramJson(view, folder)},
+              {"geometry", geometryJson(view.geometry)},
+              {"pose", poseJson(view)}};
+    addSnapshots(json, view);
+    return Json::parse(withExtraKeys(json.dump(), view.extraKeys));
 }
 
 }   // namespace
 
-std::string caseDocumentText(const core::RegistrationCase& registrationCase, const std::filesystem::path& folder)
+std::string caseDocumentText(const core::Case& theCase, const std::filesystem::path& folder)
 {
     Json root;
     root["format"] = "angiopose-case";
     root["version"] = 1;
-    root["title"] = registrationCase.title;
-    root["vessel"] = vesselJson(registrationCase, folder);
-    root["angiogram"] = angiogramJson(registrationCase, folder);
-    root["geometry"] = geometryJson(registrationCase);
-    root["pose"] = poseJson(registrationCase);
-    for (const core::OtherView& other : registrationCase.otherViews) {
-        root["views"].push_back(otherViewJson(other, folder));
+    root["title"] = theCase.title;
+    root["vessel"] = vesselJson(theCase, folder);
+    const core::View& shown = theCase.shown();
+    root["angiogram"] = angiogramJson(shown, folder);
+    root["geometry"] = geometryJson(shown.geometry);
+    root["pose"] = poseJson(shown);
+    if (core::isAnyLocked(theCase.options.locks)) {
+        root["pose"]["locked"] = lockedJson(theCase.options.locks);
     }
-    root["method"] = registrationCase.options.method;
-    root["options"] = Json::parse(optionsJson(registrationCase.options));
-    addSnapshots(root, registrationCase);
-    return prettyJson(
-        withExtraKeys(withExtraKeys(root.dump(), registrationCase.viewExtraKeys), registrationCase.extraKeys));
+    for (const core::View& view : theCase.views) {
+        if (&view != &shown) {
+            root["views"].push_back(otherViewJson(view, folder));
+        }
+    }
+    root["method"] = theCase.options.method;
+    root["options"] = Json::parse(optionsJson(theCase.options));
+    addSnapshots(root, shown);
+    return prettyJson(withExtraKeys(withExtraKeys(root.dump(), shown.extraKeys), theCase.extraKeys));
 }
 
 }   // namespace angiopose::io

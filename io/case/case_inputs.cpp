@@ -12,26 +12,27 @@ namespace angiopose::io {
 namespace {
 
 namespace fs = std::filesystem;
-using core::RegistrationCase;
+using core::Case;
+using core::Vessels;
 
 /// The scan that vessels of another origin lie in: good to have, but the case opens without it.
-void readScan(RegistrationCase& values, core::Messages& warnings)
+void readScan(Vessels& vessels, core::Messages& warnings)
 {
-    if (values.scanFile.path.empty()) {
+    if (vessels.scanFile.path.empty()) {
         return;
     }
-    auto read = readVolume(values.scanFile.path, values.scanSeriesId);
+    auto read = readVolume(vessels.scanFile.path, vessels.scanSeriesId);
     if (!read) {
         warnings.push_back(read.error().message);
         return;
     }
     LoadedVolume scan = std::move(read).value();
-    values.scanIdentity = scan.identity;
-    values.volume = std::make_shared<const core::Volume>(std::move(scan.volume));
+    vessels.scanIdentity = scan.identity;
+    vessels.scan = std::make_shared<const core::Volume>(std::move(scan.volume));
     core::VesselInput input;
     input.kind = core::VesselInputKind::Volume;
-    input.seriesId = values.scanSeriesId;
-    if (const auto checked = checkHash(values.scanFile, sha256OfVesselInput(values.scanFile.path, input), warnings);
+    input.seriesId = vessels.scanSeriesId;
+    if (const auto checked = checkHash(vessels.scanFile, sha256OfVesselInput(vessels.scanFile.path, input), warnings);
         !checked) {
         warnings.push_back(checked.error().message);
     }
@@ -39,45 +40,43 @@ void readScan(RegistrationCase& values, core::Messages& warnings)
 
 /// What an edited tree came from: its scan is read for the slices. The tree is the case's own, so that it opens
 /// without.
-void readOrigin(RegistrationCase& values, core::Messages& warnings, const ReadObserver& observe)
+void readOrigin(Vessels& vessels, core::Messages& warnings, const ReadObserver& observe)
 {
-    const std::string& path = values.centerlineFile.path;
-    if (values.vesselInput.kind == core::VesselInputKind::Volume) {
-        if (auto read = readVolume(path, values.vesselInput.seriesId, observe)) {
+    const std::string& path = vessels.file.path;
+    if (vessels.input.kind == core::VesselInputKind::Volume) {
+        if (auto read = readVolume(path, vessels.input.seriesId, observe)) {
             LoadedVolume scan = std::move(read).value();
-            values.scanIdentity = scan.identity;
-            values.volume = std::make_shared<const core::Volume>(std::move(scan.volume));
+            vessels.scanIdentity = scan.identity;
+            vessels.scan = std::make_shared<const core::Volume>(std::move(scan.volume));
         } else {
             warnings.push_back(read.error().message);
         }
     }
-    const core::InputFile noted = values.centerlineFile;
-    if (const auto checked = checkHash(values.centerlineFile, sha256OfVesselInput(path, values.vesselInput), warnings);
-        !checked) {
-        values.centerlineFile = noted;
+    const core::InputFile noted = vessels.file;
+    if (const auto checked = checkHash(vessels.file, sha256OfVesselInput(path, vessels.input), warnings); !checked) {
+        vessels.file = noted;
         warnings.push_back(says::caseOpensWithout(checked.error().message));
     }
 }
 
-core::Status readVesselInput(RegistrationCase& values, core::Messages& warnings, const ReadObserver& observe)
+core::Status readVesselInput(Vessels& vessels, core::Messages& warnings, const ReadObserver& observe)
 {
-    if (values.isTreeEdited) {
-        readOrigin(values, warnings, observe);
+    if (vessels.isTreeEdited) {
+        readOrigin(vessels, warnings, observe);
         return core::Done{};
     }
-    auto read = readVessels(values.centerlineFile.path, values.vesselInput, observe);
+    auto read = readVessels(vessels.file.path, vessels.input, observe);
     if (!read) {
         return read.error();
     }
-    LoadedVessels vessels = std::move(read).value();
-    values.vesselInput = vessels.input;
-    values.volume = vessels.volume;
-    values.lumen = sharedLumen(vessels);
-    values.scanIdentity = vessels.identity;
-    values.tree = std::make_shared<const core::VesselTree>(std::move(vessels.tree));
-    warnings.insert(warnings.end(), vessels.warnings.begin(), vessels.warnings.end());
-    return checkHash(values.centerlineFile, sha256OfVesselInput(values.centerlineFile.path, values.vesselInput),
-                     warnings);
+    LoadedVessels loaded = std::move(read).value();
+    vessels.input = loaded.input;
+    vessels.scan = loaded.volume;
+    vessels.lumen = sharedLumen(loaded);
+    vessels.scanIdentity = loaded.identity;
+    vessels.tree = std::make_shared<const core::VesselTree>(std::move(loaded.tree));
+    warnings.insert(warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
+    return checkHash(vessels.file, sha256OfVesselInput(vessels.file.path, vessels.input), warnings);
 }
 
 void dropUnknownBranches(std::vector<int>& ids, const core::VesselTree& tree, const char* key, core::Messages& warnings)
@@ -101,16 +100,12 @@ std::vector<core::InputFile*> inputsOf(CaseDocument& document)
             files.push_back(&file);
         }
     };
-    for (core::InputFile* file : {&document.values.centerlineFile, &document.values.scanFile,
-                                  &document.values.imageFile, &document.values.targetFile}) {
-        add(*file);
-    }
-    for (core::OtherView& other : document.values.otherViews) {
-        add(other.file);
-    }
-    for (CaseDocument& view : document.views) {
-        add(view.values.imageFile);
-        add(view.values.targetFile);
+    add(document.values.vessels.file);
+    add(document.values.vessels.scanFile);
+    for (core::View& view : document.values.views) {
+        add(view.imageFile);
+        add(view.target.file);
+        add(view.caseFile);
     }
     return files;
 }
@@ -123,21 +118,22 @@ void makePathsAbsolute(CaseDocument& document, const std::string& casePath)
     }
 }
 
-core::Result<RegistrationCase> loadInputs(CaseDocument document, const std::string& casePath, core::Messages& warnings,
-                                          const ReadObserver& observe)
+core::Result<Case> loadInputs(CaseDocument document, const std::string& casePath, core::Messages& warnings,
+                              const ReadObserver& observe)
 {
-    RegistrationCase& values = document.values;
-    if (auto read = readVesselInput(values, warnings, partOf(observe, 0.0, 0.9)); !read) {
+    Case& values = document.values;
+    if (auto read = readVesselInput(values.vessels, warnings, partOf(observe, 0.0, 0.9)); !read) {
         return read.error();
     }
-    readScan(values, warnings);
-    if (const auto read = loadView(document, casePath, warnings); !read) {
+    readScan(values.vessels, warnings);
+    if (const auto read = loadView(values.shown(), document.notes.front(), values.vessels, casePath, warnings); !read) {
         return read.error();
     }
-    dropUnknownBranches(values.auxiliaryBranchIds, *values.tree, "auxiliaryBranches", warnings);
-    dropUnknownBranches(values.excludedBranchIds, *values.tree, "excludedBranches", warnings);
-    dropUnknownBranches(values.hiddenBranchIds, *values.tree, "hiddenBranches", warnings);
-    return std::move(document.values);
+    core::Vessels& vessels = values.vessels;
+    dropUnknownBranches(vessels.auxiliaryBranchIds, *vessels.tree, "auxiliaryBranches", warnings);
+    dropUnknownBranches(vessels.excludedBranchIds, *vessels.tree, "excludedBranches", warnings);
+    dropUnknownBranches(vessels.hiddenBranchIds, *vessels.tree, "hiddenBranches", warnings);
+    return std::move(values);
 }
 
 }   // namespace angiopose::io

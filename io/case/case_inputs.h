@@ -17,7 +17,7 @@ void makePathsAbsolute(CaseDocument& document, const std::string& casePath);
 
 /// The case with its inputs (absolute paths) read and checked against what it says: frame, camera size, branches,
 /// hashes, start pose. Other views are not read.
-core::Result<core::RegistrationCase> loadInputs(CaseDocument document, const std::string& casePath,
-                                                core::Messages& warnings, const ReadObserver& observe);
+core::Result<core::Case> loadInputs(CaseDocument document, const std::string& casePath, core::Messages& warnings,
+                                    const ReadObserver& observe);
 
 }   // namespace angiopose::io

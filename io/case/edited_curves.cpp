@@ -60,16 +60,16 @@ fs::path freePath(const Owner& owner)
 
 }   // namespace
 
-core::Result<core::InputFile> keepEditedCurves(const core::RegistrationCase& registrationCase,
-                                               const std::string& casePath, std::optional<std::size_t> otherView)
+core::Result<core::InputFile> keepEditedCurves(const core::GivenTarget& target, const std::string& casePath,
+                                               std::optional<std::size_t> otherView)
 {
     const Owner owner{fs::absolute(casePath), otherView};
-    const core::InputFile& former = registrationCase.targetFile;
+    const core::InputFile& former = target.file;
     if (!former.path.empty() && former.path == ownCurves(owner).string()) {
         return former;
     }
     const std::string path = freePath(owner).string();
-    if (const auto written = writeCenterline2d(*registrationCase.givenTarget, path); !written) {
+    if (const auto written = writeCenterline2d(*target.centerline, path); !written) {
         return written.error();
     }
     auto hash = sha256OfFile(path);

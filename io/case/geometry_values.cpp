@@ -67,7 +67,7 @@ void readCArm(const Json& geometry, core::CArm& cArm)
     }
 }
 
-void readCamera(const Json& camera, CaseDocument& document)
+void readCamera(const Json& camera, core::ViewGeometry& geometry, core::Messages& problems)
 {
     if (!camera.is_object()) {
         return;
@@ -76,18 +76,18 @@ void readCamera(const Json& camera, CaseDocument& document)
                                        camera["cx"].get<double>(), camera["cy"].get<double>(),
                                        camera["width"].get<int>(), camera["height"].get<int>()};
     if (const auto problem = core::findProblem(given)) {
-        document.problems.push_back(problem->about("geometry.camera"));
+        problems.push_back(problem->about("geometry.camera"));
     }
-    document.values.cameraOverride = given;
+    geometry.cameraOverride = given;
 }
 
 }   // namespace
 
-void readGeometry(const std::string& json, CaseDocument& document)
+void readGeometry(const std::string& json, core::ViewGeometry& geometry, core::Messages& problems)
 {
-    const Json geometry = Json::parse(json);
-    readCArm(geometry, document.values.cArm);
-    readCamera(geometry.value("camera", Json()), document);
+    const Json values = Json::parse(json);
+    readCArm(values, geometry.cArm);
+    readCamera(values.value("camera", Json()), geometry, problems);
 }
 
 }   // namespace angiopose::io

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "io/case/case_document.h"
+#include "core/case/view.h"
 
 #include <string>
 
 namespace angiopose::io {
 
-/// The values of the JSON under `geometry`, each with its origin, and `geometry.camera` into the case; what makes no
-/// sense into the problems. The schema has been checked.
-void readGeometry(const std::string& json, CaseDocument& document);
+/// The values of the JSON under `geometry`, each with its origin, and `geometry.camera`; what makes no sense goes into
+/// the problems. The schema has been checked.
+void readGeometry(const std::string& json, core::ViewGeometry& geometry, core::Messages& problems);
 
 }   // namespace angiopose::io

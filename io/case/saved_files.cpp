@@ -10,8 +10,6 @@
 
 namespace angiopose::io {
 
-using core::RegistrationCase;
-
 namespace {
 
 /// So that the file is found when it moves.
@@ -22,46 +20,57 @@ void noteHash(core::InputFile& file, core::Result<std::string> hash)
     }
 }
 
-/// Of one view; for the case itself also of its vessels.
-core::Status completeView(RegistrationCase& hashed, const std::string& path, std::optional<std::size_t> otherView)
+void noteMissingHash(core::InputFile& file)
 {
-    if (hashed.editedFrame && hashed.givenTarget) {
-        auto curves = keepEditedCurves(hashed, path, otherView);
+    if (!file.path.empty() && file.sha256.empty()) {
+        noteHash(file, sha256OfFile(file.path));
+    }
+}
+
+core::Status completeView(core::View& view, const std::string& path, std::optional<std::size_t> otherView)
+{
+    if (view.target.editedFrame && view.target.centerline) {
+        auto curves = keepEditedCurves(view.target, path, otherView);
         if (!curves) {
             return curves.error();
         }
-        hashed.targetFile = std::move(curves).value();
+        view.target.file = std::move(curves).value();
     }
-    for (core::InputFile* file : {&hashed.centerlineFile, &hashed.imageFile, &hashed.targetFile}) {
-        if (!file->path.empty() && file->sha256.empty()) {
-            noteHash(*file, file == &hashed.centerlineFile ? sha256OfVesselInput(file->path, hashed.vesselInput)
-                                                           : sha256OfFile(file->path));
-        }
-    }
+    noteMissingHash(view.imageFile);
+    noteMissingHash(view.target.file);
     return core::Done{};
+}
+
+/// There is nothing in it, or only what could not be found.
+bool isBlank(const core::View& view)
+{
+    return view.caseFile.path.empty() && view.imageFile.path.empty();
 }
 
 }   // namespace
 
-core::Status completeFiles(RegistrationCase& hashed, const std::string& path)
+core::Status completeFiles(core::Case& hashed, const std::string& path)
 {
-    if (auto completed = completeView(hashed, path, std::nullopt); !completed) {
+    core::Vessels& vessels = hashed.vessels;
+    if (!vessels.file.path.empty() && vessels.file.sha256.empty()) {
+        noteHash(vessels.file, sha256OfVesselInput(vessels.file.path, vessels.input));
+    }
+    core::View shown = hashed.shown();
+    if (auto completed = completeView(shown, path, std::nullopt); !completed) {
         return completed;
     }
-    std::erase_if(hashed.otherViews,
-                  [](const core::OtherView& other) { return other.file.path.empty() && !other.view; });
-    for (std::size_t k = 0; k < hashed.otherViews.size(); ++k) {
-        core::OtherView& other = hashed.otherViews[k];
-        if (!other.file.path.empty()) {
-            noteHash(other.file, sha256OfFile(other.file.path));
-            continue;
-        }
-        RegistrationCase view = *other.view;
-        if (auto completed = completeView(view, path, k); !completed) {
+    hashed.views.erase(hashed.views.begin() + static_cast<std::ptrdiff_t>(hashed.shownView));
+    std::erase_if(hashed.views, isBlank);
+    for (std::size_t k = 0; k < hashed.views.size(); ++k) {
+        core::View& view = hashed.views[k];
+        if (!view.caseFile.path.empty()) {
+            noteHash(view.caseFile, sha256OfFile(view.caseFile.path));
+        } else if (auto completed = completeView(view, path, k); !completed) {
             return completed;
         }
-        other.view = std::make_shared<const RegistrationCase>(std::move(view));
     }
+    hashed.views.insert(hashed.views.begin(), std::move(shown));
+    hashed.shownView = 0;
     return core::Done{};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration_case.h"
+#include "core/case/case.h"
 #include "core/support/result.h"
 
 #include <string>
@@ -8,7 +8,8 @@
 namespace angiopose::io {
 
 /// Completes what a case is about to say of its files, and of those of its other views: edited curves get a file beside
-/// the case at `path`, hashes that are not known yet are noted. Views that say nothing are left out.
-core::Status completeFiles(core::RegistrationCase& hashed, const std::string& path);
+/// the case at `path`, hashes that are not known yet are noted. Views that say nothing are left out; the shown one
+/// comes first.
+core::Status completeFiles(core::Case& hashed, const std::string& path);
 
 }   // namespace angiopose::io

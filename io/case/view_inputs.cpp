@@ -1,6 +1,6 @@
 #include "io/case/view_inputs.h"
 
-#include "core/case_views.h"
+#include "core/case/start_pose.h"
 #include "core/imaging/patient_match.h"
 #include "io/angiogram_file.h"
 #include "io/centerline2d_file.h"
@@ -17,7 +17,7 @@
 namespace angiopose::io {
 namespace {
 
-using core::RegistrationCase;
+using core::View;
 
 /// The case's own keys win over the header's.
 core::SubtractionPlan completed(const SubtractionKeys& keys, core::SubtractionPlan plan)
@@ -33,42 +33,41 @@ core::SubtractionPlan completed(const SubtractionKeys& keys, core::SubtractionPl
     return plan;
 }
 
-core::Status treatRun(CaseDocument& document)
+core::Status treatRun(View& view, const ViewNotes& notes)
 {
-    RegistrationCase& values = document.values;
-    const auto header = readSubtractionPlan(values.imageFile.path);
+    const auto header = readSubtractionPlan(view.imageFile.path);
     if (!header) {
         return header.error();
     }
-    values.headerPlan = header.value();
-    values.treatment.plan = document.subtraction ? completed(*document.subtraction, header.value()) : header.value();
-    if (!values.treatment.changesFrames()) {
+    view.headerPlan = header.value();
+    view.treatment.plan = notes.subtraction ? completed(*notes.subtraction, header.value()) : header.value();
+    if (!view.treatment.changesFrames()) {
         return core::Done{};
     }
-    auto treated = core::treatedRun(*values.angiogram, values.treatment);
+    auto treated = core::treatedRun(*view.angiogram, view.treatment);
     if (!treated) {
         return treated.error().about("angiogram.subtraction");
     }
-    values.storedRun = values.angiogram;
-    values.angiogram = std::make_shared<const core::Angiogram>(std::move(treated).value());
+    view.storedRun = view.angiogram;
+    view.angiogram = std::make_shared<const core::Angiogram>(std::move(treated).value());
     return core::Done{};
 }
 
-core::Status readImage(RegistrationCase& values, core::Messages& warnings)
+core::Status readImage(View& view, core::Messages& warnings)
 {
-    auto angiogram = io::readAngiogram(values.imageFile.path);
+    auto angiogram = io::readAngiogram(view.imageFile.path);
     if (!angiogram) {
         return angiogram.error();
     }
-    values.angiogram = std::make_shared<const core::Angiogram>(std::move(angiogram).value());
-    if (!values.targetFile.path.empty()) {
-        auto target = readCenterline2d(values.targetFile.path);
+    view.angiogram = std::make_shared<const core::Angiogram>(std::move(angiogram).value());
+    if (!view.target.file.path.empty()) {
+        auto target = readCenterline2d(view.target.file.path);
         if (!target) {
             return target.error();
         }
-        values.givenTarget = std::make_shared<const core::Centerline2d>(std::move(target).value());
+        view.target.centerline = std::make_shared<const core::Centerline2d>(std::move(target).value());
     }
-    for (core::InputFile* file : {&values.imageFile, &values.targetFile}) {
+    for (core::InputFile* file : {&view.imageFile, &view.target.file}) {
         if (file->path.empty()) {
             continue;
         }
@@ -88,13 +87,13 @@ void fillFrom(core::Sourced<Value>& value, const core::Sourced<Value>& header)
 }
 
 /// What only shows once the inputs are there.
-std::optional<core::Message> findMisfit(const RegistrationCase& values)
+std::optional<core::Message> findMisfit(const View& view)
 {
-    const core::Angiogram& angiogram = *values.angiogram;
-    if (values.frame >= angiogram.frameCount()) {
-        return says::caseFrameMissing(values.frame, angiogram.frameCount() - 1).about("angiogram.frame");
+    const core::Angiogram& angiogram = *view.angiogram;
+    if (view.frame >= angiogram.frameCount()) {
+        return says::caseFrameMissing(view.frame, angiogram.frameCount() - 1).about("angiogram.frame");
     }
-    const auto& camera = values.cameraOverride;
+    const auto& camera = view.geometry.cameraOverride;
     if (camera && (camera->width != angiogram.width() || camera->height != angiogram.height())) {
         return says::caseCameraOfOtherImage(camera->width, camera->height, angiogram.width(), angiogram.height())
             .about("geometry.camera");
@@ -103,30 +102,30 @@ std::optional<core::Message> findMisfit(const RegistrationCase& values)
 }
 
 /// Frame, geometry and the pose to start from.
-core::Status complete(CaseDocument& document, core::Messages& warnings)
+core::Status complete(View& view, const ViewNotes& notes, const core::Vessels& vessels, core::Messages& warnings)
 {
-    RegistrationCase& values = document.values;
-    const core::Angiogram& angiogram = *values.angiogram;
-    values.frame = document.hasFrame ? values.frame : angiogram.suggestedFrame;
-    if (const auto misfit = findMisfit(values)) {
+    const core::Angiogram& angiogram = *view.angiogram;
+    view.frame = notes.hasFrame ? view.frame : angiogram.suggestedFrame;
+    if (const auto misfit = findMisfit(view)) {
         return core::Error(*misfit);
     }
-    if (!document.sopInstanceUid.empty() && document.sopInstanceUid != angiogram.identity.sopInstanceUid) {
-        warnings.push_back(says::caseOtherImage().about(values.imageFile.path));
+    if (!notes.sopInstanceUid.empty() && notes.sopInstanceUid != angiogram.identity.sopInstanceUid) {
+        warnings.push_back(says::caseOtherImage().about(view.imageFile.path));
     }
-    const bool isSpacingGiven = values.cameraOverride || values.cArm.columnSpacingMm.origin == core::Origin::User;
+    const bool isSpacingGiven =
+        view.geometry.cameraOverride || view.geometry.cArm.columnSpacingMm.origin == core::Origin::User;
     std::copy_if(angiogram.warnings.begin(), angiogram.warnings.end(), std::back_inserter(warnings),
                  [&](const core::Message& warning) { return !isSpacingGiven || !isAboutMissingSpacing(warning); });
-    for (const core::Message& mismatch : core::findMismatch(values.scanIdentity, angiogram.identity)) {
+    for (const core::Message& mismatch : core::findMismatch(vessels.scanIdentity, angiogram.identity)) {
         warnings.push_back(mismatch);
     }
-    fillFromHeader(values.cArm, angiogram.cArm);
-    if (!document.hasCurrentPose) {
-        const auto start = core::startPoseOf(values);
+    fillFromHeader(view.geometry.cArm, angiogram.cArm);
+    if (!notes.hasCurrentPose) {
+        const auto start = core::startPoseOf(view, vessels);
         if (!start) {
             return core::Error(says::caseNoStartPose(start.error().message).about("pose.initial"));
         }
-        values.cameraFromPatient = start.value();
+        view.cameraFromPatient = start.value();
     }
     return core::Done{};
 }
@@ -159,31 +158,28 @@ void fillFromHeader(core::CArm& cArm, const core::CArm& header)
     fillFrom(cArm.isocentreInPatientMm, header.isocentreInPatientMm);
 }
 
-core::Status loadView(CaseDocument& document, const std::string& casePath, core::Messages& warnings)
+core::Status loadView(View& view, const ViewNotes& notes, const core::Vessels& vessels, const std::string& casePath,
+                      core::Messages& warnings)
 {
-    if (const auto read = readImage(document.values, warnings); !read) {
+    if (const auto read = readImage(view, warnings); !read) {
         return read.error();
     }
-    if (const auto completed = complete(document, warnings); !completed) {
+    if (const auto completed = complete(view, notes, vessels, warnings); !completed) {
         return fileError(casePath, completed.error());
     }
-    if (const auto treated = treatRun(document); !treated) {
+    if (const auto treated = treatRun(view, notes); !treated) {
         return fileError(casePath, treated.error());
     }
     return core::Done{};
 }
 
-RegistrationCase loadOtherView(CaseDocument document, const RegistrationCase& first, const std::string& casePath,
-                               core::Messages& warnings)
+void loadOtherView(View& view, const ViewNotes& notes, const core::Vessels& vessels, const std::string& casePath,
+                   core::Messages& warnings)
 {
-    RegistrationCase& values = document.values;
-    values.tree = first.tree;
-    values.scanIdentity = first.scanIdentity;
-    if (const auto loaded = loadView(document, casePath, warnings); !loaded) {
+    if (const auto loaded = loadView(view, notes, vessels, casePath, warnings); !loaded) {
         warnings.push_back(says::caseViewLeftOut(loaded.error().message));
-        values.angiogram.reset();
+        view.angiogram.reset();
     }
-    return core::viewOf(values);
 }
 
 }   // namespace angiopose::io

@@ -7,14 +7,14 @@
 
 namespace angiopose::io {
 
-/// Reads what a view consists of: image, given centreline and subtraction; completes frame, geometry and pose. The
-/// vessels are there already. Fails naming the file.
-core::Status loadView(CaseDocument& document, const std::string& casePath, core::Messages& warnings);
+/// Reads what a view of these vessels consists of: image, given centreline and subtraction; completes frame, geometry
+/// and pose. Fails naming the file.
+core::Status loadView(core::View& view, const ViewNotes& notes, const core::Vessels& vessels,
+                      const std::string& casePath, core::Messages& warnings);
 
-/// Another view of the vessels of `first`, see core::viewOf. Where it cannot be read, that is a warning and the view
-/// has no angiogram.
-core::RegistrationCase loadOtherView(CaseDocument document, const core::RegistrationCase& first,
-                                     const std::string& casePath, core::Messages& warnings);
+/// Likewise of a view beside the first: where it cannot be read, that is a warning and the view has no angiogram.
+void loadOtherView(core::View& view, const ViewNotes& notes, const core::Vessels& vessels, const std::string& casePath,
+                   core::Messages& warnings);
 
 /// Fills in what `cArm` lacks.
 void fillFromHeader(core::CArm& cArm, const core::CArm& header);

@@ -10,9 +10,11 @@ namespace {
 
 std::unique_ptr<QUndoCommand> showFrame(CaseDocument& document, int frame, int burst = separateEdit)
 {
-    const core::RegistrationCase& current = document.current();
+    const core::Case& current = document.current();
     return std::make_unique<ShowFrame>(
-        document, ShowFrame::Values{frame, current.initialCameraFromPatient, current.cameraFromPatient, current.result},
+        document,
+        ShowFrame::Values{frame, current.shown().initialCameraFromPatient, current.shown().cameraFromPatient,
+                          current.shown().result},
         [] { return QStringLiteral("Frame"); }, burst);
 }
 
@@ -21,11 +23,11 @@ TEST(CaseDocument, GoesBackAndForth)
     CaseDocument document;
     QSignalSpy changed(&document, &CaseDocument::changed);
     EXPECT_TRUE(document.push(showFrame(document, 4)));
-    EXPECT_EQ(document.current().frame, 4);
+    EXPECT_EQ(document.current().shown().frame, 4);
     document.undoStack().undo();
-    EXPECT_EQ(document.current().frame, 0);
+    EXPECT_EQ(document.current().shown().frame, 0);
     document.undoStack().redo();
-    EXPECT_EQ(document.current().frame, 4);
+    EXPECT_EQ(document.current().shown().frame, 4);
     EXPECT_EQ(changed.count(), 3);
 }
 
@@ -39,11 +41,11 @@ TEST(CaseDocument, TakesABurstBackAsOneStep)
 
     EXPECT_EQ(document.undoStack().count(), 2);
     document.undoStack().undo();
-    EXPECT_EQ(document.current().frame, 3);
+    EXPECT_EQ(document.current().shown().frame, 3);
     document.undoStack().undo();
-    EXPECT_EQ(document.current().frame, 0);
+    EXPECT_EQ(document.current().shown().frame, 0);
     document.undoStack().redo();
-    EXPECT_EQ(document.current().frame, 3);
+    EXPECT_EQ(document.current().shown().frame, 3);
 }
 
 TEST(CaseDocument, RefusesEditsWhileLocked)
@@ -54,7 +56,7 @@ TEST(CaseDocument, RefusesEditsWhileLocked)
 
     EXPECT_FALSE(document.push(showFrame(document, 4)));
 
-    EXPECT_EQ(document.current().frame, 0);
+    EXPECT_EQ(document.current().shown().frame, 0);
     EXPECT_EQ(refused.count(), 1);
     EXPECT_EQ(document.undoStack().count(), 0);
 }

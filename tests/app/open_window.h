@@ -85,7 +85,7 @@ public:
         QTest::keyClick(&window.angiogramView(), key, modifiers);
     }
 
-    const core::RegistrationCase& current() { return controller.document().current(); }
+    const core::Case& current() { return controller.document().current(); }
     QUndoStack& history() { return controller.document().undoStack(); }
 
     /// Visible dialogs of a kind.

@@ -29,7 +29,7 @@ protected:
         return picture ? std::move(picture).value() : core::ColorImage{};
     }
 
-    core::RegistrationCase sample;
+    core::Case sample;
     OverlayPictureOptions options;
 };
 
@@ -72,7 +72,7 @@ TEST_F(OverlayPicture, LeavesTheVesselsOutBesideTheSwipe)
     hidden.vessels = ui::OverlayMode::Hidden;
     const core::ColorImage bare = drawn(hidden);
     ASSERT_GT(differing(plain, bare, plain.width / 2, plain.width), 100) << "vessels on both sides";
-    const double middle = sample.angiogram->width() / 2.0 - 0.5;
+    const double middle = sample.shown().angiogram->width() / 2.0 - 0.5;
     options.cutout = {ui::Cutout::Shape::RightOf, {middle, 0.0}, 0.0};
     const core::ColorImage swiped = drawn(options);
     EXPECT_EQ(differing(swiped, plain, 0, plain.width / 2 - 2), 0);
@@ -82,14 +82,14 @@ TEST_F(OverlayPicture, LeavesTheVesselsOutBesideTheSwipe)
 TEST_F(OverlayPicture, PutsTheStartPoseBesideThePose)
 {
     const core::RigidTransform start = core::startPoseOf(sample).value();
-    sample.cameraFromPatient = start;
-    sample.cameraFromPatient.translation.x() += 8.0;
+    sample.shown().cameraFromPatient = start;
+    sample.shown().cameraFromPatient.translation.x() += 8.0;
     const core::ColorImage after = drawn(options);
     options.isStartBeside = true;
     const core::ColorImage both = drawn(options);
     ASSERT_GT(both.width, 2 * after.width);
     ASSERT_EQ(both.height, after.height);
-    sample.cameraFromPatient = start;
+    sample.shown().cameraFromPatient = start;
     options.isStartBeside = false;
     const core::ColorImage before = drawn(options);
     EXPECT_EQ(differing(columns(both, 0, after.width), before, 0, after.width), 0);
@@ -98,9 +98,9 @@ TEST_F(OverlayPicture, PutsTheStartPoseBesideThePose)
 }
 
 /// A bright block whose place says the pose, at half the image's resolution.
-core::ImageF blockAt(const core::RegistrationCase& shown, const core::RigidTransform& pose)
+core::ImageF blockAt(const core::Case& shown, const core::RigidTransform& pose)
 {
-    core::ImageF picture(shown.angiogram->width() / 2, shown.angiogram->height() / 2);
+    core::ImageF picture(shown.shown().angiogram->width() / 2, shown.shown().angiogram->height() / 2);
     const int middle = picture.width / 4 + static_cast<int>(pose.translation.x());
     for (int y = picture.height / 3; y < picture.height / 2; ++y) {
         for (int x = middle - 6; x < middle + 6; ++x) {
@@ -113,8 +113,8 @@ core::ImageF blockAt(const core::RegistrationCase& shown, const core::RigidTrans
 TEST_F(OverlayPicture, ShowsTheRadiographOfEachPoseBeforeAndAfter)
 {
     const core::RigidTransform start = core::startPoseOf(sample).value();
-    sample.cameraFromPatient = start;
-    sample.cameraFromPatient.translation.x() += 20.0;
+    sample.shown().cameraFromPatient = start;
+    sample.shown().cameraFromPatient.translation.x() += 20.0;
     OverlayPictureOptions hidden = options;
     hidden.vessels = ui::OverlayMode::Hidden;
     const core::ColorImage bare = drawn(hidden);
@@ -137,9 +137,9 @@ TEST_F(OverlayPicture, LeavesTheRadiographOutBesideTheSwipe)
     hidden.vessels = ui::OverlayMode::Hidden;
     const core::ColorImage bare = drawn(hidden);
     options.radiograph = [this](const core::RigidTransform&) -> core::Result<core::ImageF> {
-        return core::ImageF(sample.angiogram->width(), sample.angiogram->height(), 1.0F);
+        return core::ImageF(sample.shown().angiogram->width(), sample.shown().angiogram->height(), 1.0F);
     };
-    options.cutout = {ui::Cutout::Shape::RightOf, {sample.angiogram->width() / 2.0 - 0.5, 0.0}, 0.0};
+    options.cutout = {ui::Cutout::Shape::RightOf, {sample.shown().angiogram->width() / 2.0 - 0.5, 0.0}, 0.0};
     const core::ColorImage swiped = drawn(options);
     EXPECT_EQ(differing(swiped, bare, bare.width / 2 + 2, bare.width), 0);
     EXPECT_EQ(differing(swiped, bare, 0, bare.width / 2 - 2),
@@ -148,8 +148,8 @@ TEST_F(OverlayPicture, LeavesTheRadiographOutBesideTheSwipe)
 
 TEST_F(OverlayPicture, NeedsAStartPoseForBeforeAndAfter)
 {
-    sample.hasInitialPose = false;
-    sample.cArm.primaryAngleDeg = {};
+    sample.shown().initialCameraFromPatient.reset();
+    sample.shown().geometry.cArm.primaryAngleDeg = {};
     options.isStartBeside = true;
     EXPECT_FALSE(drawOverlay(sample, {}, options));
 }

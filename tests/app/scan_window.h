@@ -20,7 +20,7 @@ protected:
         scanPath = folder.filePath(QStringLiteral("scan.nrrd"));
         ASSERT_TRUE(io::writeVolume(test::forkScan(), scanPath.toStdString()));
         w.drop({scanPath});
-        ASSERT_TRUE(w.current().volume);
+        ASSERT_TRUE(w.current().vessels.scan);
         QApplication::processEvents();
     }
 

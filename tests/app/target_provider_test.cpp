@@ -10,11 +10,11 @@ namespace {
 
 constexpr int patienceMs = 60000;
 
-core::RegistrationCase caseWith(std::shared_ptr<const core::Angiogram> run)
+core::Case caseWith(std::shared_ptr<const core::Angiogram> run)
 {
-    core::RegistrationCase result;
-    result.frame = run->suggestedFrame;
-    result.angiogram = std::move(run);
+    core::Case result;
+    result.shown().frame = run->suggestedFrame;
+    result.shown().angiogram = std::move(run);
     return result;
 }
 

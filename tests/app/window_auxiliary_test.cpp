@@ -35,15 +35,15 @@ TEST(WindowAuxiliary, TakesTheBranchesInsideALasso)
     ASSERT_TRUE(lasso->isChecked());
 
     drawLasso(w, {0.01, 0.01, 0.98, 0.98});
-    const std::size_t all = w.current().auxiliaryBranchIds.size();
-    EXPECT_GT(all, w.current().tree->branches.size() / 2);
+    const std::size_t all = w.current().vessels.auxiliaryBranchIds.size();
+    EXPECT_GT(all, w.current().vessels.tree->branches.size() / 2);
     EXPECT_EQ(w.history().count(), 1);
 
     drawLasso(w, {0.01, 0.01, 0.5, 0.98}, Qt::ControlModifier);   // takes some away
-    const std::size_t fewer = w.current().auxiliaryBranchIds.size();
+    const std::size_t fewer = w.current().vessels.auxiliaryBranchIds.size();
     EXPECT_LT(fewer, all);
     drawLasso(w, {0.01, 0.01, 0.5, 0.98}, Qt::ShiftModifier);   // and puts them back
-    EXPECT_EQ(w.current().auxiliaryBranchIds.size(), all);
+    EXPECT_EQ(w.current().vessels.auxiliaryBranchIds.size(), all);
     w.press(Qt::Key_Escape);
     EXPECT_FALSE(lasso->isChecked());
 }
@@ -54,7 +54,7 @@ TEST(WindowAuxiliary, SaysWhenALassoHoldsNothing)
     w.openSample();
     w.press(Qt::Key_L, Qt::ControlModifier);
     drawLasso(w, {0.0, 0.0, 0.03, 0.03});
-    EXPECT_TRUE(w.current().auxiliaryBranchIds.empty());
+    EXPECT_TRUE(w.current().vessels.auxiliaryBranchIds.empty());
     EXPECT_EQ(w.history().count(), 0);
 }
 
@@ -66,13 +66,13 @@ TEST(WindowAuxiliary, AdvisesWhichBranchesPinThePose)
     AuxiliaryController& auxiliary = w.controller.poses().auxiliary();
     ASSERT_TRUE(auxiliary.dialog());
     ASSERT_TRUE(QTest::qWaitFor([&] { return !auxiliary.suggestion().empty(); }, test::patienceMs));
-    EXPECT_LT(auxiliary.suggestion().size(), w.current().tree->branches.size());
+    EXPECT_LT(auxiliary.suggestion().size(), w.current().vessels.tree->branches.size());
 
     OpenWindow::clickButton(auxiliary.dialog(), QStringLiteral("Choose these"));
 
     std::vector<int> expected = auxiliary.suggestion();
     std::ranges::sort(expected);
-    EXPECT_EQ(w.current().auxiliaryBranchIds, expected);
+    EXPECT_EQ(w.current().vessels.auxiliaryBranchIds, expected);
     const auto labels = auxiliary.dialog()->findChildren<QLabel*>();
     EXPECT_TRUE(std::ranges::any_of(
         labels, [](const QLabel* label) { return label->text().contains(QStringLiteral("depth")); }));
@@ -85,16 +85,16 @@ TEST(WindowAuxiliary, ChoosesByGenerationAndRadius)
     OpenWindow w;
     w.openSample();
     AuxiliaryController& auxiliary = w.controller.poses().auxiliary();
-    const auto& branches = w.current().tree->branches;
+    const auto& branches = w.current().vessels.tree->branches;
     auxiliary.chooseWide(0.0);
-    const std::size_t wide = w.current().auxiliaryBranchIds.size();
+    const std::size_t wide = w.current().vessels.auxiliaryBranchIds.size();
     auxiliary.chooseWide(1e6);   // none: says so and keeps the choice
-    EXPECT_EQ(w.current().auxiliaryBranchIds.size(), wide);
+    EXPECT_EQ(w.current().vessels.auxiliaryBranchIds.size(), wide);
     const auto firstGenerations =
         std::ranges::count_if(branches, [](const auto& branch) { return branch.generation == 0; });
     if (firstGenerations > 0) {
         auxiliary.chooseGenerations(0);
-        EXPECT_EQ(static_cast<std::ptrdiff_t>(w.current().auxiliaryBranchIds.size()), firstGenerations);
+        EXPECT_EQ(static_cast<std::ptrdiff_t>(w.current().vessels.auxiliaryBranchIds.size()), firstGenerations);
     }
 }
 

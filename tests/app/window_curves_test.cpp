@@ -61,15 +61,15 @@ TEST_F(WindowCurves, AClickLeavesACurveOutAsOneStep)
     const int id = core::curveAt(traced, middle(loneCurve()), 5.0);
     clickAt(middle(loneCurve()));
 
-    ASSERT_TRUE(w.current().givenTarget);
-    EXPECT_EQ(w.current().givenTarget->curves.size(), traced.curves.size() - 1);
-    EXPECT_EQ(std::ranges::count(w.current().givenTarget->curves, id, &core::Curve2d::id), 0);
-    EXPECT_EQ(w.current().editedFrame, w.current().frame);
+    ASSERT_TRUE(w.current().shown().target.centerline);
+    EXPECT_EQ(w.current().shown().target.centerline->curves.size(), traced.curves.size() - 1);
+    EXPECT_EQ(std::ranges::count(w.current().shown().target.centerline->curves, id, &core::Curve2d::id), 0);
+    EXPECT_EQ(w.current().shown().target.editedFrame, w.current().shown().frame);
     EXPECT_EQ(target()->curves.size(), traced.curves.size() - 1) << "what is registered to";
     EXPECT_EQ(w.history().count(), 1);
     EXPECT_EQ(w.history().undoText(), QStringLiteral("Mark as not a vessel"));
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_FALSE(w.current().givenTarget);
+    EXPECT_FALSE(w.current().shown().target.centerline);
     EXPECT_EQ(target()->pointCount(), traced.pointCount());
 }
 
@@ -154,7 +154,7 @@ TEST_F(WindowCurves, TracesAgainWhenAskedTwice)
     w.window.actions()[ui::Command::TraceAgain]->trigger();
     ASSERT_EQ(w.dialogs("traceAgainQuestion").size(), 1);
     OpenWindow::clickButton(w.dialogs("traceAgainQuestion").front(), QStringLiteral("Trace again"));
-    EXPECT_FALSE(w.current().givenTarget);
+    EXPECT_FALSE(w.current().shown().target.centerline);
     EXPECT_EQ(target()->pointCount(), traced.pointCount());
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(target()->curves.size(), traced.curves.size() - 1);
@@ -164,10 +164,10 @@ TEST_F(WindowCurves, EditsHoldForTheirFrame)
 {
     clickAt(middle(loneCurve()));
     const SharedCenterline edited = target();
-    const int frame = w.current().frame;
+    const int frame = w.current().shown().frame;
     w.press(Qt::Key_Escape);
     w.press(Qt::Key_Up);
-    ASSERT_NE(w.current().frame, frame);
+    ASSERT_NE(w.current().shown().frame, frame);
     ASSERT_TRUE(QTest::qWaitFor([this] { return target() && w.controller.target().trace(); }, test::patienceMs));
     EXPECT_NE(target(), edited);
     w.press(Qt::Key_Down);
@@ -194,7 +194,7 @@ TEST_F(WindowCurves, SurviveSavingAndReopening)
         EXPECT_EQ(same.value().curves[i].pointsPx, target()->curves[i].pointsPx);
     }
     w.drop({QString::fromStdString(path)});
-    EXPECT_EQ(w.current().editedFrame, w.current().frame);
+    EXPECT_EQ(w.current().shown().target.editedFrame, w.current().shown().frame);
 }
 
 TEST_F(WindowCurves, ButtonsChooseTheEdit)

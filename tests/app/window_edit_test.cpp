@@ -14,7 +14,7 @@ TEST(WindowEdit, NudgesByKeysAsOneStepOfUndo)
 {
     OpenWindow w;
     w.openSample();
-    const core::RigidTransform start = w.current().cameraFromPatient;
+    const core::RigidTransform start = w.current().shown().cameraFromPatient;
 
     w.press(Qt::Key_N);
     w.press(Qt::Key_Right);
@@ -25,7 +25,7 @@ TEST(WindowEdit, NudgesByKeysAsOneStepOfUndo)
     EXPECT_NEAR(w.controller.pose().currentOffset()->rightMm, 2.1, 1e-9);
     EXPECT_EQ(w.history().count(), 1);
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_LT(test::distance(w.current().cameraFromPatient, start), 1e-12);
+    EXPECT_LT(test::distance(w.current().shown().cameraFromPatient, start), 1e-12);
     w.press(Qt::Key_Y, Qt::ControlModifier);
     EXPECT_NEAR(w.controller.pose().currentOffset()->rightMm, 2.1, 1e-9);
 }
@@ -58,15 +58,15 @@ TEST(WindowEdit, LeavesArrowsToTheFramesOutsideNudgeMode)
 {
     OpenWindow w;
     w.openSample();
-    const core::RigidTransform start = w.current().cameraFromPatient;
-    const int frame = w.current().frame;
+    const core::RigidTransform start = w.current().shown().cameraFromPatient;
+    const int frame = w.current().shown().frame;
 
     w.press(Qt::Key_Down);
 
-    EXPECT_EQ(w.current().frame, frame + 1);
-    EXPECT_LT(test::distance(w.current().cameraFromPatient, start), 1e-12);
+    EXPECT_EQ(w.current().shown().frame, frame + 1);
+    EXPECT_LT(test::distance(w.current().shown().cameraFromPatient, start), 1e-12);
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(w.current().frame, frame);
+    EXPECT_EQ(w.current().shown().frame, frame);
 }
 
 TEST(WindowEdit, KeepsLockedDegreesOfFreedom)
@@ -106,10 +106,10 @@ protected:
         w.openSample();
         w.press(Qt::Key_N);
         const auto camera = core::cameraOf(w.current());
-        const auto pivot =
-            core::project(camera.value(), w.current().cameraFromPatient * core::centroidInPatient(*w.current().tree));
+        const auto pivot = core::project(
+            camera.value(), w.current().shown().cameraFromPatient * core::centroidInPatient(*w.current().vessels.tree));
         from = w.window.angiogramView().widgetFromImage(*pivot).toPoint();
-        start = w.current().cameraFromPatient;
+        start = w.current().shown().cameraFromPatient;
     }
     void dragTo(const QPoint& to)
     {
@@ -145,7 +145,7 @@ TEST_F(WindowDrag, IsTakenBackByEscape)
     w.press(Qt::Key_Escape);
     QTest::mouseRelease(&w.window.angiogramView(), Qt::LeftButton, Qt::NoModifier, from + QPoint(40, -30));
 
-    EXPECT_LT(test::distance(w.current().cameraFromPatient, start), 1e-12);
+    EXPECT_LT(test::distance(w.current().shown().cameraFromPatient, start), 1e-12);
     EXPECT_NEAR(w.controller.pose().currentOffset()->rightMm, 0.0, 1e-9);
     EXPECT_EQ(w.history().count(), 0);
 }
@@ -156,17 +156,17 @@ TEST(WindowBranches, AreChosenByListAndKey)
     w.openSample();
     QListView* list = w.window.branches().list();
     const QRect row = list->visualRect(list->model()->index(2, 0));
-    const int id = w.current().tree->branches[2].id;
+    const int id = w.current().vessels.tree->branches[2].id;
 
     QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::NoModifier, row.topLeft() + QPoint(40, 8));
     EXPECT_EQ(w.controller.branches().marks().selected, std::set{id});
     QTest::keyClick(list, Qt::Key_A);
-    EXPECT_EQ(w.current().auxiliaryBranchIds, std::vector{id});
+    EXPECT_EQ(w.current().vessels.auxiliaryBranchIds, std::vector{id});
     EXPECT_EQ(w.history().undoText(), QStringLiteral("Choose auxiliary branches"));
     QTest::keyClick(list, Qt::Key_X);
-    EXPECT_EQ(w.current().excludedBranchIds, std::vector{id});
+    EXPECT_EQ(w.current().vessels.excludedBranchIds, std::vector{id});
     QTest::keyClick(list, Qt::Key_X);
-    EXPECT_TRUE(w.current().excludedBranchIds.empty());
+    EXPECT_TRUE(w.current().vessels.excludedBranchIds.empty());
 }
 
 TEST(WindowBranches, AreToggledByTheirPill)
@@ -179,7 +179,7 @@ TEST(WindowBranches, AreToggledByTheirPill)
     QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::NoModifier,
                       ui::BranchDelegate::auxiliaryRect(row).center());
 
-    EXPECT_EQ(w.current().auxiliaryBranchIds, std::vector{w.current().tree->branches[1].id});
+    EXPECT_EQ(w.current().vessels.auxiliaryBranchIds, std::vector{w.current().vessels.tree->branches[1].id});
 }
 
 TEST(WindowBranches, ArePickedInTheAngiogram)
@@ -188,9 +188,9 @@ TEST(WindowBranches, ArePickedInTheAngiogram)
     w.openSample();
     const auto camera = core::cameraOf(w.current());
     ui::AngiogramView& view = w.window.angiogramView();
-    for (const core::VesselBranch& branch : w.current().tree->branches) {
-        const auto pixel = core::project(
-            camera.value(), w.current().cameraFromPatient * branch.pointsInPatient[branch.pointsInPatient.size() / 2]);
+    for (const core::VesselBranch& branch : w.current().vessels.tree->branches) {
+        const auto pixel = core::project(camera.value(), w.current().shown().cameraFromPatient *
+                                                             branch.pointsInPatient[branch.pointsInPatient.size() / 2]);
         const QPoint place = pixel ? view.widgetFromImage(*pixel).toPoint() : QPoint(-1, -1);
         if (!view.rect().adjusted(60, 60, -60, -60).contains(place)) {
             continue;
@@ -198,7 +198,7 @@ TEST(WindowBranches, ArePickedInTheAngiogram)
         QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, place);
         ASSERT_EQ(w.controller.branches().marks().selected.size(), 1U);
         w.press(Qt::Key_A);
-        EXPECT_EQ(w.current().auxiliaryBranchIds.size(), 1U);
+        EXPECT_EQ(w.current().vessels.auxiliaryBranchIds.size(), 1U);
         return;
     }
     FAIL() << "no branch of the sample lies in the view";

@@ -29,8 +29,8 @@ TEST(WindowFiles, MakeACaseOfTreeAndImageDroppedTogether)
 
     w.drop({dataPath("coronary-phantom-xa/views-A/IM4.dcm"), dataPath("coronary-phantom-xa/tree/Centerlines.vtk")});
 
-    ASSERT_TRUE(w.current().tree && w.current().angiogram);
-    EXPECT_EQ(w.current().tree->branches.size(), 11U);
+    ASSERT_TRUE(w.current().vessels.tree && w.current().shown().angiogram);
+    EXPECT_EQ(w.current().vessels.tree->branches.size(), 11U);
     EXPECT_TRUE(w.controller.pose().currentOffset());
     EXPECT_TRUE(w.controller.document().isModified());
     EXPECT_TRUE(w.dialogs("messageDialog").isEmpty());
@@ -42,27 +42,27 @@ TEST(WindowFiles, JoinTheOpenCaseOneByOneAndCanBeUndone)
     OpenWindow w;
 
     w.drop({dataPath("coronary-phantom-xa/tree/Centerlines.vtk")});
-    EXPECT_TRUE(w.current().tree && !w.current().angiogram);
+    EXPECT_TRUE(w.current().vessels.tree && !w.current().shown().angiogram);
     w.drop({dataPath("coronary-phantom-xa/views-A/IM4.dcm")});
 
-    ASSERT_TRUE(w.current().angiogram);
+    ASSERT_TRUE(w.current().shown().angiogram);
     EXPECT_TRUE(w.controller.registration().whyNotReady().isEmpty());
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_FALSE(w.current().angiogram);
+    EXPECT_FALSE(w.current().shown().angiogram);
     w.press(Qt::Key_Y, Qt::ControlModifier);
-    EXPECT_TRUE(w.current().angiogram);
+    EXPECT_TRUE(w.current().shown().angiogram);
 }
 
 TEST(WindowFiles, SaveAndReopenGiveTheSameCase)
 {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("again.angiopose"));
-    core::RegistrationCase saved;
+    core::Case saved;
     {
         OpenWindow w;
         w.openSample();
-        w.controller.branches().setAuxiliary({w.current().tree->branches[1].id});
-        w.controller.branches().toggleExcluded({w.current().tree->branches[3].id});
+        w.controller.branches().setAuxiliary({w.current().vessels.tree->branches[1].id});
+        w.controller.branches().toggleExcluded({w.current().vessels.tree->branches[3].id});
         w.press(Qt::Key_N);
         w.press(Qt::Key_Right);
         w.press(Qt::Key_Down, Qt::AltModifier);
@@ -80,12 +80,13 @@ TEST(WindowFiles, SaveAndReopenGiveTheSameCase)
     w.drop({path});
 
     EXPECT_EQ(w.current().title, saved.title);
-    EXPECT_EQ(w.current().frame, saved.frame);
-    EXPECT_EQ(w.current().auxiliaryBranchIds, saved.auxiliaryBranchIds);
-    EXPECT_EQ(w.current().excludedBranchIds, saved.excludedBranchIds);
+    EXPECT_EQ(w.current().shown().frame, saved.shown().frame);
+    EXPECT_EQ(w.current().vessels.auxiliaryBranchIds, saved.vessels.auxiliaryBranchIds);
+    EXPECT_EQ(w.current().vessels.excludedBranchIds, saved.vessels.excludedBranchIds);
     EXPECT_EQ(w.current().options, saved.options);
-    EXPECT_EQ(test::distance(w.current().cameraFromPatient, saved.cameraFromPatient), 0.0);
-    EXPECT_EQ(test::distance(w.current().initialCameraFromPatient, saved.initialCameraFromPatient), 0.0);
+    EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, saved.shown().cameraFromPatient), 0.0);
+    EXPECT_EQ(test::distance(*w.current().shown().initialCameraFromPatient, *saved.shown().initialCameraFromPatient),
+              0.0);
 }
 
 TEST(WindowFiles, AskBeforeUnsavedChangesAreReplaced)
@@ -94,24 +95,24 @@ TEST(WindowFiles, AskBeforeUnsavedChangesAreReplaced)
     w.openSample();
     w.press(Qt::Key_N);
     w.press(Qt::Key_Right);
-    const core::RigidTransform edited = w.current().cameraFromPatient;
+    const core::RigidTransform edited = w.current().shown().cameraFromPatient;
 
     w.openSample();
     ASSERT_EQ(w.dialogs("questionDialog").size(), 1);
     OpenWindow::clickButton(w.dialogs("questionDialog").front(), QStringLiteral("Keep the open case"));
-    EXPECT_EQ(test::distance(w.current().cameraFromPatient, edited), 0.0);
+    EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, edited), 0.0);
 
     w.openSample();
     OpenWindow::clickButton(w.dialogs("questionDialog").front(), QStringLiteral("Discard changes"));
-    EXPECT_GT(test::distance(w.current().cameraFromPatient, edited), 0.5);
+    EXPECT_GT(test::distance(w.current().shown().cameraFromPatient, edited), 0.5);
 }
 
 TEST(WindowFiles, LeaveWhatCannotBeSavedWhereTheQuestionIsDismissed)
 {
     OpenWindow w;
     w.openSample();
-    core::RegistrationCase image;
-    image.angiogram = w.current().angiogram;
+    core::Case image;
+    image.shown().angiogram = w.current().shown().angiogram;
     w.controller.document().replace(image, {});
     core::RegistrationOptions options = w.current().options;
     options.maxIterations = 7;
@@ -207,15 +208,15 @@ TEST_P(WindowBadFiles, LoadOrAreRefusedByOneMessage)
             w.controller.document().replace({}, {});
             w.openSample();
         }
-        const auto treeBefore = w.current().tree;
-        const auto imageBefore = w.current().angiogram;
+        const auto treeBefore = w.current().vessels.tree;
+        const auto imageBefore = w.current().shown().angiogram;
 
         w.drop({path});
         takeInsteadOfWhatIsOpen(w);
 
         const auto messages = w.dialogs("messageDialog");
-        const bool untouched =
-            w.current().tree == treeBefore && w.current().angiogram == imageBefore && !w.current().givenTarget;
+        const bool untouched = w.current().vessels.tree == treeBefore && w.current().shown().angiogram == imageBefore &&
+                               !w.current().shown().target.centerline;
         needsSample = !untouched;
         EXPECT_EQ(messages.size(), untouched ? 1 : 0) << path.toStdString();
         for (QDialog* message : messages) {

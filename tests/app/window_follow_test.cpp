@@ -19,7 +19,7 @@ void openRegisteredRun(OpenWindow& w)
     w.waitForJudgement();
     w.press(Qt::Key_R);
     w.waitForRun();
-    ASSERT_TRUE(w.current().result);
+    ASSERT_TRUE(w.current().shown().result);
 }
 
 void follow(OpenWindow& w)
@@ -46,21 +46,21 @@ TEST(WindowFollow, ShowsEachFrameWithItsOwnPose)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     OpenWindow w;
     openRegisteredRun(w);
-    const int first = w.current().frame;
-    const Eigen::Matrix4d found = w.current().cameraFromPatient.matrix();
+    const int first = w.current().shown().frame;
+    const Eigen::Matrix4d found = w.current().shown().cameraFromPatient.matrix();
     EXPECT_FALSE(w.window.result().motion().isVisible());
     follow(w);
     ASSERT_EQ(w.controller.following().frames().size(), 10U);
-    EXPECT_EQ(w.current().cameraFromPatient.matrix(), found);
+    EXPECT_EQ(w.current().shown().cameraFromPatient.matrix(), found);
     EXPECT_TRUE(w.window.result().motion().isVisible());
 
     w.press(Qt::Key_Down);
-    const int next = w.current().frame;
+    const int next = w.current().shown().frame;
     ASSERT_EQ(next, first + 1);
-    EXPECT_EQ(w.current().cameraFromPatient.matrix(), followed(w, next).tracked.cameraFromPatient.matrix());
+    EXPECT_EQ(w.current().shown().cameraFromPatient.matrix(), followed(w, next).tracked.cameraFromPatient.matrix());
     EXPECT_TRUE(QTest::qWaitFor([&] { return says(w, QStringLiteral("· followed")); }, test::patienceMs));
     w.press(Qt::Key_Up);
-    EXPECT_EQ(w.current().cameraFromPatient.matrix(), found);
+    EXPECT_EQ(w.current().shown().cameraFromPatient.matrix(), found);
     EXPECT_EQ(w.controller.following().frames().size(), 10U);   // they still hold
 }
 
@@ -72,11 +72,11 @@ TEST(WindowFollow, AClickInThePlotShowsThatFrame)
     follow(w);
     ui::MotionPlot& plot = w.window.result().motion();
     QTest::mouseClick(&plot, Qt::LeftButton, {}, {plot.width() - 5, plot.height() / 2});
-    EXPECT_EQ(w.current().frame, 9);
-    EXPECT_EQ(w.current().cameraFromPatient.matrix(), followed(w, 9).tracked.cameraFromPatient.matrix());
+    EXPECT_EQ(w.current().shown().frame, 9);
+    EXPECT_EQ(w.current().shown().cameraFromPatient.matrix(), followed(w, 9).tracked.cameraFromPatient.matrix());
     plot.setFocus();
     QTest::keyClick(&plot, Qt::Key_Left);
-    EXPECT_EQ(w.current().frame, 8);
+    EXPECT_EQ(w.current().shown().frame, 8);
 }
 
 TEST(WindowFollow, PosesAreForgottenWhenTheVesselsAreMoved)
@@ -91,10 +91,10 @@ TEST(WindowFollow, PosesAreForgottenWhenTheVesselsAreMoved)
     EXPECT_TRUE(w.controller.following().frames().empty());
     EXPECT_FALSE(w.window.result().motion().isVisible());
     EXPECT_FALSE(w.window.actions()[ui::Command::ExportFollowed]->isEnabled());
-    const Eigen::Matrix4d nudged = w.current().cameraFromPatient.matrix();
+    const Eigen::Matrix4d nudged = w.current().shown().cameraFromPatient.matrix();
     w.press(Qt::Key_N);
     w.press(Qt::Key_Down);
-    EXPECT_EQ(w.current().cameraFromPatient.matrix(), nudged);   // frames share the pose again
+    EXPECT_EQ(w.current().shown().cameraFromPatient.matrix(), nudged);   // frames share the pose again
 }
 
 TEST(WindowFollow, StopKeepsTheFramesItCameTo)
@@ -121,8 +121,8 @@ TEST(WindowFollow, OneFrameIsNothingToFollow)
     ASSERT_TRUE(picture.save(path));
     OpenWindow w;
     w.drop({path});
-    ASSERT_TRUE(QTest::qWaitFor([&w] { return w.current().angiogram != nullptr; }, test::patienceMs));
-    ASSERT_EQ(w.current().angiogram->frameCount(), 1);
+    ASSERT_TRUE(QTest::qWaitFor([&w] { return w.current().shown().angiogram != nullptr; }, test::patienceMs));
+    ASSERT_EQ(w.current().shown().angiogram->frameCount(), 1);
     EXPECT_FALSE(w.window.actions()[ui::Command::FollowFrames]->isEnabled());
 }
 

@@ -38,9 +38,9 @@ QPoint inImage(OpenWindow& w, const Eigen::Vector2d& pixel)
 std::vector<Eigen::Vector3d> visibleNodes(OpenWindow& w)
 {
     std::vector<Eigen::Vector3d> nodes;
-    const auto camera = core::cameraOf(w.current()).value();
-    for (const core::VesselNode& node : core::findNodes(*w.current().tree)) {
-        const auto pixel = core::project(camera, w.current().cameraFromPatient * node.pointInPatient);
+    const auto camera = core::cameraOf(w.current().shown()).value();
+    for (const core::VesselNode& node : core::findNodes(*w.current().vessels.tree)) {
+        const auto pixel = core::project(camera, w.current().shown().cameraFromPatient * node.pointInPatient);
         const QPoint place = inTreeView(w, node.pointInPatient);
         const double ratio = w.window.treeView().devicePixelRatio();
         const auto pick = w.window.treeView().scene().pickAt(
@@ -66,14 +66,14 @@ TEST(WindowGeometry, AsksForThePixelSpacingThatTheHeaderLacks)
         fieldNamed(w, QStringLiteral("Pixel pitch on the detector. Enter confirms a derived one."));
     ASSERT_TRUE(spacing);
     EXPECT_TRUE(spacing->property("asking").toBool());   // only derived, from the field of view
-    EXPECT_EQ(w.current().cArm.columnSpacingMm.origin, core::Origin::Derived);
+    EXPECT_EQ(w.current().shown().geometry.cArm.columnSpacingMm.origin, core::Origin::Derived);
 
     w.window.geometryPanel().setFolded(false);
     spacing->setFocus();
     QTest::keyClick(spacing, Qt::Key_Return);
 
-    EXPECT_EQ(w.current().cArm.columnSpacingMm.origin, core::Origin::User);
-    EXPECT_DOUBLE_EQ(*w.current().cArm.columnSpacingMm.value, 0.390625);
+    EXPECT_EQ(w.current().shown().geometry.cArm.columnSpacingMm.origin, core::Origin::User);
+    EXPECT_DOUBLE_EQ(*w.current().shown().geometry.cArm.columnSpacingMm.value, 0.390625);
     EXPECT_FALSE(spacing->property("asking").toBool());
     EXPECT_EQ(w.history().count(), 1);
 }
@@ -85,27 +85,27 @@ TEST(WindowGeometry, SaysWhatContradictsAndTakesItBack)
     w.window.geometryPanel().setFolded(false);
     ui::NumberField* sod = fieldNamed(w, QStringLiteral("Source to isocentre distance"));
     ASSERT_TRUE(sod);
-    core::RegistrationCase plain = w.current();
-    plain.cameraOverride.reset();
-    ASSERT_TRUE(core::cameraOf(plain));
+    core::Case plain = w.current();
+    plain.shown().geometry.cameraOverride.reset();
+    ASSERT_TRUE(core::cameraOf(plain.shown()));
     w.controller.document().replace(plain, {});
     sod->setFocus();
     sod->selectAll();
     QTest::keyClicks(sod, QStringLiteral("2500"));
     QTest::keyClick(sod, Qt::Key_Return);
-    EXPECT_FALSE(core::contradictionsOf(w.current()).empty());
+    EXPECT_FALSE(core::contradictionsOf(w.current().shown()).empty());
     w.controller.document().undoStack().undo();
-    EXPECT_TRUE(core::contradictionsOf(w.current()).empty());
+    EXPECT_TRUE(core::contradictionsOf(w.current().shown()).empty());
 }
 
 TEST(WindowLandmarks, PairsClickedInBothViewsGiveTheStartPoseAsOneStep)
 {
     OpenWindow w;
     w.openSample();
-    const auto camera = core::cameraOf(w.current()).value();
+    const auto camera = core::cameraOf(w.current().shown()).value();
     const std::vector<Eigen::Vector3d> nodes = visibleNodes(w);
     ASSERT_GE(nodes.size(), 5U);
-    const core::RigidTransform start = w.current().cameraFromPatient;
+    const core::RigidTransform start = w.current().shown().cameraFromPatient;
     const core::RigidTransform wanted{start.rotation, start.translation + Eigen::Vector3d(6.0, -4.0, 10.0)};
 
     w.press(Qt::Key_L);
@@ -114,31 +114,32 @@ TEST(WindowLandmarks, PairsClickedInBothViewsGiveTheStartPoseAsOneStep)
         QTest::mouseClick(&w.window.treeView(), Qt::LeftButton, Qt::NoModifier, inTreeView(w, nodes[i]));
         QTest::mouseClick(&w.window.angiogramView(), Qt::LeftButton, Qt::NoModifier,
                           inImage(w, *core::project(camera, wanted * nodes[i])));
-        ASSERT_EQ(w.current().landmarks.size(), i + 1);
+        ASSERT_EQ(w.current().shown().landmarks.size(), i + 1);
     }
     EXPECT_EQ(w.window.landmarks().findChild<QListWidget*>()->count(), 5);
     const int steps = w.history().count();
     w.press(Qt::Key_Return);
 
     EXPECT_EQ(w.history().count(), steps + 1);
-    EXPECT_TRUE(w.current().hasInitialPose);
-    const auto errors = core::landmarkErrorsPx(w.current().landmarks, camera, w.current().cameraFromPatient);
+    EXPECT_TRUE(w.current().shown().initialCameraFromPatient);
+    const auto errors =
+        core::landmarkErrorsPx(w.current().shown().landmarks, camera, w.current().shown().cameraFromPatient);
     for (const double error : errors) {
         EXPECT_LT(error, 3.0);   // clicks fall on whole widget pixels, and nodes hide each other in 3-D
     }
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_LT(test::distance(w.current().cameraFromPatient, start), 1e-12);
-    EXPECT_EQ(w.current().landmarks.size(), 5U);
+    EXPECT_LT(test::distance(w.current().shown().cameraFromPatient, start), 1e-12);
+    EXPECT_EQ(w.current().shown().landmarks.size(), 5U);
 }
 
 TEST(WindowLandmarks, NodesAreDrawnToTheirPlaceMovedAndRemoved)
 {
     OpenWindow w;
     w.openSample();
-    const auto camera = core::cameraOf(w.current()).value();
+    const auto camera = core::cameraOf(w.current().shown()).value();
     const std::vector<Eigen::Vector3d> nodes = visibleNodes(w);
     ASSERT_FALSE(nodes.empty());
-    const QPoint from = inImage(w, *core::project(camera, w.current().cameraFromPatient * nodes[0]));
+    const QPoint from = inImage(w, *core::project(camera, w.current().shown().cameraFromPatient * nodes[0]));
     const auto drag = [&w](const QPoint& a, const QPoint& b) {
         QWidget* view = &w.window.angiogramView();
         QTest::mousePress(view, Qt::LeftButton, Qt::NoModifier, a);
@@ -148,13 +149,13 @@ TEST(WindowLandmarks, NodesAreDrawnToTheirPlaceMovedAndRemoved)
     };
     w.press(Qt::Key_L);
     drag(from, from + QPoint(25, 14));
-    ASSERT_EQ(w.current().landmarks.size(), 1U);
-    const Eigen::Vector2d first = w.current().landmarks[0].pixel;
+    ASSERT_EQ(w.current().shown().landmarks.size(), 1U);
+    const Eigen::Vector2d first = w.current().shown().landmarks[0].pixel;
     drag(from + QPoint(25, 14), from + QPoint(35, 14));
-    ASSERT_EQ(w.current().landmarks.size(), 1U);
-    EXPECT_GT(w.current().landmarks[0].pixel.x(), first.x());
+    ASSERT_EQ(w.current().shown().landmarks.size(), 1U);
+    EXPECT_GT(w.current().shown().landmarks[0].pixel.x(), first.x());
     w.press(Qt::Key_Delete);
-    EXPECT_TRUE(w.current().landmarks.empty());
+    EXPECT_TRUE(w.current().shown().landmarks.empty());
     EXPECT_EQ(w.history().count(), 3);
     w.press(Qt::Key_Escape);
     EXPECT_EQ(w.window.angiogramView().tool(), nullptr);
@@ -164,18 +165,18 @@ TEST(WindowStartPose, ComesFromHandOrAnglesInOneStepEach)
 {
     OpenWindow w;
     w.openSample();
-    const core::RigidTransform start = w.current().cameraFromPatient;
+    const core::RigidTransform start = w.current().shown().cameraFromPatient;
     w.press(Qt::Key_N);
     w.press(Qt::Key_Right, Qt::ShiftModifier);
     w.press(Qt::Key_Backspace, Qt::ShiftModifier);
     EXPECT_NEAR(w.controller.pose().currentOffset()->rightMm, 0.0, 1e-9);   // here is the start now
-    EXPECT_GT(test::distance(w.current().initialCameraFromPatient, start), 1.0);
+    EXPECT_GT(test::distance(*w.current().shown().initialCameraFromPatient, start), 1.0);
 
     w.press(Qt::Key_Backspace, Qt::ControlModifier);
-    EXPECT_FALSE(w.current().hasInitialPose);
-    EXPECT_LT(test::distance(w.current().cameraFromPatient, core::startPoseOf(w.current()).value()), 1e-12);
+    EXPECT_FALSE(w.current().shown().initialCameraFromPatient);
+    EXPECT_LT(test::distance(w.current().shown().cameraFromPatient, core::startPoseOf(w.current()).value()), 1e-12);
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_TRUE(w.current().hasInitialPose);
+    EXPECT_TRUE(w.current().shown().initialCameraFromPatient);
     EXPECT_EQ(w.history().index(), 2);
 }
 
@@ -187,16 +188,17 @@ TEST(WindowLandmarks, ComeBackWithTheCase)
     const std::vector<Eigen::Vector3d> nodes = visibleNodes(w);
     ASSERT_FALSE(nodes.empty());
     w.press(Qt::Key_L);
-    const auto pixel = *core::project(core::cameraOf(w.current()).value(), w.current().cameraFromPatient * nodes[0]);
+    const auto pixel =
+        *core::project(core::cameraOf(w.current().shown()).value(), w.current().shown().cameraFromPatient * nodes[0]);
     QTest::mouseClick(&w.window.treeView(), Qt::LeftButton, Qt::NoModifier, inTreeView(w, nodes[0]));
     QTest::mouseClick(&w.window.angiogramView(), Qt::LeftButton, Qt::NoModifier, inImage(w, pixel));
-    ASSERT_EQ(w.current().landmarks.size(), 1U);
-    const std::vector<core::Landmark> made = w.current().landmarks;
+    ASSERT_EQ(w.current().shown().landmarks.size(), 1U);
+    const std::vector<core::Landmark> made = w.current().shown().landmarks;
     const QString path = QString::fromStdString(folder.file("with-landmarks.angiopose"));
     w.controller.saving().saveTo(path);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !w.controller.document().isModified(); }, test::patienceMs));
     w.drop({path});
-    EXPECT_EQ(w.current().landmarks, made);
+    EXPECT_EQ(w.current().shown().landmarks, made);
 }
 
 TEST(WindowSides, TheMirroredViewMovesWithTheHand)
@@ -215,7 +217,7 @@ TEST(WindowSides, TheMirroredViewMovesWithTheHand)
     w.press(Qt::Key_N);
     w.press(Qt::Key_Right);
     EXPECT_NEAR(w.controller.pose().currentOffset()->rightMm, -1.0, 1e-9);   // right on screen is left in the image
-    EXPECT_NEAR(w.current().cameraFromPatient.rotation.determinant(), 1.0, 1e-12);
+    EXPECT_NEAR(w.current().shown().cameraFromPatient.rotation.determinant(), 1.0, 1e-12);
 }
 
 }   // namespace angiopose::app

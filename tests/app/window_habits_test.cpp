@@ -155,10 +155,10 @@ TEST_F(WindowHabits, TheMouseFollowsThePreset)
     EXPECT_NE(level(), before);
 
     w.window.actions()[ui::Command::MouseScroll]->trigger();
-    const int frame = w.current().frame;
+    const int frame = w.current().shown().frame;
     w.press(Qt::Key_Home);
     dragDown(view, Qt::LeftButton);
-    EXPECT_GT(w.current().frame, 0);
+    EXPECT_GT(w.current().shown().frame, 0);
     EXPECT_GE(frame, 0);
 }
 

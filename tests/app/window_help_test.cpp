@@ -75,7 +75,7 @@ TEST(WindowHelp, TheTourPointsAtVisiblePartsAndBlocksNothing)
     }
     EXPECT_EQ(static_cast<int>(texts.size()), tour->stopCount());
     w.openSample();   // works under the bubble
-    EXPECT_TRUE(w.current().tree);
+    EXPECT_TRUE(w.current().vessels.tree);
     QTest::keyClick(tour, Qt::Key_Escape);
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     EXPECT_FALSE(tour);

@@ -36,7 +36,7 @@ protected:
                        "Segment1_ID:=b\nSegment1_LabelValue:=7\nSegment1_Name:=liver\n");
         path = QString::fromStdString(files.write("organs.seg.nrrd", content));
         w.drop({path});
-        ASSERT_TRUE(w.current().tree);
+        ASSERT_TRUE(w.current().vessels.tree);
         ASSERT_TRUE(QTest::qWaitFor([this] { return list().topLevelItemCount() == 3; }, test::patienceMs));
     }
 
@@ -65,7 +65,7 @@ protected:
     double highestPoint()
     {
         double highest = -1e9;
-        for (const core::VesselBranch& branch : w.current().tree->branches) {
+        for (const core::VesselBranch& branch : w.current().vessels.tree->branches) {
             for (const Eigen::Vector3d& point : branch.pointsInPatient) {
                 highest = std::max(highest, point.z());
             }
@@ -86,24 +86,24 @@ TEST_F(WindowLabels, AreListedWithNamesAndVolumes)
     EXPECT_EQ(list().topLevelItem(2)->text(0), QStringLiteral("Label 9"));
     EXPECT_EQ(list().topLevelItem(1)->text(1), QStringLiteral("3.84 ml"));
     EXPECT_EQ(choice().chosen(), std::set<int>{artery}) << "by its name";
-    EXPECT_EQ(w.current().vesselInput.labels, std::vector<int>{artery});
+    EXPECT_EQ(w.current().vessels.input.labels, std::vector<int>{artery});
 }
 
 TEST_F(WindowLabels, TickTraceAndUndoAsOneStep)
 {
-    const auto before = w.current().tree;
+    const auto before = w.current().vessels.tree;
     EXPECT_LT(highestPoint(), 56.0);
     clickBoxOf(2);
     EXPECT_EQ(choice().chosen(), (std::set<int>{artery, sideBranch}));
-    EXPECT_EQ(w.current().vesselInput.labels, std::vector<int>{artery}) << "a draft until it has been traced";
+    EXPECT_EQ(w.current().vessels.input.labels, std::vector<int>{artery}) << "a draft until it has been traced";
     const int steps = w.history().count();
     trace();
-    EXPECT_EQ(w.current().vesselInput.labels, (std::vector<int>{artery, sideBranch}));
+    EXPECT_EQ(w.current().vessels.input.labels, (std::vector<int>{artery, sideBranch}));
     EXPECT_GT(highestPoint(), 75.0);
     EXPECT_EQ(w.history().count(), steps + 1);
 
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(w.current().tree, before);
+    EXPECT_EQ(w.current().vessels.tree, before);
     EXPECT_EQ(choice().chosen(), std::set<int>{artery});
     w.press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     EXPECT_EQ(choice().chosen(), (std::set<int>{artery, sideBranch}));
@@ -134,7 +134,7 @@ TEST_F(WindowLabels, AllAreKeptAsAllThoughNamesSayOtherwise)
 {
     pressButton(QStringLiteral("All"));
     trace();
-    EXPECT_EQ(w.current().vesselInput.labels, (std::vector<int>{artery, organ, sideBranch}));
+    EXPECT_EQ(w.current().vessels.input.labels, (std::vector<int>{artery, organ, sideBranch}));
 }
 
 TEST_F(WindowLabels, SlicesShowThemInTheirColours)
@@ -162,7 +162,7 @@ TEST_F(WindowLabels, SlicesShowThemInTheirColours)
 TEST_F(WindowLabels, AreGoneWithTheLabelImage)
 {
     w.drop({QString::fromStdString(files.write("tree.csv", "x,y,z,radius,branch\n0,0,0,2,1\n0,0,40,2,1\n"))});
-    ASSERT_EQ(w.current().vesselInput.kind, core::VesselInputKind::Centerline);
+    ASSERT_EQ(w.current().vessels.input.kind, core::VesselInputKind::Centerline);
     EXPECT_FALSE(choice().isVisible());
     EXPECT_FALSE(w.window.actions()[ui::Command::ChooseLabels]->isEnabled());
     EXPECT_TRUE(w.window.slices().labelTints().empty());

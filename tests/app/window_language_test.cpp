@@ -58,10 +58,10 @@ protected:
 TEST_F(WindowLanguage, ChangesAtOnceAndLosesNothing)
 {
     CaseDocument& document = controller().document();
-    const core::RigidTransform start = document.current().cameraFromPatient;
+    const core::RigidTransform start = document.current().shown().cameraFromPatient;
     QTest::keyClick(&host->window().angiogramView(), Qt::Key_N);
     QTest::keyClick(&host->window().angiogramView(), Qt::Key_Left);
-    const core::RigidTransform nudged = document.current().cameraFromPatient;
+    const core::RigidTransform nudged = document.current().shown().cameraFromPatient;
     ASSERT_GT(test::distance(nudged, start), 0.5);
     controller().branches().select({1, 2});
     host->window().angiogramView().showPart({100.0, 300.0, 120.0, 260.0});
@@ -73,7 +73,7 @@ TEST_F(WindowLanguage, ChangesAtOnceAndLosesNothing)
 
     EXPECT_EQ(firstMenu(), QStringLiteral("&Datei"));
     ASSERT_EQ(&controller().document(), &document);
-    EXPECT_EQ(test::distance(document.current().cameraFromPatient, nudged), 0.0);
+    EXPECT_EQ(test::distance(document.current().shown().cameraFromPatient, nudged), 0.0);
     EXPECT_TRUE(document.isModified());
     EXPECT_TRUE(host->window().windowTitle().contains(QLatin1Char('*')));
     EXPECT_EQ(controller().branches().marks().selected, (std::set<int>{1, 2}));
@@ -82,7 +82,7 @@ TEST_F(WindowLanguage, ChangesAtOnceAndLosesNothing)
     EXPECT_DOUBLE_EQ(host->window().angiogramView().shownRange().window(), 77.0);
     waitForJudgement();
     QTest::keyClick(&host->window().angiogramView(), Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(test::distance(document.current().cameraFromPatient, start), 0.0);
+    EXPECT_EQ(test::distance(document.current().shown().cameraFromPatient, start), 0.0);
 }
 
 TEST_F(WindowLanguage, ComesBack)
@@ -101,8 +101,8 @@ TEST_F(WindowLanguage, ChangesWhileARunGoesOn)
     choose(ui::Command::LanguageGerman);
     EXPECT_EQ(firstMenu(), QStringLiteral("&Datei"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return !controller().registration().isRunning(); }, test::patienceMs));
-    ASSERT_TRUE(controller().document().current().result);
-    EXPECT_FALSE(controller().document().current().result->history.empty());
+    ASSERT_TRUE(controller().document().current().shown().result);
+    EXPECT_FALSE(controller().document().current().shown().result->history.empty());
     EXPECT_EQ(host->window().registration().registerButton()->text(), QStringLiteral("Registrieren  R"));
     QTest::keyClick(&host->window().angiogramView(), Qt::Key_P);   // the run can still be replayed
     EXPECT_TRUE(host->window().actions()[ui::Command::Replay]->isChecked());
@@ -179,8 +179,10 @@ TEST_F(WindowLanguage, TranslatesWhatCanBeUndone)
 {
     QAction* undo = host->window().actions()[ui::Command::Undo];
     QAction* redo = host->window().actions()[ui::Command::Redo];
-    const auto only = [this] { return ui::displayName(controller().document().current().tree->branches.front()); };
-    controller().branches().toggleExcluded({controller().document().current().tree->branches.front().id});
+    const auto only = [this] {
+        return ui::displayName(controller().document().current().vessels.tree->branches.front());
+    };
+    controller().branches().toggleExcluded({controller().document().current().vessels.tree->branches.front().id});
     EXPECT_EQ(undo->text().toStdString(), QStringLiteral("Undo: Exclude %1").arg(only()).toStdString());
     core::RegistrationOptions options = controller().document().current().options;
     emit host->window().registration().optionsEdited(options, [] { return ui::RegistrationPanel::tr("method"); });

@@ -56,7 +56,7 @@ TEST(WindowLook, HasBrightnessPresets)
     w.openSample();
     ui::AngiogramView& view = w.window.angiogramView();
     w.press(Qt::Key_0, Qt::ControlModifier);
-    const core::DisplayRange vessels = core::vesselRange(view.scene().frame(), w.current().angiogram->polarity);
+    const core::DisplayRange vessels = core::vesselRange(view.scene().frame(), w.current().shown().angiogram->polarity);
     EXPECT_NEAR(view.shownRange().low, vessels.low, 1e-6 * vessels.window());
     EXPECT_NEAR(view.shownRange().high, vessels.high, 1e-6 * vessels.window());
     w.press(Qt::Key_0);

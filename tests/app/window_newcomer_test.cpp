@@ -100,7 +100,7 @@ TEST_F(Newcomer, ReachesAnOverlayOfTheSampleInSixClicks)
 {
     acceptNotice();
     click(buttonCalled(&w.window.welcome(), "Open the sample case"));
-    ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().angiogram != nullptr; }, test::patienceMs));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().shown().angiogram != nullptr; }, test::patienceMs));
     registerAndExport();
     EXPECT_LE(clicks, 6);
 }
@@ -113,9 +113,9 @@ TEST_F(Newcomer, ReachesAnOverlayOfADicomFolderAndARunInTwelve)
     ASSERT_TRUE(sample);
     acceptNotice();
     drop(QString::fromStdString(study.file("")));
-    ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().tree != nullptr; }, test::patienceMs));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().vessels.tree != nullptr; }, test::patienceMs));
     drop(QFileInfo(sample.value()).dir().filePath(QStringLiteral("run.dcm")));
-    ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().angiogram != nullptr; }, test::patienceMs));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().shown().angiogram != nullptr; }, test::patienceMs));
     closeWarning();   // the scan is another patient's than the sample's run
     registerAndExport();
     EXPECT_LE(clicks, 12);

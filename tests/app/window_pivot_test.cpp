@@ -1,7 +1,7 @@
 #include "tests/app/open_window.h"
 
+#include "core/case/case.h"
 #include "core/geometry/projection_camera.h"
-#include "core/registration_case.h"
 #include "core/vessel/vessel_tree.h"
 
 #include <cmath>
@@ -19,10 +19,10 @@ struct Place {
 
 Place farPlace(OpenWindow& w)
 {
-    const Eigen::Vector3d centroid = core::centroidInPatient(*w.current().tree);
+    const Eigen::Vector3d centroid = core::centroidInPatient(*w.current().vessels.tree);
     Place place;
     double farthestMm = 0.0;
-    for (const core::VesselNode& node : core::findNodes(*w.current().tree)) {
+    for (const core::VesselNode& node : core::findNodes(*w.current().vessels.tree)) {
         const auto at = w.window.angiogramView().placeOf(node.pointInPatient);
         const double mm = (node.pointInPatient - centroid).norm();
         if (at && w.window.angiogramView().rect().adjusted(30, 60, -30, -60).contains(at->toPoint()) &&
@@ -49,18 +49,19 @@ TEST(WindowPivot, PickedByClickTheVesselsTurnAboutItAndNotTheCentroid)
     const Place place = farPlace(w);
     pickAt(w, place);
 
-    ASSERT_TRUE(w.current().pickedPivotInPatient);
-    EXPECT_LT((*w.current().pickedPivotInPatient - place.pointInPatient).norm(), 1e-9) << "the bifurcation itself";
+    ASSERT_TRUE(w.current().vessels.pickedPivotInPatient);
+    EXPECT_LT((*w.current().vessels.pickedPivotInPatient - place.pointInPatient).norm(), 1e-9)
+        << "the bifurcation itself";
     EXPECT_FALSE(w.window.actions()[ui::Command::PickPivot]->isChecked()) << "one click, one pivot";
     EXPECT_EQ(w.window.angiogramView().pivotInPatient(), place.pointInPatient) << "the handles sit there";
 
-    const core::RigidTransform before = w.current().cameraFromPatient;
+    const core::RigidTransform before = w.current().shown().cameraFromPatient;
     w.press(Qt::Key_N);
     w.press(Qt::Key_Right, Qt::AltModifier | Qt::ShiftModifier);
-    const core::RigidTransform after = w.current().cameraFromPatient;
+    const core::RigidTransform after = w.current().shown().cameraFromPatient;
     EXPECT_GT(core::angleBetween(before.rotation, after.rotation), 0.1);
     EXPECT_LT((after * place.pointInPatient - before * place.pointInPatient).norm(), 1e-9);
-    const Eigen::Vector3d centroid = core::centroidInPatient(*w.current().tree);
+    const Eigen::Vector3d centroid = core::centroidInPatient(*w.current().vessels.tree);
     EXPECT_GT((after * centroid - before * centroid).norm(), 0.5);
     const auto offset = w.controller.pose().currentOffset();
     EXPECT_NEAR(offset->laoRaoDeg, 10.0, 1e-9);
@@ -72,22 +73,22 @@ TEST(WindowPivot, IsUndoneClearedAndPickedByKeys)
     OpenWindow w;
     w.openSample();
     pickAt(w, farPlace(w));
-    ASSERT_TRUE(w.current().pickedPivotInPatient);
+    ASSERT_TRUE(w.current().vessels.pickedPivotInPatient);
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_FALSE(w.current().pickedPivotInPatient);
+    EXPECT_FALSE(w.current().vessels.pickedPivotInPatient);
     EXPECT_FALSE(w.window.actions()[ui::Command::CentroidPivot]->isEnabled());
 
     w.press(Qt::Key_N, Qt::ShiftModifier);
     w.press(Qt::Key_Right);
     w.press(Qt::Key_Right);
     w.press(Qt::Key_Return);
-    const auto nodes = core::findNodes(*w.current().tree);
-    ASSERT_TRUE(w.current().pickedPivotInPatient);
-    EXPECT_EQ(*w.current().pickedPivotInPatient, nodes[1].pointInPatient);
+    const auto nodes = core::findNodes(*w.current().vessels.tree);
+    ASSERT_TRUE(w.current().vessels.pickedPivotInPatient);
+    EXPECT_EQ(*w.current().vessels.pickedPivotInPatient, nodes[1].pointInPatient);
 
     w.press(Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
-    EXPECT_FALSE(w.current().pickedPivotInPatient);
-    EXPECT_EQ(w.window.angiogramView().pivotInPatient(), core::centroidInPatient(*w.current().tree));
+    EXPECT_FALSE(w.current().vessels.pickedPivotInPatient);
+    EXPECT_EQ(w.window.angiogramView().pivotInPatient(), core::centroidInPatient(*w.current().vessels.tree));
 }
 
 TEST(WindowPivot, ALockedShiftIsThatOfThePivotInARunToo)
@@ -100,13 +101,13 @@ TEST(WindowPivot, ALockedShiftIsThatOfThePivotInARunToo)
     locks[static_cast<std::size_t>(ui::PoseAxis::Right)] = true;
     locks[static_cast<std::size_t>(ui::PoseAxis::Up)] = true;
     w.controller.pose().setLocks(locks);
-    const core::RigidTransform before = w.current().cameraFromPatient;
+    const core::RigidTransform before = w.current().shown().cameraFromPatient;
 
     w.press(Qt::Key_R);
     w.waitForRun();
 
-    ASSERT_TRUE(w.current().result);
-    const core::RigidTransform after = w.current().cameraFromPatient;
+    ASSERT_TRUE(w.current().shown().result);
+    const core::RigidTransform after = w.current().shown().cameraFromPatient;
     EXPECT_GT(core::angleBetween(before.rotation, after.rotation), 1e-3);
     EXPECT_LT((after * place.pointInPatient - before * place.pointInPatient).head<2>().norm(), 1e-6);
 }

@@ -87,10 +87,10 @@ TEST(WindowPlaces, TheThreeDViewLeavesForAWindowAndComesBackWhenItIsClosed)
     EXPECT_TRUE(w.window.branches().isVisible());
 
     // The keys act there too, those of the window and those of the mode.
-    const core::RigidTransform pose = w.current().cameraFromPatient;
+    const core::RigidTransform pose = w.current().shown().cameraFromPatient;
     QTest::keyClick(&tree, Qt::Key_N);
     QTest::keyClick(&tree, Qt::Key_Right);
-    EXPECT_FALSE(w.current().cameraFromPatient.translation.isApprox(pose.translation, 1e-9));
+    EXPECT_FALSE(w.current().shown().cameraFromPatient.translation.isApprox(pose.translation, 1e-9));
     EXPECT_TRUE(w.window.actions()[ui::Command::Nudge]->isChecked());
     QTest::keyClick(&tree, Qt::Key_N);
 
@@ -157,7 +157,7 @@ TEST(WindowPlaces, AnEmptyWindowShowsWhereToStart)
     OpenWindow w;
     w.openSample();
     w.press(Qt::Key_5);
-    const core::RegistrationCase empty;
+    const core::Case empty;
     w.controller.document().replace(empty, {});
     QApplication::processEvents();
     EXPECT_TRUE(w.window.welcome().isVisible());

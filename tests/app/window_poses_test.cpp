@@ -18,23 +18,23 @@ TEST(WindowPoses, KeepsThePoseWithItsNumbersAndUndoesThat)
     w.openSample();
     w.press(Qt::Key_R);
     w.waitForRun();
-    ASSERT_TRUE(w.current().result);
-    ASSERT_EQ(w.current().snapshots.size(), 1u);   // the run left one
-    EXPECT_EQ(w.current().snapshots[0].kind, core::SnapshotKind::Run);
+    ASSERT_TRUE(w.current().shown().result);
+    ASSERT_EQ(w.current().shown().snapshots.size(), 1u);   // the run left one
+    EXPECT_EQ(w.current().shown().snapshots[0].kind, core::SnapshotKind::Run);
 
     w.press(Qt::Key_K);
 
-    ASSERT_EQ(w.current().snapshots.size(), 2u);
-    const core::PoseSnapshot& kept = w.current().snapshots[1];
+    ASSERT_EQ(w.current().shown().snapshots.size(), 2u);
+    const core::PoseSnapshot& kept = w.current().shown().snapshots[1];
     EXPECT_EQ(kept.kind, core::SnapshotKind::Kept);
     EXPECT_EQ(kept.method, "angiopose");
-    EXPECT_EQ(test::distance(kept.cameraFromPatient, w.current().cameraFromPatient), 0.0);
+    EXPECT_EQ(test::distance(kept.cameraFromPatient, w.current().shown().cameraFromPatient), 0.0);
     ASSERT_TRUE(kept.metrics);
-    EXPECT_EQ(kept.metrics->medianMm, w.current().result->metrics.medianMm);
+    EXPECT_EQ(kept.metrics->medianMm, w.current().shown().result->metrics.medianMm);
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(w.current().snapshots.size(), 1u);
+    EXPECT_EQ(w.current().shown().snapshots.size(), 1u);
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_TRUE(w.current().snapshots.empty());   // the run and what it left are one step
+    EXPECT_TRUE(w.current().shown().snapshots.empty());   // the run and what it left are one step
     EXPECT_EQ(w.history().index(), 0);
 }
 
@@ -47,9 +47,9 @@ TEST(WindowPoses, GoesBetweenTwoPosesWithOneKeyAndChangesNothing)
     w.press(Qt::Key_K);
     w.press(Qt::Key_R);
     w.waitForRun();
-    const core::RigidTransform found = w.current().cameraFromPatient;
+    const core::RigidTransform found = w.current().shown().cameraFromPatient;
     const int steps = w.history().count();
-    const int kept = w.current().snapshots.front().id;
+    const int kept = w.current().shown().snapshots.front().id;
     w.controller.poses().snapshots().mark(kept, false);
 
     w.press(Qt::Key_Y);
@@ -60,7 +60,7 @@ TEST(WindowPoses, GoesBetweenTwoPosesWithOneKeyAndChangesNothing)
     w.press(Qt::Key_Escape);
     EXPECT_FALSE(w.controller.poses().snapshots().marks().shown);
     EXPECT_EQ(w.history().count(), steps);
-    EXPECT_EQ(test::distance(w.current().cameraFromPatient, found), 0.0);
+    EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, found), 0.0);
 }
 
 QTreeWidgetItem* itemNamed(QTreeWidget& list, const QString& name)
@@ -73,11 +73,11 @@ TEST(WindowPoses, RestoresRenamesAndDeletesFromTheList)
 {
     OpenWindow w;
     w.openSample();
-    const core::RigidTransform start = w.current().cameraFromPatient;
+    const core::RigidTransform start = w.current().shown().cameraFromPatient;
     w.press(Qt::Key_K);
     w.press(Qt::Key_R);
     w.waitForRun();
-    ASSERT_GT(test::distance(w.current().cameraFromPatient, start), 1e-3);
+    ASSERT_GT(test::distance(w.current().shown().cameraFromPatient, start), 1e-3);
     QTreeWidget& list = *w.window.snapshots().list();
     list.setFocus();
 
@@ -85,30 +85,30 @@ TEST(WindowPoses, RestoresRenamesAndDeletesFromTheList)
     ASSERT_TRUE(kept);
     list.setCurrentItem(kept);
     QTest::keyClick(&list, Qt::Key_Return);
-    EXPECT_EQ(test::distance(w.current().cameraFromPatient, start), 0.0);
+    EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, start), 0.0);
 
-    w.window.snapshots().editName(w.current().snapshots.front().id);
+    w.window.snapshots().editName(w.current().shown().snapshots.front().id);
     auto* editor = list.viewport()->findChild<QLineEdit*>();
     ASSERT_TRUE(editor);
     editor->selectAll();
     QTest::keyClicks(editor, QStringLiteral("start of Ada"));
     QTest::keyClick(editor, Qt::Key_Return);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return w.current().snapshots.front().name == "start of Ada"; }, 2000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return w.current().shown().snapshots.front().name == "start of Ada"; }, 2000));
 
     kept = itemNamed(list, QStringLiteral("start of Ada"));
     ASSERT_TRUE(kept);
     list.setCurrentItem(kept);
     QTest::keyClick(&list, Qt::Key_Delete);
-    EXPECT_EQ(w.current().snapshots.size(), 1u);
+    EXPECT_EQ(w.current().shown().snapshots.size(), 1u);
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(w.current().snapshots.size(), 2u);
+    EXPECT_EQ(w.current().shown().snapshots.size(), 2u);
 }
 
 TEST(WindowPoses, RunsSeveralMethodsIntoTheTable)
 {
     OpenWindow w;
     w.openSample();
-    const core::RigidTransform before = w.current().cameraFromPatient;
+    const core::RigidTransform before = w.current().shown().cameraFromPatient;
     w.press(Qt::Key_K, Qt::ShiftModifier);
     ui::PoseTable* table = w.controller.poses().table().table();
     ASSERT_TRUE(table);
@@ -124,13 +124,13 @@ TEST(WindowPoses, RunsSeveralMethodsIntoTheTable)
     ASSERT_TRUE(w.controller.poses().table().isRunning());
     ASSERT_TRUE(QTest::qWaitFor([&] { return !w.controller.poses().table().isRunning(); }, test::patienceMs));
 
-    ASSERT_EQ(w.current().snapshots.size(), 2u);
-    EXPECT_EQ(w.current().snapshots[0].method, "angiopose");
-    EXPECT_EQ(w.current().snapshots[1].method, "dt-icp");
+    ASSERT_EQ(w.current().shown().snapshots.size(), 2u);
+    EXPECT_EQ(w.current().shown().snapshots[0].method, "angiopose");
+    EXPECT_EQ(w.current().shown().snapshots[1].method, "dt-icp");
     EXPECT_EQ(table->table()->topLevelItemCount(), 3);   // and the pose as it is
-    EXPECT_EQ(test::distance(w.current().cameraFromPatient, before), 0.0);
+    EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, before), 0.0);
     w.history().undo();
-    EXPECT_TRUE(w.current().snapshots.empty());   // one step
+    EXPECT_TRUE(w.current().shown().snapshots.empty());   // one step
 }
 
 TEST(WindowPoses, SurviveSavingAndReopening)
@@ -148,11 +148,11 @@ TEST(WindowPoses, SurviveSavingAndReopening)
 
     OpenWindow again;
     again.drop({path});
-    ASSERT_EQ(again.current().snapshots.size(), 2u);
-    EXPECT_EQ(again.current().snapshots[1].name, w.current().snapshots[1].name);
-    EXPECT_EQ(
-        test::distance(again.current().snapshots[1].cameraFromPatient, w.current().snapshots[1].cameraFromPatient),
-        0.0);
+    ASSERT_EQ(again.current().shown().snapshots.size(), 2u);
+    EXPECT_EQ(again.current().shown().snapshots[1].name, w.current().shown().snapshots[1].name);
+    EXPECT_EQ(test::distance(again.current().shown().snapshots[1].cameraFromPatient,
+                             w.current().shown().snapshots[1].cameraFromPatient),
+              0.0);
     EXPECT_TRUE(itemNamed(*again.window.snapshots().list(), QStringLiteral("Pose 1")));
 }
 

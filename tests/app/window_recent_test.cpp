@@ -103,11 +103,11 @@ TEST(WindowRecent, LettersInTheImageAreNotInThePicture)
 {
     OpenWindow w;
     w.openSample();
-    const core::Angiogram& run = *w.current().angiogram;
+    const core::Angiogram& run = *w.current().shown().angiogram;
     const QTemporaryDir folder;
     const auto store = [&](const QString& name, const QString& letters) {
         core::Angiogram written = run;
-        core::ImageF& frame = written.frames[static_cast<std::size_t>(w.current().frame)];
+        core::ImageF& frame = written.frames[static_cast<std::size_t>(w.current().shown().frame)];
         const float white = *std::ranges::max_element(frame.pixels);
         QImage text(frame.width, frame.height, QImage::Format_Grayscale8);
         text.fill(Qt::black);
@@ -127,10 +127,10 @@ TEST(WindowRecent, LettersInTheImageAreNotInThePicture)
                 }
             }
         }
-        core::RegistrationCase shown = w.current();
-        shown.angiogram = std::make_shared<const core::Angiogram>(std::move(written));
+        core::Case pictured = w.current();
+        pictured.shown().angiogram = std::make_shared<const core::Angiogram>(std::move(written));
         const QString path = folder.filePath(name);
-        EXPECT_TRUE(storeCasePicture(shown, path));
+        EXPECT_TRUE(storeCasePicture(pictured, path));
         return casePicture(path).convertToFormat(QImage::Format_Grayscale8);
     };
     const QImage named = store(QStringLiteral("named"), QStringLiteral("DOE JOHN 1950"));

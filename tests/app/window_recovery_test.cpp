@@ -27,7 +27,7 @@ public:
         save(w, saved_);
         w.press(Qt::Key_N);
         w.press(Qt::Key_Left);
-        pose_ = w.current().cameraFromPatient;
+        pose_ = w.current().shown().cameraFromPatient;
         save(w, copyOf(1));
         w.press(Qt::Key_Left);
         save(w, copyOf(2));
@@ -87,7 +87,7 @@ TEST(WindowRecovery, OpensTheChosenCopyUnderTheNameOfItsCase)
 
     ASSERT_TRUE(QTest::qWaitFor([&] { return !w.controller.isLoading() && !w.controller.document().isEmpty(); },
                                 test::patienceMs));
-    EXPECT_LT(test::distance(w.current().cameraFromPatient, crashed.pose()), 1e-9);
+    EXPECT_LT(test::distance(w.current().shown().cameraFromPatient, crashed.pose()), 1e-9);
     EXPECT_EQ(w.controller.document().path(), crashed.saved());   // Save goes where the case lives
     EXPECT_TRUE(w.controller.document().isModified());
     ASSERT_TRUE(QTest::qWaitFor([] { return !QFile::exists(CrashedSessions::copyOf(1)); }, test::patienceMs));
@@ -115,11 +115,11 @@ TEST(WindowRecovery, OpensACaseWhoseInputsHaveMoved)
     const fs::path home = fs::path(folder.file("x")).parent_path();
     OpenWindow w;
     w.drop({crashed.saved()});
-    core::RegistrationCase inputs = w.current();
-    const fs::path tree = home / fs::path(inputs.centerlineFile.path).filename();
-    const fs::path image = home / fs::path(inputs.imageFile.path).filename();
-    fs::copy_file(inputs.centerlineFile.path, tree);
-    fs::copy_file(inputs.imageFile.path, image);
+    core::Case inputs = w.current();
+    const fs::path tree = home / fs::path(inputs.vessels.file.path).filename();
+    const fs::path image = home / fs::path(inputs.shown().imageFile.path).filename();
+    fs::copy_file(inputs.vessels.file.path, tree);
+    fs::copy_file(inputs.shown().imageFile.path, image);
     auto wanted = w.current();
     wanted.centerlineFile.path = tree.string();
     wanted.imageFile.path = image.string();
@@ -135,10 +135,10 @@ TEST(WindowRecovery, OpensACaseWhoseInputsHaveMoved)
     OpenWindow again;
     again.drop({path});
 
-    ASSERT_TRUE(again.current().tree);
+    ASSERT_TRUE(again.current().vessels.tree);
     EXPECT_TRUE(again.dialogs("messageDialog").isEmpty());
     EXPECT_TRUE(again.controller.document().isModified());   // the file does not know the new places yet
-    EXPECT_EQ(again.current().tree->pointCount(), inputs.tree->pointCount());
+    EXPECT_EQ(again.current().vessels.tree->pointCount(), inputs.vessels.tree->pointCount());
 }
 
 TEST(WindowRecovery, AsksWhereInputsAreThatNobodyFinds)

@@ -33,18 +33,19 @@ TEST_F(WindowReport, HoldsPictureResultGeometryAndInputs)
     w.press(Qt::Key_R);
     w.waitForRun();
     w.waitForJudgement();
-    ASSERT_TRUE(w.current().result);
+    ASSERT_TRUE(w.current().shown().result);
     const QByteArray text = written("report.html");
-    const QByteArray median = QByteArray::number(w.current().result->metrics.medianMm, 'f', 2) + " mm";
+    const QByteArray median = QByteArray::number(w.current().shown().result->metrics.medianMm, 'f', 2) + " mm";
     for (const QByteArray& wanted :
          {QByteArray("Not for clinical use"), median, QByteArray("SID"),
-          QByteArray::fromStdString(w.current().imageFile.sha256.substr(0, 16)), QByteArray("Signature")}) {
+          QByteArray::fromStdString(w.current().shown().imageFile.sha256.substr(0, 16)), QByteArray("Signature")}) {
         EXPECT_TRUE(text.contains(wanted)) << wanted.toStdString();
     }
     const qsizetype from = text.indexOf("base64,") + 7;
     const QImage picture = QImage::fromData(QByteArray::fromBase64(text.mid(from, text.indexOf('"', from) - from)));
-    EXPECT_GT(picture.width(),
-              2 * picture.height() * w.current().angiogram->width() / w.current().angiogram->height() - 1)
+    EXPECT_GT(
+        picture.width(),
+        2 * picture.height() * w.current().shown().angiogram->width() / w.current().shown().angiogram->height() - 1)
         << "before and after";
 }
 
@@ -53,7 +54,7 @@ TEST_F(WindowReport, IsAPdfAndJudgesAPoseSetByHand)
     w.openSample();
     w.press(Qt::Key_N);
     w.press(Qt::Key_Right);
-    ASSERT_FALSE(w.current().result);
+    ASSERT_FALSE(w.current().shown().result);
     const QByteArray page = written("report.pdf");
     EXPECT_TRUE(page.startsWith("%PDF"));
     EXPECT_GT(page.size(), 20000) << "the pictures are in it";

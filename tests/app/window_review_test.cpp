@@ -38,8 +38,8 @@ TEST(WindowReview, ReplaysARunWithoutTouchingTheCase)
     EXPECT_FALSE(w.window.actions()[ui::Command::Replay]->isChecked());
     w.press(Qt::Key_R);
     w.waitForRun();
-    ASSERT_TRUE(w.current().result);
-    const core::RigidTransform found = w.current().cameraFromPatient;
+    ASSERT_TRUE(w.current().shown().result);
+    const core::RigidTransform found = w.current().shown().cameraFromPatient;
     const int history = w.history().count();
 
     w.press(Qt::Key_P);
@@ -47,7 +47,7 @@ TEST(WindowReview, ReplaysARunWithoutTouchingTheCase)
     EXPECT_TRUE(w.window.actions()[ui::Command::Replay]->isChecked());
     QAction* replay = w.window.actions()[ui::Command::Replay];
     EXPECT_TRUE(QTest::qWaitFor([replay] { return !replay->isChecked(); }, test::patienceMs));
-    EXPECT_EQ(test::distance(w.current().cameraFromPatient, found), 0.0);
+    EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, found), 0.0);
     EXPECT_EQ(w.history().count(), history);
 }
 
@@ -100,7 +100,7 @@ TEST(WindowReview, CopiesThePoseAsAMatrix)
     w.press(Qt::Key_C, Qt::ControlModifier);
     const QStringList rows = QGuiApplication::clipboard()->text().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     ASSERT_EQ(rows.size(), 4);
-    const Eigen::Matrix4d matrix = w.current().cameraFromPatient.matrix();
+    const Eigen::Matrix4d matrix = w.current().shown().cameraFromPatient.matrix();
     for (int row = 0; row < 4; ++row) {
         const QStringList cells = rows[row].split(QLatin1Char('\t'));
         ASSERT_EQ(cells.size(), 4);
@@ -177,15 +177,15 @@ TEST(WindowReview, ChoosesAuxiliaryBranchesByViewAndWidth)
     OpenWindow w;
     w.openSample();
     w.press(Qt::Key_V, Qt::ShiftModifier);
-    const std::size_t half = (w.current().tree->branches.size() + 1) / 2;
-    EXPECT_EQ(w.current().auxiliaryBranchIds.size(), half);
+    const std::size_t half = (w.current().vessels.tree->branches.size() + 1) / 2;
+    EXPECT_EQ(w.current().vessels.auxiliaryBranchIds.size(), half);
     w.press(Qt::Key_W);   // one branch fills the view
     w.press(Qt::Key_V);
-    EXPECT_LT(w.current().auxiliaryBranchIds.size(), w.current().tree->branches.size());
+    EXPECT_LT(w.current().vessels.auxiliaryBranchIds.size(), w.current().vessels.tree->branches.size());
     const std::set<int> selected = w.controller.branches().marks().selected;
     EXPECT_TRUE(w.controller.branches().marks().auxiliary.contains(*selected.begin()));
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(w.current().auxiliaryBranchIds.size(), half);
+    EXPECT_EQ(w.current().vessels.auxiliaryBranchIds.size(), half);
 }
 
 }   // namespace

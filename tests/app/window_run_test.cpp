@@ -21,18 +21,18 @@ TEST(WindowRun, RegistersByKeyAsOneStepOfUndo)
 {
     OpenWindow w;
     w.openSample();
-    const core::RigidTransform start = w.current().cameraFromPatient;
+    const core::RigidTransform start = w.current().shown().cameraFromPatient;
 
     w.press(Qt::Key_R);
     EXPECT_TRUE(w.controller.registration().isRunning());
     w.waitForRun();
 
-    ASSERT_TRUE(w.current().result);
-    EXPECT_LT(w.current().result->metrics.medianPx, 2.0);
+    ASSERT_TRUE(w.current().shown().result);
+    EXPECT_LT(w.current().shown().result->metrics.medianPx, 2.0);
     EXPECT_EQ(w.history().undoText(), QStringLiteral("Register (AngioPose)"));
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_LT(test::distance(w.current().cameraFromPatient, start), 1e-12);
-    EXPECT_FALSE(w.current().result);
+    EXPECT_LT(test::distance(w.current().shown().cameraFromPatient, start), 1e-12);
+    EXPECT_FALSE(w.current().shown().result);
 }
 
 TEST(WindowRun, KeepsWhatIsLocked)
@@ -52,7 +52,7 @@ TEST(WindowRun, KeepsWhatIsLocked)
     w.press(Qt::Key_R);
     w.waitForRun();
 
-    ASSERT_TRUE(w.current().result);
+    ASSERT_TRUE(w.current().shown().result);
     const core::PoseOffset after = *w.controller.pose().currentOffset();
     EXPECT_NEAR(after.alongRayMm, before.alongRayMm, 1e-9);
     EXPECT_NEAR(after.laoRaoDeg, before.laoRaoDeg, 1e-9);
@@ -72,7 +72,7 @@ TEST(WindowRun, StopsAndKeepsAPoseThatCanBeUndone)
     w.waitForRun();
 
     EXPECT_LE(w.history().count(), steps + 1);
-    EXPECT_TRUE(core::isRigid(w.current().cameraFromPatient));
+    EXPECT_TRUE(core::isRigid(w.current().shown().cameraFromPatient));
     EXPECT_TRUE(w.window.registration().registerButton()->isEnabled());
     w.waitForJudgement();
 }
@@ -82,14 +82,14 @@ TEST(WindowRun, RefusesEditsMeanwhile)
     OpenWindow w;
     w.openSample();
     makeRunLong(w);
-    const int frame = w.current().frame;
+    const int frame = w.current().shown().frame;
     w.press(Qt::Key_R);
     ASSERT_TRUE(w.controller.registration().isRunning());
 
     w.press(Qt::Key_Down);
     w.press(Qt::Key_Z, Qt::ControlModifier);
 
-    EXPECT_EQ(w.current().frame, frame);
+    EXPECT_EQ(w.current().shown().frame, frame);
     EXPECT_EQ(w.current().options.maxIterations, 1000);
     w.controller.registration().stop();
     w.waitForRun();

@@ -31,8 +31,8 @@ protected:
         ASSERT_TRUE(io::writeVesselTree(tree, treePath.toStdString()));
         ASSERT_TRUE(io::writeVolume(scan, scanPath.toStdString()));
         w.drop({treePath});
-        ASSERT_TRUE(w.current().tree);
-        before = w.current().tree;
+        ASSERT_TRUE(w.current().vessels.tree);
+        before = w.current().vessels.tree;
         w.drop({scanPath});
         ASSERT_EQ(w.dialogs("scanQuestion").size(), 1);
     }
@@ -52,22 +52,22 @@ protected:
 TEST_F(WindowScanBeside, IsShownInSlicesWithTheVesselsThatAreThere)
 {
     answer(QStringLiteral("Show beside the vessels"));
-    ASSERT_TRUE(w.current().volume);
-    EXPECT_EQ(w.current().tree, before);
-    EXPECT_TRUE(w.current().centerlineFile.path.ends_with("tree.csv"));
-    EXPECT_TRUE(w.current().scanFile.path.ends_with("scan.nrrd"));
-    EXPECT_EQ(w.current().scanFile.sha256.size(), 64U);
+    ASSERT_TRUE(w.current().vessels.scan);
+    EXPECT_EQ(w.current().vessels.tree, before);
+    EXPECT_TRUE(w.current().vessels.file.path.ends_with("tree.csv"));
+    EXPECT_TRUE(w.current().vessels.scanFile.path.ends_with("scan.nrrd"));
+    EXPECT_EQ(w.current().vessels.scanFile.sha256.size(), 64U);
     EXPECT_TRUE(w.window.slices().hasScan());
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_FALSE(w.current().volume);
+    EXPECT_FALSE(w.current().vessels.scan);
 }
 
 TEST_F(WindowScanBeside, OrItsVesselsAreTraced)
 {
     answer(QStringLiteral("Trace its vessels"));
-    ASSERT_TRUE(w.current().volume);
-    EXPECT_NE(w.current().tree, before);
-    EXPECT_TRUE(w.current().centerlineFile.path.ends_with("scan.nrrd"));
+    ASSERT_TRUE(w.current().vessels.scan);
+    EXPECT_NE(w.current().vessels.tree, before);
+    EXPECT_TRUE(w.current().vessels.file.path.ends_with("scan.nrrd"));
 }
 
 /// The fork in blood hardly brighter than tissue: no level can be told from the values.
@@ -92,8 +92,8 @@ TEST(WindowScanWithoutVessels, IsShownAndTracedByHand)
     ASSERT_TRUE(io::writeVolume(faintScan(), path.toStdString()));
     OpenWindow w;
     w.drop({path});
-    ASSERT_TRUE(w.current().volume);
-    EXPECT_FALSE(w.current().tree);
+    ASSERT_TRUE(w.current().vessels.scan);
+    EXPECT_FALSE(w.current().vessels.tree);
     EXPECT_TRUE(w.window.slices().hasScan());
 
     EXPECT_TRUE(w.window.actions()[ui::Command::SlicesLarge]->isChecked());
@@ -103,15 +103,15 @@ TEST(WindowScanWithoutVessels, IsShownAndTracedByHand)
     ASSERT_TRUE(threshold->isVisible());
     threshold->setValue(70);
     w.window.actions()[ui::Command::TraceScan]->trigger();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return w.current().tree != nullptr; }, test::patienceMs));
-    EXPECT_EQ(test::endsOf(*w.current().tree), 3);
-    EXPECT_EQ(w.current().vesselInput.kind, core::VesselInputKind::Volume);
-    EXPECT_TRUE(w.current().centerlineFile.path.ends_with("faint.nrrd"));
-    EXPECT_TRUE(w.current().scanFile.path.empty());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return w.current().vessels.tree != nullptr; }, test::patienceMs));
+    EXPECT_EQ(test::endsOf(*w.current().vessels.tree), 3);
+    EXPECT_EQ(w.current().vessels.input.kind, core::VesselInputKind::Volume);
+    EXPECT_TRUE(w.current().vessels.file.path.ends_with("faint.nrrd"));
+    EXPECT_TRUE(w.current().vessels.scanFile.path.empty());
 
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_FALSE(w.current().tree);
-    EXPECT_TRUE(w.current().scanFile.path.ends_with("faint.nrrd"));
+    EXPECT_FALSE(w.current().vessels.tree);
+    EXPECT_TRUE(w.current().vessels.scanFile.path.ends_with("faint.nrrd"));
 }
 
 /// The case file has no place for a scan without vessels: that is said before a name is asked for.
@@ -122,7 +122,7 @@ TEST(WindowScanWithoutVessels, CannotBeSavedAndSaysWhy)
     ASSERT_TRUE(io::writeVolume(faintScan(), path.toStdString()));
     OpenWindow w;
     w.drop({path});
-    ASSERT_TRUE(w.current().volume);
+    ASSERT_TRUE(w.current().vessels.scan);
     w.window.actions()[ui::Command::Save]->trigger();
     EXPECT_TRUE(w.window.findChildren<QFileDialog*>().isEmpty());
     const QList<QDialog*> messages = w.dialogs("messageDialog");
@@ -144,11 +144,11 @@ TEST(WindowScanWithoutVessels, LeavesOtherVesselsAlone)
     ASSERT_TRUE(io::writeVolume(faintScan(), faint.toStdString()));
     OpenWindow w;
     w.drop({good});
-    const auto before = w.current().tree;
+    const auto before = w.current().vessels.tree;
     ASSERT_TRUE(before);
     w.drop({faint});
-    EXPECT_EQ(w.current().tree, before);
-    EXPECT_TRUE(w.current().centerlineFile.path.ends_with("good.nrrd"));
+    EXPECT_EQ(w.current().vessels.tree, before);
+    EXPECT_TRUE(w.current().vessels.file.path.ends_with("good.nrrd"));
 }
 
 }   // namespace

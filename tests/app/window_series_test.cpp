@@ -38,15 +38,15 @@ TEST(WindowSeries, AFolderWithSeveralAsksAndTheChosenOneIsTraced)
     ASSERT_EQ(list->topLevelItemCount(), 2);
     EXPECT_EQ(list->topLevelItem(0)->text(0), QStringLiteral("CTA 0.75"));
     EXPECT_EQ(list->topLevelItem(0)->text(3), QStringLiteral("64 × 40 × 96"));
-    EXPECT_FALSE(w.current().tree);
+    EXPECT_FALSE(w.current().vessels.tree);
     OpenWindow::clickButton(asked.front(), QStringLiteral("Open"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return !w.controller.isLoading(); }, test::patienceMs));
 
-    ASSERT_TRUE(w.current().tree);
-    EXPECT_EQ(test::endsOf(*w.current().tree), 3);
-    EXPECT_EQ(w.current().vesselInput.kind, core::VesselInputKind::Volume);
-    EXPECT_EQ(w.current().vesselInput.seriesId, "1.2.3");
-    ASSERT_TRUE(w.current().volume);
+    ASSERT_TRUE(w.current().vessels.tree);
+    EXPECT_EQ(test::endsOf(*w.current().vessels.tree), 3);
+    EXPECT_EQ(w.current().vessels.input.kind, core::VesselInputKind::Volume);
+    EXPECT_EQ(w.current().vessels.input.seriesId, "1.2.3");
+    ASSERT_TRUE(w.current().vessels.scan);
     w.press(Qt::Key_Z, Qt::ControlModifier);
 }
 
@@ -61,7 +61,7 @@ TEST(WindowSeries, CancellingTheChoiceLeavesTheCaseAsItWas)
     OpenWindow::clickButton(w.dialogs("seriesChooser").front(), QStringLiteral("Cancel"));
 
     EXPECT_TRUE(w.dialogs("seriesChooser").isEmpty());
-    EXPECT_FALSE(w.current().tree);
+    EXPECT_FALSE(w.current().vessels.tree);
     EXPECT_FALSE(w.controller.isLoading());
 }
 

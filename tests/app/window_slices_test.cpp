@@ -63,7 +63,7 @@ TEST_F(WindowSlices, LinkTheCrosshairAndTellWhatWasPicked)
 
 TEST_F(WindowSlices, SelectTheBranchThatIsClickedOrHovered)
 {
-    const core::VesselBranch& trunk = w.current().tree->branches.front();
+    const core::VesselBranch& trunk = w.current().vessels.tree->branches.front();
     const Eigen::Vector3d point = trunk.pointsInPatient[trunk.pointsInPatient.size() / 4];   // far from the fork
     model().setCrosshair(point);
     QApplication::processEvents();
@@ -74,7 +74,7 @@ TEST_F(WindowSlices, SelectTheBranchThatIsClickedOrHovered)
     click(BodyPlane::Axial, point);
     EXPECT_EQ(w.controller.branches().marks().selected, std::set{trunk.id});
 
-    const core::VesselBranch& other = w.current().tree->branches.back();
+    const core::VesselBranch& other = w.current().vessels.tree->branches.back();
     w.controller.branches().select({other.id});   // as the list does
     double nearest = 1e9;
     for (const Eigen::Vector3d& at : other.pointsInPatient) {
@@ -120,7 +120,7 @@ TEST_F(WindowSlices, ShowOnePlaneBelowTheBranches)
 
 TEST_F(WindowSlices, GoWithTheScan)
 {
-    const core::RegistrationCase nothing;
+    const core::Case nothing;
     w.controller.document().replace(nothing, {});
     EXPECT_FALSE(model().hasScan());
     EXPECT_FALSE(w.window.slicesPage().isVisible());
@@ -129,7 +129,7 @@ TEST_F(WindowSlices, GoWithTheScan)
 
 TEST_F(WindowSlices, ShowTheLandmarksWhileTheseAreClicked)
 {
-    const Eigen::Vector3d place = w.current().tree->branches.front().pointsInPatient.front();
+    const Eigen::Vector3d place = w.current().vessels.tree->branches.front().pointsInPatient.front();
     w.controller.document().push(std::make_unique<ChangeLandmarks>(
         w.controller.document(), ChangeLandmarks::Values{{core::Landmark{place, {10.0, 20.0}, ""}}},
         [] { return QStringLiteral("Click a pair"); }));

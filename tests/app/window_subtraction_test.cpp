@@ -18,8 +18,8 @@ protected:
     void SetUp() override
     {
         w.openSample();
-        ASSERT_GT(w.current().angiogram->frameCount(), 3);
-        stored = w.current().angiogram;
+        ASSERT_GT(w.current().shown().angiogram->frameCount(), 3);
+        stored = w.current().shown().angiogram;
         w.window.angiogramPanel().setFolded(false);
         // The strip takes clicks once the run is measured.
         ASSERT_TRUE(
@@ -40,7 +40,7 @@ protected:
     const core::ImageF& shownPicture() { return w.window.angiogramView().scene().frame(); }
     const core::ImageF& pictureOf(const core::Angiogram& run)
     {
-        return run.frames[static_cast<std::size_t>(w.current().frame)];
+        return run.frames[static_cast<std::size_t>(w.current().shown().frame)];
     }
     void markFirstFrames()
     {
@@ -56,14 +56,14 @@ protected:
 
 TEST_F(WindowSubtraction, MasksMarkedInTheStripAreSubtracted)
 {
-    const int frame = w.current().frame;
+    const int frame = w.current().shown().frame;
     markFirstFrames();
 
-    EXPECT_TRUE(w.current().treatment.isSubtracted);
-    EXPECT_EQ(w.current().treatment.plan.maskFrames, (std::vector<int>{0, 1}));
-    EXPECT_EQ(w.current().storedRun, stored);
-    EXPECT_EQ(w.current().frame, frame);
-    const auto expected = core::subtractRun(stored->frames, stored->polarity, w.current().treatment.plan);
+    EXPECT_TRUE(w.current().shown().treatment.isSubtracted);
+    EXPECT_EQ(w.current().shown().treatment.plan.maskFrames, (std::vector<int>{0, 1}));
+    EXPECT_EQ(w.current().shown().storedRun, stored);
+    EXPECT_EQ(w.current().shown().frame, frame);
+    const auto expected = core::subtractRun(stored->frames, stored->polarity, w.current().shown().treatment.plan);
     ASSERT_TRUE(expected) << expected.error().message;
     EXPECT_EQ(shownPicture().pixels, expected.value().frames[static_cast<std::size_t>(frame)].pixels);
     EXPECT_EQ(w.history().count(), 1) << "one step";
@@ -72,19 +72,19 @@ TEST_F(WindowSubtraction, MasksMarkedInTheStripAreSubtracted)
 TEST_F(WindowSubtraction, OneKeySwitchesToAndFro)
 {
     markFirstFrames();
-    const auto subtracted = w.current().angiogram;
+    const auto subtracted = w.current().shown().angiogram;
     w.press(Qt::Key_B);
     ASSERT_TRUE(waitForRun());
-    EXPECT_EQ(w.current().angiogram, stored);
+    EXPECT_EQ(w.current().shown().angiogram, stored);
     EXPECT_EQ(shownPicture().pixels, pictureOf(*stored).pixels);
     w.press(Qt::Key_B);
     EXPECT_FALSE(w.controller.angiogram().subtraction().isComputing()) << "remembered";
-    EXPECT_EQ(w.current().angiogram, subtracted);
+    EXPECT_EQ(w.current().shown().angiogram, subtracted);
     w.press(Qt::Key_Z, Qt::ControlModifier);
     w.press(Qt::Key_Z, Qt::ControlModifier);
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_FALSE(w.current().treatment.isSubtracted);
-    EXPECT_EQ(w.current().angiogram, stored);
+    EXPECT_FALSE(w.current().shown().treatment.isSubtracted);
+    EXPECT_EQ(w.current().shown().angiogram, stored);
 }
 
 TEST_F(WindowSubtraction, TheShownPictureIsTheOneTraced)
@@ -107,19 +107,19 @@ TEST_F(WindowSubtraction, ArrowsMoveTheMaskAndRestingTakesIt)
     EXPECT_TRUE(w.window.actions()[ui::Command::ShiftMask]->isChecked());
     ASSERT_TRUE(
         QTest::qWaitFor([this] { return !w.controller.angiogram().subtraction().isFindingShift(); }, test::patienceMs));
-    const core::RigidTransform pose = w.current().cameraFromPatient;
+    const core::RigidTransform pose = w.current().shown().cameraFromPatient;
     w.press(Qt::Key_Right);
     w.press(Qt::Key_Right);
     w.press(Qt::Key_Down, Qt::ShiftModifier);
-    ASSERT_TRUE(
-        QTest::qWaitFor([this] { return w.current().treatment.plan.maskShiftPx.has_value(); }, test::patienceMs));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().shown().treatment.plan.maskShiftPx.has_value(); },
+                                test::patienceMs));
     EXPECT_EQ(w.history().count(), steps + 1) << "a burst of keys is one step";
-    EXPECT_LT(test::distance(w.current().cameraFromPatient, pose), 1e-12) << "the arrows were not nudges";
-    core::SubtractionPlan byItself = w.current().treatment.plan;
+    EXPECT_LT(test::distance(w.current().shown().cameraFromPatient, pose), 1e-12) << "the arrows were not nudges";
+    core::SubtractionPlan byItself = w.current().shown().treatment.plan;
     byItself.maskShiftPx.reset();
-    const auto automatic = core::subtractFrame(stored->frames, stored->polarity, byItself, w.current().frame);
+    const auto automatic = core::subtractFrame(stored->frames, stored->polarity, byItself, w.current().shown().frame);
     ASSERT_TRUE(automatic);
-    const Eigen::Vector2d moved = *w.current().treatment.plan.maskShiftPx - automatic.value().maskShiftPx;
+    const Eigen::Vector2d moved = *w.current().shown().treatment.plan.maskShiftPx - automatic.value().maskShiftPx;
     EXPECT_NEAR(moved.x(), 0.5, 1e-9);
     EXPECT_NEAR(moved.y(), 1.0, 1e-9);
     w.press(Qt::Key_Escape);
@@ -130,7 +130,7 @@ TEST_F(WindowSubtraction, TheCompositeIsInEveryFrame)
 {
     w.press(Qt::Key_C, Qt::ShiftModifier);
     ASSERT_TRUE(waitForRun());
-    EXPECT_TRUE(w.current().treatment.isComposite);
+    EXPECT_TRUE(w.current().shown().treatment.isComposite);
     const auto whole = core::opacifiedComposite(stored->frames, stored->polarity);
     EXPECT_EQ(shownPicture().pixels, whole.pixels);
     w.press(Qt::Key_Home);
@@ -147,9 +147,9 @@ TEST_F(WindowSubtraction, PolarityIsCorrectedAsAStep)
         }
     }
     ASSERT_TRUE(waitForRun());
-    EXPECT_EQ(w.current().angiogram->polarity, core::Polarity::VesselsBright);
+    EXPECT_EQ(w.current().shown().angiogram->polarity, core::Polarity::VesselsBright);
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(w.current().angiogram->polarity, core::Polarity::VesselsDark);
+    EXPECT_EQ(w.current().shown().angiogram->polarity, core::Polarity::VesselsDark);
 }
 
 TEST_F(WindowSubtraction, ScrollingPastAChoiceDoesNotChangeIt)
@@ -174,7 +174,7 @@ TEST_F(WindowSubtraction, SurvivesSavingAndReopening)
     ASSERT_TRUE(QTest::qWaitFor([&isSaved] { return isSaved; }, test::patienceMs));
     const auto picture = shownPicture().pixels;
     w.drop({QString::fromStdString(path)});
-    EXPECT_TRUE(w.current().treatment.isSubtracted);
+    EXPECT_TRUE(w.current().shown().treatment.isSubtracted);
     EXPECT_EQ(shownPicture().pixels, picture);
     EXPECT_TRUE(w.window.actions()[ui::Command::Subtract]->isChecked());
 }
@@ -192,7 +192,7 @@ TEST_F(WindowSubtraction, TracingFollowsItsNumbers)
     sensitivity->selectAll();
     QTest::keyClicks(sensitivity, QStringLiteral("2.5"));
     QTest::keyClick(sensitivity, Qt::Key_Return);
-    EXPECT_DOUBLE_EQ(w.current().traceOptions.sensitivity, 2.5);
+    EXPECT_DOUBLE_EQ(w.current().shown().traceOptions.sensitivity, 2.5);
     ASSERT_TRUE(
         QTest::qWaitFor([&] { return w.controller.target().current() && w.controller.target().current() != before; },
                         test::patienceMs));
@@ -212,7 +212,7 @@ TEST_F(WindowSubtraction, ThePlotShowsFramesAndChoosesThem)
     QTest::mouseMove(plot, plot->pointOf(2).toPoint());
     EXPECT_TRUE(QTest::qWaitFor([plot] { return plot->hoveredFrame() == 2; }, 5000));
     QTest::mouseClick(plot, Qt::LeftButton, {}, plot->pointOf(2).toPoint());
-    EXPECT_EQ(w.current().frame, 2);
+    EXPECT_EQ(w.current().shown().frame, 2);
     open.front()->close();
 }
 

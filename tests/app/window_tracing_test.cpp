@@ -17,8 +17,8 @@ using WindowTracing = test::ScanWindow;
 
 TEST_F(WindowTracing, TraceWithThresholdAndSeedsAsOneStep)
 {
-    const auto before = w.current().tree;
-    const core::VesselTracingOptions beforeOptions = w.current().vesselInput.tracing;
+    const auto before = w.current().vessels.tree;
+    const core::VesselTracingOptions beforeOptions = w.current().vessels.input.tracing;
     press<QCheckBox>(QStringLiteral("Automatic threshold"));
     auto* slider = w.window.tracing().findChild<QSlider*>();
     ASSERT_TRUE(slider->isEnabled());
@@ -29,19 +29,19 @@ TEST_F(WindowTracing, TraceWithThresholdAndSeedsAsOneStep)
     QApplication::processEvents();
     click(BodyPlane::Axial, {0, 0, 20});
     EXPECT_EQ(w.window.tracing().findChild<QListWidget*>()->count(), 1);
-    EXPECT_TRUE(w.current().vesselInput.tracing == beforeOptions);   // a draft until it has been traced
+    EXPECT_TRUE(w.current().vessels.input.tracing == beforeOptions);   // a draft until it has been traced
 
     press<QPushButton>(QStringLiteral("Trace"));
     ASSERT_TRUE(waitForTrace());
 
-    EXPECT_NE(w.current().tree, before);
-    EXPECT_EQ(test::endsOf(*w.current().tree), 3);
-    EXPECT_EQ(w.current().vesselInput.tracing.threshold, 180.0);
-    ASSERT_EQ(w.current().vesselInput.tracing.seedsInPatient.size(), 1U);
+    EXPECT_NE(w.current().vessels.tree, before);
+    EXPECT_EQ(test::endsOf(*w.current().vessels.tree), 3);
+    EXPECT_EQ(w.current().vessels.input.tracing.threshold, 180.0);
+    ASSERT_EQ(w.current().vessels.input.tracing.seedsInPatient.size(), 1U);
     EXPECT_EQ(w.history().undoText(), QStringLiteral("Trace vessels"));
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(w.current().tree, before);
-    EXPECT_FALSE(w.current().vesselInput.tracing.threshold);
+    EXPECT_EQ(w.current().vessels.tree, before);
+    EXPECT_FALSE(w.current().vessels.input.tracing.threshold);
     EXPECT_EQ(w.window.tracing().findChild<QListWidget*>()->count(), 0);
 }
 
@@ -57,22 +57,22 @@ TEST_F(WindowTracing, RemoveSeedsFromTheList)
 
     list->setFocus();
     list->setCurrentRow(0);
-    const auto tree = w.current().tree;
+    const auto tree = w.current().vessels.tree;
     QTest::keyClick(list, Qt::Key_Delete);
     EXPECT_EQ(list->count(), 1);
-    EXPECT_EQ(w.current().tree, tree);   // the key was the list's, not the branches'
+    EXPECT_EQ(w.current().vessels.tree, tree);   // the key was the list's, not the branches'
     EXPECT_TRUE(model().points().at(ui::SliceMarkKind::Seed).empty());
 }
 
 TEST_F(WindowTracing, StoppingKeepsTheTree)
 {
-    const auto before = w.current().tree;
+    const auto before = w.current().vessels.tree;
     const int steps = w.history().count();
     press<QPushButton>(QStringLiteral("Trace"));
     EXPECT_TRUE(w.controller.tracing().isRunning());
     press<QPushButton>(QStringLiteral("Stop"));
     ASSERT_TRUE(waitForTrace());
-    EXPECT_EQ(w.current().tree, before);
+    EXPECT_EQ(w.current().vessels.tree, before);
     EXPECT_EQ(w.history().count(), steps);
 }
 
@@ -80,28 +80,28 @@ TEST_F(WindowTracing, TellWhyNothingCanBeTraced)
 {
     press<QCheckBox>(QStringLiteral("Automatic threshold"));
     w.window.tracing().findChild<QSlider*>()->setValue(1100);
-    const auto before = w.current().tree;
+    const auto before = w.current().vessels.tree;
     press<QPushButton>(QStringLiteral("Trace"));
     ASSERT_TRUE(waitForTrace());
-    EXPECT_EQ(w.current().tree, before);
+    EXPECT_EQ(w.current().vessels.tree, before);
     EXPECT_FALSE(w.window.findChildren<ui::MessageDialog*>().isEmpty());
 }
 
 TEST_F(WindowTracing, ShowLabelsOfTheSameScan)
 {
-    const auto scan = w.current().volume;
+    const auto scan = w.current().vessels.scan;
     const QString labels = folder.filePath(QStringLiteral("labels.nii.gz"));
     core::LabelVolume image = test::forkLabels();
     std::ranges::replace(image.voxels, std::uint16_t{7}, std::uint16_t{0});
     ASSERT_TRUE(io::writeLabels(image, labels.toStdString()));
     w.drop({labels});
-    EXPECT_EQ(w.current().vesselInput.kind, core::VesselInputKind::Segmentation);
-    EXPECT_EQ(w.current().volume, scan);
-    EXPECT_EQ(w.current().scanFile.path, scanPath.toStdString());
+    EXPECT_EQ(w.current().vessels.input.kind, core::VesselInputKind::Segmentation);
+    EXPECT_EQ(w.current().vessels.scan, scan);
+    EXPECT_EQ(w.current().vessels.scanFile.path, scanPath.toStdString());
     ASSERT_TRUE(model().lumen());
     EXPECT_NE(model().lumen()->at(32, 18, 26), 0);   // in the trunk
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(w.current().vesselInput.kind, core::VesselInputKind::Volume);
+    EXPECT_EQ(w.current().vessels.input.kind, core::VesselInputKind::Volume);
 }
 
 }   // namespace

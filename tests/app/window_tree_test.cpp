@@ -23,7 +23,7 @@ protected:
     void SetUp() override { w.openSample(); }
 
     QListView& list() { return *w.window.branches().list(); }
-    const core::VesselTree& tree() { return *w.current().tree; }
+    const core::VesselTree& tree() { return *w.current().vessels.tree; }
     int idAt(std::size_t index) { return tree().branches[index].id; }
     void select(const std::set<int>& ids) { w.controller.branches().select(ids); }
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
@@ -37,52 +37,52 @@ protected:
 
 TEST_F(WindowTree, DeletesBranchesWithTheirMarksAndBringsThemBack)
 {
-    const auto before = w.current().tree;
+    const auto before = w.current().vessels.tree;
     const int gone = idAt(before->branches.size() - 1);
     select({gone});
     press(Qt::Key_A);
-    ASSERT_EQ(w.current().auxiliaryBranchIds, std::vector{gone});
+    ASSERT_EQ(w.current().vessels.auxiliaryBranchIds, std::vector{gone});
 
     press(Qt::Key_Delete);
     EXPECT_EQ(tree().branches.size(), before->branches.size() - 1);
     EXPECT_EQ(tree().find(gone), nullptr);
-    EXPECT_TRUE(w.current().auxiliaryBranchIds.empty());
-    EXPECT_TRUE(w.current().isTreeEdited);
+    EXPECT_TRUE(w.current().vessels.auxiliaryBranchIds.empty());
+    EXPECT_TRUE(w.current().vessels.isTreeEdited);
     EXPECT_TRUE(w.history().undoText().startsWith(QStringLiteral("Delete")));
     EXPECT_TRUE(w.controller.branches().marks().selected.empty());
     EXPECT_EQ(list().model()->rowCount(), static_cast<int>(tree().branches.size()));
 
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(w.current().tree, before);
-    EXPECT_EQ(w.current().auxiliaryBranchIds, std::vector{gone});
-    EXPECT_FALSE(w.current().isTreeEdited);
+    EXPECT_EQ(w.current().vessels.tree, before);
+    EXPECT_EQ(w.current().vessels.auxiliaryBranchIds, std::vector{gone});
+    EXPECT_FALSE(w.current().vessels.isTreeEdited);
 }
 
 TEST_F(WindowTree, NeverDeletesEverything)
 {
-    const auto before = w.current().tree;
+    const auto before = w.current().vessels.tree;
     press(Qt::Key_A, Qt::ControlModifier);
     press(Qt::Key_Delete);
-    EXPECT_EQ(w.current().tree, before);
+    EXPECT_EQ(w.current().vessels.tree, before);
 }
 
 TEST_F(WindowTree, DropsTheResultButKeepsAMovedPose)
 {
     w.press(Qt::Key_R);
     w.waitForRun();
-    ASSERT_TRUE(w.current().result);
-    const core::RigidTransform pose = w.current().cameraFromPatient;
+    ASSERT_TRUE(w.current().shown().result);
+    const core::RigidTransform pose = w.current().shown().cameraFromPatient;
     select({idAt(tree().branches.size() - 1)});
     press(Qt::Key_Delete);
-    EXPECT_FALSE(w.current().result);
-    EXPECT_LT(test::distance(w.current().cameraFromPatient, pose), 1e-12);
+    EXPECT_FALSE(w.current().shown().result);
+    EXPECT_LT(test::distance(w.current().shown().cameraFromPatient, pose), 1e-12);
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_TRUE(w.current().result);
+    EXPECT_TRUE(w.current().shown().result);
 }
 
 TEST_F(WindowTree, CutsJoinsAndSmooths)
 {
-    const auto before = w.current().tree;
+    const auto before = w.current().vessels.tree;
     const int id = idAt(0);
     const auto& points = tree().branches[0].pointsInPatient;
     emit w.window.treeView().pointPicked(points[points.size() / 2]);   // as a click on the branch does
@@ -119,8 +119,8 @@ TEST_F(WindowTree, RenamesInTheListAndKeepsTheResult)
     QTest::keyClicks(editor, QStringLiteral("LAD x"));   // letters that are commands elsewhere
     QTest::keyClick(editor, Qt::Key_Return);
     EXPECT_TRUE(QTest::qWaitFor([&] { return tree().find(id)->name == "LAD x"; }, 5000));
-    EXPECT_TRUE(w.current().result);
-    EXPECT_TRUE(w.current().excludedBranchIds.empty());
+    EXPECT_TRUE(w.current().shown().result);
+    EXPECT_TRUE(w.current().vessels.excludedBranchIds.empty());
     EXPECT_EQ(w.controller.branches().marks().selected, std::set{id});
     EXPECT_EQ(list().selectionModel()->selectedIndexes().size(), 1);
     w.press(Qt::Key_Z, Qt::ControlModifier);
@@ -133,11 +133,11 @@ TEST_F(WindowTree, HidesBranchesFromTheViewsOnly)
     ASSERT_TRUE(w.window.angiogramView().scene().extentOf(id));
     select({id});
     press(Qt::Key_H, Qt::ShiftModifier);
-    EXPECT_EQ(w.current().hiddenBranchIds, std::vector{id});
+    EXPECT_EQ(w.current().vessels.hiddenBranchIds, std::vector{id});
     EXPECT_FALSE(w.window.angiogramView().scene().extentOf(id));
     EXPECT_TRUE(tree().find(id));
     press(Qt::Key_H, Qt::ControlModifier | Qt::ShiftModifier);
-    EXPECT_TRUE(w.current().hiddenBranchIds.empty());
+    EXPECT_TRUE(w.current().vessels.hiddenBranchIds.empty());
     EXPECT_TRUE(w.window.angiogramView().scene().extentOf(id));
 }
 
@@ -185,7 +185,7 @@ TEST_F(WindowTree, AdvisesHowToMendABrokenTree)
                left.value().branches.size() + 1 == tree().branches.size();
     });
     ASSERT_NE(twig, tree().branches.end());
-    const auto keptAlive = w.current().tree;
+    const auto keptAlive = w.current().vessels.tree;
     const auto& points = twig->pointsInPatient;
     emit w.window.treeView().pointPicked(points[points.size() * 2 / 5]);
     select({twig->id});
@@ -249,13 +249,13 @@ TEST_F(WindowTree, EditsSurviveSavingAndReopening)
     w.history().setClean();
 
     w.drop({path});
-    EXPECT_TRUE(w.current().isTreeEdited);
+    EXPECT_TRUE(w.current().vessels.isTreeEdited);
     ASSERT_EQ(tree().branches.size(), edited.branches.size());
     for (std::size_t i = 0; i < edited.branches.size(); ++i) {
         EXPECT_EQ(tree().branches[i].id, edited.branches[i].id);
         EXPECT_EQ(tree().branches[i].pointsInPatient, edited.branches[i].pointsInPatient);
     }
-    EXPECT_EQ(w.current().hiddenBranchIds.size(), 1U);
+    EXPECT_EQ(w.current().vessels.hiddenBranchIds.size(), 1U);
 }
 
 }   // namespace

@@ -34,16 +34,16 @@ TEST(WindowTrial, HidesWhateverTellsHowGoodThePoseIs)
 {
     OpenWindow w;
     prepare(w);
-    const core::RigidTransform before = w.current().cameraFromPatient;
+    const core::RigidTransform before = w.current().shown().cameraFromPatient;
     const test::TemporaryFolder folder;
 
     w.controller.poses().blindTrial().start(setupIn(folder));
     QTest::qWait(400);   // a judgement under way would have arrived
 
-    EXPECT_GT(test::distance(w.current().cameraFromPatient, before), 0.1);
+    EXPECT_GT(test::distance(w.current().shown().cameraFromPatient, before), 0.1);
     EXPECT_FALSE(w.controller.judgement());
-    EXPECT_FALSE(w.current().result);
-    EXPECT_TRUE(w.current().snapshots.empty());
+    EXPECT_FALSE(w.current().shown().result);
+    EXPECT_TRUE(w.current().shown().snapshots.empty());
     EXPECT_FALSE(w.window.result().isVisible());
     EXPECT_FALSE(w.window.snapshots().isVisible());
     EXPECT_TRUE(w.window.trialBar().isVisible());
@@ -56,21 +56,21 @@ TEST(WindowTrial, HidesWhateverTellsHowGoodThePoseIs)
     }
     EXPECT_FALSE(w.controller.registration().isRunning());
     EXPECT_FALSE(w.window.registration().registerButton()->isEnabled());
-    EXPECT_TRUE(w.current().snapshots.empty());
+    EXPECT_TRUE(w.current().shown().snapshots.empty());
     for (int i = 0; i < 5; ++i) {   // not back behind the start
         w.press(Qt::Key_Z, Qt::ControlModifier);
     }
     EXPECT_TRUE(w.controller.poses().blindTrial().isRunning());
-    EXPECT_GT(test::distance(w.current().cameraFromPatient, before), 0.1);
+    EXPECT_GT(test::distance(w.current().shown().cameraFromPatient, before), 0.1);
 }
 
 TEST(WindowTrial, LogsTheTrialAndGivesTheCaseBack)
 {
     OpenWindow w;
     prepare(w);
-    const core::RigidTransform before = w.current().cameraFromPatient;
+    const core::RigidTransform before = w.current().shown().cameraFromPatient;
     const core::RigidTransform start = core::startPoseOf(w.current()).value();
-    const std::size_t known = w.current().snapshots.size();
+    const std::size_t known = w.current().shown().snapshots.size();
     const int step = w.history().index();
     const test::TemporaryFolder folder;
     const ui::BlindTrialSetup setup = setupIn(folder);
@@ -78,16 +78,16 @@ TEST(WindowTrial, LogsTheTrialAndGivesTheCaseBack)
     w.press(Qt::Key_N);
     w.press(Qt::Key_Left);
     w.press(Qt::Key_Up);
-    const core::RigidTransform final = w.current().cameraFromPatient;
+    const core::RigidTransform final = w.current().shown().cameraFromPatient;
 
     w.press(Qt::Key_Return, Qt::ControlModifier);
 
     EXPECT_FALSE(w.controller.poses().blindTrial().isRunning());
-    EXPECT_EQ(test::distance(w.current().cameraFromPatient, before), 0.0);
+    EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, before), 0.0);
     EXPECT_EQ(test::distance(core::startPoseOf(w.current()).value(), start), 0.0);
-    EXPECT_TRUE(w.current().result);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return w.current().snapshots.size() == known + 1; }, test::patienceMs));
-    const core::PoseSnapshot& observed = w.current().snapshots.back();
+    EXPECT_TRUE(w.current().shown().result);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return w.current().shown().snapshots.size() == known + 1; }, test::patienceMs));
+    const core::PoseSnapshot& observed = w.current().shown().snapshots.back();
     EXPECT_EQ(observed.author, "Ada");
     EXPECT_TRUE(observed.metrics);
     EXPECT_EQ(test::distance(observed.cameraFromPatient, final), 0.0);
@@ -103,18 +103,18 @@ TEST(WindowTrial, StartsAlikeForTheSameSeedAndLeavesNothingWhenAbandoned)
 {
     OpenWindow w;
     prepare(w);
-    const core::RigidTransform before = w.current().cameraFromPatient;
-    const std::size_t known = w.current().snapshots.size();
+    const core::RigidTransform before = w.current().shown().cameraFromPatient;
+    const std::size_t known = w.current().shown().snapshots.size();
     const test::TemporaryFolder folder;
     w.controller.poses().blindTrial().start(setupIn(folder));
-    const core::RigidTransform first = w.current().cameraFromPatient;
+    const core::RigidTransform first = w.current().shown().cameraFromPatient;
     w.controller.poses().blindTrial().abandon();
-    EXPECT_EQ(test::distance(w.current().cameraFromPatient, before), 0.0);
+    EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, before), 0.0);
     EXPECT_FALSE(w.history().canRedo());
     w.controller.poses().blindTrial().start(setupIn(folder));
-    EXPECT_EQ(test::distance(w.current().cameraFromPatient, first), 0.0);
+    EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, first), 0.0);
     w.controller.poses().blindTrial().abandon();
-    EXPECT_EQ(w.current().snapshots.size(), known);
+    EXPECT_EQ(w.current().shown().snapshots.size(), known);
     ASSERT_TRUE(QTest::qWaitFor([&] { return linesOf(setupIn(folder).logPath).size() == 3; }, test::patienceMs));
     EXPECT_TRUE(linesOf(setupIn(folder).logPath)[2].contains(",abandoned,"));
 }

@@ -48,17 +48,17 @@ TEST(WindowUnit, IsAskedWhereASurfaceIsTooSmallForMillimetres)
     const QTemporaryDir folder;
     OpenWindow w;
     w.drop({writeTube(folder, 0.24, 0.004)});
-    EXPECT_FALSE(w.current().tree);
+    EXPECT_FALSE(w.current().vessels.tree);
     const QList<QDialog*> asked = w.dialogs("unitQuestion");
     ASSERT_EQ(asked.size(), 1);
     OpenWindow::clickButton(asked.front(), QStringLiteral("m: 240 mm across"));
-    ASSERT_TRUE(QTest::qWaitFor([&w] { return w.current().tree != nullptr; }, test::patienceMs));
+    ASSERT_TRUE(QTest::qWaitFor([&w] { return w.current().vessels.tree != nullptr; }, test::patienceMs));
     double lengthMm = 0.0;
-    for (const core::VesselBranch& branch : w.current().tree->branches) {
+    for (const core::VesselBranch& branch : w.current().vessels.tree->branches) {
         lengthMm += branch.lengthMm();
     }
     EXPECT_NEAR(lengthMm, 240.0, 24.0);
-    EXPECT_EQ(w.current().vesselInput.unitMm, 1000.0) << "the case remembers";
+    EXPECT_EQ(w.current().vessels.input.unitMm, 1000.0) << "the case remembers";
 }
 
 TEST(WindowUnit, IsMillimetresWhereThatIsUsual)
@@ -67,8 +67,8 @@ TEST(WindowUnit, IsMillimetresWhereThatIsUsual)
     OpenWindow w;
     w.drop({writeTube(folder, 240.0, 4.0)});
     EXPECT_TRUE(w.dialogs("unitQuestion").isEmpty());
-    ASSERT_TRUE(w.current().tree);
-    EXPECT_EQ(w.current().vesselInput.unitMm, 1.0);
+    ASSERT_TRUE(w.current().vessels.tree);
+    EXPECT_EQ(w.current().vessels.input.unitMm, 1.0);
 }
 
 TEST(WindowUnit, NothingOpensWhereNobodyKnowsIt)
@@ -79,7 +79,7 @@ TEST(WindowUnit, NothingOpensWhereNobodyKnowsIt)
     ASSERT_EQ(w.dialogs("unitQuestion").size(), 1);
     OpenWindow::clickButton(w.dialogs("unitQuestion").front(), QStringLiteral("Cancel"));
     QTest::qWait(100);
-    EXPECT_FALSE(w.current().tree);
+    EXPECT_FALSE(w.current().vessels.tree);
     EXPECT_FALSE(w.controller.isLoading());
 }
 
@@ -102,13 +102,13 @@ TEST(WindowUnit, IsAskedForCentrelinesTooAndEnterTakesTheLikeliest)
     const QTemporaryDir folder;
     OpenWindow w;
     w.drop({writeLine(folder, 0.18)});
-    EXPECT_FALSE(w.current().tree);
+    EXPECT_FALSE(w.current().vessels.tree);
     ASSERT_EQ(w.dialogs("unitQuestion").size(), 1);
     ASSERT_TRUE(w.dialogs("unitQuestion").front()->focusWidget());
     QTest::keyClick(w.dialogs("unitQuestion").front()->focusWidget(), Qt::Key_Return);
-    ASSERT_TRUE(QTest::qWaitFor([&w] { return w.current().tree != nullptr; }, test::patienceMs));
-    EXPECT_NEAR(w.current().tree->branches.front().lengthMm(), 180.0, 1e-6);
-    EXPECT_EQ(w.current().vesselInput.unitMm, 1000.0);
+    ASSERT_TRUE(QTest::qWaitFor([&w] { return w.current().vessels.tree != nullptr; }, test::patienceMs));
+    EXPECT_NEAR(w.current().vessels.tree->branches.front().lengthMm(), 180.0, 1e-6);
+    EXPECT_EQ(w.current().vessels.input.unitMm, 1000.0);
 }
 
 TEST(WindowUnit, BareTablesInMillimetresOpenAtOnce)
@@ -117,8 +117,8 @@ TEST(WindowUnit, BareTablesInMillimetresOpenAtOnce)
     OpenWindow w;
     w.drop({writeLine(folder, 180.0)});
     EXPECT_TRUE(w.dialogs("unitQuestion").isEmpty());
-    ASSERT_TRUE(w.current().tree);
-    EXPECT_EQ(w.current().tree->pointCount(), 20U);
+    ASSERT_TRUE(w.current().vessels.tree);
+    EXPECT_EQ(w.current().vessels.tree->pointCount(), 20U);
 }
 
 }   // namespace

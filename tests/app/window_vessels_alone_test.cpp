@@ -32,14 +32,14 @@ protected:
         }
         file.close();
         w.drop({file.fileName()});
-        ASSERT_TRUE(w.current().tree);
-        ASSERT_EQ(w.current().tree->branches.size(), 3U);
+        ASSERT_TRUE(w.current().vessels.tree);
+        ASSERT_EQ(w.current().vessels.tree->branches.size(), 3U);
     }
     void deleteABranch()
     {
-        w.controller.branches().select({w.current().tree->branches.back().id});
+        w.controller.branches().select({w.current().vessels.tree->branches.back().id});
         QTest::keyClick(w.window.branches().list(), Qt::Key_Delete);
-        ASSERT_EQ(w.current().tree->branches.size(), 2U);
+        ASSERT_EQ(w.current().vessels.tree->branches.size(), 2U);
     }
     /// Answers the file dialog that comes; where the vessels lie then.
     QString nameThem()
@@ -63,7 +63,7 @@ TEST_F(WindowVesselsAlone, AreOfferedAsCentrelinesWhereACaseCannotBeSaved)
     const auto kept = io::readVesselTree(nameThem().toStdString());
     ASSERT_TRUE(kept) << kept.error().message;
     EXPECT_EQ(kept.value().branches.size(), 2U);
-    EXPECT_EQ(kept.value().pointCount(), w.current().tree->pointCount());
+    EXPECT_EQ(kept.value().pointCount(), w.current().vessels.tree->pointCount());
     EXPECT_TRUE(QTest::qWaitFor([this] { return !w.controller.saving().holdsWork(); }, test::patienceMs));
 }
 
@@ -108,7 +108,7 @@ TEST_F(WindowVesselsAlone, CloseWithoutAskingWhenTheyWereOnlyOpened)
 TEST_F(WindowVesselsAlone, AreRecoveredAfterACrash)
 {
     deleteABranch();
-    const core::VesselTree before = *w.current().tree;
+    const core::VesselTree before = *w.current().vessels.tree;
     w.controller.saving().autosaveSoon();
     const QDir copies(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
                       QStringLiteral("/autosave"));
@@ -127,10 +127,10 @@ TEST_F(WindowVesselsAlone, AreRecoveredAfterACrash)
     list->setCurrentItem(rows.front());
     OpenWindow::clickButton(dialog, QStringLiteral("Recover"));
 
-    ASSERT_TRUE(QTest::qWaitFor([&again] { return again.current().tree != nullptr; }, test::patienceMs));
-    EXPECT_EQ(again.current().tree->pointCount(), before.pointCount());
+    ASSERT_TRUE(QTest::qWaitFor([&again] { return again.current().vessels.tree != nullptr; }, test::patienceMs));
+    EXPECT_EQ(again.current().vessels.tree->pointCount(), before.pointCount());
     EXPECT_FALSE(QFile::exists(left));
-    EXPECT_TRUE(QFile::exists(QString::fromStdString(again.current().centerlineFile.path)));
+    EXPECT_TRUE(QFile::exists(QString::fromStdString(again.current().vessels.file.path)));
     EXPECT_TRUE(again.controller.saving().holdsWork()) << "closing asks where they belong";
     QFile::remove(own);
 }

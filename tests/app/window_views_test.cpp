@@ -53,19 +53,19 @@ TEST(WindowViews, ASecondAngiogramStandsBesideTheFirst)
     OpenWindow w;
     w.drop({phantom("cases/IM4.angiopose")});
     EXPECT_FALSE(w.window.views().isVisible());
-    const auto first = w.current().angiogram;
+    const auto first = w.current().shown().angiogram;
     w.drop({phantom("views-A/IM3.dcm")});
     answer(w, QStringLiteral("Add as a view"));
 
-    EXPECT_EQ(w.current().angiogram, first);
-    ASSERT_EQ(w.current().otherViews.size(), 1U);
+    EXPECT_EQ(w.current().shown().angiogram, first);
+    ASSERT_EQ(w.current().views.size(), 2U);
     EXPECT_TRUE(w.window.views().isVisible());
     EXPECT_EQ(w.window.views().count(), 2);
     // how each agrees is judged by itself
     EXPECT_TRUE(QTest::qWaitFor([&] { return wordsOf(w, 0).contains("mm ·") && wordsOf(w, 1).contains("mm ·"); },
                                 test::patienceMs));
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_TRUE(w.current().otherViews.empty());
+    EXPECT_EQ(w.current().views.size(), 1U);
     EXPECT_FALSE(w.window.views().isVisible());
 }
 
@@ -76,11 +76,11 @@ TEST(WindowViews, NothingOfAClosedCaseIsKept)
     openBothViews(w);
     ASSERT_TRUE(QTest::qWaitFor([&] { return wordsOf(w, 0).contains("mm ·") && wordsOf(w, 1).contains("mm ·"); },
                                 test::patienceMs));
-    const std::weak_ptr<const core::VesselTree> tree = w.current().tree;
-    const std::weak_ptr<const core::Angiogram> own = w.current().angiogram;
-    const std::weak_ptr<const core::Angiogram> other = w.current().otherViews.front().view->angiogram;
+    const std::weak_ptr<const core::VesselTree> tree = w.current().vessels.tree;
+    const std::weak_ptr<const core::Angiogram> own = w.current().shown().angiogram;
+    const std::weak_ptr<const core::Angiogram> other = w.current().views[1].angiogram;
     ASSERT_FALSE(tree.expired() || own.expired() || other.expired());
-    const core::RegistrationCase nothing;
+    const core::Case nothing;
     w.controller.document().replace(nothing, {});
     EXPECT_TRUE(QTest::qWaitFor([&] { return tree.expired() && own.expired() && other.expired(); }, test::patienceMs))
         << tree.use_count() << " " << own.use_count() << " " << other.use_count();
@@ -91,14 +91,14 @@ TEST(WindowViews, ASecondAngiogramCanTakeThePlaceOfTheFirst)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     OpenWindow w;
     w.drop({phantom("cases/IM4.angiopose")});
-    const auto first = w.current().angiogram;
+    const auto first = w.current().shown().angiogram;
     w.drop({phantom("views-A/IM3.dcm")});
     answer(w, QStringLiteral("Cancel"));
-    EXPECT_EQ(w.current().angiogram, first);
+    EXPECT_EQ(w.current().shown().angiogram, first);
     w.drop({phantom("views-A/IM3.dcm")});
     answer(w, QStringLiteral("Replace the angiogram"));
-    EXPECT_NE(w.current().angiogram, first);
-    EXPECT_TRUE(w.current().otherViews.empty());
+    EXPECT_NE(w.current().shown().angiogram, first);
+    EXPECT_EQ(w.current().views.size(), 1U);
 }
 
 TEST(WindowViews, AClickInTheStripShowsAnotherAndUndoTheFirst)
@@ -106,23 +106,23 @@ TEST(WindowViews, AClickInTheStripShowsAnotherAndUndoTheFirst)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     OpenWindow w;
     openBothViews(w);
-    const auto first = w.current().angiogram;
-    const auto tree = w.current().tree;
+    const auto first = w.current().shown().angiogram;
+    const auto tree = w.current().vessels.tree;
     const int shown = strip(w).currentRow();
     const QRect other = strip(w).visualItemRect(strip(w).item(1 - shown));
     QTest::mouseClick(strip(w).viewport(), Qt::LeftButton, {}, other.center());
     QApplication::processEvents();
-    EXPECT_NE(w.current().angiogram, first);
-    EXPECT_EQ(w.current().tree, tree);
+    EXPECT_NE(w.current().shown().angiogram, first);
+    EXPECT_EQ(w.current().vessels.tree, tree);
     EXPECT_EQ(strip(w).currentRow(), 1 - shown);   // lines keep their places
-    EXPECT_NE(w.current().imageFile.path.find("IM3"), std::string::npos);
+    EXPECT_NE(w.current().shown().imageFile.path.find("IM3"), std::string::npos);
 
     w.press(Qt::Key_Tab, Qt::ControlModifier);
-    EXPECT_EQ(w.current().angiogram, first);
+    EXPECT_EQ(w.current().shown().angiogram, first);
     EXPECT_EQ(strip(w).currentRow(), shown);
     w.press(Qt::Key_Z, Qt::ControlModifier);
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(w.current().angiogram, first);
+    EXPECT_EQ(w.current().shown().angiogram, first);
 }
 
 TEST(WindowViews, RegisterFindsOnePoseForAllAndIsOneStep)
@@ -130,19 +130,19 @@ TEST(WindowViews, RegisterFindsOnePoseForAllAndIsOneStep)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     OpenWindow w;
     openBothViews(w);
-    const core::RigidTransform before = w.current().cameraFromPatient;
+    const core::RigidTransform before = w.current().shown().cameraFromPatient;
     w.press(Qt::Key_R);
     w.waitForRun();
-    ASSERT_TRUE(w.current().result);
-    EXPECT_LT(w.current().result->metrics.medianPx, 3.0);
-    ASSERT_TRUE(w.current().otherViews[0].view->result);
-    EXPECT_LT(w.current().otherViews[0].view->result->metrics.medianPx, 3.0);
-    const double jointDepthMm = w.current().result->uncertainty.depthMm;
-    EXPECT_EQ(w.current().snapshots.size(), 1U);
+    ASSERT_TRUE(w.current().shown().result);
+    EXPECT_LT(w.current().shown().result->metrics.medianPx, 3.0);
+    ASSERT_TRUE(w.current().views[1].result);
+    EXPECT_LT(w.current().views[1].result->metrics.medianPx, 3.0);
+    const double jointDepthMm = w.current().shown().result->uncertainty.depthMm;
+    EXPECT_EQ(w.current().shown().snapshots.size(), 1U);
 
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(w.current().cameraFromPatient.matrix(), before.matrix());
-    EXPECT_FALSE(w.current().otherViews[0].view->result);
+    EXPECT_EQ(w.current().shown().cameraFromPatient.matrix(), before.matrix());
+    EXPECT_FALSE(w.current().views[1].result);
 
     auto* together = w.window.registration().findChild<QCheckBox*>();
     ASSERT_TRUE(together->isVisible());
@@ -150,9 +150,9 @@ TEST(WindowViews, RegisterFindsOnePoseForAllAndIsOneStep)
     ASSERT_FALSE(together->isChecked());
     w.press(Qt::Key_R);
     w.waitForRun();
-    ASSERT_TRUE(w.current().result);
-    EXPECT_FALSE(w.current().otherViews[0].view->result);
-    EXPECT_GT(w.current().result->uncertainty.depthMm, jointDepthMm);   // what the second view is for
+    ASSERT_TRUE(w.current().shown().result);
+    EXPECT_FALSE(w.current().views[1].result);
+    EXPECT_GT(w.current().shown().result->uncertainty.depthMm, jointDepthMm);   // what the second view is for
 }
 
 TEST(WindowViews, ANudgeMovesTheVesselsInAllOfThem)
@@ -160,13 +160,13 @@ TEST(WindowViews, ANudgeMovesTheVesselsInAllOfThem)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     OpenWindow w;
     openBothViews(w);
-    const auto otherPose = [&w] { return w.current().otherViews[0].view->cameraFromPatient; };
+    const auto otherPose = [&w] { return w.current().views[1].cameraFromPatient; };
     const core::RigidTransform before = otherPose();
-    const core::RigidTransform between = before * w.current().cameraFromPatient.inverse();
+    const core::RigidTransform between = before * w.current().shown().cameraFromPatient.inverse();
     w.press(Qt::Key_N);
     w.press(Qt::Key_Right, Qt::ShiftModifier);
     EXPECT_GT(test::distance(otherPose(), before), 1.0);
-    EXPECT_LT(test::distance(otherPose() * w.current().cameraFromPatient.inverse(), between), 1e-9);
+    EXPECT_LT(test::distance(otherPose() * w.current().shown().cameraFromPatient.inverse(), between), 1e-9);
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(test::distance(otherPose(), before), 0.0);
 
@@ -185,15 +185,15 @@ TEST(WindowViews, ASavedCaseShowsThemAgain)
     {
         OpenWindow w;
         openBothViews(w);
-        otherPose = w.current().otherViews[0].view->cameraFromPatient.matrix();
+        otherPose = w.current().views[1].cameraFromPatient.matrix();
         w.controller.saving().saveTo(path);
         EXPECT_TRUE(QTest::qWaitFor([&] { return !w.controller.document().isModified(); }, test::patienceMs));
     }
     OpenWindow again;
     again.drop({path});
-    ASSERT_EQ(again.current().otherViews.size(), 1U);
-    ASSERT_TRUE(again.current().otherViews[0].view && again.current().otherViews[0].view->angiogram);
-    EXPECT_EQ(again.current().otherViews[0].view->cameraFromPatient.matrix(), otherPose);
+    ASSERT_EQ(again.current().views.size(), 2U);
+    ASSERT_TRUE(again.current().views[1].angiogram);
+    EXPECT_EQ(again.current().views[1].cameraFromPatient.matrix(), otherPose);
     EXPECT_EQ(again.window.views().count(), 2);
 }
 
@@ -219,9 +219,9 @@ TEST(WindowViews, AViewThatHasMovedIsLookedForAndTheCaseOpensWithout)
     const auto dialogs = again.dialogs("missingInputs");
     ASSERT_EQ(dialogs.size(), 1);
     OpenWindow::clickButton(dialogs.front(), QStringLiteral("Open without"));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return again.current().angiogram != nullptr; }, test::patienceMs));
-    ASSERT_EQ(again.current().otherViews.size(), 1U);   // kept in the case, though not seen
-    EXPECT_FALSE(again.current().otherViews[0].view->angiogram);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return again.current().shown().angiogram != nullptr; }, test::patienceMs));
+    ASSERT_EQ(again.current().views.size(), 2U);   // kept in the case, though not seen
+    EXPECT_FALSE(again.current().views[1].angiogram);
     EXPECT_TRUE(wordsOf(again, 1 - strip(again).currentRow()).contains("not found"));
 }
 
@@ -232,13 +232,13 @@ TEST(WindowViews, DeleteTakesTheShownOneOutAndShowsTheNext)
     openBothViews(w);
     strip(w).setFocus();
     QTest::keyClick(&strip(w), Qt::Key_Delete);
-    EXPECT_TRUE(w.current().otherViews.empty());
-    EXPECT_NE(w.current().imageFile.path.find("IM3"), std::string::npos);
-    EXPECT_TRUE(w.current().tree);   // no branch was deleted
-    EXPECT_EQ(w.current().tree->branches.size(), 11U);
+    EXPECT_EQ(w.current().views.size(), 1U);
+    EXPECT_NE(w.current().shown().imageFile.path.find("IM3"), std::string::npos);
+    EXPECT_TRUE(w.current().vessels.tree);   // no branch was deleted
+    EXPECT_EQ(w.current().vessels.tree->branches.size(), 11U);
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(w.current().otherViews.size(), 1U);
-    EXPECT_NE(w.current().imageFile.path.find("IM4"), std::string::npos);
+    EXPECT_EQ(w.current().views.size(), 2U);
+    EXPECT_NE(w.current().shown().imageFile.path.find("IM4"), std::string::npos);
 }
 
 }   // namespace

@@ -1,6 +1,6 @@
 #include "tests/benchmark/phantom_views.h"
 
-#include "core/registration_case.h"
+#include "core/case/registration_input.h"
 #include "core/support/quantile.h"
 #include "io/case_file.h"
 
@@ -23,35 +23,35 @@ core::Result<PhantomView> registerView(const std::filesystem::path& path, const 
     if (!loaded) {
         return loaded.error();
     }
-    core::RegistrationCase registrationCase = std::move(loaded).value();
-    registrationCase.options = options;
-    const auto headerPose = core::cameraFromPatient(registrationCase.cArm, Eigen::Vector3d::Zero());
+    core::Case theCase = std::move(loaded).value();
+    theCase.options = options;
+    const auto headerPose = core::cameraFromPatient(theCase.shown().geometry.cArm, Eigen::Vector3d::Zero());
     if (!headerPose) {
         return headerPose.error();
     }
     const auto begin = std::chrono::steady_clock::now();
-    auto target = core::targetOf(registrationCase);
+    auto target = core::targetOf(theCase.shown());
     if (!target) {
         return target.error();
     }
     PhantomView view;
     view.traceMs = milliseconds(begin);
-    auto input = core::registrationInputOf(registrationCase, std::move(target).value());
+    auto input = core::registrationInputOf(theCase, std::move(target).value());
     if (!input) {
         return input.error();
     }
     view.input = std::move(input).value();
-    auto result = core::registerVessels(view.input, registrationCase.options);
+    auto result = core::registerVessels(view.input, theCase.options);
     if (!result) {
         return result.error();
     }
     view.name = path.stem().string();
-    view.primaryDeg = registrationCase.cArm.primaryAngleDeg.value.value_or(0.0);
-    view.secondaryDeg = registrationCase.cArm.secondaryAngleDeg.value.value_or(0.0);
-    view.sourceToPatientMm = registrationCase.cArm.sourceToPatientMm.value.value_or(0.0);
+    view.primaryDeg = theCase.shown().geometry.cArm.primaryAngleDeg.value.value_or(0.0);
+    view.secondaryDeg = theCase.shown().geometry.cArm.secondaryAngleDeg.value.value_or(0.0);
+    view.sourceToPatientMm = theCase.shown().geometry.cArm.sourceToPatientMm.value.value_or(0.0);
     view.headerRotation = headerPose.value().rotation;
     view.result = std::move(result).value();
-    view.depthMm = (view.result.cameraFromPatient * core::centroidInPatient(*registrationCase.tree)).z();
+    view.depthMm = (view.result.cameraFromPatient * core::centroidInPatient(*theCase.vessels.tree)).z();
     return view;
 }
 

@@ -72,8 +72,8 @@ private:
 /// What of the open case is still there when it has been closed.
 class Remains {
 public:
-    explicit Remains(const core::RegistrationCase& current)
-        : tree_(current.tree), angiogram_(current.angiogram), stored_(current.storedRun)
+    explicit Remains(const core::Case& current)
+        : tree_(current.vessels.tree), angiogram_(current.shown().angiogram), stored_(current.shown().storedRun)
     {
     }
 

@@ -46,10 +46,8 @@ TEST(Cli, RegistersTheViewsThatStandInACase)
     const TemporaryFolder folder;
     const fs::path cases = test::dataFile("coronary-phantom-xa/cases");
     core::Messages warnings;
-    core::RegistrationCase both = io::loadCase((cases / "IM3.angiopose").string(), warnings).value();
-    both.otherViews = {{{},
-                        std::make_shared<const core::RegistrationCase>(
-                            io::loadCase((cases / "IM4.angiopose").string(), warnings).value())}};
+    core::Case both = io::loadCase((cases / "IM3.angiopose").string(), warnings).value();
+    both.views.push_back(io::loadCase((cases / "IM4.angiopose").string(), warnings).value().shown());
     ASSERT_TRUE(io::saveCase(both, folder.file("both.angiopose")));
     const auto outcome =
         runCli({"register", folder.file("both.angiopose"), "--output", folder.file("joint"), "--json"});

@@ -34,8 +34,7 @@ core::PoseSnapshot sampleSnapshot()
 }
 
 /// The phantom's case saved with a JSON patch applied to it.
-std::string savedWith(const test::TemporaryFolder& folder, const core::RegistrationCase& values,
-                      const nlohmann::json& patch)
+std::string savedWith(const test::TemporaryFolder& folder, const core::Case& values, const nlohmann::json& patch)
 {
     const std::string path = folder.file("patched.angiopose");
     EXPECT_TRUE(io::saveCase(values, path));
@@ -53,18 +52,18 @@ TEST(CaseSnapshots, AreRestoredToTheLastBit)
     core::Messages warnings;
     auto loaded = io::loadCase(phantomPath(), warnings);
     ASSERT_TRUE(loaded);
-    core::RegistrationCase original = std::move(loaded).value();
+    core::Case original = std::move(loaded).value();
     const core::PoseSnapshot expected = sampleSnapshot();
     core::PoseSnapshot bare;
     bare.id = 2;
     bare.name = "by hand";
-    original.snapshots = {expected, bare};
+    original.shown().snapshots = {expected, bare};
 
     ASSERT_TRUE(io::saveCase(original, folder.file("kept.angiopose")));
     const auto again = io::loadCase(folder.file("kept.angiopose"), warnings);
     ASSERT_TRUE(again) << again.error().message;
 
-    const auto& read = again.value().snapshots;
+    const auto& read = again.value().shown().snapshots;
     ASSERT_EQ(read.size(), 2u);
     EXPECT_EQ(read[0].name, expected.name);
     EXPECT_EQ(read[0].author, expected.author);
@@ -91,12 +90,12 @@ TEST(CaseSnapshots, WithNumbersThatAreNoneAreStillReadable)
     ASSERT_TRUE(loaded);
     core::PoseSnapshot unseen = sampleSnapshot();
     unseen.metrics->medianMm = std::numeric_limits<double>::quiet_NaN();   // nothing of the tree in the image
-    core::RegistrationCase values = std::move(loaded).value();
-    values.snapshots = {unseen};
+    core::Case values = std::move(loaded).value();
+    values.shown().snapshots = {unseen};
     ASSERT_TRUE(io::saveCase(values, folder.file("nan.angiopose")));
     const auto again = io::loadCase(folder.file("nan.angiopose"), warnings);
     ASSERT_TRUE(again) << again.error().message;
-    EXPECT_FALSE(again.value().snapshots.front().metrics);
+    EXPECT_FALSE(again.value().shown().snapshots.front().metrics);
 }
 
 TEST(CaseSnapshots, ThatMakeNoSenseAreRefusedInWords)

@@ -99,10 +99,10 @@ std::vector<std::string> writeGoodFiles(const test::TemporaryFolder& folder)
     EXPECT_TRUE(io::writeCenterline2d({{{1, {{1.0, 2.0}, {3.0, 4.5}}, {1.0, 1.5}}}}, folder.file("curve.csv")));
     folder.write("legacy.vtk", legacyText);
     folder.write("tree.swc", swcText);
-    core::RegistrationCase good;
-    good.centerlineFile.path = folder.file("tree.csv");
-    good.imageFile.path = folder.file("run.dcm");
-    good.cameraOverride = core::ProjectionCamera{-1000, 1000, 11.5, 8.5, 24, 18};
+    core::Case good;
+    good.vessels.file.path = folder.file("tree.csv");
+    good.shown().imageFile.path = folder.file("run.dcm");
+    good.shown().geometry.cameraOverride = core::ProjectionCamera{-1000, 1000, 11.5, 8.5, 24, 18};
     EXPECT_TRUE(io::saveCase(good, folder.file("good.angiopose")));
     return {"tree.vtp", "tree.csv",  "run.dcm",    "pose.tfm", "pose.json",
             "mask.png", "curve.csv", "legacy.vtk", "tree.swc", "good.angiopose"};

@@ -22,11 +22,11 @@ public:
     {
         core::Messages warnings;
         const auto path = test::dataFile("coronary-phantom-xa/cases/IM4.angiopose");
-        core::RegistrationCase values = io::loadCase(path.string(), warnings).value();
-        tree_ = copied(values.centerlineFile.path, "inputs");
-        image_ = copied(values.imageFile.path, "inputs");
-        values.centerlineFile.path = tree_.string();
-        values.imageFile.path = image_.string();
+        core::Case values = io::loadCase(path.string(), warnings).value();
+        tree_ = copied(values.vessels.file.path, "inputs");
+        image_ = copied(values.shown().imageFile.path, "inputs");
+        values.vessels.file.path = tree_.string();
+        values.shown().imageFile.path = image_.string();
         EXPECT_TRUE(io::saveCase(values, casePath()));
     }
 
@@ -78,8 +78,8 @@ TEST(MovedInputs, AreFoundInSubFoldersEvenUnderAnotherName)
 
     const auto loaded = io::loadCase(moved.casePath(), warnings, {}, found);
     ASSERT_TRUE(loaded) << loaded.error().message;
-    EXPECT_TRUE(fs::equivalent(loaded.value().centerlineFile.path, newTree));
-    EXPECT_TRUE(fs::equivalent(loaded.value().imageFile.path, newImage));
+    EXPECT_TRUE(fs::equivalent(loaded.value().vessels.file.path, newTree));
+    EXPECT_TRUE(fs::equivalent(loaded.value().shown().imageFile.path, newImage));
     for (const core::Message& warning : warnings) {
         EXPECT_FALSE(warning.is(io::says::caseFileChanged)) << warning;
     }

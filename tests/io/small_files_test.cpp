@@ -67,10 +67,10 @@ TEST(ReadPose, KnowsItksRigidTransforms)
 TEST(ReadPose, FindsThePoseInAResult)
 {
     const test::TemporaryFolder folder;
-    core::RegistrationCase registrationCase;
+    core::Case theCase;
     core::RegistrationResult result;
     result.cameraFromPatient = oddPose();
-    ASSERT_TRUE(io::writeResult(registrationCase, result, folder.file("result.json")));
+    ASSERT_TRUE(io::writeResult(theCase, result, folder.file("result.json")));
     const auto pose = io::readPose(folder.file("result.json"));
     ASSERT_TRUE(pose) << pose.error().message;
     EXPECT_EQ(pose.value().matrix(), oddPose().matrix());
@@ -78,8 +78,8 @@ TEST(ReadPose, FindsThePoseInAResult)
 
 TEST(ResultJson, HasEveryPromisedKey)
 {
-    core::RegistrationCase registrationCase;
-    registrationCase.centerlineFile = {"/data/tree.vtp", std::string(64, 'a')};
+    core::Case theCase;
+    theCase.vessels.file = {"/data/tree.vtp", std::string(64, 'a')};
     core::RegistrationResult result;
     result.method = "dynaweight";
     result.metrics.medianPx = 0.75;
@@ -87,7 +87,7 @@ TEST(ResultJson, HasEveryPromisedKey)
     result.branches.push_back({4, 20, 0.5, 1.5, 0.9});
     result.stopReason = core::StopReason::StoppedByUser;
     result.warnings = {core::says::trustDepthUnknown()};
-    const nlohmann::json json = nlohmann::json::parse(io::resultJson(registrationCase, result));
+    const nlohmann::json json = nlohmann::json::parse(io::resultJson(theCase, result));
     EXPECT_EQ(json["format"], "angiopose-result");
     EXPECT_EQ(json["version"], 1);
     EXPECT_EQ(json["method"], "dynaweight");

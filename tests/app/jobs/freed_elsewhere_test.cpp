@@ -41,17 +41,19 @@ TEST(FreedElsewhere, WhatWasReadStaysTheSame)
 {
     LoadedInputs inputs;
     inputs.wholeCase.emplace();
+    core::Case& wholeCase = *inputs.wholeCase;
     const auto run = std::make_shared<const core::Angiogram>();
-    inputs.wholeCase->angiogram = inputs.wholeCase->storedRun = run;
-    core::RegistrationCase view;
-    view.angiogram = std::make_shared<const core::Angiogram>();
-    const core::Angiogram* ofView = view.angiogram.get();
-    inputs.wholeCase->otherViews = {{{}, std::make_shared<const core::RegistrationCase>(view)}, {}};
+    wholeCase.shown().angiogram = wholeCase.shown().storedRun = run;
+    core::View& other = wholeCase.views.emplace_back();
+    other.angiogram = std::make_shared<const core::Angiogram>();
+    const core::Angiogram* ofOther = other.angiogram.get();
+    wholeCase.views.emplace_back();
     const LoadedInputs freed = freedElsewhere(std::move(inputs));
-    EXPECT_EQ(freed.wholeCase->angiogram, run);
-    EXPECT_EQ(freed.wholeCase->storedRun, freed.wholeCase->angiogram);
-    EXPECT_EQ(freed.wholeCase->otherViews[0].view->angiogram.get(), ofView);
-    EXPECT_EQ(freed.wholeCase->otherViews[1].view, nullptr);
+    const std::vector<core::View>& views = freed.wholeCase->views;
+    EXPECT_EQ(views[0].angiogram, run);
+    EXPECT_EQ(views[0].storedRun, run);
+    EXPECT_EQ(views[1].angiogram.get(), ofOther);
+    EXPECT_EQ(views[2].angiogram, nullptr);
 }
 
 }   // namespace

@@ -13,22 +13,22 @@ namespace {
 using test::phantomCase;
 using test::TemporaryFolder;
 
-core::RegistrationCase withEditedCurves(core::RegistrationCase values)
+core::Case withEditedCurves(core::Case values)
 {
     const core::Curve2d curve{4, {{1.0 / 3.0, 2.5}, {7.0, 9.0}, {11.25, 1e-3}}, {1.5, 2.0, 0.1}};
-    values.givenTarget = std::make_shared<core::Centerline2d>(core::Centerline2d{{curve}});
-    values.editedFrame = values.frame;
-    values.acceptedCurveIds = {4};
+    values.shown().target.centerline = std::make_shared<core::Centerline2d>(core::Centerline2d{{curve}});
+    values.shown().target.editedFrame = values.shown().frame;
+    values.shown().target.acceptedCurveIds = {4};
     return values;
 }
 
-core::RegistrationCase reloaded(const std::string& path)
+core::Case reloaded(const std::string& path)
 {
     core::Messages warnings;
     auto loaded = io::loadCase(path, warnings);
     EXPECT_TRUE(loaded) << loaded.error().message;
     EXPECT_TRUE(loaded && io::validateCase(path).value().empty());
-    return loaded ? std::move(loaded).value() : core::RegistrationCase{};
+    return loaded ? std::move(loaded).value() : core::Case{};
 }
 
 bool hasFile(const TemporaryFolder& folder, const std::string& name)
@@ -40,21 +40,23 @@ TEST(SaveCase, KeepsEditedCurvesBesideTheCase)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const TemporaryFolder folder;
-    const core::RegistrationCase original = withEditedCurves(phantomCase(3));
+    const core::Case original = withEditedCurves(phantomCase(3));
     ASSERT_TRUE(io::saveCase(original, folder.file("a.angiopose")));
-    const core::RegistrationCase copy = reloaded(folder.file("a.angiopose"));
-    EXPECT_EQ(copy.targetFile.path, folder.file("a.curves.csv"));
-    ASSERT_TRUE(copy.givenTarget);
-    EXPECT_EQ(copy.givenTarget->curves.front().id, 4);
-    EXPECT_EQ(copy.givenTarget->curves.front().pointsPx, original.givenTarget->curves.front().pointsPx);
-    EXPECT_EQ(copy.givenTarget->curves.front().radiusPx, original.givenTarget->curves.front().radiusPx);
-    EXPECT_EQ(copy.editedFrame, original.frame);
-    EXPECT_EQ(copy.acceptedCurveIds, std::vector<int>{4});
-    EXPECT_EQ(core::targetOf(copy).value().pointCount(), 3U) << "what the command line registers";
+    const core::Case copy = reloaded(folder.file("a.angiopose"));
+    EXPECT_EQ(copy.shown().target.file.path, folder.file("a.curves.csv"));
+    ASSERT_TRUE(copy.shown().target.centerline);
+    EXPECT_EQ(copy.shown().target.centerline->curves.front().id, 4);
+    EXPECT_EQ(copy.shown().target.centerline->curves.front().pointsPx,
+              original.shown().target.centerline->curves.front().pointsPx);
+    EXPECT_EQ(copy.shown().target.centerline->curves.front().radiusPx,
+              original.shown().target.centerline->curves.front().radiusPx);
+    EXPECT_EQ(copy.shown().target.editedFrame, original.shown().frame);
+    EXPECT_EQ(copy.shown().target.acceptedCurveIds, std::vector<int>{4});
+    EXPECT_EQ(core::targetOf(copy.shown()).value().pointCount(), 3U) << "what the command line registers";
 
-    core::RegistrationCase elsewhere = copy;
-    elsewhere.frame = copy.frame + 1;
-    EXPECT_FALSE(core::givenTargetOf(elsewhere)) << "curves of one frame do not stand for another";
+    core::Case elsewhere = copy;
+    elsewhere.shown().frame = copy.shown().frame + 1;
+    EXPECT_FALSE(core::givenTargetOf(elsewhere.shown())) << "curves of one frame do not stand for another";
 }
 
 TEST(SaveCase, EditedCurvesReplaceTheirOwnFileOnly)
@@ -62,7 +64,7 @@ TEST(SaveCase, EditedCurvesReplaceTheirOwnFileOnly)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const TemporaryFolder folder;
     std::ofstream(folder.file("a.curves.csv")) << "of somebody else";
-    const core::RegistrationCase original = withEditedCurves(phantomCase(3));
+    const core::Case original = withEditedCurves(phantomCase(3));
     ASSERT_TRUE(io::saveCase(original, folder.file("a.angiopose")));
     ASSERT_TRUE(io::saveCase(original, folder.file("a.angiopose")));
     EXPECT_TRUE(hasFile(folder, "a.curves-2.csv"));
@@ -80,32 +82,32 @@ TEST(SaveCase, RestoresTheSubtraction)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const TemporaryFolder folder;
-    core::RegistrationCase original = phantomCase(4);
-    original.treatment.isSubtracted = true;
-    original.treatment.plan.maskFrames = {0, 1};
-    original.treatment.plan.maskShiftPx = Eigen::Vector2d(0.25, -1.0 / 3.0);
-    original.treatment.plan.relation = core::PixelRelation::Logarithmic;
-    const auto treated = core::treatedRun(*original.angiogram, original.treatment);
+    core::Case original = phantomCase(4);
+    original.shown().treatment.isSubtracted = true;
+    original.shown().treatment.plan.maskFrames = {0, 1};
+    original.shown().treatment.plan.maskShiftPx = Eigen::Vector2d(0.25, -1.0 / 3.0);
+    original.shown().treatment.plan.relation = core::PixelRelation::Logarithmic;
+    const auto treated = core::treatedRun(*original.shown().angiogram, original.shown().treatment);
     ASSERT_TRUE(treated) << treated.error().message;
-    original.storedRun = original.angiogram;
-    original.angiogram = std::make_shared<core::Angiogram>(treated.value());
+    original.shown().storedRun = original.shown().angiogram;
+    original.shown().angiogram = std::make_shared<core::Angiogram>(treated.value());
     ASSERT_TRUE(io::saveCase(original, folder.file("dsa.angiopose")));
 
-    const core::RegistrationCase copy = reloaded(folder.file("dsa.angiopose"));
-    EXPECT_EQ(copy.treatment, original.treatment);
-    ASSERT_TRUE(copy.storedRun);
-    EXPECT_EQ(copy.storedRun->frames[4].pixels, original.storedRun->frames[4].pixels);
-    EXPECT_EQ(copy.angiogram->frames[4].pixels, original.angiogram->frames[4].pixels);
-    EXPECT_NE(copy.angiogram->frames[4].pixels, copy.storedRun->frames[4].pixels);
+    const core::Case copy = reloaded(folder.file("dsa.angiopose"));
+    EXPECT_EQ(copy.shown().treatment, original.shown().treatment);
+    ASSERT_TRUE(copy.shown().storedRun);
+    EXPECT_EQ(copy.shown().storedRun->frames[4].pixels, original.shown().storedRun->frames[4].pixels);
+    EXPECT_EQ(copy.shown().angiogram->frames[4].pixels, original.shown().angiogram->frames[4].pixels);
+    EXPECT_NE(copy.shown().angiogram->frames[4].pixels, copy.shown().storedRun->frames[4].pixels);
 }
 
 TEST(LoadCase, SubtractionThatCannotBeIsRefused)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const TemporaryFolder folder;
-    core::RegistrationCase original = phantomCase(4);
-    original.treatment.isSubtracted = true;
-    original.treatment.plan.maskFrames = {99};
+    core::Case original = phantomCase(4);
+    original.shown().treatment.isSubtracted = true;
+    original.shown().treatment.plan.maskFrames = {99};
     ASSERT_TRUE(io::saveCase(original, folder.file("dsa.angiopose")));
     core::Messages warnings;
     const auto loaded = io::loadCase(folder.file("dsa.angiopose"), warnings);

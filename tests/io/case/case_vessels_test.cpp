@@ -17,9 +17,9 @@ using test::contains;
 using test::SmallCase;
 
 /// The tree of the small case with its second branch renamed and a point moved by an odd amount.
-std::shared_ptr<const core::VesselTree> editedTree(const core::RegistrationCase& values)
+std::shared_ptr<const core::VesselTree> editedTree(const core::Case& values)
 {
-    core::VesselTree tree = *values.tree;
+    core::VesselTree tree = *values.vessels.tree;
     tree.branches[1].name = "Äste \"2\"";
     tree.branches[1].generation = 1;
     tree.branches[1].pointsInPatient[1].y() += 1.0 / 3.0;
@@ -40,8 +40,8 @@ TEST(LoadCase, TracesASegmentationWithTheParametersBesideIt)
     const auto loaded = small.load(json);
 
     ASSERT_TRUE(loaded) << loaded.error().message;
-    EXPECT_EQ(test::endsOf(*loaded.value().tree), 3);
-    for (const core::VesselBranch& branch : loaded.value().tree->branches) {
+    EXPECT_EQ(test::endsOf(*loaded.value().vessels.tree), 3);
+    for (const core::VesselBranch& branch : loaded.value().vessels.tree->branches) {
         for (const Eigen::Vector3d& point : branch.pointsInPatient) {
             EXPECT_LT(test::distanceToFork(point), 1.5);
         }
@@ -50,11 +50,11 @@ TEST(LoadCase, TracesASegmentationWithTheParametersBesideIt)
     core::Messages warnings;
     const auto copy = io::loadCase(small.path("copy.angiopose"), warnings);
     ASSERT_TRUE(copy) << copy.error().message;
-    EXPECT_EQ(copy.value().vesselInput, loaded.value().vesselInput);
-    EXPECT_EQ(copy.value().vesselInput.tracing.minBranchLengthMm, 7.5);
-    EXPECT_EQ(copy.value().centerlineFile, loaded.value().centerlineFile);
-    EXPECT_EQ(copy.value().tree->branches.front().pointsInPatient,
-              loaded.value().tree->branches.front().pointsInPatient);
+    EXPECT_EQ(copy.value().vessels.input, loaded.value().vessels.input);
+    EXPECT_EQ(copy.value().vessels.input.tracing.minBranchLengthMm, 7.5);
+    EXPECT_EQ(copy.value().vessels.file, loaded.value().vessels.file);
+    EXPECT_EQ(copy.value().vessels.tree->branches.front().pointsInPatient,
+              loaded.value().vessels.tree->branches.front().pointsInPatient);
     const auto saved = nlohmann::json::parse(test::readText(small.path("copy.angiopose")));
     EXPECT_EQ(saved["vessel"]["surface"]["note"], "kept") << "another kind beside it survives";
     EXPECT_EQ(saved["vessel"]["tracing"]["mine"], true);
@@ -64,10 +64,10 @@ TEST(LoadCase, TracesASegmentationWithTheParametersBesideIt)
 TEST(SaveCase, KeepsAnEditedTreeToTheLastBit)
 {
     SmallCase small;
-    core::RegistrationCase edited = small.load(small.json()).value();
-    edited.tree = editedTree(edited);
-    edited.isTreeEdited = true;
-    edited.hiddenBranchIds = {2};
+    core::Case edited = small.load(small.json()).value();
+    edited.vessels.tree = editedTree(edited);
+    edited.vessels.isTreeEdited = true;
+    edited.vessels.hiddenBranchIds = {2};
     const std::string input = small.path("in/tree.csv");
     const auto before = io::sha256OfFile(input).value();
     ASSERT_TRUE(io::saveCase(edited, small.path("edited.angiopose")));
@@ -78,12 +78,12 @@ TEST(SaveCase, KeepsAnEditedTreeToTheLastBit)
     const auto copy = io::loadCase(small.path("edited.angiopose"), warnings);
     ASSERT_TRUE(copy) << copy.error().message;
     EXPECT_EQ(warnings, small.warnings);   // those of the image, none of the tree
-    EXPECT_TRUE(copy.value().isTreeEdited);
-    EXPECT_EQ(copy.value().hiddenBranchIds, std::vector{2});
-    ASSERT_EQ(copy.value().tree->branches.size(), 2U);
+    EXPECT_TRUE(copy.value().vessels.isTreeEdited);
+    EXPECT_EQ(copy.value().vessels.hiddenBranchIds, std::vector{2});
+    ASSERT_EQ(copy.value().vessels.tree->branches.size(), 2U);
     for (std::size_t i = 0; i < 2; ++i) {
-        const core::VesselBranch& a = edited.tree->branches[i];
-        const core::VesselBranch& b = copy.value().tree->branches[i];
+        const core::VesselBranch& a = edited.vessels.tree->branches[i];
+        const core::VesselBranch& b = copy.value().vessels.tree->branches[i];
         EXPECT_EQ(a.id, b.id);
         EXPECT_EQ(a.name, b.name);
         EXPECT_EQ(a.generation, b.generation);
@@ -95,17 +95,17 @@ TEST(SaveCase, KeepsAnEditedTreeToTheLastBit)
 TEST(LoadCase, OpensAnEditedTreeWithoutItsOrigin)
 {
     SmallCase small;
-    core::RegistrationCase edited = small.load(small.json()).value();
-    edited.tree = editedTree(edited);
-    edited.isTreeEdited = true;
+    core::Case edited = small.load(small.json()).value();
+    edited.vessels.tree = editedTree(edited);
+    edited.vessels.isTreeEdited = true;
     ASSERT_TRUE(io::saveCase(edited, small.path("edited.angiopose")));
     std::filesystem::remove(small.path("in/tree.csv"));
 
     core::Messages warnings;
     const auto copy = io::loadCase(small.path("edited.angiopose"), warnings);
     ASSERT_TRUE(copy) << copy.error().message;
-    EXPECT_EQ(copy.value().tree->branches[1].name, edited.tree->branches[1].name);
-    EXPECT_EQ(copy.value().centerlineFile.sha256, edited.centerlineFile.sha256);
+    EXPECT_EQ(copy.value().vessels.tree->branches[1].name, edited.vessels.tree->branches[1].name);
+    EXPECT_EQ(copy.value().vessels.file.sha256, edited.vessels.file.sha256);
     EXPECT_TRUE(anyContains(warnings, "opens without the file"));
 }
 
@@ -131,10 +131,10 @@ TEST(LoadCase, ReadsTheScanOfAnEditedTreeWithoutTracingIt)
     json["vessel"]["editedTree"]["branches"] = {{{"id", 5}, {"pointsMm", {{0, 0, 0}, {0, 0, 30}}}}};
     const auto loaded = small.load(json);
     ASSERT_TRUE(loaded) << loaded.error().message;
-    ASSERT_TRUE(loaded.value().volume);
-    ASSERT_EQ(loaded.value().tree->branches.size(), 1U);
-    EXPECT_EQ(loaded.value().tree->branches[0].id, 5);
-    EXPECT_FALSE(loaded.value().lumen);
+    ASSERT_TRUE(loaded.value().vessels.scan);
+    ASSERT_EQ(loaded.value().vessels.tree->branches.size(), 1U);
+    EXPECT_EQ(loaded.value().vessels.tree->branches[0].id, 5);
+    EXPECT_FALSE(loaded.value().vessels.lumen);
 }
 
 TEST(LoadCase, ReadsTheScanThatOtherVesselsLieIn)
@@ -145,18 +145,19 @@ TEST(LoadCase, ReadsTheScanThatOtherVesselsLieIn)
     json["vessel"]["volume"]["path"] = "in/scan.nrrd";
     const auto loaded = small.load(json);
     ASSERT_TRUE(loaded) << loaded.error().message;
-    EXPECT_EQ(loaded.value().vesselInput.kind, core::VesselInputKind::Centerline);
-    EXPECT_EQ(loaded.value().tree->branches.size(), 2U);
-    ASSERT_TRUE(loaded.value().volume);
+    EXPECT_EQ(loaded.value().vessels.input.kind, core::VesselInputKind::Centerline);
+    EXPECT_EQ(loaded.value().vessels.tree->branches.size(), 2U);
+    ASSERT_TRUE(loaded.value().vessels.scan);
     ASSERT_TRUE(io::saveCase(loaded.value(), small.path("copy.angiopose")));
     core::Messages warnings;
-    EXPECT_EQ(io::loadCase(small.path("copy.angiopose"), warnings).value().scanFile, loaded.value().scanFile);
+    EXPECT_EQ(io::loadCase(small.path("copy.angiopose"), warnings).value().vessels.scanFile,
+              loaded.value().vessels.scanFile);
     EXPECT_EQ(warnings, small.warnings);   // those of the image, none of the scan
 
     json["vessel"]["volume"]["path"] = "in/gone.nrrd";
     const auto without = small.load(json);
     ASSERT_TRUE(without) << without.error().message;
-    EXPECT_FALSE(without.value().volume);
+    EXPECT_FALSE(without.value().vessels.scan);
     EXPECT_TRUE(anyContains(small.warnings, "gone.nrrd"));
 }
 

@@ -17,86 +17,85 @@ std::string phantomPath(int view)
     return test::dataFile("coronary-phantom-xa/cases/IM" + std::to_string(view) + ".angiopose").string();
 }
 
-core::RegistrationCase loadedFrom(const std::string& path, core::Messages& warnings)
+core::Case loadedFrom(const std::string& path, core::Messages& warnings)
 {
     auto loaded = io::loadCase(path, warnings);
     EXPECT_TRUE(loaded) << loaded.error().message;
-    return loaded ? std::move(loaded).value() : core::RegistrationCase{};
+    return loaded ? std::move(loaded).value() : core::Case{};
 }
 
-core::RegistrationCase loadedFrom(const std::string& path)
+core::Case loadedFrom(const std::string& path)
 {
     core::Messages warnings;
     return loadedFrom(path, warnings);
 }
 
 /// IM4 with IM3 as another view that stands in the case.
-core::RegistrationCase twoViews()
+core::Case twoViews()
 {
-    core::RegistrationCase values = loadedFrom(phantomPath(4));
-    core::RegistrationCase other = loadedFrom(phantomPath(3));
+    core::Case values = loadedFrom(phantomPath(4));
+    core::View other = loadedFrom(phantomPath(3)).shown();
     other.frame = 2;
     other.cameraFromPatient.translation.x() = 1.0 / 3.0;
     other.traceOptions.sensitivity = 1.1;
-    values.otherViews = {{{}, std::make_shared<const core::RegistrationCase>(other)}};
+    values.views.push_back(std::move(other));
     return values;
 }
 
-core::RegistrationCase withCurves(core::RegistrationCase view)
+void addCurves(core::View& view)
 {
-    view.givenTarget = std::make_shared<const core::Centerline2d>(
+    view.target.centerline = std::make_shared<const core::Centerline2d>(
         core::Centerline2d{{core::Curve2d{4, {{1.5, 2.5}, {7.0, 9.0}}, {1.5, 2.0}}}});
-    view.editedFrame = view.frame;
-    return view;
+    view.target.editedFrame = view.frame;
 }
 
 TEST(CaseViews, StandInTheCaseToTheLastBit)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const test::TemporaryFolder folder;
-    const core::RegistrationCase original = twoViews();
+    const core::Case original = twoViews();
     ASSERT_TRUE(io::saveCase(original, folder.file("both.angiopose")));
     core::Messages warnings;
-    const core::RegistrationCase copy = loadedFrom(folder.file("both.angiopose"), warnings);
+    const core::Case copy = loadedFrom(folder.file("both.angiopose"), warnings);
     EXPECT_TRUE(warnings.empty()) << warnings.front();
-    ASSERT_EQ(copy.otherViews.size(), 1U);
-    EXPECT_TRUE(copy.otherViews[0].file.path.empty());
-    const core::RegistrationCase& view = *copy.otherViews[0].view;
-    const core::RegistrationCase& wanted = *original.otherViews[0].view;
+    ASSERT_EQ(copy.views.size(), 2U);
+    const core::View& view = copy.views[1];
+    const core::View& wanted = original.views[1];
+    EXPECT_TRUE(view.caseFile.path.empty());
     ASSERT_TRUE(view.angiogram);
     EXPECT_EQ(view.imageFile, wanted.imageFile);
     EXPECT_EQ(view.frame, 2);
     EXPECT_EQ(view.cameraFromPatient.matrix(), wanted.cameraFromPatient.matrix());
-    EXPECT_EQ(view.initialCameraFromPatient.matrix(), wanted.initialCameraFromPatient.matrix());
-    EXPECT_EQ(view.cameraOverride, wanted.cameraOverride);
-    EXPECT_EQ(view.cArm.primaryAngleDeg.value, wanted.cArm.primaryAngleDeg.value);
+    EXPECT_EQ(view.initialCameraFromPatient->matrix(), wanted.initialCameraFromPatient->matrix());
+    EXPECT_EQ(view.geometry.cameraOverride, wanted.geometry.cameraOverride);
+    EXPECT_EQ(view.geometry.cArm.primaryAngleDeg.value, wanted.geometry.cArm.primaryAngleDeg.value);
     EXPECT_EQ(view.traceOptions, wanted.traceOptions);
-    EXPECT_EQ(copy.cameraFromPatient.matrix(), original.cameraFromPatient.matrix());
+    EXPECT_EQ(copy.shown().cameraFromPatient.matrix(), original.shown().cameraFromPatient.matrix());
 }
 
 TEST(CaseViews, OfACaseFileAreReadWithItsGeometryButWithTheCasesVessels)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const test::TemporaryFolder folder;
-    core::RegistrationCase values = loadedFrom(phantomPath(4));
-    values.otherViews = {{{phantomPath(3), ""}, nullptr}};
+    core::Case values = loadedFrom(phantomPath(4));
+    values.views.emplace_back().caseFile.path = phantomPath(3);
     ASSERT_TRUE(io::saveCase(values, folder.file("both.angiopose")));
-    const core::RegistrationCase copy = loadedFrom(folder.file("both.angiopose"));
-    ASSERT_EQ(copy.otherViews.size(), 1U);
-    EXPECT_TRUE(fs::equivalent(copy.otherViews[0].file.path, phantomPath(3)));
-    ASSERT_TRUE(copy.otherViews[0].view && copy.otherViews[0].view->angiogram);
-    EXPECT_EQ(copy.otherViews[0].file.sha256.size(), 64U);   // by which it is found when it moves
-    EXPECT_EQ(copy.otherViews[0].view->cameraOverride, loadedFrom(phantomPath(3)).cameraOverride);
-    EXPECT_FALSE(copy.otherViews[0].view->tree);
+    const core::Case copy = loadedFrom(folder.file("both.angiopose"));
+    ASSERT_EQ(copy.views.size(), 2U);
+    const core::View& view = copy.views[1];
+    EXPECT_TRUE(fs::equivalent(view.caseFile.path, phantomPath(3)));
+    ASSERT_TRUE(view.angiogram);
+    EXPECT_EQ(view.caseFile.sha256.size(), 64U);   // by which it is found when it moves
+    EXPECT_EQ(view.geometry.cameraOverride, loadedFrom(phantomPath(3)).shown().geometry.cameraOverride);
+    EXPECT_EQ(copy.vessels.file, values.vessels.file);
 }
 
 TEST(CaseViews, KeepTheirOwnEditedCurvesInOneFileHoweverOftenTheyAreSaved)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const test::TemporaryFolder folder;
-    core::RegistrationCase values = withCurves(twoViews());
-    const core::RegistrationCase other = withCurves(*values.otherViews[0].view);
-    values.otherViews[0].view = std::make_shared<const core::RegistrationCase>(other);
+    core::Case values = twoViews();
+    std::ranges::for_each(values.views, addCurves);
     for (int time = 0; time < 3; ++time) {
         ASSERT_TRUE(io::saveCase(values, folder.file("both.angiopose")));
     }
@@ -106,22 +105,22 @@ TEST(CaseViews, KeepTheirOwnEditedCurvesInOneFileHoweverOftenTheyAreSaved)
     }
     std::ranges::sort(files);
     EXPECT_EQ(files, (std::vector<std::string>{"both.angiopose", "both.curves.csv", "both.view-2.curves.csv"}));
-    const core::RegistrationCase copy = loadedFrom(folder.file("both.angiopose"));
-    ASSERT_TRUE(copy.otherViews[0].view->givenTarget);
-    EXPECT_EQ(copy.otherViews[0].view->givenTarget->curves.size(), 1U);
-    EXPECT_EQ(copy.otherViews[0].view->editedFrame, other.frame);
+    const core::Case copy = loadedFrom(folder.file("both.angiopose"));
+    const core::GivenTarget& curves = copy.views[1].target;
+    ASSERT_TRUE(curves.centerline);
+    EXPECT_EQ(curves.centerline->curves.size(), 1U);
+    EXPECT_EQ(curves.editedFrame, values.views[1].frame);
 }
 
 TEST(CaseViews, ThatCannotBeReadAreAWarningAndAreNotLost)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const test::TemporaryFolder folder;
-    core::RegistrationCase values = twoViews();
-    core::RegistrationCase other = *values.otherViews[0].view;
+    core::Case values = twoViews();
+    core::View& other = values.views[1];
     const std::string image = folder.file("moving.dcm");
     fs::copy_file(other.imageFile.path, image);
     other.imageFile.path = image;
-    values.otherViews[0].view = std::make_shared<const core::RegistrationCase>(other);
     ASSERT_TRUE(io::saveCase(values, folder.file("both.angiopose")));
     fs::rename(image, folder.file("moved.dcm"));
 
@@ -131,10 +130,10 @@ TEST(CaseViews, ThatCannotBeReadAreAWarningAndAreNotLost)
     EXPECT_TRUE(missing.value()[0].isOptional);
 
     core::Messages warnings;
-    core::RegistrationCase without = loadedFrom(folder.file("both.angiopose"), warnings);
+    core::Case without = loadedFrom(folder.file("both.angiopose"), warnings);
     ASSERT_FALSE(warnings.empty());
     EXPECT_NE(warnings.back().text().find("moving.dcm"), std::string::npos) << warnings.back();
-    EXPECT_FALSE(without.otherViews[0].view->angiogram);
+    EXPECT_FALSE(without.views[1].angiogram);
     ASSERT_TRUE(io::saveCase(without, folder.file("again.angiopose")));
 
     const auto found =
@@ -142,8 +141,8 @@ TEST(CaseViews, ThatCannotBeReadAreAWarningAndAreNotLost)
     warnings.clear();
     const auto again = io::loadCase(folder.file("again.angiopose"), warnings, {}, found);
     ASSERT_TRUE(again) << again.error().message;
-    ASSERT_TRUE(again.value().otherViews[0].view->angiogram);
-    EXPECT_EQ(again.value().otherViews[0].view->cameraFromPatient.matrix(), other.cameraFromPatient.matrix());
+    ASSERT_TRUE(again.value().views[1].angiogram);
+    EXPECT_EQ(again.value().views[1].cameraFromPatient.matrix(), other.cameraFromPatient.matrix());
 }
 
 TEST(CaseViews, AreCheckedBeforeTheCaseIsWrittenOverThem)
@@ -152,8 +151,8 @@ TEST(CaseViews, AreCheckedBeforeTheCaseIsWrittenOverThem)
     const test::TemporaryFolder folder;
     const std::string other = folder.file("other.angiopose");
     ASSERT_TRUE(io::saveCase(loadedFrom(phantomPath(3)), other));
-    core::RegistrationCase values = loadedFrom(phantomPath(4));
-    values.otherViews = {{{other, ""}, nullptr}};
+    core::Case values = loadedFrom(phantomPath(4));
+    values.views.emplace_back().caseFile.path = other;
     const auto written = io::saveCase(values, other);
     ASSERT_FALSE(written);
     EXPECT_NE(written.error().message.text().find("will not be overwritten"), std::string::npos)

@@ -18,16 +18,16 @@ TEST(LoadCase, OpensEveryPhantomCase)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     for (int view = 1; view <= 4; ++view) {
-        const core::RegistrationCase loaded = phantomCase(view);
-        ASSERT_TRUE(loaded.tree);
-        EXPECT_EQ(loaded.tree->branches.size(), 11u);
-        ASSERT_TRUE(loaded.angiogram);
-        EXPECT_EQ(loaded.frame, loaded.angiogram->suggestedFrame);
-        ASSERT_TRUE(loaded.cameraOverride);
-        EXPECT_LT(loaded.cameraOverride->fx, 0.0);
-        EXPECT_TRUE(loaded.hasInitialPose);
-        EXPECT_TRUE(core::isRigid(loaded.cameraFromPatient, 1e-12));   // six digits in the file
-        EXPECT_EQ(loaded.imageFile.sha256.size(), 64u);
+        const core::Case loaded = phantomCase(view);
+        ASSERT_TRUE(loaded.vessels.tree);
+        EXPECT_EQ(loaded.vessels.tree->branches.size(), 11u);
+        ASSERT_TRUE(loaded.shown().angiogram);
+        EXPECT_EQ(loaded.shown().frame, loaded.shown().angiogram->suggestedFrame);
+        ASSERT_TRUE(loaded.shown().geometry.cameraOverride);
+        EXPECT_LT(loaded.shown().geometry.cameraOverride->fx, 0.0);
+        EXPECT_TRUE(loaded.shown().initialCameraFromPatient);
+        EXPECT_TRUE(core::isRigid(loaded.shown().cameraFromPatient, 1e-12));   // six digits in the file
+        EXPECT_EQ(loaded.shown().imageFile.sha256.size(), 64u);
     }
 }
 
@@ -36,11 +36,11 @@ TEST(LoadCase, OpensTheMinimalCase)
     SmallCase small;
     const auto loaded = small.load(small.json());
     ASSERT_TRUE(loaded) << loaded.error().message;
-    EXPECT_EQ(loaded.value().tree->branches.size(), 2u);
-    EXPECT_EQ(loaded.value().cameraFromPatient.translation.z(), 740.0);
+    EXPECT_EQ(loaded.value().vessels.tree->branches.size(), 2u);
+    EXPECT_EQ(loaded.value().shown().cameraFromPatient.translation.z(), 740.0);
     EXPECT_EQ(loaded.value().options, core::RegistrationOptions());
     EXPECT_EQ(loaded.value().extraKeys, "");
-    EXPECT_TRUE(std::filesystem::path(loaded.value().imageFile.path).is_absolute());
+    EXPECT_TRUE(std::filesystem::path(loaded.value().shown().imageFile.path).is_absolute());
 }
 
 TEST(LoadCase, FollowsTheAnglesWithoutAStartPose)
@@ -54,11 +54,11 @@ TEST(LoadCase, FollowsTheAnglesWithoutAStartPose)
     json["geometry"]["secondaryAngleDeg"] = 0;
     const auto loaded = small.load(json);
     ASSERT_TRUE(loaded) << loaded.error().message;
-    EXPECT_FALSE(loaded.value().hasInitialPose);
-    const Eigen::Vector3d centroid = core::centroidInPatient(*loaded.value().tree);
-    EXPECT_NEAR((loaded.value().cameraFromPatient * centroid - Eigen::Vector3d(0, 0, 700)).norm(), 0.0, 1e-9);
-    EXPECT_EQ(loaded.value().cArm.primaryAngleDeg.origin, core::Origin::Assumed);
-    EXPECT_EQ(loaded.value().cArm.sourceToPatientMm.origin, core::Origin::User);
+    EXPECT_FALSE(loaded.value().shown().initialCameraFromPatient);
+    const Eigen::Vector3d centroid = core::centroidInPatient(*loaded.value().vessels.tree);
+    EXPECT_NEAR((loaded.value().shown().cameraFromPatient * centroid - Eigen::Vector3d(0, 0, 700)).norm(), 0.0, 1e-9);
+    EXPECT_EQ(loaded.value().shown().geometry.cArm.primaryAngleDeg.origin, core::Origin::Assumed);
+    EXPECT_EQ(loaded.value().shown().geometry.cArm.sourceToPatientMm.origin, core::Origin::User);
 }
 
 TEST(LoadCase, MakesRoundedPosesRigidAndRefusesOthers)
@@ -70,8 +70,8 @@ TEST(LoadCase, MakesRoundedPosesRigidAndRefusesOthers)
     matrix[1] = {0.5, 0.866025, 0, 2};
     const auto loaded = small.load(json);
     ASSERT_TRUE(loaded) << loaded.error().message;
-    EXPECT_TRUE(core::isRigid(loaded.value().cameraFromPatient, 1e-14));
-    EXPECT_NEAR(loaded.value().cameraFromPatient.rotation(0, 0), 0.8660254, 1e-6);
+    EXPECT_TRUE(core::isRigid(loaded.value().shown().cameraFromPatient, 1e-14));
+    EXPECT_NEAR(loaded.value().shown().cameraFromPatient.rotation(0, 0), 0.8660254, 1e-6);
 
     matrix[0] = {1.01, 0, 0, 0};
     matrix[1] = {0, 1, 0, 0};
@@ -135,7 +135,7 @@ TEST(LoadCase, LeavesOutUnknownBranchesWithAWarning)
     json["vessel"]["auxiliaryBranches"] = {2, 77};
     const auto loaded = small.load(json);
     ASSERT_TRUE(loaded);
-    EXPECT_EQ(loaded.value().auxiliaryBranchIds, std::vector<int>{2});
+    EXPECT_EQ(loaded.value().vessels.auxiliaryBranchIds, std::vector<int>{2});
     EXPECT_TRUE(anyContains(small.warnings, "no branch 77"));
 }
 

@@ -1,4 +1,4 @@
-#include "core/case_views.h"
+#include "core/case/case_views.h"
 #include "io/case_file.h"
 
 #include "tests/io/case/small_case.h"
@@ -33,43 +33,47 @@ TEST(SaveCase, RestoresEveryBit)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const test::TemporaryFolder folder;
-    core::RegistrationCase original = phantomCase(3);
+    core::Case original = phantomCase(3);
     original.title = "Größe \"π\"";
-    original.auxiliaryBranchIds = {4, 5};
-    original.excludedBranchIds = {11};
-    original.pickedPivotInPatient = Eigen::Vector3d(1.0 / 3.0, -0.1, 612.7);
-    original.frame = 7;
+    original.vessels.auxiliaryBranchIds = {4, 5};
+    original.vessels.excludedBranchIds = {11};
+    original.vessels.pickedPivotInPatient = Eigen::Vector3d(1.0 / 3.0, -0.1, 612.7);
+    original.shown().frame = 7;
     original.options.finalScalePx = 1.0 / 3.0 + 1.0;
     original.options.locks = {true, false, true, false, true, false};
-    original.traceOptions.sensitivity = 1.1;
-    original.cArm.rollDeg = {0.1 + 0.2, core::Origin::User, ""};
-    original.cArm.isocentreInPatientMm = {Eigen::Vector3d(0.1, -1.0 / 3.0, 7e5), core::Origin::Derived, "clicked"};
-    original.landmarks = {{{1.0 / 3.0, -2.0, 600.5}, {10.1, 511.0 / 3.0}, "bifurcation 3 / 5"},
-                          {{1, 2, 3}, {4, 5}, ""}};
-    original.otherViews = {{{folder.file("other.angiopose"), ""}, nullptr}};
-    original.cameraFromPatient.translation.x() = 1.0 / 3.0;
+    original.shown().traceOptions.sensitivity = 1.1;
+    original.shown().geometry.cArm.rollDeg = {0.1 + 0.2, core::Origin::User, ""};
+    original.shown().geometry.cArm.isocentreInPatientMm = {Eigen::Vector3d(0.1, -1.0 / 3.0, 7e5), core::Origin::Derived,
+                                                           "clicked"};
+    original.shown().landmarks = {{{1.0 / 3.0, -2.0, 600.5}, {10.1, 511.0 / 3.0}, "bifurcation 3 / 5"},
+                                  {{1, 2, 3}, {4, 5}, ""}};
+    original.views.emplace_back().caseFile.path = folder.file("other.angiopose");
+    original.shown().cameraFromPatient.translation.x() = 1.0 / 3.0;
     ASSERT_TRUE(io::saveCase(original, folder.file("copy.angiopose")));
 
     core::Messages warnings;
     const auto copy = io::loadCase(folder.file("copy.angiopose"), warnings);
     ASSERT_TRUE(copy) << copy.error().message;
     EXPECT_EQ(copy.value().title, original.title);
-    EXPECT_EQ(copy.value().cameraFromPatient.matrix(), original.cameraFromPatient.matrix());
-    EXPECT_EQ(copy.value().initialCameraFromPatient.matrix(), original.initialCameraFromPatient.matrix());
-    EXPECT_EQ(copy.value().landmarks, original.landmarks);
-    EXPECT_EQ(copy.value().otherViews, original.otherViews);
-    EXPECT_EQ(copy.value().pickedPivotInPatient, original.pickedPivotInPatient);
-    EXPECT_EQ(copy.value().cArm.isocentreInPatientMm.value, original.cArm.isocentreInPatientMm.value);
-    EXPECT_EQ(copy.value().cArm.isocentreInPatientMm.basis, "clicked");
-    EXPECT_EQ(copy.value().auxiliaryBranchIds, original.auxiliaryBranchIds);
-    EXPECT_EQ(copy.value().excludedBranchIds, original.excludedBranchIds);
-    EXPECT_EQ(copy.value().frame, 7);
+    EXPECT_EQ(copy.value().shown().cameraFromPatient.matrix(), original.shown().cameraFromPatient.matrix());
+    EXPECT_EQ(copy.value().shown().initialCameraFromPatient->matrix(),
+              original.shown().initialCameraFromPatient->matrix());
+    EXPECT_EQ(copy.value().shown().landmarks, original.shown().landmarks);
+    ASSERT_EQ(copy.value().views.size(), 2U);
+    EXPECT_EQ(copy.value().views[1].caseFile, original.views[1].caseFile);
+    EXPECT_EQ(copy.value().vessels.pickedPivotInPatient, original.vessels.pickedPivotInPatient);
+    EXPECT_EQ(copy.value().shown().geometry.cArm.isocentreInPatientMm.value,
+              original.shown().geometry.cArm.isocentreInPatientMm.value);
+    EXPECT_EQ(copy.value().shown().geometry.cArm.isocentreInPatientMm.basis, "clicked");
+    EXPECT_EQ(copy.value().vessels.auxiliaryBranchIds, original.vessels.auxiliaryBranchIds);
+    EXPECT_EQ(copy.value().vessels.excludedBranchIds, original.vessels.excludedBranchIds);
+    EXPECT_EQ(copy.value().shown().frame, 7);
     EXPECT_EQ(copy.value().options, original.options);
-    EXPECT_EQ(copy.value().traceOptions, original.traceOptions);
-    EXPECT_EQ(copy.value().cArm.rollDeg.value, original.cArm.rollDeg.value);
-    EXPECT_EQ(copy.value().cArm.columnSpacingMm.origin, core::Origin::Derived);
-    EXPECT_EQ(copy.value().cameraOverride, original.cameraOverride);
-    EXPECT_EQ(copy.value().centerlineFile, original.centerlineFile);
+    EXPECT_EQ(copy.value().shown().traceOptions, original.shown().traceOptions);
+    EXPECT_EQ(copy.value().shown().geometry.cArm.rollDeg.value, original.shown().geometry.cArm.rollDeg.value);
+    EXPECT_EQ(copy.value().shown().geometry.cArm.columnSpacingMm.origin, core::Origin::Derived);
+    EXPECT_EQ(copy.value().shown().geometry.cameraOverride, original.shown().geometry.cameraOverride);
+    EXPECT_EQ(copy.value().vessels.file, original.vessels.file);
     EXPECT_TRUE(io::validateCase(folder.file("copy.angiopose")).value().empty());
 }
 
@@ -95,7 +99,7 @@ TEST(SaveCase, KeepsKeysItDoesNotKnow)
     const auto again = io::loadCase(small.path("saved.angiopose"), small.warnings);
     ASSERT_TRUE(again);
     EXPECT_EQ(nlohmann::json::parse(again.value().extraKeys), nlohmann::json::parse(loaded.value().extraKeys));
-    EXPECT_EQ(again.value().viewExtraKeys, loaded.value().viewExtraKeys);
+    EXPECT_EQ(again.value().shown().extraKeys, loaded.value().shown().extraKeys);
 }
 
 TEST(SaveCase, KeepsKeysOfOtherViewsWithTheView)
@@ -111,7 +115,7 @@ TEST(SaveCase, KeepsKeysOfOtherViewsWithTheView)
     json["views"] = {view};
     const auto loaded = small.load(json);
     ASSERT_TRUE(loaded) << loaded.error().message;
-    const auto saved = [&small](const core::RegistrationCase& values) {
+    const auto saved = [&small](const core::Case& values) {
         EXPECT_TRUE(io::saveCase(values, small.path("saved.angiopose")));
         return nlohmann::json::parse(test::readText(small.path("saved.angiopose")));
     };
@@ -123,7 +127,7 @@ TEST(SaveCase, KeepsKeysOfOtherViewsWithTheView)
     EXPECT_EQ(same["views"][0]["geometry"]["tableHeightMm"], -99.5);
     EXPECT_EQ(same["views"][0]["angiogram"]["image"]["plane"], "B");
     // The keys go where their view goes.
-    const nlohmann::json swapped = saved(core::showingView(loaded.value(), 0));
+    const nlohmann::json swapped = saved(core::showingView(loaded.value(), 1));
     EXPECT_EQ(swapped["site"], "Kragujevac");
     EXPECT_EQ(swapped["geometry"]["tableHeightMm"], -99.5);
     EXPECT_EQ(swapped["views"][0]["geometry"]["tableHeightMm"], -12.25);
@@ -148,8 +152,8 @@ TEST(SaveCase, LeavesTheOldFileWhenItCannotWrite)
     ASSERT_TRUE(loaded);
     ASSERT_TRUE(io::saveCase(loaded.value(), small.path("saved.angiopose")));
     const std::string before = test::readText(small.path("saved.angiopose"));
-    core::RegistrationCase broken = loaded.value();
-    broken.cameraFromPatient.translation.x() = std::numeric_limits<double>::quiet_NaN();
+    core::Case broken = loaded.value();
+    broken.shown().cameraFromPatient.translation.x() = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(io::saveCase(broken, small.path("saved.angiopose")));
     EXPECT_EQ(test::readText(small.path("saved.angiopose")), before);
     EXPECT_FALSE(io::saveCase(loaded.value(), small.path("absent/folder/saved.angiopose")));
@@ -163,8 +167,8 @@ TEST(SaveCase, WritesDecimalPointsInAnyLocale)
     SmallCase small;
     auto loaded = small.load(small.json());
     ASSERT_TRUE(loaded);
-    core::RegistrationCase values = loaded.value();
-    values.cArm.rollDeg = {1.0 / 3.0, core::Origin::User, ""};
+    core::Case values = loaded.value();
+    values.shown().geometry.cArm.rollDeg = {1.0 / 3.0, core::Origin::User, ""};
     if (!setGermanLocale(small.path("locale"))) {
         GTEST_SKIP() << "locale de_DE.UTF-8 is neither installed nor can it be made (package locales)";
     }
@@ -174,7 +178,7 @@ TEST(SaveCase, WritesDecimalPointsInAnyLocale)
     std::setlocale(LC_ALL, "C");
     ASSERT_TRUE(saved);
     ASSERT_TRUE(again) << again.error().message;
-    EXPECT_EQ(again.value().cArm.rollDeg.value, 1.0 / 3.0);
+    EXPECT_EQ(again.value().shown().geometry.cArm.rollDeg.value, 1.0 / 3.0);
     EXPECT_TRUE(contains(test::readText(small.path("saved.angiopose")), "0.3333333333333333"));
 }
 

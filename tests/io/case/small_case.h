@@ -38,7 +38,7 @@ public:
     std::string path(const std::string& name) const { return folder_.file(name); }
     const TemporaryFolder& folder() const { return folder_; }
 
-    core::Result<core::RegistrationCase> load(const nlohmann::json& json)
+    core::Result<core::Case> load(const nlohmann::json& json)
     {
         warnings.clear();
         return io::loadCase(write(json), warnings);
@@ -68,13 +68,13 @@ inline bool anyContains(const core::Messages& messages, const std::string& part)
 }
 
 /// The case of a phantom view; only where the data is there.
-inline core::RegistrationCase phantomCase(int view)
+inline core::Case phantomCase(int view)
 {
     core::Messages warnings;
     const auto path = dataFile("coronary-phantom-xa/cases/IM" + std::to_string(view) + ".angiopose");
     auto loaded = io::loadCase(path.string(), warnings);
     EXPECT_TRUE(loaded) << loaded.error().message;
-    return loaded ? std::move(loaded).value() : core::RegistrationCase{};
+    return loaded ? std::move(loaded).value() : core::Case{};
 }
 
 }   // namespace angiopose::test

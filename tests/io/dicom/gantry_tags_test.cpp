@@ -1,6 +1,6 @@
 #include "io/dicom/gantry_tags.h"
 
-#include "core/registration_case.h"
+#include "core/case/case.h"
 #include "io/angiogram_file.h"
 #include "tests/support/test_data.h"
 

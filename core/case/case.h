@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/case/start_pose.h"
+#include "core/case/vessels.h"
+#include "core/case/view.h"
+#include "core/registration/registration.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace angiopose::core {
+
+/// Everything one session edits; saved and loaded as a whole, and small enough to copy for undo and for workers.
+struct Case {
+    std::string title;
+    Vessels vessels;
+    std::vector<View> views = std::vector<View>(1);   ///< angiograms of the vessels; one at least, empty until loaded
+    std::size_t shownView = 0;   ///< which of `views` the window shows and single commands are about
+    RegistrationOptions options;
+    std::string extraKeys;   ///< JSON object with the keys of the case file that this version does not know
+
+    const View& shown() const { return views[shownView]; }
+    View& shown() { return views[shownView]; }
+};
+
+/// The start pose of the shown view.
+Result<RigidTransform> startPoseOf(const Case& theCase);
+
+}   // namespace angiopose::core

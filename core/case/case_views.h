@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/case/case.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace angiopose::core {
+
+/// The case that shows view `index`. What is shown may be edited, so that it stands in this case from now on.
+Case showingView(Case theCase, std::size_t index);
+
+/// The case without view `index`. In place of the shown view the next one with an image is shown; where there is none,
+/// the case stays as it is.
+Case withoutView(Case theCase, std::size_t index);
+
+/// Places in `views` of those that have an image, the shown one (with or without) first: the views that are registered
+/// together.
+std::vector<std::size_t> registeredViews(const Case& theCase);
+
+/// These views, in the same order.
+std::vector<View> viewsAt(const Case& theCase, const std::vector<std::size_t>& places);
+
+/// The views after the vessels were moved to `cameraFromPatient` in the shown one: the cameras keep their places to
+/// each other, as they are now, and results of runs hold no longer. Views without an image stay as they are.
+std::vector<View> movedAlong(const Case& theCase, const RigidTransform& cameraFromPatient);
+
+/// The views, each at its own start pose where it has one.
+std::vector<View> atStart(const Case& theCase);
+
+}   // namespace angiopose::core

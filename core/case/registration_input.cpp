@@ -1,0 +1,82 @@
+#include "core/case/registration_input.h"
+
+#include "core/messages/says.h"
+#include "core/registration/register_views.h"
+
+#include <cassert>
+#include <utility>
+
+namespace angiopose::core {
+namespace {
+
+/// The frame as the image methods read it; null where there is none that the camera takes.
+std::shared_ptr<const ImageF> imageOf(const View& view, const ProjectionCamera& camera)
+{
+    const auto& angiogram = view.angiogram;
+    const bool isTaken = angiogram && view.frame >= 0 && view.frame < angiogram->frameCount() &&
+                         angiogram->width() == camera.width && angiogram->height() == camera.height;
+    if (!isTaken) {
+        return nullptr;
+    }
+    return {angiogram, &angiogram->frames[static_cast<std::size_t>(view.frame)]};
+}
+
+}   // namespace
+
+Result<RegistrationInput> registrationInputOf(const View& view, const Vessels& vessels, Centerline2d target)
+{
+    if (!vessels.tree) {
+        return Error(says::noVesselTree());
+    }
+    auto camera = cameraOf(view);
+    if (!camera) {
+        return camera.error();
+    }
+    RegistrationInput input;
+    input.tree = *vessels.tree;
+    input.target = std::move(target);
+    input.camera = camera.value();
+    input.initialCameraFromPatient = view.cameraFromPatient;
+    if (const auto start = startPoseOf(view, vessels)) {
+        input.lockReference = start.value();
+    }
+    input.lockPivotInPatient = vessels.pickedPivotInPatient;
+    input.auxiliaryBranchIds = vessels.auxiliaryBranchIds;
+    input.excludedBranchIds = vessels.excludedBranchIds;
+    input.image = imageOf(view, input.camera);
+    if (input.image) {
+        input.polarity = view.angiogram->polarity;
+    }
+    input.volume = vessels.scan;
+    return input;
+}
+
+Result<RegistrationInput> registrationInputOf(const Case& theCase, Centerline2d target)
+{
+    return registrationInputOf(theCase.shown(), theCase.vessels, std::move(target));
+}
+
+Result<std::vector<RegistrationInput>> jointInputsOf(std::span<const View> views, const Vessels& vessels,
+                                                     std::span<const Centerline2d> targets)
+{
+    assert(views.size() == targets.size());
+    std::vector<RegistrationInput> inputs;
+    for (std::size_t k = 0; k < views.size(); ++k) {
+        View view = views[k];
+        if (k > 0) {
+            const auto fromFirst = viewFromView(views.front(), view, vessels);
+            if (!fromFirst) {
+                return inView(k, fromFirst.error());
+            }
+            view.cameraFromPatient = fromFirst.value() * views.front().cameraFromPatient;
+        }
+        auto input = registrationInputOf(view, vessels, targets[k]);
+        if (!input) {
+            return inView(k, input.error());
+        }
+        inputs.push_back(std::move(input).value());
+    }
+    return inputs;
+}
+
+}   // namespace angiopose::core

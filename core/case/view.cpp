@@ -1,0 +1,68 @@
+#include "core/case/view.h"
+
+#include "core/geometry/geometry_checks.h"
+#include "core/messages/says.h"
+
+namespace angiopose::core {
+
+Result<ProjectionCamera> cameraOf(const View& view)
+{
+    if (const auto& camera = view.geometry.cameraOverride) {
+        if (const auto problem = findProblem(*camera)) {
+            return Error(*problem);
+        }
+        return *camera;
+    }
+    if (!view.angiogram) {
+        return Error(says::noAngiogram());
+    }
+    return cameraFromCArm(view.geometry.cArm, view.angiogram->width(), view.angiogram->height());
+}
+
+Messages contradictionsOf(const View& view)
+{
+    if (!view.angiogram || view.geometry.cameraOverride) {
+        return {};
+    }
+    const Angiogram& angiogram = *view.angiogram;
+    return findContradictions(view.geometry.cArm, angiogram.gantry, {angiogram.width(), angiogram.height()});
+}
+
+CArm cArmOfFrame(const View& view)
+{
+    const CArm& cArm = view.geometry.cArm;
+    if (!view.angiogram) {
+        return cArm;
+    }
+    const auto& increments = view.angiogram->gantry.angleIncrementsDeg;
+    const auto frame = static_cast<std::size_t>(view.frame);
+    return view.frame >= 0 && frame < increments.size() ? turnedBy(cArm, increments[frame]) : cArm;
+}
+
+const std::shared_ptr<const Angiogram>& storedRunOf(const View& view)
+{
+    return view.storedRun ? view.storedRun : view.angiogram;
+}
+
+std::shared_ptr<const Centerline2d> givenTargetOf(const View& view)
+{
+    const bool holds = !view.target.editedFrame || view.target.editedFrame == view.frame;
+    return holds ? view.target.centerline : nullptr;
+}
+
+Result<Centerline2d> targetOf(const View& view)
+{
+    if (const auto given = givenTargetOf(view)) {
+        return *given;
+    }
+    if (!view.angiogram || view.angiogram->frames.empty()) {
+        return Error(says::noAngiogram());
+    }
+    auto trace = traceFrame(*view.angiogram, view.frame, view.traceOptions);
+    if (!trace) {
+        return trace.error();
+    }
+    return std::move(trace).value().centerline;
+}
+
+}   // namespace angiopose::core

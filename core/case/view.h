@@ -1,0 +1,77 @@
+#pragma once
+
+#include "core/case/input_file.h"
+#include "core/geometry/c_arm.h"
+#include "core/geometry/landmark.h"
+#include "core/imaging/angiogram.h"
+#include "core/registration/pose_snapshot.h"
+#include "core/registration/registration.h"
+#include "core/tracing/subtract_run.h"
+#include "core/tracing/trace_angiogram.h"
+#include "core/vessel/centerline2d.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace angiopose::core {
+
+/// A 2-D centreline that replaces tracing: from a file, or curves edited by hand for one frame.
+struct GivenTarget {
+    InputFile file;   ///< no path: nothing is given, or the edits are not saved yet
+    std::shared_ptr<const Centerline2d> centerline;   ///< content of `file`, or the edited curves, or null
+    std::optional<int> editedFrame;   ///< edited here, and holds for this frame alone
+    std::vector<int> acceptedCurveIds;   ///< of the edited curves: no suspects, says the user
+};
+
+/// Where source and detector stand to each other and to the patient.
+struct ViewGeometry {
+    CArm cArm;   ///< header values, overridden by the case's own
+    std::optional<ProjectionCamera> cameraOverride;   ///< given as a whole: what the C-arm says does not count
+};
+
+/// One angiogram of the vessels, with all that is known about it. Small enough to copy for undo and for workers: the
+/// images are shared and never change once loaded.
+struct View {
+    InputFile caseFile;   ///< the case file the view stands in, unchanged; no path: it stands in this case itself
+
+    InputFile imageFile;
+    std::shared_ptr<const Angiogram> angiogram;   ///< as it is shown and traced; null where it is not loaded
+    std::shared_ptr<const Angiogram> storedRun;   ///< as the file has it, while `treatment` changes it; else null
+    SubtractionPlan headerPlan;   ///< what the file says about its subtraction
+    RunTreatment treatment;   ///< how `angiogram` comes from what is stored
+    int frame = 0;
+    GivenTarget target;
+    TraceOptions traceOptions;
+
+    ViewGeometry geometry;
+
+    std::optional<RigidTransform> initialCameraFromPatient;   ///< none: the start pose follows from the angles
+    RigidTransform cameraFromPatient;   ///< where the tree is now
+    std::vector<Landmark> landmarks;   ///< pairs the start pose can be found from
+    std::optional<RegistrationResult> result;   ///< of the last run, while the pose is still its pose
+    std::vector<PoseSnapshot> snapshots;   ///< poses kept by the user and left by runs, oldest first
+
+    std::string extraKeys;   ///< JSON object with the keys of the file about this view that this version does not know
+};
+
+/// The camera of a view: the override, or what follows from the C-arm and the image size.
+Result<ProjectionCamera> cameraOf(const View& view);
+
+/// The C-arm when the chosen frame was taken: the gantry may turn during a run (ALGORITHMS §5.5).
+CArm cArmOfFrame(const View& view);
+
+/// What in the geometry of a view makes no sense, see findContradictions; nothing while a camera overrides it.
+Messages contradictionsOf(const View& view);
+
+/// The frames as the file has them; null until loaded.
+const std::shared_ptr<const Angiogram>& storedRunOf(const View& view);
+
+/// The given or edited centreline, where there is one for the view's frame; else null, and the frame is traced.
+std::shared_ptr<const Centerline2d> givenTargetOf(const View& view);
+
+/// The target of a view: the given centreline, or the traced frame.
+Result<Centerline2d> targetOf(const View& view);
+
+}   // namespace angiopose::core

@@ -1,0 +1,120 @@
+#include "core/case/registration_input.h"
+
+#include <gtest/gtest.h>
+
+namespace angiopose::core {
+namespace {
+
+VesselTree smallTree()
+{
+    VesselTree tree;
+    tree.branches.push_back({7, "", {{10, 0, 700}, {14, 3, 706}, {20, 9, 711}}, {}, -1});
+    return tree;
+}
+
+Vessels smallVessels()
+{
+    Vessels vessels;
+    vessels.tree = std::make_shared<const VesselTree>(smallTree());
+    return vessels;
+}
+
+const Vessels vessels = smallVessels();
+
+View viewAt(double primaryDeg, double secondaryDeg)
+{
+    View view;
+    CArm& cArm = view.geometry.cArm;
+    cArm.sourceToDetectorMm = {1050.0, Origin::User, ""};
+    cArm.sourceToPatientMm = {750.0, Origin::User, ""};
+    cArm.columnSpacingMm = cArm.rowSpacingMm = {0.4, Origin::User, ""};
+    cArm.primaryAngleDeg = {primaryDeg, Origin::User, ""};
+    cArm.secondaryAngleDeg = {secondaryDeg, Origin::User, ""};
+    Angiogram angiogram;
+    angiogram.frames.assign(3, ImageF(64, 64));
+    view.angiogram = std::make_shared<const Angiogram>(std::move(angiogram));
+    view.cameraFromPatient = startPoseOf(view, vessels).value();
+    return view;
+}
+
+const std::vector<Centerline2d> targets(2);
+
+}   // namespace
+
+TEST(JointInputs, PutTheOtherViewWhereTheGantrysTurnLeads)
+{
+    std::vector<View> views{viewAt(-30.0, 0.0), viewAt(45.0, 20.0)};
+    views[0].cameraFromPatient.translation += Eigen::Vector3d(5.0, -3.0, 12.0);
+    views[1].cameraFromPatient = {};   // what it was before does not matter
+    const auto inputs = jointInputsOf(views, vessels, targets);
+    ASSERT_TRUE(inputs) << inputs.error().message;
+    const RigidTransform between =
+        inputs.value()[1].initialCameraFromPatient * inputs.value()[0].initialCameraFromPatient.inverse();
+    const RigidTransform wanted =
+        startPoseOf(views[1], vessels).value() * startPoseOf(views[0], vessels).value().inverse();
+    EXPECT_LT((between.matrix() - wanted.matrix()).norm(), 1e-9);
+    EXPECT_EQ(inputs.value()[0].initialCameraFromPatient.matrix(), views[0].cameraFromPatient.matrix());
+}
+
+TEST(JointInputs, TakeTheGantryForTheGeometryEvenWhereTheVesselsHaveTheirOwnAxes)
+{
+    std::vector<View> views{viewAt(-30.0, 0.0), viewAt(45.0, 20.0)};
+    const RigidTransform between =
+        startPoseOf(views[1], vessels).value() * startPoseOf(views[0], vessels).value().inverse();
+    const RigidTransform ownAxes{expSo3({0.3, -1.1, 0.7}), {40.0, -5.0, 300.0}};
+    for (View& view : views) {
+        // where somebody guessed the vessels to be
+        view.initialCameraFromPatient = startPoseOf(viewAt(3.0, 4.0), vessels).value() * ownAxes;
+        view.cameraFromPatient = *view.initialCameraFromPatient;
+    }
+    const auto inputs = jointInputsOf(views, vessels, targets);
+    ASSERT_TRUE(inputs);
+    const RigidTransform found =
+        inputs.value()[1].initialCameraFromPatient * inputs.value()[0].initialCameraFromPatient.inverse();
+    EXPECT_LT((found.matrix() - between.matrix()).norm(), 1e-9);
+}
+
+TEST(JointInputs, TakeTheStartPosesWhereAnglesAreMissing)
+{
+    std::vector<View> views{viewAt(-30.0, 0.0), viewAt(45.0, 20.0)};
+    for (View& view : views) {
+        view.initialCameraFromPatient = startPoseOf(view, vessels).value();
+        view.geometry.cArm.primaryAngleDeg = {};
+    }
+    const auto inputs = jointInputsOf(views, vessels, targets);
+    ASSERT_TRUE(inputs) << inputs.error().message;
+    EXPECT_LT(
+        (inputs.value()[1].initialCameraFromPatient.matrix() - views[1].initialCameraFromPatient->matrix()).norm(),
+        1e-9);
+}
+
+TEST(JointInputs, NameTheViewThatLacksSomething)
+{
+    std::vector<View> views{viewAt(0.0, 0.0), viewAt(90.0, 0.0)};
+    views[1].geometry.cArm.secondaryAngleDeg = {};
+    const auto inputs = jointInputsOf(views, vessels, targets);
+    ASSERT_FALSE(inputs);
+    EXPECT_NE(inputs.error().message.text().find("View 2"), std::string::npos);
+}
+
+TEST(WithFrame, TurnsThePosesWithTheGantry)
+{
+    View run = viewAt(10.0, 0.0);
+    Angiogram turning = *run.angiogram;
+    turning.gantry.angleIncrementsDeg = {{0.0, 0.0}, {15.0, 0.0}, {30.0, 5.0}};
+    run.angiogram = std::make_shared<const Angiogram>(std::move(turning));
+    EXPECT_DOUBLE_EQ(*cArmOfFrame(run).primaryAngleDeg.value, 10.0);
+    const View later = withFrame(run, vessels, 2);
+    EXPECT_DOUBLE_EQ(*cArmOfFrame(later).primaryAngleDeg.value, 40.0);
+    EXPECT_LT((later.cameraFromPatient.matrix() - startPoseOf(later, vessels).value().matrix()).norm(), 1e-9);
+    EXPECT_LT((withFrame(later, vessels, 0).cameraFromPatient.matrix() - run.cameraFromPatient.matrix()).norm(), 1e-9);
+}
+
+TEST(WithFrame, LeavesThePoseAloneWhereTheGantryStood)
+{
+    const View run = viewAt(10.0, 0.0);
+    EXPECT_EQ(withFrame(run, vessels, 2).cameraFromPatient.matrix(), run.cameraFromPatient.matrix());
+    EXPECT_EQ(withFrame(run, vessels, 2).frame, 2);
+}
+
+}   // namespace angiopose::core
