@@ -6,16 +6,16 @@ namespace angiopose::ui {
 namespace {
 
 struct LineArray {
-    enum Index { Here, Before, BeforeDirection, After, AfterDirection, Tone, Look, Way };
+    enum Index { Here, Before, BeforeDirection, After, AfterDirection, Tone, Look, Way, WayEnd };
 };
-constexpr std::array<int, 8> componentsOfLineArray{4, 4, 3, 4, 3, 3, 4, 3};
+constexpr std::array<int, 9> componentsOfLineArray{4, 4, 3, 4, 3, 3, 4, 3, 3};
 
 }   // namespace
 
-const std::array<const char*, 8>& LineData::attributes()
+const std::array<const char*, 9>& LineData::attributes()
 {
-    static const std::array<const char*, 8> names{
-        "here", "before", "beforeDirection", "after", "afterDirection", "tone", "look", "way"};
+    static const std::array<const char*, 9> names{
+        "here", "before", "beforeDirection", "after", "afterDirection", "tone", "look", "way", "wayEnd"};
     return names;
 }
 
@@ -72,6 +72,8 @@ void LineData::add(const std::vector<LinePoint>& line, const LineLook& look)
         arrays_[LineArray::Look]->InsertNextTuple4(look.widthFactor, look.opacity, look.isDashed ? 1.0 : 0.0,
                                                    (look.hasEndDots ? 1.0 : 0.0) + (look.hasEdges ? 2.0 : 0.0));
         arrays_[LineArray::Way]->InsertNextTuple3(point.wayPx[0], point.wayPx[1], point.wayPx[2]);
+        const std::array<float, 3>& end = line.back().wayPx;
+        arrays_[LineArray::WayEnd]->InsertNextTuple3(end[0], end[1], end[2]);
     }
 }
 

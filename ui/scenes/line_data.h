@@ -43,7 +43,7 @@ public:
     bool isEmpty() const { return points_->GetNumberOfPoints() == 0; }
 
     /// The arrays that a shader reads as attributes of the same names.
-    static const std::array<const char*, 8>& attributes();
+    static const std::array<const char*, 9>& attributes();
 
 private:
     void addNeighbour(vtkFloatArray& place, vtkFloatArray& direction, const LinePoint* neighbour);
@@ -51,7 +51,7 @@ private:
     vtkNew<vtkPolyData> polyData_;
     vtkNew<vtkPoints> points_;
     vtkNew<vtkCellArray> cells_;
-    std::array<vtkNew<vtkFloatArray>, 8> arrays_;
+    std::array<vtkNew<vtkFloatArray>, 9> arrays_;
 };
 
 }   // namespace angiopose::ui

@@ -16,6 +16,7 @@ in vec3 afterDirection;
 in vec3 tone;
 in vec4 look;
 in vec3 way;
+in vec3 wayEnd;
 uniform mat4 MCDCMatrix;
 out vec4 hereVS;
 out vec4 beforeVS;
@@ -24,6 +25,7 @@ out vec3 seenVS;
 out vec3 toneVS;
 out vec4 lookVS;
 out vec3 wayVS;
+out vec3 wayEndVS;
 
 const float nearestMm = 1.0;   // as core::minProjectableDepthMm
 
@@ -56,6 +58,7 @@ void main()
     toneVS = spanMm > 0.0 ? deepened(tone, clip.w) : tone;
     lookVS = look;
     wayVS = way;
+    wayEndVS = wayEnd;
     gl_Position = clip;
 }
 )";
@@ -72,13 +75,14 @@ in vec3 seenVS[];
 in vec3 toneVS[];
 in vec4 lookVS[];
 in vec3 wayVS[];
+in vec3 wayEndVS[];
 noperspective out vec2 local;   // along the piece and across it, px from its begin
 flat out float size;
 flat out vec4 joint;   // start and end: 0 goes on, 1 round end, 2 round joint; direction of the piece before, local
 flat out vec3 profile;   // solid up to, faded out at, opacity
 flat out vec3 startTone;
 flat out vec3 endTone;
-flat out vec2 ways;
+flat out vec3 ways;   // along the whole line: at start, end, and where the line ends, px
 flat out vec2 dash;   // drawn and gap, px
 
 vec2 leftOf(vec2 direction) { return vec2(-direction.y, direction.x); }
@@ -110,7 +114,7 @@ void emitDot(vec2 centre, vec3 color, float width, float opacity)
     joint = vec4(1.0, 1.0, 0.0, 0.0);
     profile = profileOf(2.3 * width, 1.0, opacity);
     startTone = endTone = color;
-    ways = vec2(0.0);
+    ways = vec3(0.0);
     dash = vec2(0.0);
     float reach = profile.y;
     for (int corner = 0; corner < 4; ++corner) {
@@ -119,7 +123,7 @@ void emitDot(vec2 centre, vec3 color, float width, float opacity)
     EndPrimitive();
 }
 
-void emitPiece(vec2 a, vec2 b, vec2 previous, vec2 next, float wayA, float wayB, float width)
+void emitPiece(vec2 a, vec2 b, vec2 previous, vec2 next, vec3 way, float width)
 {
     vec2 along = directionFrom(a, b);
     vec2 across = leftOf(along);
@@ -129,7 +133,7 @@ void emitPiece(vec2 a, vec2 b, vec2 previous, vec2 next, float wayA, float wayB,
     profile = profileOf(widthGain * width + widthExtraPx, fade, opacityGain * lookVS[0].y);
     startTone = shade.a > 0.5 ? shade.rgb : toneVS[0];
     endTone = shade.a > 0.5 ? shade.rgb : toneVS[1];
-    ways = vec2(wayA, wayB) * wayScale;
+    ways = way * wayScale;
     dash = lookVS[0].z > 0.5 ? dashPx : vec2(0.0);
     vec2 left = across;
     vec2 right = across;
@@ -174,7 +178,7 @@ void emitInside(vec4 a, vec4 b)
     profile = vec3(1e6, 2e6, opacityGain * lookVS[0].y);
     startTone = toneVS[0];
     endTone = toneVS[1];
-    ways = vec2(0.0);
+    ways = vec3(0.0);
     dash = vec2(0.0);
     vec2 along = directionFrom(a.xy, b.xy);
     emitAt(a.xy + a.zw, a.xy, along);
@@ -201,10 +205,10 @@ void main()
             emitInside(a, b);
         }
     } else if (mode == 1 && hasEdges) {
-        emitPiece(a.xy + a.zw, b.xy + b.zw, previous.xy + previous.zw, next.xy + next.zw, wayVS[0].x, wayVS[1].x, width);
-        emitPiece(a.xy - a.zw, b.xy - b.zw, previous.xy - previous.zw, next.xy - next.zw, wayVS[0].z, wayVS[1].z, width);
+        emitPiece(a.xy + a.zw, b.xy + b.zw, previous.xy + previous.zw, next.xy + next.zw, vec3(wayVS[0].x, wayVS[1].x, wayEndVS[0].x), width);
+        emitPiece(a.xy - a.zw, b.xy - b.zw, previous.xy - previous.zw, next.xy - next.zw, vec3(wayVS[0].z, wayVS[1].z, wayEndVS[0].z), width);
     } else {
-        emitPiece(a.xy, b.xy, previous.xy, next.xy, wayVS[0].y, wayVS[1].y, width);
+        emitPiece(a.xy, b.xy, previous.xy, next.xy, vec3(wayVS[0].y, wayVS[1].y, wayEndVS[0].y), width);
         if (hasDots && showsDots == 1 && seenVS[0].y < 0.5) {
             emitDot(a.xy, toneVS[0], width, lookVS[0].y);
         }
@@ -243,7 +247,7 @@ flat in vec4 joint;
 flat in vec3 profile;
 flat in vec3 startTone;
 flat in vec3 endTone;
-flat in vec2 ways;
+flat in vec3 ways;
 flat in vec2 dash;
 )";
 
@@ -264,8 +268,13 @@ void main()
     }
     float share = clamp(local.x / max(size, 1e-6), 0.0, 1.0);
     if (dash.x + dash.y > 0.0) {
-        float place = mod(mix(ways.x, ways.y, share), dash.x + dash.y);
-        beyond += place <= dash.x ? 0.0 : min(place - dash.x, dash.x + dash.y - place);
+        float way = mix(ways.x, ways.y, share);
+        float place = mod(way, dash.x + dash.y);
+        float toNext = dash.x + dash.y - place;
+        if (way + toNext > ways.z) {
+            toNext = 1e6;   // the line ends before
+        }
+        beyond += place <= dash.x ? 0.0 : min(place - dash.x, toNext);
     }
     float aside = length(vec2(beyond, local.y));
     float cover = clamp((profile.y - aside) / (profile.y - profile.x), 0.0, 1.0);
