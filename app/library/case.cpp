@@ -6,14 +6,10 @@
 
 namespace angiopose {
 
-using library::toCore;
-using library::toPublic;
-using library::valueOf;
-
 Case::Case(const VesselTree& tree, const Angiogram& angiogram) : content_(std::make_unique<Content>())
 {
     core::Case& values = content_->values;
-    values.vessels.tree = std::make_shared<const core::VesselTree>(toCore(tree));
+    values.vessels.tree = std::make_shared<const core::VesselTree>(library::toCore(tree));
     library::putAngiogram(values, angiogram.content());
 }
 
@@ -40,7 +36,7 @@ void Case::setTitle(const std::string& title)
 
 VesselTree Case::tree() const
 {
-    return toPublic(*content_->values.vessels.tree);
+    return library::toPublic(*content_->values.vessels.tree);
 }
 
 Angiogram Case::angiogram() const
@@ -71,55 +67,55 @@ void Case::setFrame(int frame)
 
 ProjectionCamera Case::camera() const
 {
-    return toPublic(valueOf(core::cameraOf(content_->values.shown())));
+    return library::toPublic(library::valueOf(core::cameraOf(content_->values.shown())));
 }
 
 void Case::setCamera(const ProjectionCamera& camera)
 {
-    content_->values.shown().geometry.cameraOverride = toCore(camera);
+    content_->values.shown().geometry.cameraOverride = library::toCore(camera);
 }
 
 Pose Case::startPose() const
 {
-    return toPublic(valueOf(core::startPoseOf(content_->values)));
+    return library::toPublic(library::valueOf(core::startPoseOf(content_->values)));
 }
 
 void Case::setStartPose(const Pose& cameraFromPatient)
 {
-    content_->values.shown().initialCameraFromPatient = toCore(cameraFromPatient);
+    content_->values.shown().initialCameraFromPatient = library::toCore(cameraFromPatient);
     setCameraFromPatient(cameraFromPatient);
 }
 
 Pose Case::cameraFromPatient() const
 {
-    return toPublic(content_->values.shown().cameraFromPatient);
+    return library::toPublic(content_->values.shown().cameraFromPatient);
 }
 
 void Case::setCameraFromPatient(const Pose& cameraFromPatient)
 {
-    content_->values.shown().cameraFromPatient = toCore(cameraFromPatient);
+    content_->values.shown().cameraFromPatient = library::toCore(cameraFromPatient);
     content_->values.shown().result.reset();
 }
 
 RegistrationOptions Case::options() const
 {
-    return toPublic(content_->values.options);
+    return library::toPublic(content_->values.options);
 }
 
 void Case::setOptions(const RegistrationOptions& options)
 {
-    content_->values.options = toCore(options);
+    content_->values.options = library::toCore(options);
 }
 
 void Case::setTarget(const Centerline2d& target)
 {
     core::View& view = content_->values.shown();
-    view.target = {{}, std::make_shared<const core::Centerline2d>(toCore(target)), view.frame, {}};
+    view.target = {{}, std::make_shared<const core::Centerline2d>(library::toCore(target)), view.frame, {}};
 }
 
 std::vector<Message> Case::warnings() const
 {
-    return library::publicMessages(content_->warnings);
+    return library::toPublic(content_->warnings);
 }
 
 }   // namespace angiopose
