@@ -75,14 +75,14 @@ std::string listingOf(const Texts& texts)
 {
     std::string listing =
         "// Made by list_core_texts.\n#include \"ui/words/core_texts.h\"\n\n#include "
-        "<QtGlobal>\n\n#include <array>\n\nnamespace ui {\n\nstd::span<const char* const> "
+        "<QtGlobal>\n\n#include <array>\n\nnamespace angiopose::ui {\n\nstd::span<const char* const> "
         "coreTexts()\n{\n    static constexpr std::array texts{\n";
     for (const std::string& text : texts) {
         if (isTellable(text)) {
             listing += "        QT_TRANSLATE_NOOP(\"core\", " + literal(text) + "),\n";
         }
     }
-    return listing + "    };\n    return texts;\n}\n\n}   // namespace ui\n";
+    return listing + "    };\n    return texts;\n}\n\n}   // namespace angiopose::ui\n";
 }
 
 }   // namespace
