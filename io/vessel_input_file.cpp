@@ -22,6 +22,7 @@ namespace {
 
 using core::VesselInputKind;
 
+constexpr double largestBodyMm = 10'000.0;
 constexpr double readShare = 0.3;   // of the progress; the rest is tracing
 
 core::TracingObserver tracingObserver(const ReadObserver& observe)
@@ -85,6 +86,11 @@ core::Result<LoadedVessels> traceSurface(const std::string& path, const core::Ve
     const auto surface = readSurface(path, input.unitMm);
     if (!surface) {
         return surface.error();
+    }
+    if (surface.value().acrossMm > largestBodyMm) {   // voxels would be as large as vessels, or without end
+        return fileError(path, "the surface is " + toText(std::round(surface.value().acrossMm / 1000.0)) +
+                                   " m across, larger than any body. Give the unit of the file, or remove points "
+                                   "that lie astray.");
     }
     const core::SurfaceMesh& mesh = surface.value().mesh;
     if (isStopWished(observe, 0.1)) {
