@@ -11,11 +11,11 @@
 namespace angiopose::test {
 namespace {
 
-[[noreturn]] void become(const std::vector<std::string>& command, const RunLimits& limits)
+[[noreturn]] void become(const std::vector<std::string>& command, const RunLimits& limits, const std::string& output)
 {
-    const int nowhere = ::open("/dev/null", O_WRONLY);
-    ::dup2(nowhere, STDOUT_FILENO);
-    ::dup2(nowhere, STDERR_FILENO);
+    const int file = ::open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    ::dup2(file, STDOUT_FILENO);
+    ::dup2(file, STDERR_FILENO);
     const rlimit none{0, 0};
     ::setrlimit(RLIMIT_CORE, &none);
     if (limits.addressSpaceBytes > 0) {
@@ -42,13 +42,13 @@ double secondsOf(const timeval& time)
 
 }   // namespace
 
-LimitedRun runLimited(const std::vector<std::string>& command, const RunLimits& limits)
+LimitedRun runLimited(const std::vector<std::string>& command, const RunLimits& limits, const std::string& output)
 {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     const pid_t child = ::fork();
     if (child == 0) {
-        become(command, limits);
+        become(command, limits, output);
     }
     LimitedRun run;
     int status = 0;

@@ -20,7 +20,8 @@ struct RunLimits {
     unsigned int seconds = 0;   ///< of processor time; a program that only waits gets ten times as long
 };
 
-/// Runs a program (path and arguments) with both streams closed to /dev/null.
-LimitedRun runLimited(const std::vector<std::string>& command, const RunLimits& limits);
+/// Runs a program (path and arguments); both its streams go to the file `output`.
+LimitedRun runLimited(const std::vector<std::string>& command, const RunLimits& limits,
+                      const std::string& output = "/dev/null");
 
 }   // namespace angiopose::test
