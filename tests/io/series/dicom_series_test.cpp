@@ -123,7 +123,8 @@ TEST(DicomSeries, PhasesAtTheSamePlaceBecomeVolumesOfTheirOwn)
     ASSERT_TRUE(series);
     ASSERT_EQ(series.value().size(), 2U);
     EXPECT_EQ(series.value()[0].slices.size(), 10U);
-    EXPECT_EQ(series.value()[1].part, "part 2 of 2");
+    ASSERT_TRUE(series.value()[1].part);
+    EXPECT_EQ(series.value()[1].part->text(), "part 2 of 2");
     EXPECT_NE(series.value()[0].id, series.value()[1].id);
 }
 
