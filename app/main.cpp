@@ -1,5 +1,6 @@
 #include "app/key_choice.h"
 #include "app/language_choice.h"
+#include "app/renderer_choice.h"
 #include "app/theme_choice.h"
 #include "app/window_host.h"
 
@@ -29,7 +30,9 @@ int main(int argc, char** argv)
     parser.addPositionalArgument(QStringLiteral("files"),
                                  QApplication::translate("main", "A case, or a centreline and an angiogram."),
                                  QStringLiteral("[case|files…]"));
+    parser.addOption(app::rendererOption());
     parser.process(application);
+    app::applyRenderer(parser);
 
     app::applyChosenTheme(application);
     app::WindowHost host;

@@ -73,6 +73,14 @@ void printOutcome(const BatchOutcome& outcome)
     }
 }
 
+/// One table a shard, so that shards that share a folder do not write over each other's rows.
+std::string summaryName(const core::Shard& shard)
+{
+    return shard.count == 1
+               ? "summary.csv"
+               : "summary-" + std::to_string(shard.index + 1) + "-of-" + std::to_string(shard.count) + ".csv";
+}
+
 /// Worst of all cases: stopped, failed, not trustworthy, done.
 int worseOf(int exitCode, const BatchOutcome& outcome)
 {
@@ -103,6 +111,7 @@ int runBatch(const BatchArguments& arguments)
         return failInput(status.error());
     }
     const fs::path output(arguments.outputFolder);
+    const std::string summaryPath = (output / summaryName(shard.value())).string();
     std::string summary = summaryHeader();
     int exitCode = exitDone;
     for (std::size_t k = shard.value().index; k < entries.value().size(); k += shard.value().count) {
@@ -112,7 +121,7 @@ int runBatch(const BatchArguments& arguments)
         summary += summaryRow(outcome);
         exitCode = worseOf(exitCode, outcome);
         // After each case, so that a power cut costs one of them.
-        if (const auto status = io::writeAtomically((output / "summary.csv").string(), summary); !status) {
+        if (const auto status = io::writeAtomically(summaryPath, summary); !status) {
             return failInput(status.error());
         }
         if (isInterrupted()) {

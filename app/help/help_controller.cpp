@@ -7,6 +7,7 @@
 #include "ui/help/tour.h"
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
+#include "ui/views/gl_driver.h"
 #include "ui/words/message_text.h"
 
 #include <QApplication>
@@ -97,13 +98,24 @@ void HelpController::fillGoodFit(int index)
                   });
 }
 
+/// Who draws, for reports of what looks wrong.
+QString HelpController::drawnBy() const
+{
+    const ui::GlDriver& driver = ui::glDriver();
+    const QString renderer = ui::chosenRenderer() == ui::Renderer::Vtk ? tr("The angiogram is drawn by VTK (OpenGL).")
+                                                                       : tr("The angiogram is drawn by the processor.");
+    return driver.isThere()
+               ? QStringLiteral("%1\nOpenGL %2: %3, %4").arg(renderer, driver.version, driver.vendor, driver.renderer)
+               : renderer;
+}
+
 void HelpController::showAbout()
 {
     ui::MessageDialog::show({tr("AngioPose %1").arg(QCoreApplication::applicationVersion()),
                              tr("Finds where a 3-D vessel tree lies in a 2-D angiogram, without correspondences.\n\n"
                                 "Not for clinical use: AngioPose is a research program, not a medical device.\n\n"
                                 "Apache License 2.0. Built on Qt, VTK, ITK, OpenCV, NLopt, Eigen and nanoflann."),
-                             {}},
+                             drawnBy()},
                             &window_);
 }
 

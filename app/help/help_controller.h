@@ -26,6 +26,7 @@ private:
     void showGoodFit();
     void fillGoodFit(int index);
     void showAbout();
+    QString drawnBy() const;
 
     ui::MainWindow& window_;
     QPointer<ui::Tour> tour_;

@@ -130,7 +130,7 @@ int Angiogram::suggestedFrame() const
 
 std::vector<Message> Angiogram::warnings() const
 {
-    return library::publicMessages(content_->warnings);
+    return library::toPublic(content_->warnings);
 }
 
 Angiogram readAngiogram(const std::string& path)

@@ -6,14 +6,10 @@
 
 namespace angiopose {
 
-using library::toCore;
-using library::toPublic;
-using library::valueOf;
-
 Case::Case(const VesselTree& tree, const Angiogram& angiogram) : content_(std::make_unique<Content>())
 {
     core::RegistrationCase& values = content_->values;
-    values.tree = std::make_shared<const core::VesselTree>(toCore(tree));
+    values.tree = std::make_shared<const core::VesselTree>(library::toCore(tree));
     library::putAngiogram(values, angiogram.content());
 }
 
@@ -40,7 +36,7 @@ void Case::setTitle(const std::string& title)
 
 VesselTree Case::tree() const
 {
-    return toPublic(*content_->values.tree);
+    return library::toPublic(*content_->values.tree);
 }
 
 Angiogram Case::angiogram() const
@@ -70,51 +66,51 @@ void Case::setFrame(int frame)
 
 ProjectionCamera Case::camera() const
 {
-    return toPublic(valueOf(core::cameraOf(content_->values)));
+    return library::toPublic(library::valueOf(core::cameraOf(content_->values)));
 }
 
 void Case::setCamera(const ProjectionCamera& camera)
 {
-    content_->values.cameraOverride = toCore(camera);
+    content_->values.cameraOverride = library::toCore(camera);
 }
 
 Pose Case::startPose() const
 {
-    return toPublic(valueOf(core::startPoseOf(content_->values)));
+    return library::toPublic(library::valueOf(core::startPoseOf(content_->values)));
 }
 
 void Case::setStartPose(const Pose& cameraFromPatient)
 {
-    content_->values.initialCameraFromPatient = toCore(cameraFromPatient);
+    content_->values.initialCameraFromPatient = library::toCore(cameraFromPatient);
     content_->values.hasInitialPose = true;
     setCameraFromPatient(cameraFromPatient);
 }
 
 Pose Case::cameraFromPatient() const
 {
-    return toPublic(content_->values.cameraFromPatient);
+    return library::toPublic(content_->values.cameraFromPatient);
 }
 
 void Case::setCameraFromPatient(const Pose& cameraFromPatient)
 {
-    content_->values.cameraFromPatient = toCore(cameraFromPatient);
+    content_->values.cameraFromPatient = library::toCore(cameraFromPatient);
     content_->values.result.reset();
 }
 
 RegistrationOptions Case::options() const
 {
-    return toPublic(content_->values.options);
+    return library::toPublic(content_->values.options);
 }
 
 void Case::setOptions(const RegistrationOptions& options)
 {
-    content_->values.options = toCore(options);
+    content_->values.options = library::toCore(options);
 }
 
 void Case::setTarget(const Centerline2d& target)
 {
     core::RegistrationCase& values = content_->values;
-    values.givenTarget = std::make_shared<const core::Centerline2d>(toCore(target));
+    values.givenTarget = std::make_shared<const core::Centerline2d>(library::toCore(target));
     values.targetFile = {};
     values.editedFrame = values.frame;
     values.acceptedCurveIds.clear();
@@ -122,7 +118,7 @@ void Case::setTarget(const Centerline2d& target)
 
 std::vector<Message> Case::warnings() const
 {
-    return library::publicMessages(content_->warnings);
+    return library::toPublic(content_->warnings);
 }
 
 }   // namespace angiopose

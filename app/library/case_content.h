@@ -2,10 +2,9 @@
 
 #include "angiopose/case.h"
 #include "core/registration_case.h"
+#include "core/support/message.h"
 
 #include <memory>
-#include <string>
-#include <vector>
 
 namespace angiopose {
 

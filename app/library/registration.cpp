@@ -120,7 +120,7 @@ RegistrationResult toPublic(const core::RegistrationResult& result)
     converted.branches = eachPublic(result.branches);
     converted.alternatives = eachPublic(result.alternatives);
     converted.trustworthy = result.trustworthy;
-    converted.warnings = publicMessages(result.warnings);
+    converted.warnings = toPublic(result.warnings);
     converted.totalMs = result.time.totalMs;
     return converted;
 }
@@ -131,7 +131,7 @@ MultiViewResult toPublic(const core::MultiViewResult& result)
             {result.corrections.begin(), result.corrections.end()},
             toPublic(result.uncertainty),
             result.trustworthy,
-            publicMessages(result.warnings)};
+            toPublic(result.warnings)};
 }
 
 }   // namespace angiopose::library

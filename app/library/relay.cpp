@@ -4,24 +4,28 @@
 
 namespace angiopose::library {
 
-Message publicMessage(const core::Message& message)
+Message toPublic(const core::Message& message)
 {
-    return {std::string(message.id()), message.text()};
+    Message converted{std::string(message.id()), message.text(), {}};
+    for (const core::MessageArgument& argument : message.arguments()) {
+        converted.arguments.push_back(core::argumentText(argument));
+    }
+    return converted;
 }
 
-std::vector<Message> publicMessages(const core::Messages& messages)
+std::vector<Message> toPublic(const core::Messages& messages)
 {
     std::vector<Message> converted;
     converted.reserve(messages.size());
     for (const core::Message& message : messages) {
-        converted.push_back(publicMessage(message));
+        converted.push_back(toPublic(message));
     }
     return converted;
 }
 
 void raise(const core::Error& error)
 {
-    const Message message = publicMessage(error.message);
+    const Message message = toPublic(error.message);
     if (error.isStop()) {
         throw Stopped(message.id, message.text);
     }

@@ -3,6 +3,7 @@
 #include "angiopose/error.h"
 #include "angiopose/observer.h"
 #include "core/registration/registration.h"
+#include "core/support/message.h"
 #include "core/support/result.h"
 #include "core/support/verdict.h"
 #include "core/tracing/volume/trace_vessels.h"
@@ -16,8 +17,8 @@
 namespace angiopose::library {
 
 /// The messages of the layers below as the library gives them away.
-Message publicMessage(const core::Message& message);
-std::vector<Message> publicMessages(const core::Messages& messages);
+Message toPublic(const core::Message& message);
+std::vector<Message> toPublic(const core::Messages& messages);
 
 /// Throws what the layers below say.
 [[noreturn]] void raise(const core::Error& error);
@@ -51,15 +52,12 @@ public:
     io::ReadObserver reading(std::string_view stage);
     core::TracingObserver tracing();
 
-    /// The value of the work; else throws what the observer threw, Stopped, or why there is none.
+    /// The value of the work; else throws what the observer threw, or why there is none.
     template <class T>
     T take(core::Result<T> outcome) const
     {
         if (thrown_) {
             std::rethrow_exception(thrown_);
-        }
-        if (!outcome && isStopped_) {
-            throw Stopped("stopped", "The work was stopped.");
         }
         return valueOf(std::move(outcome));
     }

@@ -58,7 +58,7 @@ void checkVoxelCount(std::size_t count, const VolumeGeometry& geometry)
 TracedVessels publicVessels(const core::VesselTree& tree, core::VoxelMask lumen, double threshold,
                             const core::Messages& warnings)
 {
-    return {toPublic(tree), toPublic(lumen.geometry), std::move(lumen.voxels), threshold, publicMessages(warnings)};
+    return {toPublic(tree), toPublic(lumen.geometry), std::move(lumen.voxels), threshold, toPublic(warnings)};
 }
 
 TracedVessels publicVessels(core::TracedVessels traced)

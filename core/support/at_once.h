@@ -1,10 +1,13 @@
 #pragma once
 
+#include "core/support/first_exception.h"
+
 #include <thread>
 
 namespace angiopose::core {
 
-/// Does both pieces of work at the same time, the first on this thread; neither may read what the other writes.
+/// Does both pieces of work at the same time, the first on this thread; neither may read what the other writes. What
+/// either throws reaches the caller once both have ended.
 template <class First, class Second>
 void atOnce(const First& first, const Second& second)
 {
@@ -13,8 +16,12 @@ void atOnce(const First& first, const Second& second)
         second();
         return;
     }
-    const std::jthread helper(second);
-    first();
+    FirstException thrown;
+    {
+        const std::jthread helper([&] { thrown.run(second); });
+        thrown.run(first);
+    }
+    thrown.rethrow();
 }
 
 }   // namespace angiopose::core

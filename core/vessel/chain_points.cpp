@@ -10,7 +10,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double reachInSpacings = 2.5;
-constexpr double pixelDiagonalPx = 1.5;   // a little more than √2
+constexpr double besideOnGridPx = 1.5;   // a little more than √2
 
 struct Joint {
     double lengthPx = 0.0;
@@ -23,10 +23,10 @@ struct Joint {
     }
 };
 
-using Points = std::vector<Eigen::Vector2d>;
-using Neighbours = std::vector<std::vector<std::size_t>>;
+using ImagePoints = std::vector<Eigen::Vector2d>;
+using JoinedPoints = std::vector<std::vector<std::size_t>>;
 
-std::vector<std::size_t> fromLeftToRight(const Points& points)
+std::vector<std::size_t> fromLeftToRight(const ImagePoints& points)
 {
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -37,7 +37,7 @@ std::vector<std::size_t> fromLeftToRight(const Points& points)
 }
 
 /// Every pair of points nearer than `reachPx`; `order` goes from left to right.
-std::vector<Joint> jointsWithin(const Points& points, const std::vector<std::size_t>& order, double reachPx)
+std::vector<Joint> jointsWithin(const ImagePoints& points, const std::vector<std::size_t>& order, double reachPx)
 {
     std::vector<Joint> joints;
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -55,7 +55,7 @@ std::vector<Joint> jointsWithin(const Points& points, const std::vector<std::siz
 }
 
 /// Distance from the point at `place` of `order` to the nearest other one; infinite where there is none.
-double nearestDistance(const Points& points, const std::vector<std::size_t>& order, std::size_t place)
+double distanceToNearest(const ImagePoints& points, const std::vector<std::size_t>& order, std::size_t place)
 {
     double nearest = std::numeric_limits<double>::infinity();
     const Eigen::Vector2d& point = points[order[place]];
@@ -72,11 +72,11 @@ double nearestDistance(const Points& points, const std::vector<std::size_t>& ord
 }
 
 /// Median over the points of the distance to the nearest other one.
-double usualSpacing(const Points& points, const std::vector<std::size_t>& order)
+double usualSpacing(const ImagePoints& points, const std::vector<std::size_t>& order)
 {
     std::vector<double> nearest(order.size());
     for (std::size_t place = 0; place < order.size(); ++place) {
-        nearest[place] = nearestDistance(points, order, place);
+        nearest[place] = distanceToNearest(points, order, place);
     }
     const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
     std::nth_element(nearest.begin(), middle, nearest.end());
@@ -93,12 +93,12 @@ std::size_t rootOf(std::vector<std::size_t>& parents, std::size_t point)
 }
 
 /// Who is joined to whom in the minimum spanning forest (Kruskal).
-Neighbours spanningForest(std::size_t count, std::vector<Joint> joints)
+JoinedPoints spanningForest(std::size_t count, std::vector<Joint> joints)
 {
     std::ranges::sort(joints, std::less{});
     std::vector<std::size_t> parents(count);
     std::iota(parents.begin(), parents.end(), std::size_t{0});
-    Neighbours neighbours(count);
+    JoinedPoints neighbours(count);
     for (const Joint& joint : joints) {
         const std::size_t first = rootOf(parents, joint.first);
         const std::size_t second = rootOf(parents, joint.second);
@@ -112,7 +112,8 @@ Neighbours spanningForest(std::size_t count, std::vector<Joint> joints)
 }
 
 /// From `start` over points that are not taken yet to the next end, or to the next fork.
-Curve2d curveFrom(std::size_t start, const Points& points, const Neighbours& neighbours, std::vector<char>& isTaken)
+Curve2d curveFrom(std::size_t start, const ImagePoints& points, const JoinedPoints& neighbours,
+                  std::vector<char>& isTaken)
 {
     Curve2d curve;
     for (std::size_t at = start;;) {
@@ -128,15 +129,15 @@ Curve2d curveFrom(std::size_t start, const Points& points, const Neighbours& nei
 
 }   // namespace
 
-Centerline2d chainPoints(const Points& points)
+Centerline2d chainPoints(const ImagePoints& points)
 {
     Centerline2d centerline;
     if (points.empty()) {
         return centerline;
     }
     const std::vector<std::size_t> order = fromLeftToRight(points);
-    const double reachPx = std::max(pixelDiagonalPx, reachInSpacings * usualSpacing(points, order));
-    const Neighbours neighbours = spanningForest(points.size(), jointsWithin(points, order, reachPx));
+    const double reachPx = std::max(besideOnGridPx, reachInSpacings * usualSpacing(points, order));
+    const JoinedPoints neighbours = spanningForest(points.size(), jointsWithin(points, order, reachPx));
     std::vector<char> isTaken(points.size());
     const auto collect = [&](const auto& isStart) {
         for (std::size_t i = 0; i < points.size(); ++i) {

@@ -508,6 +508,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>F1 explains what the mouse points at, ? lists and changes all keys. This tour is under Help.</source>
         <translation>F1 erklärt, worauf die Maus zeigt, ? zeigt und ändert alle Tasten. Dieser Rundgang steht unter Hilfe.</translation>
     </message>
+    <message>
+        <source>The angiogram is drawn by VTK (OpenGL).</source>
+        <translation>Das Angiogramm zeichnet VTK (OpenGL).</translation>
+    </message>
+    <message>
+        <source>The angiogram is drawn by the processor.</source>
+        <translation>Das Angiogramm zeichnet der Prozessor.</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::HistoryController</name>
@@ -4858,6 +4866,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>A case, or a centreline and an angiogram.</source>
         <translation>Ein Fall, oder eine Mittellinie und ein Angiogramm.</translation>
+    </message>
+    <message>
+        <source>Who draws the angiogram: vtk (OpenGL), painter (the processor), or auto: vtk where a graphics card does OpenGL.</source>
+        <translation>Wer das Angiogramm zeichnet: vtk (OpenGL), painter (der Prozessor) oder auto: vtk, wo eine Grafikkarte OpenGL rechnet.</translation>
+    </message>
+    <message>
+        <source>No renderer is called “%1”: auto, vtk or painter.</source>
+        <translation>Kein Renderer heißt „%1“: auto, vtk oder painter.</translation>
     </message>
 </context>
 <context>

@@ -508,6 +508,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>F1 explains what the mouse points at, ? lists and changes all keys. This tour is under Help.</source>
         <translation>F1 解释鼠标所指内容，? 列出并修改快捷键。本导览在“帮助”菜单中。</translation>
     </message>
+    <message>
+        <source>The angiogram is drawn by VTK (OpenGL).</source>
+        <translation>血管造影由 VTK（OpenGL）绘制。</translation>
+    </message>
+    <message>
+        <source>The angiogram is drawn by the processor.</source>
+        <translation>血管造影由处理器绘制。</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::HistoryController</name>
@@ -4858,6 +4866,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>A case, or a centreline and an angiogram.</source>
         <translation>一个病例，或一条中心线和一幅造影图像。</translation>
+    </message>
+    <message>
+        <source>Who draws the angiogram: vtk (OpenGL), painter (the processor), or auto: vtk where a graphics card does OpenGL.</source>
+        <translation>由谁绘制血管造影：vtk（OpenGL）、painter（处理器），或 auto：有显卡加速 OpenGL 时用 vtk。</translation>
+    </message>
+    <message>
+        <source>No renderer is called “%1”: auto, vtk or painter.</source>
+        <translation>没有名为“%1”的渲染器：可用 auto、vtk 或 painter。</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,12 @@ using test::readText;
 using test::runCli;
 using test::writeText;
 
+std::ptrdiff_t linesOf(const std::string& path)
+{
+    const std::string text = readText(path);
+    return std::count(text.begin(), text.end(), '\n');
+}
+
 TEST(CliBatch, WrongUsageAndBrokenManifestsAreTold)
 {
     const test::TemporaryFolder folder;
@@ -57,13 +63,17 @@ TEST(CliBatch, AFailingCaseDoesNotStopTheOthers)
     EXPECT_NE(summary.find(",done,angiopose,"), std::string::npos) << summary;
     EXPECT_NE(summary.find("frame 99 does not exist"), std::string::npos) << summary;
 
-    // The second of two parts: rows 2 and 4.
+    // Two parts into one folder, rows 2 and 4 here: neither writes over the other's table.
+    EXPECT_EQ(runCli({"batch", folder.file("cases.csv"), "--shard", "1/2", "--output", folder.file("part")}).exitCode,
+              3);
+    EXPECT_EQ(linesOf(folder.file("part/summary-1-of-2.csv")), 4);
     const auto part = runCli({"batch", folder.file("cases.csv"), "--shard", "2/2", "--output", folder.file("part")});
     EXPECT_EQ(part.exitCode, 3);
-    const std::string rows = readText(folder.file("part/summary.csv"));
+    const std::string rows = readText(folder.file("part/summary-2-of-2.csv"));
     EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 3) << rows;
     EXPECT_NE(rows.find("\n2,"), std::string::npos);
     EXPECT_NE(rows.find("\n4,"), std::string::npos);
+    EXPECT_EQ(linesOf(folder.file("part/summary-1-of-2.csv")), 4);
 }
 
 }   // namespace

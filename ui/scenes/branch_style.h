@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/scenes/overlay_scene.h"
+#include "ui/scenes/overlay_content.h"
 #include "ui/theme/theme.h"
 
 namespace angiopose::ui {

@@ -7,14 +7,14 @@ namespace angiopose::ui {
 void GreyFrame::setPixels(const core::ImageF& pixels)
 {
     pixels_ = pixels;
-    ++revision_;
+    revision_ = nextRevision();
 }
 
 void GreyFrame::setRange(const core::DisplayRange& range)
 {
     if (range.low != range_.low || range.high != range_.high) {
         range_ = range;
-        ++revision_;
+        revision_ = nextRevision();
     }
 }
 
@@ -22,7 +22,7 @@ void GreyFrame::setInverted(bool inverted)
 {
     if (inverted != isInverted_) {
         isInverted_ = inverted;
-        ++revision_;
+        revision_ = nextRevision();
     }
 }
 

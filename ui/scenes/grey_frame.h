@@ -2,6 +2,7 @@
 
 #include "core/imaging/display_range.h"
 #include "core/imaging/image2d.h"
+#include "ui/scenes/revision.h"
 
 #include <cstdint>
 
@@ -24,7 +25,7 @@ private:
     core::ImageF pixels_;
     core::DisplayRange range_;
     bool isInverted_ = false;
-    std::uint64_t revision_ = 1;
+    std::uint64_t revision_ = nextRevision();
     mutable std::uint64_t greyRevision_ = 0;
     mutable core::Image2d<std::uint8_t> grey_;
 };

@@ -1,10 +1,5 @@
 #include "ui/scenes/overlay_scene.h"
 
-#include "ui/scenes/fill_strokes.h"
-#include "ui/scenes/grey_frame.h"
-#include "ui/scenes/overlay_strokes.h"
-#include "ui/scenes/radiograph_tint.h"
-
 #include <algorithm>
 #include <cstdint>
 #include <utility>
@@ -12,80 +7,44 @@
 namespace angiopose::ui {
 namespace {
 
-/// The angiogram as the canvas shows it, kept until another part, size or grey is asked for.
-struct Backdrop {
-    std::vector<std::uint32_t> pixels;
-    ViewRect rect;
-    std::pair<int, int> size{0, 0};
-    Interpolation interpolation = Interpolation::Smooth;
-    std::uint64_t frameRevision = 0;
-
-    const std::vector<std::uint32_t>& of(const GreyFrame& frame, const ViewRect& wantedRect, Interpolation wanted,
-                                         Canvas canvas)
-    {
-        const std::pair wantedSize{canvas.width, canvas.height};
-        if (frameRevision == frame.revision() && rect == wantedRect && size == wantedSize && interpolation == wanted) {
-            return pixels;
+DepthRange depthRangeOf(const ProjectedTree& tree)
+{
+    DepthRange range{1e30, -1e30};
+    for (const ProjectedBranch& branch : tree) {
+        for (const auto& run : branch.runs) {
+            for (const ProjectedPoint& point : run) {
+                range.nearMm = std::min(range.nearMm, point.depthMm);
+                range.farMm = std::max(range.farMm, point.depthMm);
+            }
         }
-        frameRevision = frame.revision();
-        rect = wantedRect;
-        size = wantedSize;
-        interpolation = wanted;
-        const Color& around = palette(ThemeMode::Dark).canvas;
-        pixels.assign(canvas.pixelCount(), packed(around));
-        if (frame.width() > 0 && frame.height() > 0) {
-            resampleFrame(frame.grey(), rect, interpolation, around, {pixels.data(), canvas.width, canvas.height});
-        }
-        return pixels;
     }
-};
-
-/// The overlay's triangles for one view and size.
-struct Strokes {
-    StrokeMesh mesh;
-    std::uint64_t revision = 0;
-    ViewRect rect;
-    std::pair<int, int> size{0, 0};
-};
+    return range;
+}
 
 }   // namespace
 
 struct OverlayScene::Parts {
-    core::VesselTree tree;
-    core::ProjectionCamera camera;
-    core::RigidTransform cameraFromPatient;
     OverlayContent content;
     bool isProjectionStale = true;
-    GreyFrame frame;
-    Interpolation interpolation = Interpolation::Smooth;
-    ViewRect viewRect{-0.5, 511.5, -0.5, 511.5};
-    std::uint64_t revision = 1;
-    Cutout cutout;
-    RadiographTint radiograph;
-    Backdrop backdrop;
-    Strokes strokes;
 
     void project()
     {
         if (std::exchange(isProjectionStale, false)) {
-            content.tree =
-                !core::findProblem(camera) ? projectedTree(tree, camera, cameraFromPatient) : ProjectedTree{};
-            content.depthRange = depthRangeOf(content.tree);
+            content.projected = !core::findProblem(content.camera)
+                                    ? projectedTree(content.tree, content.camera, content.cameraFromPatient)
+                                    : ProjectedTree{};
+            content.depthRange = depthRangeOf(content.projected);
         }
     }
     void markProjectionStale()
     {
         isProjectionStale = true;
-        ++revision;
+        content.revision = nextRevision();
     }
-    const StrokeMesh& meshFor(int width, int height)
+    void markLinesStale()
     {
-        const std::pair size{width, height};
-        if (strokes.revision != revision || !(strokes.rect == viewRect) || strokes.size != size) {
-            project();
-            strokes = {overlayStrokes(content, {viewRect, width, height}), revision, viewRect, size};
-        }
-        return strokes.mesh;
+        content.revision = nextRevision();
+        content.linesRevision = nextRevision();
     }
 };
 
@@ -95,41 +54,42 @@ OverlayScene::~OverlayScene() = default;
 
 void OverlayScene::setFrame(const core::ImageF& frame)
 {
-    parts_->frame.setPixels(frame);
+    parts_->content.frame.setPixels(frame);
 }
 
 void OverlayScene::setWindowLevel(double window, double level)
 {
-    parts_->frame.setRange({level - 0.5 * window, level + 0.5 * window});
+    parts_->content.frame.setRange({level - 0.5 * window, level + 0.5 * window});
 }
 
 void OverlayScene::setInverted(bool inverted)
 {
-    parts_->frame.setInverted(inverted);
+    parts_->content.frame.setInverted(inverted);
 }
 
 void OverlayScene::setInterpolation(Interpolation interpolation)
 {
-    parts_->interpolation = interpolation;
+    parts_->content.interpolation = interpolation;
 }
 
 void OverlayScene::setTree(const core::VesselTree& tree)
 {
-    parts_->tree = tree;
+    parts_->content.tree = tree;
     parts_->markProjectionStale();
+    parts_->markLinesStale();
 }
 
 void OverlayScene::setCamera(const core::ProjectionCamera& camera)
 {
-    parts_->camera = camera;
+    parts_->content.camera = camera;
     parts_->markProjectionStale();
 }
 
 void OverlayScene::setPose(const core::RigidTransform& cameraFromPatient)
 {
-    const core::RigidTransform& former = parts_->cameraFromPatient;
+    const core::RigidTransform& former = parts_->content.cameraFromPatient;
     if (former.rotation != cameraFromPatient.rotation || former.translation != cameraFromPatient.translation) {
-        parts_->cameraFromPatient = cameraFromPatient;
+        parts_->content.cameraFromPatient = cameraFromPatient;
         parts_->markProjectionStale();
     }
 }
@@ -138,14 +98,14 @@ void OverlayScene::setMarks(const BranchMarks& marks)
 {
     if (!(parts_->content.marks == marks)) {
         parts_->content.marks = marks;
-        ++parts_->revision;
+        parts_->markLinesStale();
     }
 }
 
 void OverlayScene::setMode(OverlayMode mode)
 {
     parts_->content.mode = mode;
-    ++parts_->revision;
+    parts_->content.revision = nextRevision();
 }
 
 OverlayMode OverlayScene::mode() const
@@ -156,7 +116,7 @@ OverlayMode OverlayScene::mode() const
 void OverlayScene::setVeiled(bool veiled)
 {
     parts_->content.isVeiled = veiled;
-    ++parts_->revision;
+    parts_->content.revision = nextRevision();
 }
 
 DepthCue OverlayScene::depthCue() const
@@ -166,55 +126,55 @@ DepthCue OverlayScene::depthCue() const
 
 const Cutout& OverlayScene::cutout() const
 {
-    return parts_->cutout;
+    return parts_->content.cutout;
 }
 
 void OverlayScene::setDepthCue(DepthCue cue)
 {
     parts_->content.depthCue = cue;
-    ++parts_->revision;
+    parts_->markLinesStale();
 }
 
 void OverlayScene::setCutout(const Cutout& cutout)
 {
-    parts_->cutout = cutout;
+    parts_->content.cutout = cutout;
 }
 
 void OverlayScene::setOpacity(double opacity)
 {
     parts_->content.opacity = std::clamp(opacity, 0.0, 1.0);
-    ++parts_->revision;
+    parts_->content.revision = nextRevision();
 }
 
 void OverlayScene::setRadiograph(const core::ImageF& radiograph)
 {
-    parts_->radiograph.setRadiograph(radiograph);
-    ++parts_->revision;
+    parts_->content.radiograph.setRadiograph(radiograph);
+    parts_->content.revision = nextRevision();
 }
 
 bool OverlayScene::hasRadiograph() const
 {
-    return !parts_->radiograph.isEmpty();
+    return !parts_->content.radiograph.isEmpty();
 }
 
 void OverlayScene::setLineWidthPx(double devicePixels)
 {
     if (parts_->content.lineWidthPx != devicePixels) {
         parts_->content.lineWidthPx = devicePixels;
-        ++parts_->revision;
+        parts_->content.revision = nextRevision();
     }
 }
 
 void OverlayScene::setTracedCenterline(const core::Centerline2d& traced)
 {
     parts_->content.traced = traced;
-    ++parts_->revision;
+    parts_->markLinesStale();
 }
 
 void OverlayScene::showTracedCenterline(bool shown)
 {
     parts_->content.isTracedShown = shown;
-    ++parts_->revision;
+    parts_->markLinesStale();
 }
 
 void OverlayScene::setResiduals(const std::map<int, std::vector<double>>& residualPx, double scaleMaximumPx)
@@ -222,13 +182,13 @@ void OverlayScene::setResiduals(const std::map<int, std::vector<double>>& residu
     if (parts_->content.residualPx != residualPx || parts_->content.scaleMaximumPx != scaleMaximumPx) {
         parts_->content.residualPx = residualPx;
         parts_->content.scaleMaximumPx = scaleMaximumPx;
-        ++parts_->revision;
+        parts_->markLinesStale();
     }
 }
 
 void OverlayScene::recolor()
 {
-    ++parts_->revision;
+    parts_->markLinesStale();
 }
 
 void OverlayScene::clearResiduals()
@@ -238,17 +198,17 @@ void OverlayScene::clearResiduals()
 
 void OverlayScene::setViewRect(const ViewRect& rect)
 {
-    parts_->viewRect = rect;
+    parts_->content.viewRect = rect;
 }
 
 const core::ImageF& OverlayScene::frame() const
 {
-    return parts_->frame.pixels();
+    return parts_->content.frame.pixels();
 }
 
 ViewRect OverlayScene::viewRect() const
 {
-    return parts_->viewRect;
+    return parts_->content.viewRect;
 }
 
 double OverlayScene::lineWidthPx() const
@@ -256,30 +216,16 @@ double OverlayScene::lineWidthPx() const
     return parts_->content.lineWidthPx;
 }
 
-void OverlayScene::drawRows(Canvas canvas, int firstRow, int rowCount)
+const OverlayContent& OverlayScene::content() const
 {
-    Parts& p = *parts_;
-    const double rowHeight = p.viewRect.height() / rowCount;
-    ViewRect part = p.viewRect;
-    part.top += rowHeight * firstRow;
-    part.bottom = part.top + rowHeight * canvas.height;
-    const std::vector<std::uint32_t>& bare = p.backdrop.of(p.frame, part, p.interpolation, canvas);
-    const StrokeMesh& mesh = p.meshFor(canvas.width, rowCount);
-    forBands(canvas.height, [&](const Rows& rows) {
-        std::copy(bare.data() + (canvas.row(rows.from) - canvas.pixels),
-                  bare.data() + (canvas.row(rows.to) - canvas.pixels), canvas.row(rows.from));
-        if (!p.content.isVeiled) {
-            p.radiograph.blend({p.frame.width(), p.frame.height(), part}, p.content.opacity, canvas, rows);
-        }
-        fillStrokes(mesh, rowCount - firstRow, canvas, rows);
-        applyCutout(p.cutout, part, bare, canvas, rows);
-    });
+    parts_->project();
+    return parts_->content;
 }
 
 OverlayScene::Stamp OverlayScene::stamp() const
 {
-    const Parts& p = *parts_;
-    return {p.revision, p.frame.revision(), p.viewRect, p.cutout, p.interpolation};
+    const OverlayContent& content = parts_->content;
+    return {content.revision, content.frame.revision(), content.viewRect, content.cutout, content.interpolation};
 }
 
 std::optional<int> OverlayScene::branchAt(const Eigen::Vector2d& imagePoint, double tolerancePx) const
@@ -288,19 +234,19 @@ std::optional<int> OverlayScene::branchAt(const Eigen::Vector2d& imagePoint, dou
         return std::nullopt;
     }
     parts_->project();
-    return nearestBranch(parts_->content.tree, imagePoint, tolerancePx);
+    return nearestBranch(parts_->content.projected, imagePoint, tolerancePx);
 }
 
 std::optional<ViewRect> OverlayScene::extentOf(int branchId) const
 {
     parts_->project();
-    return ui::extentOf(parts_->content.tree, branchId);
+    return ui::extentOf(parts_->content.projected, branchId);
 }
 
 bool OverlayScene::treePasses(const ViewRect& part) const
 {
     parts_->project();
-    return parts_->content.mode != OverlayMode::Hidden && passesThrough(parts_->content.tree, part);
+    return parts_->content.mode != OverlayMode::Hidden && passesThrough(parts_->content.projected, part);
 }
 
 }   // namespace angiopose::ui

@@ -1,42 +1,16 @@
 #pragma once
 
-#include "core/geometry/projection_camera.h"
-#include "core/geometry/rigid_transform.h"
-#include "core/imaging/image2d.h"
-#include "core/vessel/centerline2d.h"
-#include "core/vessel/vessel_tree.h"
-#include "ui/scenes/canvas.h"
-#include "ui/scenes/cutout.h"
-#include "ui/scenes/resample_frame.h"
-#include "ui/scenes/view_rect.h"
+#include "ui/scenes/overlay_content.h"
 
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <vector>
 
 namespace angiopose::ui {
 
-/// How branches are shown, the same in every view.
-struct BranchMarks {
-    std::optional<int> hovered;
-    std::set<int> selected;
-    std::set<int> auxiliary;
-    std::set<int> excluded;
-    std::set<int> hidden;   ///< not in the scenes' trees; lists and slices show that
-
-    bool operator==(const BranchMarks&) const = default;
-};
-
-enum class OverlayMode { Centerline, Outline, Tube, Hidden };
-
-/// NearBright shows which vessels lie nearer to the source.
-enum class DepthCue { None, NearBright };
-
-/// The angiogram with the projected tree on it, drawn by the processor: no OpenGL, no Qt, so the same pixels come out
-/// in the window, in the exported PNG and in the tests. Setters only store and mark; `draw` does the work, and keeps
-/// the resampled angiogram while only the tree moves.
+/// The angiogram with the projected tree on it: what is shown, where it lies on the image, and what a place on the
+/// image belongs to. Setters only store and mark; renderers draw its content (OverlayPainter, VtkOverlay).
 class OverlayScene {
 public:
     OverlayScene();
@@ -77,11 +51,8 @@ public:
     ViewRect viewRect() const;
     double lineWidthPx() const;
 
-    /// Fills the canvas with what the view rectangle shows.
-    void draw(Canvas canvas) { drawRows(canvas, 0, canvas.height); }
-
-    /// The same for a part of a taller picture: rows `firstRow` … of `rowCount`.
-    void drawRows(Canvas canvas, int firstRow, int rowCount);
+    /// With the tree projected as camera and pose are now.
+    const OverlayContent& content() const;
 
     /// What the picture hangs on besides its size: equal stamps of one scene, equal pictures.
     struct Stamp {

@@ -1,10 +1,11 @@
 #include "ui/scenes/overlay_strokes.h"
 
 #include "ui/scenes/branch_style.h"
+#include "ui/scenes/overlay_pens.h"
+#include "ui/scenes/point_tones.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace angiopose::ui {
 namespace {
@@ -15,6 +16,7 @@ constexpr double farPx = 4e4;   // dashes are laid out this far beyond the pictu
 
 /// One branch ready to be drawn: its centreline or its two edges, in device px.
 struct BranchLines {
+    const ProjectedBranch* source;
     BranchStyle style;
     std::vector<StrokeLine> lines;
     std::vector<StrokePoint> ends;
@@ -31,75 +33,14 @@ Box boxAround(const DeviceFromImage& device, double marginPx)
     return {-margin, Eigen::Vector2d(device.width, device.height) + margin};
 }
 
-Color residualTone(double residualPx, double maximumPx)
-{
-    return residualPx > maximumPx ? residualColorAboveScale() : residualColor(residualPx / maximumPx);
-}
-
-/// Near points towards white, far points towards the canvas.
-Color withDepth(const Color& color, double depthMm, const DepthRange& range)
-{
-    const Palette& tones = palette(ThemeMode::Dark);
-    const double spanMm = std::max(1.0, range.farMm - range.nearMm);
-    const double farness = std::clamp((depthMm - range.nearMm) / spanMm, 0.0, 1.0);
-    return farness < 0.5 ? mixed(tones.textStrong, color, 0.3 + 1.4 * farness)
-                         : mixed(color, tones.canvas, 1.5 * (farness - 0.5));
-}
-
-/// Colour of every point of one branch.
-class PointColors {
-public:
-    PointColors(const OverlayContent& content, int branchId, const Color& plain)
-        : plain_(plain), depth_(content.depthCue == DepthCue::None ? std::nullopt : std::optional(content.depthRange))
-    {
-        const auto found = content.residualPx.find(branchId);
-        if (content.scaleMaximumPx > 0.0 && found != content.residualPx.end()) {
-            residualPx_ = &found->second;
-            maximumPx_ = content.scaleMaximumPx;
-        }
-    }
-    Color operator()(const ProjectedPoint& point) const
-    {
-        if (depth_) {
-            return withDepth(plain_, point.depthMm, *depth_);
-        }
-        const bool isKnown =
-            residualPx_ && point.index < residualPx_->size() && std::isfinite((*residualPx_)[point.index]);
-        return isKnown ? residualTone((*residualPx_)[point.index], maximumPx_) : plain_;
-    }
-
-private:
-    Color plain_;
-    std::optional<DepthRange> depth_;   ///< instead of residuals
-    const std::vector<double>* residualPx_ = nullptr;
-    double maximumPx_ = 0.0;
-};
-
-StrokeLine centreOf(const std::vector<ProjectedPoint>& run, const DeviceFromImage& device, const PointColors& colors)
-{
-    StrokeLine line;
-    line.reserve(run.size());
-    for (const ProjectedPoint& point : run) {
-        line.push_back({device * point.px, colors(point)});
-    }
-    return line;
-}
-
-/// The vessel's edge: the centreline moved sideways by its radius, to the left (+1) or right (−1).
-StrokeLine edgeOf(const std::vector<ProjectedPoint>& run, const DeviceFromImage& device, const PointColors& colors,
+/// The vessel's left (+1) or right (−1) edge, or its centreline (0).
+StrokeLine edgeOf(const std::vector<ProjectedPoint>& run, const DeviceFromImage& device, const PointTones& tones,
                   double side)
 {
-    std::vector<Eigen::Vector2d> centre;
-    centre.reserve(run.size());
-    for (const ProjectedPoint& point : run) {
-        centre.push_back(point.px);
-    }
-    const std::vector<Eigen::Vector2d> tangents = core::tangentsOf(centre, 3);
     StrokeLine line;
     line.reserve(run.size());
-    for (std::size_t i = 0; i < run.size(); ++i) {
-        const Eigen::Vector2d normal(-tangents[i].y(), tangents[i].x());
-        line.push_back({device * (run[i].px + side * run[i].radiusPx * normal), colors(run[i])});
+    for (const ProjectedPoint& point : run) {
+        line.push_back({device * point.edgePx(side), tones(point)});
     }
     return line;
 }
@@ -118,16 +59,15 @@ std::vector<StrokeLine> visibleParts(const StrokeLine& line, LinePattern pattern
                                      double lineWidthPx)
 {
     const Box near = boxAround(device, clipMarginPx);
-    const StrokeLine simple = thinned(line, strokeThinningPx);
     if (pattern == LinePattern::Solid) {
-        return clipped(simple, near.lower, near.upper);
+        return clipped(thinned(line, strokeThinningPx), near.lower, near.upper);
     }
     const Box far = boxAround(device, farPx);
-    const DashPattern dashes{3.5 * lineWidthPx, 3.0 * lineWidthPx};
+    const DashPattern dashes{branchDashes[0] * lineWidthPx, branchDashes[1] * lineWidthPx};
     std::vector<StrokeLine> parts;
-    for (const StrokeLine& part : clipped(simple, far.lower, far.upper)) {
+    for (const StrokeLine& part : clipped(line, far.lower, far.upper)) {
         for (const StrokeLine& dash : dashed(part, dashes)) {
-            append(parts, clipped(dash, near.lower, near.upper));
+            append(parts, clipped(thinned(dash, strokeThinningPx), near.lower, near.upper));
         }
     }
     return parts;
@@ -135,17 +75,17 @@ std::vector<StrokeLine> visibleParts(const StrokeLine& line, LinePattern pattern
 
 BranchLines linesOf(const ProjectedBranch& branch, const OverlayContent& content, const DeviceFromImage& device)
 {
-    BranchLines result{branchStyle(branch.id, content.marks), {}, {}};
-    const PointColors colors(content, branch.id, result.style.color);
+    BranchLines result{&branch, branchStyle(branch.id, content.marks), {}, {}};
+    const PointTones tones(content, branch.id, result.style.color);
     for (const auto& run : branch.runs) {
         const bool asOutline = content.mode != OverlayMode::Centerline && hasRadius(run);
         for (const double side : asOutline ? std::vector<double>{1.0, -1.0} : std::vector<double>{0.0}) {
-            const StrokeLine line = asOutline ? edgeOf(run, device, colors, side) : centreOf(run, device, colors);
+            const StrokeLine line = edgeOf(run, device, tones, side);
             append(result.lines, visibleParts(line, result.style.pattern, device, content.lineWidthPx));
         }
         if (result.style.hasEndDots && !asOutline) {
-            result.ends.push_back({device * run.front().px, colors(run.front())});
-            result.ends.push_back({device * run.back().px, colors(run.back())});
+            result.ends.push_back({device * run.front().px, tones(run.front())});
+            result.ends.push_back({device * run.back().px, tones(run.back())});
         }
     }
     return result;
@@ -162,7 +102,7 @@ StrokeLine inOneColor(StrokeLine line, const Color& color)
 void addTraced(StrokeMesh& mesh, const OverlayContent& content, const DeviceFromImage& device)
 {
     const Palette& tones = palette(ThemeMode::Dark);
-    const double width = 0.85 * content.lineWidthPx;
+    const double width = tracedWidth * content.lineWidthPx;
     const Box near = boxAround(device, clipMarginPx);
     const Box far = boxAround(device, farPx);
     for (const core::Curve2d& curve : content.traced.curves) {
@@ -170,10 +110,11 @@ void addTraced(StrokeMesh& mesh, const OverlayContent& content, const DeviceFrom
         for (const Eigen::Vector2d& point : curve.pointsPx) {
             line.push_back({device * point, tones.fine});
         }
-        for (const StrokeLine& part : clipped(thinned(line, strokeThinningPx), far.lower, far.upper)) {
-            for (const StrokeLine& dot : dashed(part, {0.1 * width, 2.6 * width})) {
+        for (const StrokeLine& part : clipped(line, far.lower, far.upper)) {
+            for (const StrokeLine& dot : dashed(part, {tracedDots[0] * width, tracedDots[1] * width})) {
                 for (const StrokeLine& shown : clipped(dot, near.lower, near.upper)) {
-                    addLine(mesh, inOneColor(shown, tones.canvas), {width + 1.5, 0.6, 1.5});
+                    addLine(mesh, inOneColor(shown, tones.canvas),
+                            {width + tracedShadePx, tracedShadeOpacity, tracedShadePx});
                     addLine(mesh, shown, {width, 1.0});
                 }
             }
@@ -186,9 +127,9 @@ void addGlow(StrokeMesh& mesh, const BranchLines& branch, double widthPx)
     if (branch.style.glow == Glow::None) {
         return;
     }
-    const double opacity = branch.style.glow == Glow::Strong ? 0.55 : 0.3;
+    const double opacity = glowOpacity(branch.style.glow);
     for (const StrokeLine& line : branch.lines) {
-        addLine(mesh, inOneColor(line, branch.style.color), {3.0 * widthPx, opacity, 4.0 * widthPx});
+        addLine(mesh, inOneColor(line, branch.style.color), {glowWidth * widthPx, opacity, glowFade * widthPx});
     }
 }
 
@@ -196,7 +137,8 @@ void addHalo(StrokeMesh& mesh, const BranchLines& branch, double widthPx, double
 {
     const Color shade = palette(ThemeMode::Dark).canvas;
     for (const StrokeLine& line : branch.lines) {
-        addLine(mesh, inOneColor(line, shade), {widthPx + 1.1 * lineWidthPx, 0.65 * branch.style.opacity, 1.5});
+        addLine(mesh, inOneColor(line, shade),
+                {widthPx + haloWidth * lineWidthPx, haloOpacity * branch.style.opacity, haloFadePx});
     }
 }
 
@@ -206,21 +148,21 @@ void addCore(StrokeMesh& mesh, const BranchLines& branch, double widthPx)
         addLine(mesh, line, {widthPx, branch.style.opacity});
     }
     for (const StrokePoint& end : branch.ends) {
-        addDot(mesh, end, 1.15 * widthPx, branch.style.opacity);
+        addDot(mesh, end, endDotRadius * widthPx, branch.style.opacity);
     }
 }
 
 /// The vessels' insides, translucent, below all lines.
-void addTubes(StrokeMesh& mesh, const OverlayContent& content, const DeviceFromImage& device)
+void addTubes(StrokeMesh& mesh, const std::vector<BranchLines>& branches, const OverlayContent& content,
+              const DeviceFromImage& device)
 {
-    constexpr double inside = 0.32;
-    for (const ProjectedBranch& branch : content.tree) {
-        const BranchStyle style = branchStyle(branch.id, content.marks);
-        const PointColors colors(content, branch.id, style.color);
-        for (const auto& run : branch.runs) {
+    for (const BranchLines& branch : branches) {
+        const BranchStyle& style = branch.style;
+        const PointTones tones(content, branch.source->id, style.color);
+        for (const auto& run : branch.source->runs) {
             if (hasRadius(run)) {
-                addRibbon(mesh, edgeOf(run, device, colors, 1.0), edgeOf(run, device, colors, -1.0),
-                          inside * style.opacity);
+                addRibbon(mesh, edgeOf(run, device, tones, 1.0), edgeOf(run, device, tones, -1.0),
+                          insideOpacity * style.opacity);
             }
         }
     }
@@ -234,20 +176,6 @@ void fade(StrokeMesh& mesh, double opacity)
 }
 
 }   // namespace
-
-DepthRange depthRangeOf(const ProjectedTree& tree)
-{
-    DepthRange range{1e30, -1e30};
-    for (const ProjectedBranch& branch : tree) {
-        for (const auto& run : branch.runs) {
-            for (const ProjectedPoint& point : run) {
-                range.nearMm = std::min(range.nearMm, point.depthMm);
-                range.farMm = std::max(range.farMm, point.depthMm);
-            }
-        }
-    }
-    return range;
-}
 
 Eigen::Vector2d DeviceFromImage::operator*(const Eigen::Vector2d& imagePoint) const
 {
@@ -263,18 +191,18 @@ StrokeMesh overlayStrokes(const OverlayContent& content, const DeviceFromImage& 
     }
     if (content.mode != OverlayMode::Hidden) {
         std::vector<BranchLines> branches;
-        branches.reserve(content.tree.size());
-        for (const ProjectedBranch& branch : content.tree) {
+        branches.reserve(content.projected.size());
+        for (const ProjectedBranch& branch : content.projected) {
             branches.push_back(linesOf(branch, content, device));
         }
         std::stable_sort(branches.begin(), branches.end(),
                          [](const BranchLines& a, const BranchLines& b) { return a.style.rank < b.style.rank; });
-        const double modeFactor = content.mode == OverlayMode::Centerline ? 1.0 : 0.7;
+        const double modeFactor = content.mode == OverlayMode::Centerline ? 1.0 : edgeWidth;
         const auto widthOf = [&](const BranchLines& branch) {
             return modeFactor * branch.style.widthFactor * content.lineWidthPx;
         };
         if (content.mode == OverlayMode::Tube) {
-            addTubes(mesh, content, device);
+            addTubes(mesh, branches, content, device);
         }
         // All dark borders first: at a bifurcation no branch may cut into its neighbour.
         for (const BranchLines& branch : branches) {

@@ -1,5 +1,7 @@
 #include "ui/scenes/projected_tree.h"
 
+#include "core/vessel/polyline.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,7 +25,20 @@ double distanceToRun(const Eigen::Vector2d& point, const std::vector<ProjectedPo
     return nearest;
 }
 
+Eigen::Vector2d directionOnImage(const core::ProjectionCamera& camera, const Eigen::Vector3d& pointInCamera,
+                                 const Eigen::Vector3d& directionInCamera)
+{
+    const Eigen::Vector2d onImage = core::projectionJacobian(camera, pointInCamera) * directionInCamera;
+    return onImage.norm() > 1e-9 ? Eigen::Vector2d(onImage.normalized()) : Eigen::Vector2d(Eigen::Vector2d::Zero());
+}
+
 }   // namespace
+
+std::vector<Eigen::Vector3d> vesselDirections(const std::vector<Eigen::Vector3d>& points)
+{
+    constexpr std::size_t reach = 3;
+    return core::polylineTangents<3>(points, reach);
+}
 
 ProjectedTree projectedTree(const core::VesselTree& tree, const core::ProjectionCamera& camera,
                             const core::RigidTransform& cameraFromPatient)
@@ -32,6 +47,7 @@ ProjectedTree projectedTree(const core::VesselTree& tree, const core::Projection
     result.reserve(tree.branches.size());
     for (const core::VesselBranch& branch : tree.branches) {
         ProjectedBranch projected{branch.id, {}};
+        const std::vector<Eigen::Vector3d> tangents = vesselDirections(branch.pointsInPatient);
         bool isOpen = false;
         for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
             const Eigen::Vector3d pointInCamera = cameraFromPatient * branch.pointsInPatient[i];
@@ -46,7 +62,8 @@ ProjectedTree projectedTree(const core::VesselTree& tree, const core::Projection
             }
             const double radiusMm = branch.radiusMm.empty() ? 0.0 : branch.radiusMm[i];
             projected.runs.back().push_back(
-                {*pixel, radiusMm * std::abs(camera.fx) / pointInCamera.z(), pointInCamera.z(), i});
+                {*pixel, directionOnImage(camera, pointInCamera, cameraFromPatient.rotation * tangents[i]),
+                 radiusMm * std::abs(camera.fx) / pointInCamera.z(), pointInCamera.z(), i});
         }
         result.push_back(std::move(projected));
     }

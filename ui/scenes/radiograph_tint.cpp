@@ -9,8 +9,6 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double deepest = 0.75;   // the angiogram shows through the strongest vessel
-
 /// Between which two source pixels a target pixel lies. Along one axis.
 struct Tap {
     int first = -1;   ///< negative: outside the frame
@@ -48,6 +46,7 @@ std::uint32_t mixed(std::uint32_t below, const Color& tone, float share)
 void RadiographTint::setRadiograph(const core::ImageF& radiograph)
 {
     share_ = radiograph;
+    revision_ = nextRevision();
     const float strongest = share_.pixels.empty() ? 1.0F : std::max(1e-6F, *std::ranges::max_element(share_.pixels));
     for (float& pixel : share_.pixels) {
         pixel = std::sqrt(std::max(0.0F, pixel) / strongest);   // thin vessels are seen too
@@ -78,7 +77,7 @@ void RadiographTint::blend(const Place& place, double opacity, Canvas canvas, co
             }
             const float above = upper[u.first] + u.shareOfSecond * (upper[u.second] - upper[u.first]);
             const float below = lower[u.first] + u.shareOfSecond * (lower[u.second] - lower[u.first]);
-            const float share = static_cast<float>(deepest * opacity) * (above + v.shareOfSecond * (below - above));
+            const float share = static_cast<float>(deepestTint * opacity) * (above + v.shareOfSecond * (below - above));
             if (share > 0.002F) {
                 row[x] = mixed(row[x], tone, share);
             }

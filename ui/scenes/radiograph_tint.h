@@ -2,10 +2,15 @@
 
 #include "core/imaging/image2d.h"
 #include "ui/scenes/canvas.h"
+#include "ui/scenes/revision.h"
 #include "ui/scenes/row_bands.h"
 #include "ui/scenes/view_rect.h"
 
+#include <cstdint>
+
 namespace angiopose::ui {
+
+inline constexpr double deepestTint = 0.75;   ///< the angiogram shows through the strongest vessel
 
 /// A radiograph of the vessels over the angiogram: a tint in the colour of what is chosen, deepest at the strongest
 /// vessel.
@@ -13,6 +18,8 @@ class RadiographTint {
 public:
     /// `radiograph` covers the whole frame at any resolution, vessels bright on 0; empty: nothing is shown.
     void setRadiograph(const core::ImageF& radiograph);
+    const core::ImageF& share() const { return share_; }   ///< of the tint, 0 … 1
+    std::uint64_t revision() const { return revision_; }   ///< changes with the radiograph
     bool isEmpty() const { return share_.pixels.empty(); }
 
     /// A frame's size and the part of it that a canvas shows.
@@ -23,7 +30,8 @@ public:
     void blend(const Place& place, double opacity, Canvas canvas, const Rows& rows) const;
 
 private:
-    core::ImageF share_;   ///< of the tint, 0 … 1
+    core::ImageF share_;
+    std::uint64_t revision_ = nextRevision();
 };
 
 }   // namespace angiopose::ui

@@ -2,6 +2,7 @@
 
 #include "core/messages/says.h"
 #include "ui/scenes/burn_text.h"
+#include "ui/scenes/overlay_painter.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -44,15 +45,16 @@ void copyRows(const std::vector<std::uint32_t>& rows, std::size_t pixelCount, st
 }
 
 /// What the scene shows of its view rectangle, drawn band by band to keep memory small at any picture size.
-core::ColorImage drawBands(OverlayScene& scene, int width, int height)
+core::ColorImage drawBands(const OverlayScene& scene, int width, int height)
 {
     core::ColorImage picture{width, height, {}};
     const auto rowLength = static_cast<std::size_t>(width);
     picture.rgb.resize(3 * rowLength * static_cast<std::size_t>(height));
     std::vector<std::uint32_t> band(rowLength * static_cast<std::size_t>(std::min(height, bandHeight)));
+    OverlayPainter painter;
     for (int top = 0; top < height; top += bandHeight) {
         const Canvas canvas{band.data(), width, std::min(bandHeight, height - top)};
-        scene.drawRows(canvas, top, height);
+        painter.drawRows(scene, canvas, top, height);
         copyRows(band, canvas.pixelCount(), picture.rgb.data() + 3 * rowLength * static_cast<std::size_t>(top));
     }
     return picture;

@@ -1,6 +1,7 @@
 #include "ui/views/angiogram_view.h"
 
 #include "ui/views/angiogram_interaction.h"
+#include "ui/views/gl_overlay.h"
 #include "ui/words/spoken.h"
 
 #include <algorithm>

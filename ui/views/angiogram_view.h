@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/imaging/display_range.h"
-#include "ui/scenes/overlay_scene.h"
+#include "ui/scenes/overlay_painter.h"
 #include "ui/scenes/render_offscreen.h"
 #include "ui/views/mouse_preset.h"
 
@@ -15,6 +15,7 @@ class QPainter;
 
 namespace angiopose::ui {
 
+class GlOverlay;
 class ImageTool;
 
 /// The angiogram with the projected tree: window/level, pan and zoom by dragging as the mouse preset says, zoom also by
@@ -95,6 +96,7 @@ protected:
 private:
     struct Interaction;
     void drawPicture();
+    void render(Canvas canvas, const StrokeMesh& above);
     void placeCutout(const QPointF& position);
     QSize deviceSize() const;
     QString sideMark() const;
@@ -124,6 +126,9 @@ private:
 
         bool operator==(const PictureState&) const = default;
     };
+    OverlayPainter painter_;
+    std::unique_ptr<GlOverlay> gl_;   ///< draws instead of the painter where it was chosen
+    bool isRendererKnown_ = false;
     QImage picture_;   ///< angiogram with tree and handles, in device px
     std::optional<PictureState> drawn_;   ///< not set: with a tool, whose strokes change at will
     int renderCount_ = 0;

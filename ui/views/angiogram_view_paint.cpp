@@ -1,8 +1,11 @@
 // The drawing half of AngiogramView.
 #include "ui/actions/key_hint.h"
+#include "ui/scenes/fill_strokes.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_interaction.h"
 #include "ui/views/cutout_edge.h"
+#include "ui/views/gl_driver.h"
+#include "ui/views/gl_overlay.h"
 #include "ui/views/pivot_mark.h"
 
 #include <QPainter>
@@ -106,15 +109,25 @@ void AngiogramView::drawPicture()
         return;   // only what lies over it changed
     }
     drawn_ = wanted;
-    scene_.draw(canvas);
+    render(canvas, interaction_->tool ? interaction_->tool->strokes(canvas.height) : StrokeMesh{});
+}
+
+void AngiogramView::render(Canvas canvas, const StrokeMesh& above)
+{
+    if (!std::exchange(isRendererKnown_, true) && chosenRenderer() == Renderer::Vtk) {
+        gl_ = std::make_unique<GlOverlay>();
+    }
+    if (gl_ && gl_->isReady()) {
+        gl_->draw(scene_, isFromSource(), above, canvas);
+        return;
+    }
+    painter_.draw(scene_, canvas);
     if (isFromSource()) {
         for (int row = 0; row < canvas.height; ++row) {
             std::reverse(canvas.row(row), canvas.row(row) + canvas.width);
         }
     }
-    if (interaction_->tool) {
-        interaction_->tool->drawStrokes(canvas);
-    }
+    fillStrokes(above, canvas.height, canvas);
 }
 
 void AngiogramView::paintEvent(QPaintEvent*)

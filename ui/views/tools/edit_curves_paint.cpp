@@ -1,6 +1,5 @@
 // What EditCurvesTool draws: curves, brush, region, path under way.
 #include "core/tracing/edit_centerline.h"
-#include "ui/scenes/fill_strokes.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/edit_curves_tool.h"
@@ -55,88 +54,88 @@ Eigen::Vector2d nearestPoint(const core::Centerline2d& curves, int id, const Eig
 
 }   // namespace
 
-Eigen::Vector2d EditCurvesTool::onCanvas(const Eigen::Vector2d& imagePx, Canvas canvas) const
+Eigen::Vector2d EditCurvesTool::onCanvas(const Eigen::Vector2d& imagePx, int heightPx) const
 {
     const QPointF at = view().widgetFromImage(imagePx) * view().devicePixelRatio();
-    return {at.x(), canvas.height - at.y()};
+    return {at.x(), heightPx - at.y()};
 }
 
 StrokeLine EditCurvesTool::lineOnCanvas(const std::vector<Eigen::Vector2d>& points, const Color& tone,
-                                        Canvas canvas) const
+                                        int heightPx) const
 {
     StrokeLine line;
     for (const Eigen::Vector2d& point : points) {
         const bool isTouched = brushes() && (point - mouse_->imagePx).norm() <= brushPx();
-        line.push_back({onCanvas(point, canvas), isTouched ? curveTones().attention : tone});
+        line.push_back({onCanvas(point, heightPx), isTouched ? curveTones().attention : tone});
     }
     return thinned(line, curveThinningPx);
 }
 
-void EditCurvesTool::drawStrokes(Canvas canvas) const
+StrokeMesh EditCurvesTool::strokes(int heightPx) const
 {
     StrokeMesh mesh;
-    addCurves(mesh, canvas);
-    addRegion(mesh, canvas);
-    addPath(mesh, canvas);
+    addCurves(mesh, heightPx);
+    addRegion(mesh, heightPx);
+    addPath(mesh, heightPx);
     if (brushes()) {
-        addBrush(mesh, canvas);
+        addBrush(mesh, heightPx);
     }
-    fillStrokes(mesh, canvas.height, canvas);
+    return mesh;
 }
 
-void EditCurvesTool::addCurves(StrokeMesh& mesh, Canvas canvas) const
+void EditCurvesTool::addCurves(StrokeMesh& mesh, int heightPx) const
 {
     const double ratio = view().devicePixelRatio();
     const double width = curveWidth * ratio;
     if (isDragging_) {
         for (const core::Curve2d& curve : curves_.curves) {   // what goes stays visible, faintly
-            addLine(mesh, lineOnCanvas(curve.pointsPx, curveTones().hint, canvas), {width, 0.6});
+            addLine(mesh, lineOnCanvas(curve.pointsPx, curveTones().hint, heightPx), {width, 0.6});
         }
     }
     for (const core::Curve2d& curve : shown_.curves) {
         const bool isSuspect = std::ranges::find(suspects_, curve.id) != suspects_.end();
         if (curve.id == hovered_ || curve.id == chosenSuspect_) {
-            addShadowedLine(mesh, lineOnCanvas(curve.pointsPx, curveTones().textStrong, canvas), 2.0 * width, 1.0);
+            addShadowedLine(mesh, lineOnCanvas(curve.pointsPx, curveTones().textStrong, heightPx), 2.0 * width, 1.0);
         } else if (isSuspect) {
-            addDashes(mesh, lineOnCanvas(curve.pointsPx, curveTones().attention, canvas), width, 7.0 * ratio);
+            addDashes(mesh, lineOnCanvas(curve.pointsPx, curveTones().attention, heightPx), width, 7.0 * ratio);
         } else {
-            addShadowedLine(mesh, lineOnCanvas(curve.pointsPx, curveTones().accent, canvas), width, 1.0);
+            addShadowedLine(mesh, lineOnCanvas(curve.pointsPx, curveTones().accent, heightPx), width, 1.0);
         }
     }
     if (hovered_ >= 0 && edit_ == CurveEdit::Cut) {
-        addDot(mesh, {onCanvas(nearestPoint(curves_, hovered_, mouse_->imagePx), canvas), curveTones().attention},
+        addDot(mesh, {onCanvas(nearestPoint(curves_, hovered_, mouse_->imagePx), heightPx), curveTones().attention},
                5.0 * ratio, 1.0);
     }
 }
 
-void EditCurvesTool::addRegion(StrokeMesh& mesh, Canvas canvas) const
+void EditCurvesTool::addRegion(StrokeMesh& mesh, int heightPx) const
 {
     const double ratio = view().devicePixelRatio();
     if (std::vector<Eigen::Vector2d> ring = outline(); isDragging_ && ring.size() > 1) {
         ring.push_back(ring.front());
         const Color& tone = isKeeping_ ? curveTones().textStrong : curveTones().attention;
-        addDashes(mesh, lineOnCanvas(ring, tone, canvas), 1.4 * ratio, 5.0 * ratio);
+        addDashes(mesh, lineOnCanvas(ring, tone, heightPx), 1.4 * ratio, 5.0 * ratio);
     }
 }
 
-void EditCurvesTool::addPath(StrokeMesh& mesh, Canvas canvas) const
+void EditCurvesTool::addPath(StrokeMesh& mesh, int heightPx) const
 {
     const double ratio = view().devicePixelRatio();
     const double width = curveWidth * ratio;
-    addShadowedLine(mesh, lineOnCanvas(path_.points(), curveTones().textStrong, canvas), width, 1.0);
-    addDashes(mesh, lineOnCanvas(path_.aimed(), curveTones().textStrong, canvas), width, 5.0 * ratio);
+    addShadowedLine(mesh, lineOnCanvas(path_.points(), curveTones().textStrong, heightPx), width, 1.0);
+    addDashes(mesh, lineOnCanvas(path_.aimed(), curveTones().textStrong, heightPx), width, 5.0 * ratio);
     for (const Eigen::Vector2d& anchor : path_.anchors()) {
-        addDot(mesh, {onCanvas(anchor, canvas), curveTones().textStrong}, 4.0 * ratio, 1.0);
+        addDot(mesh, {onCanvas(anchor, heightPx), curveTones().textStrong}, 4.0 * ratio, 1.0);
     }
 }
 
-void EditCurvesTool::addBrush(StrokeMesh& mesh, Canvas canvas) const
+void EditCurvesTool::addBrush(StrokeMesh& mesh, int heightPx) const
 {
     StrokeLine circle;
     for (int k = 0; k <= 48; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / 48;
         const Eigen::Vector2d onRim = mouse_->imagePx + brushPx() * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-        circle.push_back({onCanvas(onRim, canvas), curveTones().textStrong});
+        circle.push_back({onCanvas(onRim, heightPx), curveTones().textStrong});
     }
     addShadowedLine(mesh, circle, 1.4 * view().devicePixelRatio(), 0.9);
 }

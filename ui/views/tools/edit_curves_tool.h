@@ -56,7 +56,7 @@ public:
     bool picksBranches() const override { return false; }
     bool hidesOverlay() const override { return true; }
     std::optional<QCursor> cursor(bool isDragging) const override;
-    void drawStrokes(Canvas canvas) const override;
+    StrokeMesh strokes(int heightPx) const override;
     void paint(QPainter& painter) const override;
 
 signals:
@@ -82,12 +82,12 @@ private:
     void suspectKey(const QKeyEvent& event);
     void chooseSuspect(int step);
     void decide(int curveId, bool isVessel);
-    Eigen::Vector2d onCanvas(const Eigen::Vector2d& imagePx, Canvas canvas) const;
-    StrokeLine lineOnCanvas(const std::vector<Eigen::Vector2d>& points, const Color& tone, Canvas canvas) const;
-    void addCurves(StrokeMesh& mesh, Canvas canvas) const;
-    void addRegion(StrokeMesh& mesh, Canvas canvas) const;
-    void addPath(StrokeMesh& mesh, Canvas canvas) const;
-    void addBrush(StrokeMesh& mesh, Canvas canvas) const;
+    Eigen::Vector2d onCanvas(const Eigen::Vector2d& imagePx, int heightPx) const;
+    StrokeLine lineOnCanvas(const std::vector<Eigen::Vector2d>& points, const Color& tone, int heightPx) const;
+    void addCurves(StrokeMesh& mesh, int heightPx) const;
+    void addRegion(StrokeMesh& mesh, int heightPx) const;
+    void addPath(StrokeMesh& mesh, int heightPx) const;
+    void addBrush(StrokeMesh& mesh, int heightPx) const;
 
     core::Centerline2d curves_;
     core::Centerline2d shown_;   ///< with the drag under way

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/scenes/canvas.h"
+#include "ui/scenes/stroke_mesh.h"
 #include "ui/theme/theme.h"
 
 #include <Eigen/Core>
@@ -54,7 +54,10 @@ public:
     virtual bool picksBranches() const { return true; }   ///< false: the tree does not answer the mouse
     virtual bool hidesOverlay() const { return false; }   ///< tree and traced curves would be in the way
     virtual std::optional<QCursor> cursor(bool /*isDragging*/) const { return std::nullopt; }
-    virtual void drawStrokes(Canvas) const {}   ///< device px, above the tree
+    virtual StrokeMesh strokes(int /*heightPx*/) const
+    {
+        return {};
+    }   ///< above the tree; of a picture so high, device px
     virtual void paint(QPainter&) const {}   ///< widget px, above everything
 
 protected:

@@ -1,6 +1,5 @@
 #include "ui/views/tools/nudge_tool.h"
 
-#include "ui/scenes/fill_strokes.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/roll_cursor.h"
 #include "ui/words/number.h"
@@ -169,11 +168,11 @@ PoseHandleLook NudgeTool::look() const
     return shown;
 }
 
-void NudgeTool::drawStrokes(Canvas canvas) const
+StrokeMesh NudgeTool::strokes(int heightPx) const
 {
     PoseHandleLook shown = look();
-    shown.centre.y() = canvas.height - shown.centre.y();
-    fillStrokes(poseHandleStrokes(shown), canvas.height, canvas);
+    shown.centre.y() = heightPx - shown.centre.y();
+    return poseHandleStrokes(shown);
 }
 
 /// What is grasped, or how far it has been dragged, in words beside it.

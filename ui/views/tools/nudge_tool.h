@@ -26,7 +26,7 @@ public:
     bool takesKey(const QKeyEvent& event) const override;
     void keyPress(const QKeyEvent& event) override;
     std::optional<QCursor> cursor(bool isDragging) const override;
-    void drawStrokes(Canvas canvas) const override;
+    StrokeMesh strokes(int heightPx) const override;
     void paint(QPainter& painter) const override;
 
 signals:

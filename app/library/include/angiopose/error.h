@@ -4,13 +4,15 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace angiopose {
 
 /// Something to tell the user: `id` is for programs and stays when words change, `text` is the English sentence.
 struct Message {
-    std::string id;   ///< "text.plain" where a sentence has no id of its own
+    std::string id;   ///< "text.plain" where a sentence has none of its own
     std::string text;
+    std::vector<std::string> arguments;   ///< what fills the sentence: names, numbers with their unit
 };
 
 /// Every function that cannot do its work throws this: `what()` says which file or value, the problem, the remedy.

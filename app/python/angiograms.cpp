@@ -1,0 +1,113 @@
+#include "angiopose/angiogram.h"
+
+#include "app/python/arrays.h"
+#include "app/python/work.h"
+
+namespace angiopose::python {
+namespace {
+
+Angiogram angiogramOf(const Array<float>& frames, Polarity polarity, const CArm& cArm)
+{
+    checkShape(frames.ndim() == 3 || frames.ndim() == 2, "frames", "(frames, height, width)");
+    const bool isOne = frames.ndim() == 2;
+    const int height = static_cast<int>(frames.shape(isOne ? 0 : 1));
+    const int width = static_cast<int>(frames.shape(isOne ? 1 : 2));
+    const py::ssize_t size = py::ssize_t(height) * width;
+    std::vector<Image> images;
+    for (py::ssize_t i = 0; i < (isOne ? 1 : frames.shape(0)); ++i) {
+        const float* first = frames.data() + i * size;
+        images.push_back({width, height, {first, first + size}});
+    }
+    return withoutLock([&] { return Angiogram(images, polarity, cArm); });
+}
+
+void bindRun(py::module_& module)
+{
+    py::class_<Angiogram>(module, "Angiogram", "One X-ray run: frames of equal size with the geometry of its header.")
+        .def(py::init(&angiogramOf), py::arg("frames"), py::arg("polarity") = Polarity::VesselsDark,
+             py::arg_v("cArm", CArm(), "CArm()"),
+             "frames: (frames, height, width), or (height, width); copied as float32.")
+        .def_property_readonly("width", &Angiogram::width, "columns, px")
+        .def_property_readonly("height", &Angiogram::height, "rows, px")
+        .def_property_readonly("frameCount", &Angiogram::frameCount)
+        .def(
+            "frame",
+            [](const py::object& self, int frame) {
+                const auto& run = self.cast<const Angiogram&>();
+                return viewOf(run.pixels(frame).data(), {run.height(), run.width()}, self);
+            },
+            py::arg("frame"), "(height, width) float32: a read-only view of the stored values.")
+        .def_property_readonly("polarity", &Angiogram::polarity)
+        .def_property_readonly("cArm", &Angiogram::cArm)
+        .def_property_readonly("frameTimeMs", &Angiogram::frameTimeMs, "0: not known")
+        .def_property_readonly("suggestedFrame", &Angiogram::suggestedFrame, "the fullest frame")
+        .def_property_readonly("warnings", &Angiogram::warnings, "of reading");
+}
+
+void bindTrace(py::module_& module)
+{
+    const TraceOptions usual;
+    py::class_<TraceOptions>(module, "TraceOptions",
+                             "Lengths in px of a frame of 512 x 512; in larger frames they grow along.")
+        .def(py::init([](double minVesselRadiusPx, double maxVesselRadiusPx, int minBranchLengthPx,
+                         int minComponentLengthPx, double sensitivity) {
+                 return TraceOptions{minVesselRadiusPx, maxVesselRadiusPx, minBranchLengthPx, minComponentLengthPx,
+                                     sensitivity};
+             }),
+             py::kw_only(), py::arg("minVesselRadiusPx") = usual.minVesselRadiusPx,
+             py::arg("maxVesselRadiusPx") = usual.maxVesselRadiusPx,
+             py::arg("minBranchLengthPx") = usual.minBranchLengthPx,
+             py::arg("minComponentLengthPx") = usual.minComponentLengthPx, py::arg("sensitivity") = usual.sensitivity)
+        .def_readwrite("minVesselRadiusPx", &TraceOptions::minVesselRadiusPx, "thinnest vessel looked for")
+        .def_readwrite("maxVesselRadiusPx", &TraceOptions::maxVesselRadiusPx, "widest vessel looked for")
+        .def_readwrite("minBranchLengthPx", &TraceOptions::minBranchLengthPx, "shorter spurs are removed")
+        .def_readwrite("minComponentLengthPx", &TraceOptions::minComponentLengthPx, "shorter pieces are removed")
+        .def_readwrite("sensitivity", &TraceOptions::sensitivity, "above 1: fainter vessels too");
+
+    py::class_<AngiogramTrace>(module, "AngiogramTrace", "What tracing found in one frame. Arrays are read-only views.")
+        .def_readonly("centerline", &AngiogramTrace::centerline)
+        .def_readonly("suspectCurves", &AngiogramTrace::suspectCurves,
+                      "ids of curves that may be catheters, wires or edges of bones")
+        .def_property_readonly(
+            "vesselness",
+            [](const py::object& self) { return viewOf(self.cast<const AngiogramTrace&>().vesselness, self); },
+            "(height, width) float32, 0...1")
+        .def_property_readonly(
+            "vesselMask",
+            [](const py::object& self) { return viewOf(self.cast<const AngiogramTrace&>().vesselMask, self); },
+            "(height, width) uint8, not 0: vessel")
+        .def_property_readonly(
+            "fieldMask",
+            [](const py::object& self) { return viewOf(self.cast<const AngiogramTrace&>().fieldMask, self); },
+            "(height, width) uint8, not 0: the image is exposed there");
+}
+
+}   // namespace
+
+void bindAngiograms(py::module_& module)
+{
+    py::enum_<Polarity>(module, "Polarity")
+        .value("VesselsDark", Polarity::VesselsDark)
+        .value("VesselsBright", Polarity::VesselsBright);
+    bindRun(module);
+    bindTrace(module);
+    const py::call_guard<py::gil_scoped_release> unlocked;
+    module.def("readAngiogram", &readAngiogram, py::arg("path"), unlocked,
+               "From DICOM XA (single and multi-frame), PNG, TIFF or JPEG.");
+    module.def("writeAngiogram", &writeAngiogram, py::arg("angiogram"), py::arg("path"), unlocked,
+               "To uncompressed multi-frame 16-bit DICOM XA with the geometry of its C-arm.");
+    module.def(
+        "traceAngiogram",
+        [](const Array<float>& frame, Polarity polarity, const TraceOptions& options) {
+            const Image image = imageOf(frame, "frame");
+            return withoutLock([&] { return traceAngiogram(image, polarity, options); });
+        },
+        py::arg("frame"), py::arg("polarity") = Polarity::VesselsDark,
+        py::arg_v("options", TraceOptions(), "TraceOptions()"), "The vessels of one picture (height, width).");
+    module.def("traceFrame", &traceFrame, py::arg("run"), py::arg("frame"),
+               py::arg_v("options", TraceOptions(), "TraceOptions()"), unlocked,
+               "The vessels of one frame of a run, with less noise where the run stands still. This is what\n"
+               "registering a case uses.");
+}
+
+}   // namespace angiopose::python

@@ -1,0 +1,59 @@
+#include "angiopose/error.h"
+#include "angiopose/version.h"
+#include "app/python/arrays.h"
+#include "app/python/work.h"
+
+namespace angiopose::python {
+namespace {
+
+void raise(const py::handle& type, const Error& error)
+{
+    const py::object raised = type(error.what());
+    raised.attr("id") = error.id();
+    PyErr_SetObject(type.ptr(), raised.ptr());
+}
+
+}   // namespace
+
+void bindErrors(py::module_& module)
+{
+    py::class_<Message>(module, "Message", "Something to tell the user: `id` stays when words change.")
+        .def_readonly("id", &Message::id, "For programs; \"text.plain\" where a sentence has no id of its own.")
+        .def_readonly("text", &Message::text, "The English sentence.")
+        .def_readonly("arguments", &Message::arguments, "What fills the sentence: names, numbers with their unit.")
+        .def("__str__", [](const Message& message) { return message.text; })
+        .def("__repr__", [](const Message& message) { return "<Message " + message.id + ": " + message.text + ">"; });
+
+    // Kept for ever: the interpreter may be gone when statics are destroyed.
+    static const py::handle errorType = py::exception<Error>(module, "Error", PyExc_RuntimeError).release();
+    static const py::handle stoppedType = py::exception<Stopped>(module, "Stopped", errorType).release();
+    errorType.attr("__doc__") =
+        "Work that cannot be done: which file or value, the problem, the remedy; `id` is for programs.";
+    stoppedType.attr("__doc__") = "The observer stopped work that has nothing to give back: reading, tracing.";
+    py::register_exception_translator([](std::exception_ptr thrown) {
+        try {
+            std::rethrow_exception(thrown);
+        } catch (const Stopped& stopped) {
+            raise(stoppedType, stopped);
+        } catch (const Error& error) {
+            raise(errorType, error);
+        }
+    });
+}
+
+}   // namespace angiopose::python
+
+PYBIND11_MODULE(_angiopose, module)
+{
+    using namespace angiopose::python;
+    module.attr("__name__") = "angiopose";   // where the classes are seen
+    module.attr("__version__") = angiopose::version();
+    bindErrors(module);
+    bindGeometry(module);
+    bindVessels(module);
+    bindAngiograms(module);
+    bindVolumes(module);
+    bindOptions(module);
+    bindRegistration(module);
+    bindCases(module);
+}

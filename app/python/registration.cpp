@@ -1,0 +1,196 @@
+#include "angiopose/registration.h"
+
+#include "app/python/arrays.h"
+#include "app/python/work.h"
+
+namespace angiopose::python {
+namespace {
+
+using OptionalImage = std::optional<Array<float>>;
+
+RegistrationInput inputFrom(const VesselTree& tree, const Centerline2d& target, const ProjectionCamera& camera,
+                            const Pose& initialCameraFromPatient, const std::vector<int>& excludedBranchIds,
+                            const std::vector<int>& auxiliaryBranchIds, const OptionalImage& image, Polarity polarity,
+                            const std::optional<Volume>& volume, const std::optional<Pose>& lockReference,
+                            const std::optional<Eigen::Vector3d>& lockPivotInPatient)
+{
+    return {tree,
+            target,
+            camera,
+            initialCameraFromPatient,
+            excludedBranchIds,
+            auxiliaryBranchIds,
+            image ? imageOf(*image, "image") : Image(),
+            polarity,
+            volume,
+            lockReference,
+            lockPivotInPatient};
+}
+
+/// A field that is given away as a copy, so that arrays of it stay when the field is set.
+template <auto Field>
+auto copied()
+{
+    return [](const RegistrationInput& input) { return input.*Field; };
+}
+
+void bindInput(py::module_& module)
+{
+    using Input = RegistrationInput;
+    py::class_<Input>(module, "RegistrationInput",
+                      "Everything one registration needs; the first four tell the problem.")
+        .def(py::init(&inputFrom), py::arg("tree"), py::arg("target"), py::arg("camera"),
+             py::arg("initialCameraFromPatient"), py::kw_only(), py::arg("excludedBranchIds") = std::vector<int>(),
+             py::arg("auxiliaryBranchIds") = std::vector<int>(), py::arg("image") = py::none(),
+             py::arg("polarity") = Polarity::VesselsDark, py::arg("volume") = py::none(),
+             py::arg("lockReference") = py::none(), py::arg("lockPivotInPatient") = py::none(),
+             "initialCameraFromPatient: (4, 4), where the search begins. image: (height, width), the frame that shows\n"
+             "the target, for methods that look at it.")
+        .def_property("tree", copied<&Input::tree>(), [](Input& input, const VesselTree& tree) { input.tree = tree; })
+        .def_property("target", copied<&Input::target>(),
+                      [](Input& input, const Centerline2d& target) { input.target = target; })
+        .def_readwrite("camera", &Input::camera)
+        .def_property(
+            "initialCameraFromPatient", copied<&Input::initialCameraFromPatient>(),
+            [](Input& input, const Pose& pose) { input.initialCameraFromPatient = pose; },
+            "(4, 4), patient LPS mm to camera mm: where the search begins")
+        .def_readwrite("excludedBranchIds", &Input::excludedBranchIds, "not used at all")
+        .def_readwrite("auxiliaryBranchIds", &Input::auxiliaryBranchIds, "solved first by methods that alternate")
+        .def_property(
+            "image",
+            [](const Input& input) {
+                return py::array_t<float>({input.image.height, input.image.width}, input.image.pixels.data());
+            },
+            [](Input& input, const OptionalImage& image) { input.image = image ? imageOf(*image, "image") : Image(); },
+            "(height, width) float32, a copy; (0, 0): none")
+        .def_readwrite("polarity", &Input::polarity, "of `image`")
+        .def_readwrite("volume", &Input::volume, "the CTA that shows the tree, or None")
+        .def_property(
+            "lockReference", copied<&Input::lockReference>(),
+            [](Input& input, const std::optional<Pose>& pose) { input.lockReference = pose; },
+            "(4, 4), what locked angles are counted from; None: the start")
+        .def_property(
+            "lockPivotInPatient", copied<&Input::lockPivotInPatient>(),
+            [](Input& input, const std::optional<Eigen::Vector3d>& pivot) { input.lockPivotInPatient = pivot; },
+            "(3,), whose place locked shifts keep; None: the centroid");
+}
+
+void bindMetrics(py::module_& module)
+{
+    py::enum_<StopReason>(module, "StopReason")
+        .value("Converged", StopReason::Converged)
+        .value("IterationLimit", StopReason::IterationLimit)
+        .value("NoImprovement", StopReason::NoImprovement)
+        .value("StoppedByUser", StopReason::StoppedByUser);
+
+    py::class_<DistanceMetrics>(module, "DistanceMetrics",
+                                "Closest-point distances over all used tree points; mm at the depth of the centroid.")
+        .def_readonly("meanPx", &DistanceMetrics::meanPx)
+        .def_readonly("medianPx", &DistanceMetrics::medianPx)
+        .def_readonly("p75Px", &DistanceMetrics::p75Px)
+        .def_readonly("p95Px", &DistanceMetrics::p95Px)
+        .def_readonly("meanMm", &DistanceMetrics::meanMm)
+        .def_readonly("medianMm", &DistanceMetrics::medianMm)
+        .def_readonly("p75Mm", &DistanceMetrics::p75Mm)
+        .def_readonly("p95Mm", &DistanceMetrics::p95Mm)
+        .def_readonly("coverage", &DistanceMetrics::coverage, "share of image points within 3 px of the tree, 0...1")
+        .def_readonly("reverseMeanPx", &DistanceMetrics::reverseMeanPx, "image points to the tree")
+        .def_readonly("reverseMeanMm", &DistanceMetrics::reverseMeanMm);
+
+    py::class_<PoseUncertainty>(
+        module, "PoseUncertainty",
+        "Covariance of a pose about the tree's centroid in camera axes. Order: rotation x, y, z\n"
+        "(rad), shift x, y, z (mm).")
+        .def_property_readonly(
+            "covariance", [](const PoseUncertainty& uncertainty) { return uncertainty.covariance; }, "(6, 6)")
+        .def_property_readonly(
+            "rotationDeg", [](const PoseUncertainty& uncertainty) { return uncertainty.rotationDeg; },
+            "(3,), 1-sigma about camera x, y, z")
+        .def_readonly("inPlaneMm", &PoseUncertainty::inPlaneMm, "1-sigma, the larger lateral direction")
+        .def_readonly("depthMm", &PoseUncertainty::depthMm, "1-sigma along the ray")
+        .def_readonly("observed", &PoseUncertainty::observed, "6 flags; False: the image cannot tell")
+        .def_property_readonly(
+            "weakestDirection", [](const PoseUncertainty& uncertainty) { return uncertainty.weakestDirection; },
+            "(6,), unit; rotations times the tree's spread in mm");
+
+    py::class_<BranchResidual>(module, "BranchResidual", "How one branch agrees with the image.")
+        .def_readonly("branchId", &BranchResidual::branchId)
+        .def_readonly("pointCount", &BranchResidual::pointCount)
+        .def_readonly("medianPx", &BranchResidual::medianPx)
+        .def_readonly("p95Px", &BranchResidual::p95Px)
+        .def_readonly("agreement", &BranchResidual::agreement, "share of its points within 3 px, 0...1");
+
+    py::class_<Hypothesis>(module, "Hypothesis", "Another pose that explains the image nearly as well.")
+        .def_property_readonly(
+            "cameraFromPatient", [](const Hypothesis& hypothesis) { return hypothesis.cameraFromPatient; }, "(4, 4)")
+        .def_readonly("score", &Hypothesis::score, "0...1, higher is better");
+}
+
+void bindResults(py::module_& module)
+{
+    using Result = RegistrationResult;
+    py::class_<Result>(module, "RegistrationResult", "A pose, and how far it can be trusted.")
+        .def_readonly("method", &Result::method)
+        .def_property_readonly(
+            "cameraFromPatient", [](const Result& result) { return result.cameraFromPatient; },
+            "(4, 4), patient LPS mm to camera mm")
+        .def_readonly("stopReason", &Result::stopReason)
+        .def_readonly("iterations", &Result::iterations)
+        .def_readonly("metrics", &Result::metrics)
+        .def_readonly("uncertainty", &Result::uncertainty)
+        .def_readonly("branches", &Result::branches, "used branches, in the tree's order")
+        .def_readonly("alternatives", &Result::alternatives, "best first, without the result itself")
+        .def_readonly("trustworthy", &Result::trustworthy, "False: look before you use the pose; `warnings` say why")
+        .def_readonly("warnings", &Result::warnings)
+        .def_readonly("totalMs", &Result::totalMs)
+        .def("__repr__", [](const Result& result) {
+            return "<RegistrationResult " + result.method + ": median " + std::to_string(result.metrics.medianPx) +
+                   " px, " + (result.trustworthy ? "trustworthy>" : "not trustworthy>");
+        });
+
+    py::class_<MultiViewResult>(module, "MultiViewResult", "One tree in several views.")
+        .def_readonly("views", &MultiViewResult::views, "each judged at its joint pose, in the order given")
+        .def_property_readonly(
+            "corrections", [](const MultiViewResult& result) { return result.corrections; },
+            "(6,) each: turn (rad) and shift (mm) of a view's geometry to the first, camera axes")
+        .def_readonly("uncertainty", &MultiViewResult::uncertainty, "of the first view's pose, from all views")
+        .def_readonly("trustworthy", &MultiViewResult::trustworthy)
+        .def_readonly("warnings", &MultiViewResult::warnings);
+}
+
+}   // namespace
+
+void bindRegistration(py::module_& module)
+{
+    bindInput(module);
+    bindMetrics(module);
+    bindResults(module);
+    module.def(
+        "registerVessels",
+        [](const RegistrationInput& input, const RegistrationOptions& options, const py::object& observe) {
+            const Observer observer = observerOf(observe);
+            return withoutLock([&] { return registerVessels(input, options, observer); });
+        },
+        py::arg("input"), py::arg_v("options", RegistrationOptions(), "RegistrationOptions()"),
+        py::arg("observe") = py::none(),
+        "Finds the pose that lays the projected tree onto the image points. The same input gives the same bits.\n"
+        "`observe(progress)` may return Verdict.Stop: the result keeps the best pose. Raises Error on unusable input.");
+    module.def("evaluatePose", &evaluatePose, py::arg("input"), py::arg("cameraFromPatient"),
+               py::call_guard<py::gil_scoped_release>(),
+               "Judges a pose (4, 4) without moving it: metrics, residuals of the branches, covariance, warnings.");
+    module.def(
+        "registerViews",
+        [](const std::vector<RegistrationInput>& views, const RegistrationOptions& options, const py::object& observe) {
+            const Observer observer = observerOf(observe);
+            return withoutLock([&] { return registerViews(views, options, observer); });
+        },
+        py::arg("views"), py::arg_v("options", RegistrationOptions(), "RegistrationOptions()"),
+        py::arg("observe") = py::none(),
+        "Registers one tree to two or more views of the same moment, which tells the depth. The start poses tell how\n"
+        "the cameras stand to each other.");
+    module.def("readPose", &readPose, py::arg("path"), "(4, 4) from .json or an ITK .tfm.");
+    module.def("writePose", &writePose, py::arg("cameraFromPatient"), py::arg("path"),
+               "To .json or .tfm, by the extension; every number restores to the last bit.");
+}
+
+}   // namespace angiopose::python

@@ -1,0 +1,185 @@
+#include "angiopose/volume.h"
+
+#include "app/python/arrays.h"
+#include "app/python/work.h"
+
+namespace angiopose::python {
+namespace {
+
+/// Voxels as NumPy has them: k, j, i.
+std::vector<py::ssize_t> shapeOf(const VolumeGeometry& geometry)
+{
+    return {geometry.size[2], geometry.size[1], geometry.size[0]};
+}
+
+void checkSize(const py::array& voxels, const VolumeGeometry& geometry, const char* name)
+{
+    const std::vector<py::ssize_t> shape = shapeOf(geometry);
+    checkShape(voxels.ndim() == 3 && std::equal(shape.begin(), shape.end(), voxels.shape()), name,
+               "(k, j, i), the size of the geometry in reverse");
+}
+
+void bindGeometryOfVolumes(py::module_& module)
+{
+    py::class_<VolumeGeometry>(
+        module, "VolumeGeometry",
+        "Where voxels lie: voxel (i, j, k) is centred at origin + direction @ (spacing * (i, j, k)).")
+        .def(py::init([](const std::array<int, 3>& size, const Eigen::Vector3d& spacingMm,
+                         const Eigen::Vector3d& originInPatient, const Eigen::Matrix3d& direction) {
+                 return VolumeGeometry{size, spacingMm, originInPatient, direction};
+             }),
+             py::arg("size"), py::arg("spacingMm"), py::arg_v("originInPatient", Eigen::Vector3d(0, 0, 0), "(0, 0, 0)"),
+             py::arg_v("direction", Eigen::Matrix3d(Eigen::Matrix3d::Identity()), "numpy.eye(3)"),
+             "size: voxels along i, j, k. spacingMm: (3,). originInPatient: (3,), LPS mm. direction: (3, 3), columns "
+             "are\n"
+             "the patient directions of i, j, k.")
+        .def_readonly("size", &VolumeGeometry::size, "voxels along i, j, k")
+        .def_property_readonly("spacingMm", [](const VolumeGeometry& geometry) { return geometry.spacingMm; })
+        .def_property_readonly(
+            "originInPatient", [](const VolumeGeometry& geometry) { return geometry.originInPatient; },
+            "(3,), centre of voxel (0, 0, 0), LPS mm")
+        .def_property_readonly(
+            "direction", [](const VolumeGeometry& geometry) { return geometry.direction; },
+            "(3, 3), columns: patient directions of i, j, k");
+}
+
+void bindVolume(py::module_& module)
+{
+    py::class_<Volume>(module, "Volume", "A CT volume of 16-bit voxels; value (HU) = voxel * slope + intercept.")
+        .def(py::init([](const py::object& given, const VolumeGeometry& geometry, double slope, double intercept) {
+                 const auto voxels = wholeNumbers<std::int16_t>(given, "voxels");
+                 checkSize(voxels, geometry, "voxels");
+                 const std::span content(voxels.data(), static_cast<std::size_t>(voxels.size()));
+                 return withoutLock([&] { return Volume(content, geometry, slope, intercept); });
+             }),
+             py::arg("voxels"), py::arg("geometry"), py::arg("slope") = 1.0, py::arg("intercept") = 0.0,
+             "voxels: (k, j, i) int16, copied once.")
+        .def_property_readonly("geometry", &Volume::geometry)
+        .def_property_readonly(
+            "voxels",
+            [](const py::object& self) {
+                const auto& volume = self.cast<const Volume&>();
+                return viewOf(volume.voxels().data(), shapeOf(volume.geometry()), self);
+            },
+            "(k, j, i) int16: a read-only view")
+        .def_property_readonly("slope", &Volume::slope)
+        .def_property_readonly("intercept", &Volume::intercept);
+}
+
+void bindOptionsOfTracing(py::module_& module)
+{
+    using Places = std::optional<Array<double>>;
+    const auto placesOf = [](const Places& places, const char* name) {
+        return places ? pointsOf<3>(*places, name) : std::vector<Eigen::Vector3d>();
+    };
+    py::class_<VesselTracingOptions>(module, "VesselTracingOptions",
+                                     "One set of defaults for every scan; places LPS mm.")
+        .def(py::init([placesOf](std::optional<double> threshold, const Places& seedsInPatient,
+                                 const Places& avoidInPatient, const std::optional<Eigen::Vector3d>& rootInPatient,
+                                 double minBranchLengthMm, double minBranchRadiusMm, double pointSpacingMm,
+                                 int threads) {
+                 return VesselTracingOptions{threshold,
+                                             placesOf(seedsInPatient, "seedsInPatient"),
+                                             placesOf(avoidInPatient, "avoidInPatient"),
+                                             rootInPatient,
+                                             minBranchLengthMm,
+                                             minBranchRadiusMm,
+                                             pointSpacingMm,
+                                             threads};
+             }),
+             py::kw_only(), py::arg("threshold") = py::none(), py::arg("seedsInPatient") = py::none(),
+             py::arg("avoidInPatient") = py::none(), py::arg("rootInPatient") = py::none(),
+             py::arg("minBranchLengthMm") = 4.0, py::arg("minBranchRadiusMm") = 0.0, py::arg("pointSpacingMm") = 1.0,
+             py::arg("threads") = 0,
+             "threshold: HU where the lumen begins; None: found from the blood. seedsInPatient: (n, 3), only vessels\n"
+             "connected to one; None: the great vessel that is found. avoidInPatient: (n, 3), places in what is no\n"
+             "vessel. rootInPatient: (3,); None: the thickest end. threads: 0: all; the result is the same for any.")
+        .def_readwrite("threshold", &VesselTracingOptions::threshold)
+        .def_readwrite("minBranchLengthMm", &VesselTracingOptions::minBranchLengthMm)
+        .def_readwrite("minBranchRadiusMm", &VesselTracingOptions::minBranchRadiusMm)
+        .def_readwrite("pointSpacingMm", &VesselTracingOptions::pointSpacingMm)
+        .def_readwrite("threads", &VesselTracingOptions::threads);
+
+    py::class_<VesselReadOptions>(module, "VesselReadOptions", "How the vessels of a file are read.")
+        .def(py::init([](const std::vector<int>& labels, const std::string& seriesId, double unitMm,
+                         const VesselTracingOptions& tracing) {
+                 return VesselReadOptions{labels, seriesId, unitMm, tracing};
+             }),
+             py::kw_only(), py::arg("labels") = std::vector<int>(), py::arg("seriesId") = "", py::arg("unitMm") = 1.0,
+             py::arg_v("tracing", VesselTracingOptions(), "VesselTracingOptions()"))
+        .def_readwrite("labels", &VesselReadOptions::labels, "of a label image: those that are vessels; none: all")
+        .def_readwrite("seriesId", &VesselReadOptions::seriesId, "of a DICOM folder with several series")
+        .def_readwrite("unitMm", &VesselReadOptions::unitMm, "of a surface or centrelines: the length of one unit")
+        .def_readwrite("tracing", &VesselReadOptions::tracing);
+}
+
+void bindTraced(py::module_& module)
+{
+    py::class_<TracedVessels>(module, "TracedVessels", "A vessel tree with what was seen on the way to it.")
+        .def_readonly("tree", &TracedVessels::tree, "root first, then by generation")
+        .def_readonly("lumenGeometry", &TracedVessels::lumenGeometry)
+        .def_property_readonly(
+            "lumen",
+            [](const py::object& self) {
+                const auto& vessels = self.cast<const TracedVessels&>();
+                return viewOf(vessels.lumen.data(), shapeOf(vessels.lumenGeometry), self);
+            },
+            "(k, j, i) uint8, not 0: what was traced; a read-only view, (0, 0, 0) where nothing was traced")
+        .def_readonly("threshold", &TracedVessels::threshold, "the value at which the lumen begins; 0.5 for masks")
+        .def_readonly("warnings", &TracedVessels::warnings);
+}
+
+TracedVessels traced(const Volume& volume, const VesselTracingOptions& options, const py::object& observe)
+{
+    const Observer observer = observerOf(observe);
+    return withoutLock([&] { return traceVessels(volume, options, observer); });
+}
+
+TracedVessels tracedMask(const py::object& given, const VolumeGeometry& geometry, const VesselTracingOptions& options,
+                         const py::object& observe)
+{
+    const auto mask = wholeNumbers<std::uint8_t>(given, "mask");
+    checkSize(mask, geometry, "mask");
+    const Observer observer = observerOf(observe);
+    const std::span voxels(mask.data(), static_cast<std::size_t>(mask.size()));
+    return withoutLock([&] { return traceMask(voxels, geometry, options, observer); });
+}
+
+}   // namespace
+
+void bindVolumes(py::module_& module)
+{
+    bindGeometryOfVolumes(module);
+    bindVolume(module);
+    bindOptionsOfTracing(module);
+    bindTraced(module);
+    module.def(
+        "readVolume",
+        [](const std::string& path, const std::string& seriesId, const py::object& observe) {
+            const Observer observer = observerOf(observe);
+            return withoutLock([&] { return readVolume(path, seriesId, observer); });
+        },
+        py::arg("path"), py::arg("seriesId") = "", py::arg("observe") = py::none(),
+        "From NIfTI, NRRD, MetaImage or DICOM (a slice, an enhanced file, a folder).");
+    module.def("writeVolume", &writeVolume, py::arg("volume"), py::arg("path"),
+               py::call_guard<py::gil_scoped_release>(), "To .nii, .nii.gz, .nrrd or .mha, by the extension.");
+    module.def("traceVessels", &traced, py::arg("volume"),
+               py::arg_v("options", VesselTracingOptions(), "VesselTracingOptions()"), py::arg("observe") = py::none(),
+               "Contrast-filled vessels of a CT angiogram.");
+    module.def(
+        "traceMask", &tracedMask, py::arg("mask"), py::arg("geometry"),
+        py::arg_v("options", VesselTracingOptions(), "VesselTracingOptions()"), py::arg("observe") = py::none(),
+        "The vessels of a mask (k, j, i; not 0: lumen), taken as it is: its largest piece, or those that hold the\n"
+        "seeds.");
+    module.def(
+        "readVessels",
+        [](const std::string& path, const VesselReadOptions& options, const py::object& observe) {
+            const Observer observer = observerOf(observe);
+            return withoutLock([&] { return readVessels(path, options, observer); });
+        },
+        py::arg("path"), py::arg_v("options", VesselReadOptions(), "VesselReadOptions()"),
+        py::arg("observe") = py::none(),
+        "Vessels from any file that shows some: centrelines are read; scans, label images and surfaces are traced.");
+}
+
+}   // namespace angiopose::python

@@ -1,0 +1,51 @@
+#include "core/support/parallel_for.h"
+
+#include "core/support/at_once.h"
+
+#include <gtest/gtest.h>
+#include <atomic>
+#include <stdexcept>
+#include <string>
+
+using namespace angiopose;
+
+namespace {
+
+using namespace core;
+
+TEST(ParallelFor, WorkOfAHelperThatThrowsReachesTheCaller)
+{
+    std::atomic<int> done{0};
+    const auto work = [&](std::size_t i) {
+        if (i == 3) {
+            throw std::runtime_error("piece 3");
+        }
+        ++done;
+    };
+    for (const int threads : {1, 4}) {
+        EXPECT_THROW(parallelFor(1000, threads, work, [](double) { return true; }), std::runtime_error);
+    }
+    EXPECT_LT(done, 2000);
+}
+
+TEST(ParallelFor, StopLeavesTheRestUndone)
+{
+    EXPECT_FALSE(parallelFor(
+        1000, 2, [](std::size_t) {}, [](double) { return false; }));
+    EXPECT_TRUE(parallelFor(
+        10, 2, [](std::size_t) {}, [](double) { return true; }));
+}
+
+TEST(AtOnce, WhatEitherPieceThrowsReachesTheCallerAfterBothHaveEnded)
+{
+    bool isOtherDone = false;
+    const auto fails = [] { throw std::runtime_error("no"); };
+    const auto works = [&] { isOtherDone = true; };
+    EXPECT_THROW(atOnce(works, fails), std::runtime_error);
+    EXPECT_TRUE(isOtherDone);
+    isOtherDone = false;
+    EXPECT_THROW(atOnce(fails, works), std::runtime_error);
+    EXPECT_TRUE(isOtherDone || std::thread::hardware_concurrency() == 1);
+}
+
+}   // namespace

@@ -1,0 +1,36 @@
+"""The examples, run as they are."""
+
+import os
+import pathlib
+import subprocess
+import sys
+
+examples = pathlib.Path(os.environ["ANGIOPOSE_ROOT"]) / "resources" / "examples" / "python"
+
+
+def run(name, folder, *arguments):
+    done = subprocess.run(
+        [sys.executable, "-B", str(examples / name), *map(str, arguments)], cwd=folder, capture_output=True, text=True
+    )
+    assert done.returncode in (0, 4), done.stderr
+    return done.stdout
+
+
+def test_register_arrays(tmp_path):
+    assert "median 0.0" in run("register_arrays.py", tmp_path)
+
+
+def test_register_case(demo, cli, tmp_path):
+    cli(demo, "register", "case.angiopose", "--output", str(tmp_path / "cli"))
+    run("register_case.py", tmp_path, demo / "case.angiopose", "result.json")
+    ours = (tmp_path / "result.json").read_text().split('"pose"')[1].split("]]")[0]
+    assert ours == (tmp_path / "cli" / "result.json").read_text().split('"pose"')[1].split("]]")[0]
+
+
+def test_trace_image(demo, tmp_path):
+    assert "points" in run("trace_image.py", tmp_path, demo / "angiogram.dcm", "centreline.csv")
+    assert (tmp_path / "centreline.csv").exists()
+
+
+def test_simulate_and_stop(tmp_path):
+    assert "stopped" in run("simulate_and_stop.py", tmp_path)

@@ -1,0 +1,121 @@
+"""Registration and evaluation: the same bits as the command line, Stop, exceptions, errors."""
+
+import json
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import angiopose
+
+
+def test_a_case_gives_what_the_command_line_gives(demo, cli, tmp_path):
+    cli(demo, "register", "case.angiopose", "--output", str(tmp_path / "cli"))
+    theirs = json.loads((tmp_path / "cli" / "result.json").read_text())
+
+    theCase = angiopose.readCase(str(demo / "case.angiopose"))
+    result = angiopose.registerCase(theCase)
+    angiopose.writeResult(theCase, str(tmp_path / "result.json"))
+    ours = json.loads((tmp_path / "result.json").read_text())
+    del theirs["timeMs"], ours["timeMs"]
+
+    assert ours == theirs
+    assert result.cameraFromPatient.tolist() == theirs["pose"]["cameraFromPatient"]
+    assert result.metrics.medianPx == theirs["metrics"]["medianProjectionDistancePx"]
+    assert result.uncertainty.covariance.tolist() == theirs["uncertainty"]["covariance"]
+    assert [warning.text for warning in result.warnings] == [
+        each if isinstance(each, str) else each["text"] for each in theirs["warnings"]
+    ]
+
+
+def test_options_reach_the_solver_as_from_the_command_line(demo, cli, tmp_path):
+    cli(demo, "register", "case.angiopose", "--method", "dynaweight", "--set", "maxIterations=12", "--output", str(tmp_path))
+    theirs = json.loads((tmp_path / "result.json").read_text())
+    arrays = angiopose.inputOf(angiopose.readCase(str(demo / "case.angiopose")))
+    ours = angiopose.registerVessels(arrays, angiopose.RegistrationOptions("dynaweight", maxIterations=12))
+    assert ours.cameraFromPatient.tolist() == theirs["pose"]["cameraFromPatient"]
+    assert ours.method == "dynaweight"
+
+
+def test_arrays_of_ones_own_give_the_same_bits(arrays):
+    tree = angiopose.VesselTree(arrays.tree.points.copy(), list(arrays.tree.branchIds), arrays.tree.radiusMm)
+    target = angiopose.Centerline2d(arrays.target.points, arrays.target.curveIds, arrays.target.radiusPx)
+    rebuilt = angiopose.RegistrationInput(
+        tree, target, arrays.camera, arrays.initialCameraFromPatient, image=arrays.image, lockReference=arrays.lockReference
+    )
+    one, other = angiopose.registerVessels(arrays), angiopose.registerVessels(rebuilt)
+    assert np.array_equal(one.cameraFromPatient, other.cameraFromPatient)
+    assert np.array_equal(one.uncertainty.covariance, other.uncertainty.covariance)
+
+
+def test_the_true_pose_is_judged_better_than_the_start(arrays, simulated):
+    truth = angiopose.evaluatePose(arrays, simulated.trueCameraFromPatient)
+    start = angiopose.evaluatePose(arrays, arrays.initialCameraFromPatient)
+    assert truth.metrics.medianPx < 1.5 < start.metrics.medianPx
+    assert truth.branches[0].pointCount > 0
+
+
+def test_stop_keeps_the_best_pose(arrays):
+    seen = []
+
+    def observe(progress):
+        seen.append((progress.stage, progress.fraction, progress.cameraFromPatient))
+        return angiopose.Verdict.Stop if len(seen) == 2 else None
+
+    result = angiopose.registerVessels(arrays, observe=observe)
+    assert result.stopReason == angiopose.StopReason.StoppedByUser
+    assert len(seen) == 2 and seen[0][1] <= seen[1][1] <= 1.0
+    assert seen[0][2].shape == (4, 4)
+
+
+def test_what_the_observer_raises_comes_out(arrays):
+    class Mine(Exception):
+        pass
+
+    def observe(progress):
+        raise Mine(progress.stage)
+
+    with pytest.raises(Mine):
+        angiopose.registerVessels(arrays, observe=observe)
+    with pytest.raises(RuntimeError):   # an answer that is no Verdict
+        angiopose.registerVessels(arrays, observe=lambda progress: "stop")
+
+
+def test_other_threads_run_meanwhile(arrays):
+    stamps, isDone = [], threading.Event()
+
+    def work():
+        while not isDone.is_set():
+            stamps.append(time.monotonic())
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    before = time.monotonic()
+    angiopose.registerVessels(arrays)
+    after = time.monotonic()
+    isDone.set()
+    thread.join()
+    assert sum(before < stamp < after for stamp in stamps) > 5
+
+
+def test_errors_say_what_is_wrong(arrays):
+    with pytest.raises(angiopose.Error, match="maxIteration'") as caught:
+        angiopose.registerVessels(arrays, angiopose.RegistrationOptions(maxIteration=5))
+    assert caught.value.id == "library.no-option"
+    with pytest.raises(angiopose.Error, match="no-such-method"):
+        angiopose.registerVessels(arrays, angiopose.RegistrationOptions("no-such-method"))
+    with pytest.raises(ValueError, match=r"\(N, 3\)"):
+        angiopose.VesselTree(np.zeros((4, 2)), [1, 1, 1, 1])
+    with pytest.raises(angiopose.Error, match="branchIds has 3 rows"):
+        tree = angiopose.VesselTree(np.zeros((4, 3)), [1, 1, 1])
+        angiopose.writeVesselTree(tree, "never-written.csv")
+    assert issubclass(angiopose.Stopped, angiopose.Error) and issubclass(angiopose.Error, RuntimeError)
+
+
+def test_every_method_has_options_with_defaults():
+    methods = angiopose.methods()
+    assert methods[0].id == "angiopose" and len(methods) > 5
+    option = next(option for option in methods[0].options if option.key == "maxIterations")
+    assert option.min <= float(option.defaultValue) <= option.max

@@ -1,0 +1,105 @@
+#include "ui/scenes/frame_layer.h"
+
+#include <vtkCellArray.h>
+#include <vtkPoints.h>
+#include <vtkProperty.h>
+#include <vtkUniforms.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace angiopose::ui {
+namespace {
+
+/// The whole picture, in OpenGL's own coordinates.
+vtkSmartPointer<vtkPolyData> wholePicture()
+{
+    vtkNew<vtkPoints> points;
+    for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
+        points->InsertNextPoint(x, y, 0.0);
+    }
+    vtkNew<vtkCellArray> cells;
+    const vtkIdType corners[] = {0, 1, 2, 3};
+    cells->InsertNextCell(4, corners);
+    auto rectangle = vtkSmartPointer<vtkPolyData>::New();
+    rectangle->SetPoints(points);
+    rectangle->SetPolys(cells);
+    return rectangle;
+}
+
+core::Image2d<std::uint8_t> bytesOf(const core::ImageF& shares)
+{
+    core::Image2d<std::uint8_t> bytes(shares.width, shares.height);
+    std::ranges::transform(shares.pixels, bytes.pixels.begin(),
+                           [](float share) { return static_cast<std::uint8_t>(std::lround(255.0F * share)); });
+    return bytes;
+}
+
+}   // namespace
+
+GreyTexture::GreyTexture()
+{
+    texture_->SetColorModeToDirectScalars();
+    texture_->InterpolateOff();
+    texture_->MipmapOff();
+    texture_->RepeatOff();
+    texture_->SetInputData(data_);
+}
+
+void GreyTexture::show(const core::Image2d<std::uint8_t>& picture, std::uint64_t revision)
+{
+    shownRevision_ = revision;
+    const bool isEmpty = picture.pixels.empty();
+    data_->SetDimensions(isEmpty ? 1 : picture.width, isEmpty ? 1 : picture.height, 1);
+    data_->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+    auto* texel = static_cast<std::uint8_t*>(data_->GetScalarPointer());
+    *texel = 0;
+    std::ranges::copy(picture.pixels, texel);
+    data_->Modified();
+}
+
+FrameLayer::FrameLayer() : ShaderActor(wholePicture(), frameShaders())
+{
+    actor()->GetProperty()->SetTexture("frame", frame_.texture());
+    actor()->GetProperty()->SetTexture("radiograph", radiograph_.texture());
+}
+
+void FrameLayer::show(const OverlayContent& content, const PicturePlace& place)
+{
+    if (!frame_.shows(content.frame.revision())) {
+        frame_.show(content.frame.grey(), content.frame.revision());
+    }
+    if (!radiograph_.shows(content.radiograph.revision())) {
+        radiograph_.show(bytesOf(content.radiograph.share()), content.radiograph.revision());
+    }
+    showPlace(content.cutout, place);
+    const ViewRect part = place.seen();
+    const std::array<float, 4> edges{static_cast<float>(part.left), static_cast<float>(part.right),
+                                     static_cast<float>(part.top), static_cast<float>(part.bottom)};
+    fragmentUniforms().SetUniform4f("part", edges.data());
+    showGrey(content);
+    showTint(content);
+}
+
+void FrameLayer::showGrey(const OverlayContent& content)
+{
+    const GreyFrame& frame = content.frame;
+    const std::array<float, 2> size{static_cast<float>(frame.width()), static_cast<float>(frame.height())};
+    vtkUniforms& uniforms = fragmentUniforms();
+    uniforms.SetUniform2f("frameSize", size.data());
+    uniforms.SetUniformi("isSmooth", content.interpolation == Interpolation::Smooth ? 1 : 0);
+}
+
+void FrameLayer::showTint(const OverlayContent& content)
+{
+    const Palette& tones = palette(ThemeMode::Dark);
+    const bool isShown = !content.radiograph.isEmpty() && !content.isVeiled;
+    vtkUniforms& uniforms = fragmentUniforms();
+    uniforms.SetUniformf("tintDepth", isShown ? static_cast<float>(deepestTint * content.opacity) : 0.0F);
+    uniforms.SetUniform3f("tintTone", floatTone(branchColors(tones).auxiliary).data());
+    uniforms.SetUniform3f("around", floatTone(tones.canvas).data());
+    uniforms.SetUniform3f("edgeTone", floatTone(tones.label).data());
+}
+
+}   // namespace angiopose::ui

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "ui/scenes/shader_actor.h"
+
+#include <vtkImageData.h>
+#include <vtkPolyData.h>
+#include <vtkTexture.h>
+
+namespace angiopose::ui {
+
+/// A grey picture as a texture; sent to OpenGL when it changes.
+class GreyTexture {
+public:
+    GreyTexture();
+    void show(const core::Image2d<std::uint8_t>& picture, std::uint64_t revision);
+    bool shows(std::uint64_t revision) const { return shownRevision_ == revision; }
+    vtkTexture* texture() { return texture_; }
+
+private:
+    vtkNew<vtkImageData> data_;
+    vtkNew<vtkTexture> texture_;
+    std::uint64_t shownRevision_ = 0;
+};
+
+/// The angiogram all over the picture, with the radiograph's tint and the cutout's edge.
+class FrameLayer : public ShaderActor {
+public:
+    FrameLayer();
+    void show(const OverlayContent& content, const PicturePlace& place);
+
+private:
+    void showGrey(const OverlayContent& content);
+    void showTint(const OverlayContent& content);
+
+    GreyTexture frame_;
+    GreyTexture radiograph_;
+};
+
+}   // namespace angiopose::ui

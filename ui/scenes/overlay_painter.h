@@ -1,0 +1,46 @@
+#pragma once
+
+#include "ui/scenes/overlay_scene.h"
+#include "ui/scenes/stroke_mesh.h"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace angiopose::ui {
+
+/// Draws the angiogram with what lies on it by the processor: no OpenGL, no Qt, so the same pixels come out in a window
+/// without a graphics card, in the exported PNG and in the tests. Keeps the resampled angiogram while only the tree
+/// moves.
+class OverlayPainter {
+public:
+    /// Fills the canvas with what the scene's view rectangle shows.
+    void draw(const OverlayScene& scene, Canvas canvas) { drawRows(scene, canvas, 0, canvas.height); }
+
+    /// The same for a part of a taller picture: rows `firstRow` … of `rowCount`.
+    void drawRows(const OverlayScene& scene, Canvas canvas, int firstRow, int rowCount);
+
+private:
+    /// The angiogram as the canvas shows it, until another part, size or grey is asked for.
+    struct Backdrop {
+        std::vector<std::uint32_t> pixels;
+        ViewRect rect;
+        std::pair<int, int> size{0, 0};
+        Interpolation interpolation = Interpolation::Smooth;
+        std::uint64_t frameRevision = 0;
+    };
+    /// The overlay's triangles for one view and size.
+    struct Strokes {
+        StrokeMesh mesh;
+        std::uint64_t revision = 0;
+        ViewRect rect;
+        std::pair<int, int> size{0, 0};
+    };
+    const std::vector<std::uint32_t>& backdropOf(const OverlayContent& content, const ViewRect& part, Canvas canvas);
+    const StrokeMesh& strokesOf(const OverlayContent& content, int width, int height);
+
+    Backdrop backdrop_;
+    Strokes strokes_;
+};
+
+}   // namespace angiopose::ui

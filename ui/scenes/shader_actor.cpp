@@ -1,0 +1,61 @@
+#include "ui/scenes/shader_actor.h"
+
+#include <vtkPolyData.h>
+#include <vtkShaderProperty.h>
+#include <vtkUniforms.h>
+
+namespace angiopose::ui {
+
+ShaderActor::ShaderActor(vtkPolyData* data, const ShaderTexts& shaders)
+{
+    mapper_->SetInputData(data);
+    mapper_->SetVBOShiftScaleMethod(0);   // the shaders read neighbours in the same coordinates
+    mapper_->ScalarVisibilityOff();
+    mapper_->StaticOn();
+    actor_->SetMapper(mapper_);
+    actor_->ForceOpaqueOn();   // in the order of the actors, blended by the shaders' opacity
+    actor_->PickableOff();
+    actor_->UseBoundsOff();   // of the data in space: nothing to cull by on the image
+    vtkShaderProperty* property = actor_->GetShaderProperty();
+    property->SetVertexShaderCode(shaders.vertex.c_str());
+    if (!shaders.geometry.empty()) {
+        property->SetGeometryShaderCode(shaders.geometry.c_str());
+    }
+    property->SetFragmentShaderCode(shaders.fragment.c_str());
+}
+
+vtkUniforms& ShaderActor::vertexUniforms()
+{
+    return *actor_->GetShaderProperty()->GetVertexCustomUniforms();
+}
+
+vtkUniforms& ShaderActor::geometryUniforms()
+{
+    return *actor_->GetShaderProperty()->GetGeometryCustomUniforms();
+}
+
+vtkUniforms& ShaderActor::fragmentUniforms()
+{
+    return *actor_->GetShaderProperty()->GetFragmentCustomUniforms();
+}
+
+void ShaderActor::showPlace(const Cutout& cutout, const PicturePlace& place)
+{
+    const double scale = place.scale();
+    const std::array<float, 4> where{
+        static_cast<float>(cutout.shape), static_cast<float>((cutout.at.x() - place.rect.left) * scale),
+        static_cast<float>((cutout.at.y() - place.rect.top) * place.height / place.rect.height()),
+        static_cast<float>(cutout.radiusPx * scale)};
+    const std::array<float, 2> size{static_cast<float>(place.width), static_cast<float>(place.height)};
+    fragmentUniforms().SetUniform4f("cutout", where.data());
+    fragmentUniforms().SetUniform2f("viewport", size.data());
+    fragmentUniforms().SetUniformf("handed", place.isMirrored ? -1.0F : 1.0F);
+}
+
+std::array<float, 3> floatTone(const Color& color)
+{
+    const std::array<double, 3> tone = color.unit();
+    return {static_cast<float>(tone[0]), static_cast<float>(tone[1]), static_cast<float>(tone[2])};
+}
+
+}   // namespace angiopose::ui

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "ui/scenes/overlay_content.h"
+#include "ui/scenes/overlay_shaders.h"
+#include "ui/scenes/picture_place.h"
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkOpenGLPolyDataMapper.h>
+
+#include <array>
+
+class vtkUniforms;
+
+namespace angiopose::ui {
+
+/// A VTK actor that draws poly data by shaders of ours.
+class ShaderActor {
+public:
+    ShaderActor(vtkPolyData* data, const ShaderTexts& shaders);
+    vtkActor* actor() { return actor_; }
+
+protected:
+    vtkOpenGLPolyDataMapper& mapper() { return *mapper_; }
+    vtkUniforms& vertexUniforms();
+    vtkUniforms& geometryUniforms();
+    vtkUniforms& fragmentUniforms();
+
+    /// Where the cutout is; every fragment shader asks for it.
+    void showPlace(const Cutout& cutout, const PicturePlace& place);
+
+private:
+    vtkNew<vtkOpenGLPolyDataMapper> mapper_;
+    vtkNew<vtkActor> actor_;
+};
+
+std::array<float, 3> floatTone(const Color& color);
+
+}   // namespace angiopose::ui

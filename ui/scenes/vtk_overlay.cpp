@@ -1,0 +1,200 @@
+#include "ui/scenes/vtk_overlay.h"
+
+#include "ui/scenes/frame_layer.h"
+#include "ui/scenes/line_layer.h"
+#include "ui/scenes/overlay_lines.h"
+#include "ui/scenes/overlay_pens.h"
+#include "ui/scenes/pinhole_view.h"
+#include "ui/scenes/stroke_actor.h"
+
+#include <vtkCamera.h>
+#include <vtkCullerCollection.h>
+#include <vtkMatrix4x4.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+namespace angiopose::ui {
+namespace {
+
+/// For traced curves where no camera is known: any will do, they lie on the image.
+core::ProjectionCamera usableCamera(const core::ProjectionCamera& camera)
+{
+    return !core::findProblem(camera) ? camera : core::ProjectionCamera{1000.0, 1000.0, 0.0, 0.0, 1, 1};
+}
+
+bool hasDashes(const BranchMarks& marks)
+{
+    return !marks.excluded.empty();
+}
+
+}   // namespace
+
+struct VtkOverlay::Parts {
+    vtkNew<vtkRenderer> renderer;
+    vtkRenderWindow* window = nullptr;
+    FrameLayer frame;
+    LineData tree, glowing, traced;
+    LineLayer inside{tree}, glow{glowing}, halo{tree}, core{tree}, tracedShade{traced}, tracedDots{traced};
+    StrokeActor above;
+    std::size_t aboveVertices = 0;
+    std::uint64_t linesRevision = 0;
+    std::uint64_t revision = 0;
+    core::ProjectionCamera tracedFor;   ///< the camera that the traced curves were laid out for
+
+    std::array<LineLayer*, 6> layers() { return {&inside, &glow, &halo, &core, &tracedShade, &tracedDots}; }
+    void updateLines(const OverlayContent& content);
+    void placeTraced(const OverlayContent& content);
+    void showTree(const OverlayContent& content, const PicturePlace& place);
+    void showTraced(const OverlayContent& content, const PicturePlace& place);
+};
+
+void VtkOverlay::Parts::updateLines(const OverlayContent& content)
+{
+    const bool isNew = linesRevision != content.linesRevision;
+    if (isNew || (hasDashes(content.marks) && revision != content.revision)) {
+        fillTreeLines(tree, content);
+        fillGlowLines(glowing, content);
+    }
+    const core::ProjectionCamera camera = usableCamera(content.camera);
+    if (content.isTracedShown && (isNew || !(tracedFor == camera))) {
+        fillTracedLines(traced, content.traced, camera);
+        tracedFor = camera;
+    }
+    linesRevision = content.linesRevision;
+    revision = content.revision;
+}
+
+/// The traced curves go where the camera goes.
+void VtkOverlay::Parts::placeTraced(const OverlayContent& content)
+{
+    vtkNew<vtkMatrix4x4> patientFromCamera;
+    const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> matrix = content.cameraFromPatient.inverse().matrix();
+    patientFromCamera->DeepCopy(matrix.data());
+    tracedShade.actor()->SetUserMatrix(patientFromCamera);
+    tracedDots.actor()->SetUserMatrix(patientFromCamera);
+}
+
+void VtkOverlay::Parts::showTree(const OverlayContent& content, const PicturePlace& place)
+{
+    const bool isTube = content.mode == OverlayMode::Tube;
+    const bool isCentre = content.mode == OverlayMode::Centerline;
+    LinePass pass;
+    pass.shape = isCentre ? LinePass::Shape::Centre : LinePass::Shape::Edges;
+    pass.lineWidthPx = (isCentre ? 1.0 : edgeWidth) * content.lineWidthPx;
+    pass.dashPx = {static_cast<float>(branchDashes[0] * content.lineWidthPx),
+                   static_cast<float>(branchDashes[1] * content.lineWidthPx)};
+    pass.opacity = content.opacity;
+    LinePass glowPass = pass;
+    glowPass.widthGain = glowWidth;
+    glowPass.fadePx = 0.0;
+    glowPass.fadeGain = glowFade;
+    LinePass haloPass = pass;
+    haloPass.widthExtraPx = haloWidth * content.lineWidthPx;
+    haloPass.fadePx = haloFadePx;
+    haloPass.opacityGain = haloOpacity;
+    haloPass.shade = palette(ThemeMode::Dark).canvas;
+    if (content.depthCue != DepthCue::None) {
+        pass.depth = content.depthRange;
+    }
+    LinePass insidePass = pass;
+    insidePass.shape = LinePass::Shape::Inside;
+    insidePass.opacityGain = insideOpacity;
+    pass.hasEndDots = true;
+    if (!tree.isEmpty()) {
+        halo.show(haloPass, content, place);
+        core.show(pass, content, place);
+    }
+    if (!glowing.isEmpty()) {
+        glow.show(glowPass, content, place);
+    }
+    if (isTube && !tree.isEmpty()) {
+        inside.show(insidePass, content, place);
+    }
+}
+
+void VtkOverlay::Parts::showTraced(const OverlayContent& content, const PicturePlace& place)
+{
+    if (traced.isEmpty()) {
+        return;
+    }
+    placeTraced(content);
+    const double widthPx = tracedWidth * content.lineWidthPx;
+    LinePass dots;
+    dots.lineWidthPx = widthPx;
+    dots.dashPx = {static_cast<float>(ui::tracedDots[0] * widthPx), static_cast<float>(ui::tracedDots[1] * widthPx)};
+    LinePass shade = dots;
+    shade.widthExtraPx = shade.fadePx = tracedShadePx;
+    shade.opacityGain = tracedShadeOpacity;
+    shade.shade = palette(ThemeMode::Dark).canvas;
+    tracedShade.show(shade, content, place);
+    tracedDots.show(dots, content, place);
+}
+
+VtkOverlay::VtkOverlay() : parts_(std::make_unique<Parts>())
+{
+    Parts& p = *parts_;
+    p.renderer->GetCullers()->RemoveAllItems();
+    p.renderer->AutomaticLightCreationOff();
+    p.renderer->AddActor(p.frame.actor());
+    for (LineLayer* layer : p.layers()) {
+        p.renderer->AddActor(layer->actor());
+    }
+    p.renderer->AddActor2D(p.above.actor());
+}
+
+VtkOverlay::~VtkOverlay()
+{
+    if (parts_->window) {
+        parts_->window->RemoveRenderer(parts_->renderer);
+    }
+}
+
+void VtkOverlay::attachTo(vtkRenderWindow* window)
+{
+    parts_->window = window;
+    window->AddRenderer(parts_->renderer);
+}
+
+void VtkOverlay::show(const OverlayScene& scene, bool isMirrored, const StrokeMesh& above)
+{
+    Parts& p = *parts_;
+    const OverlayContent& content = scene.content();
+    const int* size = p.window->GetSize();
+    const PicturePlace place{content.viewRect, size[0], size[1], isMirrored};
+    setPinhole(*p.renderer->GetActiveCamera(), usableCamera(content.camera), content.cameraFromPatient, place.seen());
+    p.frame.show(content, place);
+    p.updateLines(content);
+    for (LineLayer* layer : p.layers()) {
+        layer->actor()->VisibilityOff();
+    }
+    const bool hasCamera = !core::findProblem(content.camera);
+    if (hasCamera && content.mode != OverlayMode::Hidden && !content.isVeiled) {
+        p.showTree(content, place);
+    }
+    if (content.isTracedShown && !content.isVeiled) {
+        p.showTraced(content, place);
+    }
+    p.above.show(above);
+    p.aboveVertices = above.vertexCount();
+}
+
+VtkOverlay::Work VtkOverlay::work() const
+{
+    Work work{4 + parts_->aboveVertices, parts_->aboveVertices > 0 ? 2U : 1U};
+    const auto add = [&work](LineLayer& layer, LineData& data) {
+        if (layer.actor()->GetVisibility()) {
+            work.vertices += static_cast<std::size_t>(data.polyData()->GetNumberOfPoints());
+            ++work.drawCalls;
+        }
+    };
+    add(parts_->inside, parts_->tree);
+    add(parts_->glow, parts_->glowing);
+    add(parts_->halo, parts_->tree);
+    add(parts_->core, parts_->tree);
+    add(parts_->tracedShade, parts_->traced);
+    add(parts_->tracedDots, parts_->traced);
+    return work;
+}
+
+}   // namespace angiopose::ui
