@@ -4,7 +4,6 @@
 #include "io/messages/says.h"
 #include "io/series/dicom_segmentation.h"
 #include "io/support/numbers.h"
-#include "io/volume/nrrd_fields.h"
 #include "io/volume/open_stored.h"
 #include "io/volume_file.h"
 
@@ -57,7 +56,7 @@ LabelNames readLabelNames(const std::string& path)
 {
     if (!isDicomFile(path)) {
         const auto stored = openStored(path);
-        return stored ? labelNamesOf(stored.value()) : LabelNames();
+        return stored ? stored.value().labelNames : LabelNames();
     }
     LabelNames names;
     const auto segments = listSegments(path);

@@ -4,7 +4,7 @@
 #include "core/imaging/volume.h"
 #include "core/support/result.h"
 #include "io/support/read_observer.h"
-#include "io/volume/label_names.h"
+#include "io/volume/stored_volume.h"
 
 #include <cstddef>
 #include <optional>

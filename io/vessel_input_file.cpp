@@ -24,6 +24,7 @@ namespace {
 
 using core::VesselInputKind;
 
+constexpr double largestBodyMm = 10'000.0;
 constexpr double readShare = 0.3;   // of the progress; the rest is tracing
 
 core::TracingObserver tracingObserver(const ReadObserver& observe)
@@ -86,6 +87,10 @@ core::Result<LoadedVessels> traceSurface(const std::string& path, const core::Ve
     const auto surface = readSurface(path, input.unitMm);
     if (!surface) {
         return surface.error();
+    }
+    if (surface.value().acrossMm > largestBodyMm) {   // voxels would be as large as vessels, or without end
+        return fileError(path, says::surfaceLargerThanBody(core::Quantity{std::round(surface.value().acrossMm / 1000.0),
+                                                                          core::Quantity::asNeeded, "m"}));
     }
     const core::SurfaceMesh& mesh = surface.value().mesh;
     if (isStopWished(observe, 0.1)) {

@@ -97,7 +97,7 @@ bool areLabels(std::size_t count, const ValueAt& valueAt)
 
 bool isVolumeFile(const std::string& path)
 {
-    return volumeFormatOf(path).has_value();
+    return isStoredVolume(path);
 }
 
 core::Result<VolumeSummary> describeVolume(const std::string& path)
@@ -110,8 +110,8 @@ core::Result<VolumeSummary> describeVolume(const std::string& path)
     if (const auto plausible = checkVoxels(head); !plausible) {
         return plausible.error();
     }
-    return VolumeSummary{std::string(head.format), std::string(nameOf(head.type)), head.geometry, head.slope,
-                         head.intercept,           head.isDeclaredLabels,          head.warnings};
+    return VolumeSummary{head.format,    std::string(nameOf(head.type)), head.geometry, head.slope,
+                         head.intercept, head.isDeclaredLabels,          head.warnings};
 }
 
 core::Result<LoadedVolume> readVolume(const std::string& path, const std::string& seriesId, const ReadObserver& observe)

@@ -13,7 +13,7 @@ namespace angiopose::io {
 /// A volume with what its file says besides.
 struct LoadedVolume {
     core::Volume volume;
-    std::string format;   ///< "NIfTI-1", "NRRD", "MetaImage", "DICOM series"
+    std::string format;   ///< "NIfTI-1", "NRRD", "MetaImage", …, "DICOM series"
     core::StudyIdentity identity;   ///< of a DICOM series
     std::string seriesId;   ///< of a DICOM series, see `DicomSeries::id`
     bool isDeclaredLabels = false;   ///< the header calls the values labels
@@ -31,19 +31,20 @@ struct VolumeSummary {
     core::Messages warnings;
 };
 
-/// True for content that `readVolume` understands without DICOM: NIfTI, NRRD, MetaImage (by the first bytes).
+/// True for content that `readVolume` understands without DICOM: NIfTI, Analyze, NRRD, MetaImage, legacy VTK images,
+/// GIPL (by the first bytes).
 bool isVolumeFile(const std::string& path);
 
-/// Header of a NIfTI, NRRD or MetaImage file.
+/// Header of such a file.
 core::Result<VolumeSummary> describeVolume(const std::string& path);
 
-/// A volume from NIfTI, NRRD, MetaImage, a DICOM slice (with the other slices of its series beside it), an enhanced
+/// A volume from such a file, a DICOM slice (with the other slices of its series beside it), an enhanced
 /// multi-frame DICOM file, or a folder of DICOM files. `seriesId` chooses among several series of a folder; empty:
 /// there must be one volume only. Patient LPS; 16-bit voxels, read straight into place.
 core::Result<LoadedVolume> readVolume(const std::string& path, const std::string& seriesId = {},
                                       const ReadObserver& observe = {});
 
-/// A label image: NIfTI, NRRD, MetaImage, or a DICOM segmentation (labels are segment numbers).
+/// A label image: such a file, or a DICOM segmentation (labels are segment numbers).
 core::Result<core::LabelVolume> readLabels(const std::string& path, const ReadObserver& observe = {});
 
 /// True for volumes whose values are labels: whole numbers from 0, mostly background, the rest in pieces of one value.

@@ -90,7 +90,8 @@ void addBatch(CLI::App& app, int& exitCode)
         ->add_option("MANIFEST", arguments->manifestPath,
                      "CSV with the column case (paths, relative to it), and where wanted name, method, frame")
         ->required();
-    command->add_option("--shard", arguments->shard, "Part I of N of the rows, as I/N; its table is summary-I-of-N.csv")->capture_default_str();
+    command->add_option("--shard", arguments->shard, "Part I of N of the rows, as I/N; its table is summary-I-of-N.csv")
+        ->capture_default_str();
     command->add_option("--output", arguments->outputFolder, "Folder for summary.csv and a folder for each case")
         ->required();
     command->footer(

@@ -1,17 +1,23 @@
 #include "io/dicom/decode_frame.h"
 
-#include "io/dicom/decode_rle.h"
+#include "io/dicom/decode_jpeg2000.h"
 #include "io/raster/read_jpeg.h"
-#include "io/support/captured_stderr.h"
 #include "io/support/quiet_libraries.h"
 
-#include <gdcmDataElement.h>
-#include <gdcmFragment.h>
-#include <gdcmImage.h>
-#include <gdcmSequenceOfFragments.h>
+#include <dcmtk/config/osconfig.h>
+// DCMTK's macros first.
+#include <dcmtk/dcmdata/dcpixel.h>
+#include <dcmtk/dcmdata/dcpixseq.h>
+#include <dcmtk/dcmdata/dcpxitem.h>
+#include <dcmtk/dcmdata/dcrledrg.h>
+#include <dcmtk/dcmdata/dctk.h>
+#include <dcmtk/dcmjpeg/djdecode.h>
+#include <dcmtk/dcmjpls/djdecode.h>
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <exception>
+#include <mutex>
 
 namespace angiopose::io {
 namespace {
@@ -25,8 +31,8 @@ bool isTheImageExpected(const StreamHead& head, const PixelLayout& layout)
            head.bits >= 2 && head.bits <= layout.bitsAllocated;
 }
 
-/// 8-bit lossy JPEG through libjpeg: GDCM asserts on damaged ones. RGB without a colour transform is not told apart by
-/// the stream, so it is left alone.
+/// 8-bit lossy JPEG through libjpeg. RGB without a colour transform is not told apart by the stream, so it is left
+/// alone.
 std::optional<std::vector<char>> decodeBaseline(std::string_view compressed, PixelLayout& layout)
 {
     const auto raster = layout.photometric == "RGB" ? std::nullopt : readJpeg(compressed);
@@ -45,50 +51,84 @@ std::optional<std::vector<char>> decodeBaseline(std::string_view compressed, Pix
     return bytes;
 }
 
-/// libjpeg fills what is missing with grey; a whole stream ends with its end marker.
+/// The libraries fill what is missing with grey; a whole stream has its end marker, which padding may follow.
 bool isWhole(std::string_view compressed)
 {
-    if (!compressed.starts_with("\xff\xd8")) {
-        return true;
+    return !compressed.starts_with("\xff\xd8") || compressed.rfind("\xff\xd9") != std::string_view::npos;
+}
+
+void registerDecoders()
+{
+    static std::once_flag once;
+    std::call_once(once, [] {
+        DJDecoderRegistration::registerCodecs();
+        DJLSDecoderRegistration::registerCodecs();
+        DcmRLEDecoderRegistration::registerCodecs();
+    });
+}
+
+/// A data set of one compressed frame, as DCMTK's decoders want it.
+std::unique_ptr<DcmDataset> datasetOf(std::string_view compressed, E_TransferSyntax syntax, const PixelLayout& layout)
+{
+    auto data = std::make_unique<DcmDataset>();
+    const auto put = [&](const DcmTagKey& tag, int value) {
+        data->putAndInsertUint16(tag, static_cast<Uint16>(value));
+    };
+    put(DCM_SamplesPerPixel, layout.samples);
+    put(DCM_Rows, layout.rows);
+    put(DCM_Columns, layout.columns);
+    put(DCM_BitsAllocated, layout.bitsAllocated);
+    put(DCM_BitsStored, layout.bitsStored);
+    put(DCM_HighBit, layout.highBit);
+    put(DCM_PixelRepresentation, layout.isSigned ? 1 : 0);
+    if (layout.samples > 1) {
+        put(DCM_PlanarConfiguration, 0);
     }
-    return compressed.substr(compressed.size() - std::min<std::size_t>(compressed.size(), 16)).find("\xff\xd9") !=
-           std::string_view::npos;
+    data->putAndInsertString(DCM_PhotometricInterpretation, layout.photometric.c_str());
+    data->putAndInsertString(DCM_NumberOfFrames, "1");
+    auto* sequence = new DcmPixelSequence(DCM_PixelSequenceTag);   // DCMTK owns what is put into it
+    sequence->insert(new DcmPixelItem(DCM_PixelItemTag));   // the offset table
+    auto* frame = new DcmPixelItem(DCM_PixelItemTag);
+    std::string padded(compressed);
+    padded.resize(padded.size() + padded.size() % 2);
+    frame->putUint8Array(reinterpret_cast<const Uint8*>(padded.data()), padded.size());
+    sequence->insert(frame);
+    auto* pixels = new DcmPixelData(DCM_PixelData);
+    pixels->putOriginalRepresentation(syntax, nullptr, sequence);
+    data->insert(pixels, OFTrue);
+    return data;
 }
 
-gdcm::DataElement pixelElement(std::string_view compressed)
+/// The frame as DCMTK decodes it; `layout` follows what became of colours.
+std::optional<std::vector<char>> decodedByDcmtk(std::string_view compressed, E_TransferSyntax syntax,
+                                                PixelLayout& layout)
 {
-    const gdcm::SmartPointer<gdcm::SequenceOfFragments> fragments = gdcm::SequenceOfFragments::New();
-    gdcm::Fragment fragment;
-    fragment.SetByteValue(compressed.data(), static_cast<std::uint32_t>(compressed.size()));
-    fragments->AddFragment(fragment);
-    gdcm::DataElement element(gdcm::Tag(0x7fe0, 0x0010));
-    element.SetVR(gdcm::VR::OB);
-    element.SetValue(*fragments);
-    return element;
-}
-
-gdcm::Image imageOf(const PixelLayout& layout, gdcm::TransferSyntax::TSType syntax)
-{
-    gdcm::Image image;
-    image.SetNumberOfDimensions(2);
-    image.SetDimension(0, static_cast<unsigned int>(layout.columns));
-    image.SetDimension(1, static_cast<unsigned int>(layout.rows));
-    gdcm::PixelFormat format(static_cast<std::uint16_t>(layout.samples),
-                             static_cast<std::uint16_t>(layout.bitsAllocated),
-                             static_cast<std::uint16_t>(layout.bitsStored), static_cast<std::uint16_t>(layout.highBit),
-                             layout.isSigned ? 1 : 0);
-    image.SetPixelFormat(format);
-    image.SetPhotometricInterpretation(gdcm::PhotometricInterpretation::GetPIType(layout.photometric.c_str()));
-    image.SetPlanarConfiguration(layout.isPlanar ? 1 : 0);
-    image.SetTransferSyntax(gdcm::TransferSyntax(syntax));
-    return image;
-}
-
-/// GDCM's own JPEG libraries print what they think of a stream, and fill what is damaged with grey.
-bool decodeQuietly(const gdcm::Image& image, std::vector<char>& bytes)
-{
-    CapturedStderr said;
-    return image.GetBuffer(bytes.data()) && said.text().find("Corrupt") == std::string::npos;
+    registerDecoders();
+    const auto data = datasetOf(compressed, syntax, layout);
+    DcmElement* pixels = nullptr;
+    if (data->chooseRepresentation(EXS_LittleEndianExplicit, nullptr).bad() ||
+        data->findAndGetElement(DCM_PixelData, pixels).bad()) {
+        return std::nullopt;
+    }
+    const std::size_t size =
+        layout.pixelsPerFrame() * static_cast<std::size_t>(layout.samples * layout.bitsAllocated / 8);
+    std::vector<char> bytes(size);
+    Uint8* narrow = nullptr;
+    Uint16* wide = nullptr;
+    const bool isWide = layout.bitsAllocated == 16;
+    const OFCondition got = isWide ? pixels->getUint16Array(wide) : pixels->getUint8Array(narrow);
+    const void* values = isWide ? static_cast<const void*>(wide) : static_cast<const void*>(narrow);
+    if (got.bad() || !values || pixels->getLength() < size) {
+        return std::nullopt;
+    }
+    std::memcpy(bytes.data(), values, size);
+    Uint16 planar = 0;
+    data->findAndGetUint16(DCM_PlanarConfiguration, planar);
+    layout.isPlanar = planar == 1;
+    OFString photometric;
+    data->findAndGetOFString(DCM_PhotometricInterpretation, photometric);
+    layout.photometric = photometric.c_str();
+    return bytes;
 }
 
 }   // namespace
@@ -97,31 +137,24 @@ std::optional<std::vector<char>> decodeFrame(std::string_view compressed, const 
                                              PixelLayout& layout)
 {
     quietLibraries();
-    if (transferSyntax == rleSyntax) {
-        layout.isPlanar = false;
-        return decodeRle(compressed, layout);
-    }
-    const auto head = streamHeadOf(compressed);
-    const auto syntax = gdcm::TransferSyntax::GetTSType(transferSyntax.c_str());
-    if (syntax == gdcm::TransferSyntax::TS_END || !head || !isTheImageExpected(*head, layout) || !isWhole(compressed)) {
-        return std::nullopt;
-    }
-    if (head->isBaseline) {
-        return decodeBaseline(compressed, layout);
-    }
-    if (layout.samples != 1 && compressed.starts_with("\xff\xd8")) {   // colour in lossless JPEG: GDCM asserts
+    const E_TransferSyntax syntax = DcmXfer(transferSyntax.c_str()).getXfer();
+    if (syntax == EXS_Unknown || (layout.bitsAllocated != 8 && layout.bitsAllocated != 16)) {
         return std::nullopt;
     }
     try {
-        gdcm::Image image = imageOf(layout, syntax);
-        image.SetDataElement(pixelElement(compressed));
-        std::vector<char> bytes(image.GetBufferLength());
-        if (!decodeQuietly(image, bytes)) {
+        if (transferSyntax == rleSyntax) {
+            return decodedByDcmtk(compressed, syntax, layout);
+        }
+        const auto head = streamHeadOf(compressed);
+        if (!head || !isTheImageExpected(*head, layout) || !isWhole(compressed)) {
             return std::nullopt;
         }
-        layout.isPlanar = image.GetPlanarConfiguration() == 1;
-        return bytes;
-    } catch (const std::exception&) {   // damaged streams
+        if (!compressed.starts_with("\xff\xd8")) {
+            layout.isPlanar = false;
+            return decodeJpeg2000(compressed, layout);
+        }
+        return head->isBaseline ? decodeBaseline(compressed, layout) : decodedByDcmtk(compressed, syntax, layout);
+    } catch (const std::exception&) {   // no memory left
         return std::nullopt;
     }
 }

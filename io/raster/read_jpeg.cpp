@@ -1,5 +1,6 @@
 #include "io/raster/read_jpeg.h"
 
+#include <jerror.h>
 #include <jpeglib.h>
 #include <csetjmp>
 #include <cstdio>
@@ -9,6 +10,7 @@ namespace {
 
 constexpr std::size_t maxPixels = 100'000'000;
 constexpr JDIMENSION minSide = 8;
+constexpr int extraneousBytes = JWRN_EXTRANEOUS_DATA;
 
 /// libjpeg's way out of an error is a long jump: nothing with a destructor may live in the functions it leaves.
 struct JpegState {
@@ -24,12 +26,21 @@ void leave(j_common_ptr decoder)
 
 void saySilently(j_common_ptr) {}
 
+/// Bytes between markers are what some vendors pad with, not damage.
+void countDamage(j_common_ptr decoder, int level)
+{
+    if (level < 0 && decoder->err->msg_code != extraneousBytes) {
+        ++decoder->err->num_warnings;
+    }
+}
+
 /// Reads the header and starts decoding to grey or RGB.
 bool start(JpegState* state, std::string_view content)
 {
     state->decoder.err = jpeg_std_error(&state->errors);
     state->errors.error_exit = leave;
     state->errors.output_message = saySilently;
+    state->errors.emit_message = countDamage;
     jpeg_create_decompress(&state->decoder);
     state->decoder.client_data = state;
     if (setjmp(state->exit) != 0) {

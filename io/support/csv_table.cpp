@@ -28,14 +28,6 @@ std::vector<std::string_view> splitCells(std::string_view line)
     return cells;
 }
 
-std::string lowered(std::string_view text)
-{
-    std::string lower(text);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return lower;
-}
-
 bool areNumbers(const std::vector<std::string_view>& cells)
 {
     return std::all_of(cells.begin(), cells.end(), [](std::string_view cell) { return parseNumber(cell).has_value(); });

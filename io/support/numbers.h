@@ -16,4 +16,7 @@ std::string toText(double value);
 
 std::string_view trimmed(std::string_view text);
 
+/// ASCII letters in lower case, all else as it is.
+std::string lowered(std::string_view text);
+
 }   // namespace angiopose::io

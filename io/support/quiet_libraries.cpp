@@ -1,5 +1,8 @@
 #include "io/support/quiet_libraries.h"
 
+#include <dcmtk/config/osconfig.h>
+// DCMTK's macros first.
+#include <dcmtk/oflog/oflog.h>
 #include <gdcmTrace.h>
 #include <itkObject.h>
 #include <tiffio.h>
@@ -31,6 +34,7 @@ void quietLibraries()
         vtkOutputWindow::SetInstance(window);
         vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);   // errors go there before the window
         itk::Object::SetGlobalWarningDisplay(false);
+        OFLog::configure(OFLogger::OFF_LOG_LEVEL);
         gdcm::Trace::DebugOff();
         gdcm::Trace::WarningOff();
         gdcm::Trace::ErrorOff();

@@ -3,46 +3,138 @@
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
-#include "io/volume/nifti_header.h"
+#include "io/support/numbers.h"
 #include "io/volume/volume_axes.h"
+#include "io/volume/voxel_stream.h"
 
-#include <Eigen/Geometry>
+#include <nifti2_io.h>
+#include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <optional>
 
 namespace angiopose::io {
 namespace {
 
-constexpr int labelIntent = 1002;
+/// RAS millimetres from voxel indices.
+using NiftiMap = Eigen::Matrix<double, 3, 4>;
+
+constexpr std::size_t longestName = 80;
+constexpr std::uint64_t longestExtension = 1U << 20U;   // a table of some thousand labels
+
+/// The fields of either version that matter here.
+struct NiftiHeader {
+    std::string version;
+    std::array<std::int64_t, 8> dim{};
+    std::array<double, 8> pixdim{};
+    int datatype = 0;
+    double dataOffset = 0.0;
+    double slope = 0.0;
+    double intercept = 0.0;
+    int intent = 0;
+    int units = 0;
+    int qformCode = 0;
+    int sformCode = 0;
+    NiftiMap qform;
+    NiftiMap sform;
+    bool isPair = false;
+    bool isSwapped = false;
+};
+
+/// Takes the fields out of the format's own structures, in this machine's byte order.
+template <class Raw>
+NiftiHeader fieldsOf(const Raw& raw)
+{
+    NiftiHeader header;
+    for (std::size_t i = 0; i < 8; ++i) {
+        header.dim[i] = raw.dim[i];
+        header.pixdim[i] = static_cast<double>(raw.pixdim[i]);
+    }
+    header.datatype = raw.datatype;
+    header.dataOffset = static_cast<double>(raw.vox_offset);
+    header.slope = static_cast<double>(raw.scl_slope);
+    header.intercept = static_cast<double>(raw.scl_inter);
+    header.intent = raw.intent_code;
+    header.units = raw.xyzt_units;
+    header.qformCode = raw.qform_code;
+    header.sformCode = raw.sform_code;
+    const nifti_dmat44 turned = nifti_quatern_to_dmat44(
+        static_cast<double>(raw.quatern_b), static_cast<double>(raw.quatern_c), static_cast<double>(raw.quatern_d),
+        static_cast<double>(raw.qoffset_x), static_cast<double>(raw.qoffset_y), static_cast<double>(raw.qoffset_z),
+        header.pixdim[1], header.pixdim[2], header.pixdim[3], header.pixdim[0] < 0.0 ? -1.0 : 1.0);
+    for (int k = 0; k < 4; ++k) {
+        header.sform.col(k) = Eigen::Vector3d(static_cast<double>(raw.srow_x[k]), static_cast<double>(raw.srow_y[k]),
+                                              static_cast<double>(raw.srow_z[k]));
+        header.qform.col(k) = Eigen::Vector3d(turned.m[0][k], turned.m[1][k], turned.m[2][k]);
+    }
+    return header;
+}
+
+template <class Raw>
+Raw rawHeader(std::string_view head)
+{
+    Raw raw{};
+    std::memcpy(&raw, head.data(), sizeof raw);
+    return raw;
+}
+
+/// 1, 2, or 0 for Analyze, in either byte order; nothing for other content.
+std::optional<int> versionOf(std::string_view head)
+{
+    if (head.size() < sizeof(nifti_1_header) || head.substr(128, 4) == "DICM") {   // its preamble may look like Analyze
+        return std::nullopt;
+    }
+    const auto size = rawHeader<std::int32_t>(head);
+    const bool isTwo = head.size() >= sizeof(nifti_2_header) && (size == 540 || size == __builtin_bswap32(540));
+    if (isTwo) {
+        return head.substr(4, 2) == "n+" || head.substr(4, 2) == "ni" ? std::optional(2) : std::nullopt;
+    }
+    const std::string_view magic = head.substr(344, 3);
+    const bool isOne = size == 348 || size == static_cast<std::int32_t>(__builtin_bswap32(348));
+    return isOne ? std::optional(magic == "n+1" || magic == "ni1" ? 1 : 0) : std::nullopt;
+}
+
+/// The header of a NIfTI or Analyze file whose version is known.
+NiftiHeader headerOf(std::string_view head, int version)
+{
+    const bool isSwapped = rawHeader<std::int32_t>(head) > 0xffff || rawHeader<std::int32_t>(head) < 0;
+    NiftiHeader header;
+    if (version == 2) {
+        auto raw = rawHeader<nifti_2_header>(head);
+        if (isSwapped) {
+            nifti_swap_as_nifti2(&raw);
+        }
+        header = fieldsOf(raw);
+        header.isPair = head.substr(4, 2) == "ni";
+    } else {
+        auto raw = rawHeader<nifti_1_header>(head);
+        if (isSwapped) {
+            nifti_swap_as_nifti1(&raw);
+        }
+        header = fieldsOf(raw);
+        header.isPair = head.substr(344, 3) != "n+1";
+    }
+    if (version == 0) {   // Analyze: what NIfTI added is something else there
+        header.slope = 0.0;
+        header.units = header.intent = header.qformCode = header.sformCode = 0;
+        header.dataOffset = std::isfinite(header.dataOffset) ? std::abs(header.dataOffset) : 0.0;
+    }
+    header.version = version == 0 ? "Analyze" : "NIfTI-" + std::to_string(version);
+    header.isSwapped = isSwapped;
+    return header;
+}
 
 std::optional<VoxelType> typeOf(int datatype)
 {
-    switch (datatype) {
-        case 2:
-            return VoxelType::Uint8;
-        case 4:
-            return VoxelType::Int16;
-        case 8:
-            return VoxelType::Int32;
-        case 16:
-            return VoxelType::Float32;
-        case 64:
-            return VoxelType::Float64;
-        case 256:
-            return VoxelType::Int8;
-        case 512:
-            return VoxelType::Uint16;
-        case 768:
-            return VoxelType::Uint32;
-        case 1024:
-            return VoxelType::Int64;
-        case 1280:
-            return VoxelType::Uint64;
-        default:
-            return std::nullopt;
-    }
+    using enum VoxelType;
+    static const std::map<int, VoxelType> types = {
+        {DT_UINT8, Uint8},   {DT_INT8, Int8},   {DT_INT16, Int16},   {DT_UINT16, Uint16},   {DT_INT32, Int32},
+        {DT_UINT32, Uint32}, {DT_INT64, Int64}, {DT_UINT64, Uint64}, {DT_FLOAT32, Float32}, {DT_FLOAT64, Float64}};
+    const auto found = types.find(datatype);
+    return found == types.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::optional<core::Message> findUnsupported(const NiftiHeader& header)
@@ -82,22 +174,6 @@ double millimetresPerUnit(int units)
     }
 }
 
-/// RAS millimetres from voxel indices.
-using NiftiMap = Eigen::Matrix<double, 3, 4>;
-
-NiftiMap qformOf(const NiftiHeader& header)
-{
-    const double a = std::sqrt(std::max(0.0, 1.0 - header.quaternion.squaredNorm()));
-    Eigen::Quaterniond turn(a, header.quaternion.x(), header.quaternion.y(), header.quaternion.z());
-    turn.normalize();
-    Eigen::Vector3d spacing(header.pixdim[1], header.pixdim[2], header.pixdim[3]);
-    spacing.z() *= header.pixdim[0] < 0.0 ? -1.0 : 1.0;
-    NiftiMap map;
-    map.leftCols<3>() = turn.toRotationMatrix() * spacing.asDiagonal();
-    map.col(3) = header.quaternionOffset;
-    return map;
-}
-
 bool isInvertible(const NiftiMap& map)
 {
     return map.allFinite() && std::abs(map.leftCols<3>().determinant()) > 1e-12;
@@ -120,13 +196,13 @@ double largestDifference(const NiftiMap& a, const NiftiMap& b, const NiftiHeader
 /// Which of the two maps places the voxels in the patient. Codes above 2 mean an atlas.
 NiftiMap mapOf(const NiftiHeader& header, core::Messages& warnings)
 {
-    NiftiMap qform = qformOf(header);
+    const NiftiMap& qform = header.qform;
     const bool hasQform = header.qformCode > 0 && isInvertible(qform);
     const bool hasSform = header.sformCode > 0 && isInvertible(header.sform);
     if (hasQform && hasSform) {
         const bool isAtlas = header.sformCode > 2 && header.qformCode <= 2;
         if (largestDifference(qform, header.sform, header) > 0.5) {
-            warnings.emplace_back(isAtlas ? says::niftiQformUsed() : says::niftiSformUsed());
+            warnings.push_back(isAtlas ? says::niftiQformUsed() : says::niftiSformUsed());
         }
         return isAtlas ? qform : header.sform;
     }
@@ -143,44 +219,65 @@ NiftiMap mapOf(const NiftiHeader& header, core::Messages& warnings)
 }
 
 /// "scan.hdr" → "scan.img", also packed.
-VoxelSource pairedSource(const std::string& path)
+std::string pairedPath(const std::string& path)
 {
     std::filesystem::path base(path);
-    const bool isPacked = extensionOf(path).ends_with(".gz");
-    if (isPacked) {
+    if (extensionOf(path).ends_with(".gz")) {
         base.replace_extension();
     }
-    for (const char* extension : {".img", ".img.gz"}) {
-        const std::string candidate = base.replace_extension().string() + extension;
-        std::error_code failed;
-        if (std::filesystem::exists(candidate, failed)) {
-            const bool isGzip = candidate.ends_with(".gz");
-            return {candidate, 0, isGzip ? StreamPacking::Deflate : StreamPacking::None};
+    const std::string plain = base.replace_extension(".img").string();
+    std::error_code failed;
+    return !std::filesystem::exists(plain, failed) && std::filesystem::exists(plain + ".gz", failed) ? plain + ".gz"
+                                                                                                     : plain;
+}
+
+std::string_view textBetween(std::string_view text, std::string_view before, std::string_view after)
+{
+    const std::size_t start = text.find(before);
+    const std::size_t end = start == std::string_view::npos ? start : text.find(after, start + before.size());
+    return end == std::string_view::npos ? std::string_view()
+                                         : text.substr(start + before.size(), end - start - before.size());
+}
+
+/// The label table of Connectome Workbench, as TotalSegmentator writes it into an extension of the header:
+/// `<Label Key="1" …><![CDATA[aorta]]></Label>`, or the name without CDATA.
+LabelNames labelTable(std::string_view text)
+{
+    constexpr std::string_view opening = "<Label ";
+    constexpr std::string_view closing = "</Label>";
+    LabelNames names;
+    for (std::size_t at = text.find(opening); at != std::string_view::npos; at = text.find(opening, at + 1)) {
+        const std::size_t end = text.find(closing, at);
+        if (end == std::string_view::npos) {
+            break;
+        }
+        const std::string_view label = text.substr(at, end + closing.size() - at);
+        const auto key = parseInteger(textBetween(label, "Key=\"", "\""));
+        std::string_view name = textBetween(label, "<![CDATA[", "]]>");
+        name = name.empty() ? textBetween(label, ">", "<") : name;
+        if (key && !trimmed(name).empty()) {
+            names.emplace(*key, trimmed(name).substr(0, longestName));
         }
     }
-    return {base.replace_extension(".img").string()};
+    return names;
 }
 
 }   // namespace
 
 bool looksLikeNifti(std::string_view head)
 {
-    return niftiVersionOf(head) != NiftiVersion::None;
+    return versionOf(head).has_value();
 }
 
-core::Result<StoredVolume> parseNifti(std::string_view head, StreamPacking packing, const std::string& path)
+core::Result<StoredVolume> parseNifti(std::string_view head, const std::string& path)
 {
-    const auto parsed = niftiHeaderOf(head);
-    if (!parsed) {
-        return fileError(path, says::volumeAnalyze());
-    }
-    const NiftiHeader& header = *parsed;
+    const NiftiHeader header = headerOf(head, *versionOf(head));
     if (const auto problem = findUnsupported(header)) {
         return fileError(path, *problem);
     }
     StoredVolume stored;
     stored.path = path;
-    stored.format = header.version == NiftiVersion::One ? "NIfTI-1" : "NIfTI-2";
+    stored.format = header.version;
     const auto clamped = [](std::int64_t value) {
         return static_cast<int>(std::clamp<std::int64_t>(value, 0, 1 << 30));
     };
@@ -194,13 +291,19 @@ core::Result<StoredVolume> parseNifti(std::string_view head, StreamPacking packi
     }
     stored.geometry = axes.geometry;
     stored.type = *typeOf(header.datatype);
-    stored.isBigEndian = header.isSwapped;   // of this little-endian machine
     const bool isScaled = std::isfinite(header.slope) && header.slope != 0.0 && std::isfinite(header.intercept);
     stored.slope = isScaled ? header.slope : 1.0;
     stored.intercept = isScaled ? header.intercept : 0.0;
-    stored.isDeclaredLabels = header.intent == labelIntent;
-    stored.source = header.isPair ? pairedSource(path) : VoxelSource{path, 0, packing};
-    stored.source.skip = static_cast<std::uint64_t>(header.dataOffset);
+    stored.isDeclaredLabels = header.intent == NIFTI_INTENT_LABEL;
+    const auto skip = static_cast<std::uint64_t>(header.dataOffset);
+    if (!header.isPair && skip > head.size()) {
+        stored.labelNames = labelTable(headOf(path, std::min(skip, longestExtension)));
+    }
+    VoxelSource source{header.isPair ? pairedPath(path) : path, 0, false, skip};
+    const auto content = openInput(source.path);
+    source.isPacked = content && content.value().view().starts_with("\x1f\x8b");
+    source.isBigEndian = header.isSwapped;   // of this little-endian machine
+    stored.voxels = voxelStream(stored, source);
     return stored;
 }
 

@@ -14,8 +14,9 @@ bool looksLikeNifti(std::string_view head);
 /// Bytes of a header that `parseNifti` needs.
 inline constexpr std::size_t niftiHeadSize = 544;
 
-/// Header of a NIfTI volume (single file or .hdr/.img pair), RAS turned to LPS. `packing` is that of the header's file.
-/// The scanner's coordinates win where the file knows several; a volume without any says so in a warning.
-core::Result<StoredVolume> parseNifti(std::string_view head, StreamPacking packing, const std::string& path);
+/// Header of a NIfTI volume (single file or .hdr/.img pair), RAS turned to LPS, by the structures of the format's own
+/// library; `head` is unpacked. The scanner's coordinates win where the file knows several; a volume without any, as
+/// every Analyze volume is, says so in a warning.
+core::Result<StoredVolume> parseNifti(std::string_view head, const std::string& path);
 
 }   // namespace angiopose::io

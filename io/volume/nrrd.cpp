@@ -3,177 +3,295 @@
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
-#include "io/volume/nrrd_fields.h"
 #include "io/volume/volume_axes.h"
+#include "io/volume/voxel_stream.h"
 
+#include <NrrdIO.h>
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <optional>
 
 namespace angiopose::io {
 namespace {
 
-/// Signs that turn the space's axes into LPS; nothing for spaces that are not of the patient.
-std::optional<Eigen::Vector3d> lpsSignsOf(const std::string& space)
+constexpr std::size_t longestSegmentName = 80;
+constexpr std::size_t longestHeader = std::size_t{1} << 20;
+
+struct FreeNrrd {
+    void operator()(Nrrd* nrrd) const { nrrdNuke(nrrd); }
+    void operator()(NrrdIoState* state) const { nrrdIoStateNix(state); }
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+/// A header as ITK's NRRD library has read it.
+struct NrrdHeader {
+    std::unique_ptr<Nrrd, FreeNrrd> nrrd{nrrdNew()};
+    std::unique_ptr<NrrdIoState, FreeNrrd> state{nrrdIoStateNew()};
+    std::string problem;   ///< the library's own words; empty when it could be read
+};
+
+/// The lines up to the first blank one; `dataStart` is where data follow.
+std::string headerText(std::string_view content, std::size_t& dataStart)
 {
-    if (space == "lps" || space == "left-posterior-superior") {
-        return Eigen::Vector3d(1, 1, 1);
+    const std::string_view head = content.substr(0, longestHeader);
+    for (std::size_t at = 0; at < head.size();) {
+        const std::size_t newline = std::min(head.find('\n', at), head.size());
+        if (trimmed(head.substr(at, newline - at)).empty()) {
+            dataStart = std::min(newline + 1, head.size());
+            return std::string(head.substr(0, at));
+        }
+        at = newline + 1;
     }
-    if (space == "ras" || space == "right-anterior-superior") {
-        return Eigen::Vector3d(-1, -1, 1);
-    }
-    if (space == "las" || space == "left-anterior-superior") {
-        return Eigen::Vector3d(1, -1, 1);
-    }
-    return std::nullopt;
+    dataStart = content.size();
+    return std::string(head);
 }
 
-double millimetresPer(const std::string& unit)
+/// Where a header says that the data lie; kept from the library, which would go there while it reads the header.
+struct DataPlace {
+    std::string file;   ///< empty: after the header
+    int lineSkip = 0;
+    int byteSkip = 0;
+};
+
+/// True when the line is the field `name`; takes its value. Some writers give fields as key and value (":=").
+bool isField(std::string_view line, std::string_view name, std::string& value)
+{
+    if (!lowered(line).starts_with(std::string(name) + ":")) {
+        return false;
+    }
+    line.remove_prefix(name.size() + 1);
+    value = trimmed(line.substr(line.starts_with('=') ? 1 : 0));
+    return true;
+}
+
+/// The header for the library: without the place of the data, and with what some writers get wrong taken as meant
+/// (directions without a space, or between bars).
+std::string mended(const std::string& header, DataPlace& place)
+{
+    const bool hasSpace = header.find("\nspace:") != std::string::npos;
+    const bool needsSpace = !hasSpace && header.find("\nspace d") != std::string::npos &&
+                            header.find("\nspace dimension:") == std::string::npos;
+    std::string text, value;
+    for (std::size_t at = 0; at < header.size() && !place.file.starts_with("LIST");) {
+        const std::size_t newline = std::min(header.find('\n', at), header.size());
+        std::string line = header.substr(at, newline - at);
+        if (isField(line, "data file", value) || isField(line, "datafile", value)) {
+            place.file = value;
+        } else if (isField(line, "line skip", value) || isField(line, "lineskip", value)) {
+            place.lineSkip = parseInteger(value).value_or(-1);
+        } else if (isField(line, "byte skip", value) || isField(line, "byteskip", value)) {
+            place.byteSkip = parseInteger(value).value_or(-2);
+        } else {
+            if (line.starts_with("space directions") || line.starts_with("space origin")) {
+                std::erase(line, '|');
+            }
+            text += line + "\n";
+        }
+        text += at == 0 && needsSpace ? "space dimension: 3\n" : "";
+        at = newline + 1;
+    }
+    return text + "\n";
+}
+
+/// The deepest of the library's complaints, without the names of its functions.
+std::string lastComplaint(const std::string& complaints)
+{
+    const std::string_view all = trimmed(complaints);
+    std::string_view last = all.substr(all.rfind('\n') == std::string_view::npos ? 0 : all.rfind('\n') + 1);
+    last = last.substr(last.find(": ") == std::string_view::npos ? 0 : last.find(": ") + 2);
+    return std::string(last.substr(0, 120));
+}
+
+NrrdHeader parsedHeader(std::string text)
+{
+    static std::mutex oneAtATime;   // the library keeps its complaints in one place
+    const std::lock_guard lock(oneAtATime);
+    NrrdHeader header;
+    const std::unique_ptr<std::FILE, FreeNrrd> file(fmemopen(text.data(), text.size(), "r"));
+    nrrdIoStateSet(header.state.get(), nrrdIoStateSkipData, 1);
+    if (nrrdRead(header.nrrd.get(), file.get(), header.state.get()) != 0) {
+        char* complaints = biffGetDone(NRRD);
+        header.problem = lastComplaint(complaints ? complaints : "");
+        std::free(complaints);
+    }
+    return header;
+}
+
+std::optional<VoxelType> voxelTypeOf(int type)
+{
+    using enum VoxelType;
+    static const std::map<int, VoxelType> types = {
+        {nrrdTypeChar, Int8},     {nrrdTypeUChar, Uint8},   {nrrdTypeShort, Int16}, {nrrdTypeUShort, Uint16},
+        {nrrdTypeInt, Int32},     {nrrdTypeUInt, Uint32},   {nrrdTypeLLong, Int64}, {nrrdTypeULLong, Uint64},
+        {nrrdTypeFloat, Float32}, {nrrdTypeDouble, Float64}};
+    const auto found = types.find(type);
+    return found == types.end() ? std::nullopt : std::optional(found->second);
+}
+
+bool isColour(const NrrdAxisInfo& axis)
+{
+    const int kind = axis.kind;
+    return kind == nrrdKind3Color || kind == nrrdKind4Color || kind == nrrdKindRGBColor || kind == nrrdKindRGBAColor ||
+           kind == nrrdKindHSVColor || kind == nrrdKindXYZColor;
+}
+
+bool hasDirection(const NrrdAxisInfo& axis)
+{
+    return AIR_EXISTS(axis.spaceDirection[0]) && AIR_EXISTS(axis.spaceDirection[1]) &&
+           AIR_EXISTS(axis.spaceDirection[2]);
+}
+
+/// The axes of the array; a list of one element counts as none.
+struct NrrdAxes {
+    std::vector<const NrrdAxisInfo*> all;
+    std::vector<const NrrdAxisInfo*> ofSpace;
+    bool haveDirections = false;
+};
+
+/// The three axes of space among those of the array.
+std::optional<core::Message> findAxes(const Nrrd& nrrd, NrrdAxes& axes)
+{
+    if (nrrd.dim < 3) {
+        return says::volumeNotThreeDimensional(nrrd.dim);
+    }
+    for (unsigned int i = 0; i < nrrd.dim; ++i) {
+        axes.all.push_back(&nrrd.axis[i]);
+        axes.haveDirections |= nrrd.spaceDim == 3 && hasDirection(nrrd.axis[i]);
+    }
+    for (const NrrdAxisInfo* axis : axes.all) {
+        const bool isList = axes.haveDirections && !hasDirection(*axis);
+        const bool isOther = isList || isColour(*axis) || (nrrd.dim > 3 && axis->size == 1);
+        if (isOther && axis->size > 1) {
+            return isColour(*axis) ? says::volumeColours() : says::volumeSeveralNrrd(axis->size);
+        }
+        if (!isOther || nrrd.dim == 3) {
+            axes.ofSpace.push_back(axis);
+        }
+    }
+    if (axes.ofSpace.size() != 3) {
+        return says::volumeDimensions(nrrd.dim);
+    }
+    const std::size_t first = nrrd.axis[0].size;
+    const bool looksLikeColour = nrrd.dim == 3 && first > 1 && first <= 4 && nrrd.axis[0].kind == nrrdKindUnknown &&
+                                 nrrd.axis[1].size > 16 && nrrd.axis[2].size > 16;
+    return looksLikeColour ? std::optional(says::volumeColourAxis(first)) : std::nullopt;
+}
+
+/// Signs that turn the space's axes into LPS; nothing for spaces that are not of the patient.
+std::optional<Eigen::Vector3d> lpsSignsOf(int space)
+{
+    switch (space) {
+        case nrrdSpaceLeftPosteriorSuperior:
+            return Eigen::Vector3d(1, 1, 1);
+        case nrrdSpaceRightAnteriorSuperior:
+            return Eigen::Vector3d(-1, -1, 1);
+        case nrrdSpaceLeftAnteriorSuperior:
+            return Eigen::Vector3d(1, -1, 1);
+        default:
+            return std::nullopt;
+    }
+}
+
+double millimetresPer(const char* unit)
 {
     static const std::map<std::string, double> lengths = {{"m", 1000.0},        {"meters", 1000.0}, {"cm", 10.0},
                                                           {"\xc2\xb5m", 1e-3},  {"um", 1e-3},       {"microns", 1e-3},
                                                           {"micrometers", 1e-3}};
-    const auto found = lengths.find(unit);
+    const auto found = unit ? lengths.find(unit) : lengths.end();
     return found == lengths.end() ? 1.0 : found->second;
 }
 
-/// The three axes of space among those of the array; a fourth of one element is left out.
-std::optional<core::Message> findSizes(const NrrdFields& fields, Eigen::Vector3i& size, std::vector<std::size_t>& axes)
-{
-    const std::vector<std::string> sizes = wordsOf(field(fields, "sizes"));
-    const std::vector<std::string> kinds = wordsOf(lowered(field(fields, "kinds")));
-    const auto directions = vectorsOf(field(fields, "space directions"));
-    if (sizes.size() < 3) {
-        return says::volumeNotThreeDimensional(sizes.size());
-    }
-    for (std::size_t i = 0; i < sizes.size(); ++i) {
-        const auto count = parseInteger(sizes[i]);
-        if (!count || *count < 1) {
-            return says::volumeSizesNoNumbers();
-        }
-        const bool isList = directions && i < directions->size() && !(*directions)[i];
-        const bool isColour = i < kinds.size() && kinds[i].find("color") != std::string::npos;
-        const bool isOther = isList || isColour || (sizes.size() > 3 && *count == 1);
-        if (isOther && *count > 1) {
-            return isColour ? says::volumeColours() : says::volumeSeveralNrrd(*count);
-        }
-        if (!isOther || sizes.size() == 3) {
-            axes.push_back(i);
-        }
-    }
-    if (axes.size() != 3) {
-        return says::volumeDimensions(sizes.size());
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-        size[static_cast<int>(k)] = *parseInteger(sizes[axes[k]]);
-    }
-    const bool looksLikeColour = sizes.size() == 3 && size[0] <= 4 && kinds.empty() && size[1] > 16 && size[2] > 16;
-    return looksLikeColour && size[0] > 1 ? std::optional(says::volumeColourAxis(size[0])) : std::nullopt;
-}
-
 /// Steps as the file's space gives them, or as plain spacings.
-Eigen::Matrix3d stepsOf(const NrrdFields& fields, const std::vector<std::size_t>& axes, core::Messages& warnings)
+AxesResult placedAxes(const Nrrd& nrrd, const NrrdAxes& axes, core::Messages& warnings)
 {
-    const std::string space = lowered(field(fields, "space"));
-    const auto signs = lpsSignsOf(space);
-    const auto directions = vectorsOf(field(fields, "space directions"));
     Eigen::Matrix3d steps = Eigen::Matrix3d::Identity();
-    bool hasDirections = directions && directions->size() > axes.back();
-    for (std::size_t k = 0; k < 3 && hasDirections; ++k) {
-        const auto& direction = (*directions)[axes[k]];
-        hasDirections = direction.has_value();
-        steps.col(static_cast<int>(k)) = direction.value_or(Eigen::Vector3d::Zero());
-    }
-    if (hasDirections) {
-        const std::vector<std::string> units = wordsOf(lowered(field(fields, "space units")));
-        if (!units.empty()) {
-            std::string unit = units.front();
-            std::erase(unit, '"');
-            steps *= millimetresPer(unit);
-        }
-    } else {
-        const std::vector<std::string> spacings = wordsOf(field(fields, "spacings"));
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto number = axes[k] < spacings.size() ? parseNumber(spacings[axes[k]]) : std::nullopt;
-            steps.col(static_cast<int>(k)) = Eigen::Vector3d::Unit(static_cast<int>(k)) * number.value_or(1.0);
+    Eigen::Vector3i size;
+    for (int k = 0; k < 3; ++k) {
+        const NrrdAxisInfo& axis = *axes.ofSpace[static_cast<std::size_t>(k)];
+        size[k] = static_cast<int>(std::min<std::size_t>(axis.size, 1U << 30U));
+        if (axes.haveDirections) {
+            steps.col(k) = Eigen::Map<const Eigen::Vector3d>(axis.spaceDirection) * millimetresPer(nrrd.spaceUnits[0]);
+        } else {
+            steps(k, k) = AIR_EXISTS(axis.spacing) ? axis.spacing : 1.0;
         }
     }
-    if (!hasDirections || !signs) {
+    const auto signs = lpsSignsOf(nrrd.space);
+    if (!axes.haveDirections || !signs) {
         warnings.push_back(says::volumeAxesAssumed());
     }
-    if (hasDirections && steps.isIdentity(0.0)) {
+    if (axes.haveDirections && steps.isIdentity(0.0)) {
         warnings.push_back(says::volumeSizeOfOne());
     }
-    return signs ? Eigen::Matrix3d(signs->asDiagonal() * steps) : steps;
-}
-
-Eigen::Vector3d originOf(const NrrdFields& fields)
-{
-    const auto origin = vectorsOf(field(fields, "space origin"));
-    const auto signs = lpsSignsOf(lowered(field(fields, "space"))).value_or(Eigen::Vector3d::Ones());
-    return origin && origin->size() == 1 && origin->front() ? Eigen::Vector3d(signs.cwiseProduct(*origin->front()))
-                                                            : Eigen::Vector3d::Zero();
+    const bool hasOrigin = nrrd.spaceDim == 3 && AIR_EXISTS(nrrd.spaceOrigin[0]);
+    const Eigen::Vector3d origin = hasOrigin ? Eigen::Vector3d(nrrd.spaceOrigin) : Eigen::Vector3d(0, 0, 0);
+    const Eigen::Vector3d turn = signs.value_or(Eigen::Vector3d::Ones());
+    return geometryFromSteps(size, turn.asDiagonal() * steps, turn.cwiseProduct(origin));
 }
 
 /// Where the next `count` lines of a file end.
-std::optional<std::size_t> afterLines(std::string_view content, std::size_t at, int count)
+std::size_t afterLines(std::string_view content, std::size_t at, int count)
 {
-    for (; count > 0; --count) {
-        const std::size_t newline = content.find('\n', at);
-        if (newline == std::string_view::npos) {
-            return std::nullopt;
-        }
-        at = newline + 1;
+    for (; count > 0 && at < content.size(); --count) {
+        at = std::min(content.find('\n', at), content.size() - 1) + 1;
     }
     return at;
 }
 
-std::optional<core::Message> findEncodingProblem(const std::string& encoding)
+/// Fills in where the voxels lie; returns what is wrong.
+std::optional<core::Message> findSource(const NrrdIoState& state, const DataPlace& place, std::string_view content,
+                                        std::size_t dataStart, VoxelSource& source)
 {
-    if (encoding == "raw" || encoding == "gzip" || encoding == "gz") {
-        return {};
-    }
-    if (encoding == "bzip2" || encoding == "bz2") {
+    if (state.encoding == nrrdEncodingBzip2) {
         return says::volumeBzip2();
     }
-    return says::volumeTextNrrd(encoding.substr(0, 16));
-}
-
-/// Fills in where the voxels lie; returns what is wrong.
-std::optional<core::Message> findSource(const NrrdFields& fields, std::string_view content, std::size_t dataStart,
-                                        VoxelSource& source)
-{
-    const std::string encoding = lowered(field(fields, "encoding"));
-    if (const auto problem = findEncodingProblem(encoding)) {
-        return problem;
+    if (state.encoding != nrrdEncodingRaw && state.encoding != nrrdEncodingGzip) {
+        return says::volumeTextNrrd(state.encoding->name);
     }
-    source.packing = encoding == "raw" ? StreamPacking::None : StreamPacking::Deflate;
-    const int lines = parseInteger(field(fields, "line skip").empty() ? "0" : field(fields, "line skip")).value_or(-1);
-    const int bytes = parseInteger(field(fields, "byte skip").empty() ? "0" : field(fields, "byte skip")).value_or(-2);
-    if (lines < 0 || bytes < -1) {
+    if (place.lineSkip < 0 || place.byteSkip < -1) {
         return says::volumeSkips();
     }
-    const std::string dataFile = field(fields, fields.contains("data file") ? "data file" : "datafile");
-    if (dataFile.starts_with("LIST") || dataFile.find('%') != std::string::npos) {
+    if (place.file.starts_with("LIST") || place.file.find('%') != std::string::npos) {
         return says::volumeSeveralFiles();
     }
-    if (!dataFile.empty()) {
-        source.path = (std::filesystem::path(source.path).parent_path() / dataFile).string();
-        source.offset = 0;
-        if (lines > 0) {
-            return says::volumeSkipsLinesElsewhere();
-        }
+    if (place.file.empty()) {
+        source.offset = afterLines(content, dataStart, place.lineSkip);
+    } else if (place.lineSkip > 0) {
+        return says::volumeSkipsLinesElsewhere();
     } else {
-        const auto start = afterLines(content, dataStart, lines);
-        if (!start) {
-            return says::volumeCutShort();
-        }
-        source.offset = *start;
+        source.path = (std::filesystem::path(source.path).parent_path() / place.file).string();
     }
-    source.isAtEnd = bytes == -1;
-    source.skip = bytes > 0 ? static_cast<std::uint64_t>(bytes) : 0;
+    source.isPacked = state.encoding == nrrdEncodingGzip;
+    source.isBigEndian = state.endian == airEndianBig;
+    source.isAtEnd = place.byteSkip == -1;
+    source.skip = place.byteSkip > 0 ? static_cast<std::uint64_t>(place.byteSkip) : 0;
     return {};
+}
+
+std::string keyValue(const Nrrd& nrrd, const std::string& key)
+{
+    char* value = nrrdKeyValueGet(&nrrd, key.c_str());
+    std::string text = value ? std::string(trimmed(value)) : std::string();
+    std::free(value);
+    return text;
+}
+
+/// The segments of 3D Slicer: `Segment3_LabelValue:=4`, `Segment3_Name:=Aorta`. An overlapping segment shares its value
+/// with another layer.
+LabelNames slicerSegments(const Nrrd& nrrd)
+{
+    LabelNames names;
+    for (int n = 0; !keyValue(nrrd, "Segment" + std::to_string(n) + "_ID").empty(); ++n) {
+        const std::string segment = "Segment" + std::to_string(n);
+        const auto value = parseInteger(keyValue(nrrd, segment + "_LabelValue"));
+        const std::string name = keyValue(nrrd, segment + "_Name");
+        if (value && !name.empty()) {
+            names.emplace(*value, name.substr(0, longestSegmentName));
+        }
+    }
+    return names;
 }
 
 }   // namespace
@@ -181,31 +299,36 @@ std::optional<core::Message> findSource(const NrrdFields& fields, std::string_vi
 core::Result<StoredVolume> parseNrrd(std::string_view content, const std::string& path)
 {
     std::size_t dataStart = 0;
-    const NrrdFields fields = nrrdFieldsOf(content, dataStart);
+    DataPlace place;
+    const NrrdHeader header = parsedHeader(mended(headerText(content, dataStart), place));
+    if (!header.problem.empty()) {
+        return fileError(path, says::volumeHeaderNotRead(header.problem));
+    }
+    const Nrrd& nrrd = *header.nrrd;
     StoredVolume stored;
     stored.path = path;
     stored.format = "NRRD";
-    const auto type = nrrdTypeOf(lowered(field(fields, "type")));
+    const auto type = voxelTypeOf(nrrd.type);
     if (!type) {
-        return fileError(path, says::volumeVoxelType(field(fields, "type").substr(0, 24)));
+        return fileError(path, says::volumeOtherVoxelType());
     }
     stored.type = *type;
-    stored.isBigEndian = lowered(field(fields, "endian")) == "big";
-    Eigen::Vector3i size;
-    std::vector<std::size_t> axes;
-    if (const auto problem = findSizes(fields, size, axes)) {
+    NrrdAxes axes;
+    if (const auto problem = findAxes(nrrd, axes)) {
         return fileError(path, *problem);
     }
-    const AxesResult placed = geometryFromSteps(size, stepsOf(fields, axes, stored.warnings), originOf(fields));
+    const AxesResult placed = placedAxes(nrrd, axes, stored.warnings);
     if (placed.problem) {
         return fileError(path, *placed.problem);
     }
     stored.geometry = placed.geometry;
-    stored.source.path = path;
-    if (const auto problem = findSource(fields, content, dataStart, stored.source)) {
+    VoxelSource source{path};
+    if (const auto problem = findSource(*header.state, place, content, dataStart, source)) {
         return fileError(path, *problem);
     }
-    stored.isDeclaredLabels = path.ends_with(".seg.nrrd") || fields.contains("segment0_id");
+    stored.labelNames = slicerSegments(nrrd);
+    stored.isDeclaredLabels = path.ends_with(".seg.nrrd") || !keyValue(nrrd, "Segment0_ID").empty();
+    stored.voxels = voxelStream(stored, source);
     return stored;
 }
 

@@ -8,7 +8,7 @@
 
 namespace angiopose::io {
 
-/// Header of an NRRD volume (`content`: the whole file, or its first bytes), data attached or in one file beside it,
+/// Header of an NRRD volume (`content`: the whole file) by ITK's NRRD library, data attached or in one file beside it,
 /// raw or gzip; any anatomical `space` turned to LPS. A volume without orientation says so in a warning.
 core::Result<StoredVolume> parseNrrd(std::string_view content, const std::string& path);
 

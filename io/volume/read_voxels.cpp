@@ -3,99 +3,27 @@
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
-#include "io/volume/byte_stream.h"
-#include "io/volume/nifti.h"
-#include "io/volume/nifti_header.h"
 #include "io/volume/quantization.h"
 
 #include <unistd.h>
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <limits>
+#include <memory>
+#include <new>
+#include <type_traits>
 
 namespace angiopose::io {
 namespace {
-
-constexpr std::size_t chunkVoxels = std::size_t{1} << 18;
-constexpr double greatestInflation = 1100.0;   // deflate packs at most 1032 to 1
-core::Error cutShort(const StoredVolume& stored)
-{
-    return fileError(stored.source.path, says::volumePackingDamaged());
-}
 
 double memoryBytes()
 {
     return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-/// The stream at the first voxel.
-core::Result<ByteStream> openVoxels(const StoredVolume& stored)
+core::Error tooLarge(const StoredVolume& stored)
 {
-    const VoxelSource& source = stored.source;
-    auto opened = ByteStream::open(source);
-    if (!opened) {
-        return opened;
-    }
-    ByteStream stream = std::move(opened).value();
-    std::uint64_t skip = source.skip;
-    if (source.isAtEnd) {
-        const std::uint64_t needed = stored.geometry.voxelCount() * bytesOf(stored.type);
-        const std::uint64_t length = stream.drain();
-        auto again = ByteStream::open(source);
-        if (!again || length < needed) {
-            return cutShort(stored);
-        }
-        stream = std::move(again).value();
-        skip = length - needed;
-    }
-    return stream.skip(skip) ? core::Result<ByteStream>(std::move(stream)) : cutShort(stored);
-}
-
-template <class T>
-void toHostOrder(std::vector<T>& values, std::size_t count, bool isBigEndian)
-{
-    if constexpr (sizeof(T) > 1) {
-        if (isBigEndian == (std::endian::native == std::endian::big)) {
-            return;
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            std::array<char, sizeof(T)> bytes;
-            std::memcpy(bytes.data(), &values[i], sizeof(T));
-            std::reverse(bytes.begin(), bytes.end());
-            std::memcpy(&values[i], bytes.data(), sizeof(T));
-        }
-    }
-}
-
-/// Calls `use(values, count, first voxel)` for one chunk after the other.
-template <class T, class Use>
-core::Status forEachChunk(const StoredVolume& stored, const ReadObserver& observe, const Use& use)
-{
-    auto opened = openVoxels(stored);
-    if (!opened) {
-        return opened.error();
-    }
-    ByteStream stream = std::move(opened).value();
-    const std::size_t total = stored.geometry.voxelCount();
-    std::vector<T> chunk(std::min(chunkVoxels, total));
-    for (std::size_t first = 0; first < total; first += chunk.size()) {
-        if (isStopWished(observe, static_cast<double>(first) / static_cast<double>(total))) {
-            return stoppedReading(stored.path);
-        }
-        const std::size_t count = std::min(chunk.size(), total - first);
-        if (!stream.read(reinterpret_cast<char*>(chunk.data()), count * sizeof(T))) {
-            return cutShort(stored);
-        }
-        toHostOrder(chunk, count, stored.isBigEndian);
-        if (core::Status used = use(chunk, count, first); !used) {
-            return used;
-        }
-    }
-    return core::Done{};
+    return fileError(stored.path, says::volumeLargerThanMemory());
 }
 
 /// Runs `work` with a value of the C++ type that `type` names.
@@ -126,18 +54,48 @@ auto withType(VoxelType type, const Work& work)
     }
 }
 
+/// Reads voxels of up to 16 bit straight into the memory of `place`, where they are then widened from the last to the
+/// first: `convert(value)` gives what stays there.
+template <class T, class Level, class Convert>
+core::Status readInPlace(const StoredVolume& stored, std::vector<Level>& place, const ReadObserver& observe,
+                         const Convert& convert)
+{
+    static_assert(sizeof(T) <= sizeof(Level));
+    char* bytes = reinterpret_cast<char*>(place.data());
+    if (const auto filled = stored.voxels->read(bytes, observe); !filled) {
+        return filled;
+    }
+    for (std::size_t i = place.size(); i-- > 0;) {
+        T value;
+        std::memcpy(&value, bytes + i * sizeof(T), sizeof(T));
+        place[i] = convert(value);
+    }
+    return core::Done{};
+}
+
+/// The voxels as they are stored, for types that have to be looked through before they become 16 bit.
 template <class T>
-core::Result<ValueRange> rangeOf(const StoredVolume& stored, const ReadObserver& observe)
+core::Result<std::unique_ptr<T[]>> readApart(const StoredVolume& stored, const ReadObserver& observe)
+{
+    auto values = std::make_unique_for_overwrite<T[]>(stored.geometry.voxelCount());
+    const auto filled = stored.voxels->read(reinterpret_cast<char*>(values.get()), observe);
+    return filled ? core::Result<std::unique_ptr<T[]>>(std::move(values)) : filled.error();
+}
+
+template <class T>
+ValueRange rangeOf(const T* values, std::size_t count)
 {
     ValueRange range;
-    const auto scanned =
-        forEachChunk<T>(stored, observe, [&](const std::vector<T>& values, std::size_t count, std::size_t) {
-            for (std::size_t i = 0; i < count; ++i) {
-                range.add(static_cast<double>(values[i]));
-            }
-            return core::Status(core::Done{});
-        });
-    return scanned ? core::Result<ValueRange>(range) : scanned.error();
+    if constexpr (std::is_integral_v<T>) {
+        const auto [low, high] = std::minmax_element(values, values + count);
+        range.low = static_cast<double>(*low);
+        range.high = static_cast<double>(*high);
+    } else {
+        for (std::size_t i = 0; i < count; ++i) {
+            range.add(static_cast<double>(values[i]));
+        }
+    }
+    return range;
 }
 
 void noteLosses(const StoredVolume& stored, const ValueRange& range, const Quantization& quantization,
@@ -151,122 +109,98 @@ void noteLosses(const StoredVolume& stored, const ValueRange& range, const Quant
     }
 }
 
-/// Reads every voxel by `quantization`; 16-bit numbers need no rounding.
 template <class T>
-core::Result<core::Volume> quantized(const StoredVolume& stored, const Quantization& quantization, double lowest,
-                                     const ReadObserver& observe)
+void quantize(const T* values, const Quantization& quantization, double lowest, std::vector<std::int16_t>& voxels)
 {
-    core::Volume volume(stored.geometry);
-    volume.slope = stored.slope * quantization.scale;
-    volume.intercept = stored.slope * quantization.offset + stored.intercept;
-    const auto filled =
-        forEachChunk<T>(stored, observe, [&](const std::vector<T>& values, std::size_t count, std::size_t first) {
-            std::int16_t* out = volume.voxels.data() + first;
-            for (std::size_t i = 0; i < count; ++i) {
-                if constexpr (sizeof(T) <= 2) {
-                    out[i] =
-                        static_cast<std::int16_t>(static_cast<int>(values[i]) - static_cast<int>(quantization.offset));
-                } else {
-                    const auto raw = static_cast<double>(values[i]);
-                    out[i] = quantization.voxel(std::isfinite(raw) ? raw : lowest);
-                }
-            }
-            return core::Status(core::Done{});
-        });
-    if (!filled) {
-        return filled.error();
+    const bool isExact = quantization.scale == 1.0;
+    for (std::size_t i = 0; i < voxels.size(); ++i) {
+        const auto raw = static_cast<double>(values[i]);
+        const double value = std::isfinite(raw) ? raw : lowest;
+        voxels[i] = isExact && value == std::trunc(value) ? static_cast<std::int16_t>(value - quantization.offset)
+                                                          : quantization.voxel(value);
     }
-    return volume;
 }
 
 template <class T>
-core::Result<core::Volume> readAs(const StoredVolume& stored, const ReadObserver& observe, core::Messages& warnings)
+core::Result<core::Volume> readNarrow(const StoredVolume& stored, const ReadObserver& observe)
 {
-    if constexpr (sizeof(T) <= 2) {
-        const bool isWide = std::is_same_v<T, std::uint16_t>;
-        return quantized<T>(stored, {1.0, isWide ? -lowestStored : 0.0}, 0.0, observe);
-    } else {
-        const auto range = rangeOf<T>(stored, partOf(observe, 0.0, 0.5));
-        if (!range) {
-            return range.error();
-        }
-        if (range.value().missing == stored.geometry.voxelCount()) {
-            return fileError(stored.path, says::volumeNoNumbers());
-        }
-        const Quantization quantization = quantizationOf(range.value());
-        noteLosses(stored, range.value(), quantization, warnings);
-        return quantized<T>(stored, quantization, range.value().low, partOf(observe, 0.5, 1.0));
+    constexpr bool isWide = std::is_same_v<T, std::uint16_t>;
+    constexpr int offset = isWide ? 32768 : 0;
+    core::Volume volume(stored.geometry);
+    volume.slope = stored.slope;
+    volume.intercept = stored.slope * offset + stored.intercept;
+    const auto filled = readInPlace<T>(stored, volume.voxels, observe, [](T value) {
+        return static_cast<std::int16_t>(static_cast<int>(value) - offset);
+    });
+    return filled ? core::Result<core::Volume>(std::move(volume)) : filled.error();
+}
+
+template <class T>
+core::Result<core::Volume> readWide(const StoredVolume& stored, const ReadObserver& observe, core::Messages& warnings)
+{
+    const auto apart = readApart<T>(stored, observe);
+    if (!apart) {
+        return apart.error();
     }
+    const T* values = apart.value().get();
+    const ValueRange range = rangeOf(values, stored.geometry.voxelCount());
+    if (range.missing == stored.geometry.voxelCount()) {
+        return fileError(stored.path, says::volumeNoNumbers());
+    }
+    const Quantization quantization = quantizationOf(range);
+    noteLosses(stored, range, quantization, warnings);
+    core::Volume volume(stored.geometry);
+    volume.slope = stored.slope * quantization.scale;
+    volume.intercept = stored.slope * quantization.offset + stored.intercept;
+    quantize(values, quantization, range.low, volume.voxels);
+    return volume;
+}
+
+/// True for what a label may be, once slope and intercept are applied.
+bool isLabel(double value)
+{
+    return value >= 0.0 && value <= storedLevels && value == std::floor(value);
 }
 
 template <class T>
 core::Result<core::LabelVolume> labelsAs(const StoredVolume& stored, const ReadObserver& observe)
 {
     core::LabelVolume labels(stored.geometry);
-    const auto filled =
-        forEachChunk<T>(stored, observe, [&](const std::vector<T>& values, std::size_t count, std::size_t first) {
-            for (std::size_t i = 0; i < count; ++i) {
-                const double value = stored.slope * static_cast<double>(values[i]) + stored.intercept;
-                if (!(value >= 0.0 && value <= storedLevels && value == std::floor(value))) {
-                    return core::Status(fileError(stored.path, says::labelsNoWholeNumber(toText(value))));
-                }
-                labels.voxels[first + i] = static_cast<std::uint16_t>(value);
-            }
-            return core::Status(core::Done{});
-        });
-    if (!filled) {
-        return filled.error();
+    double wrong = 0.0;
+    const auto labelOf = [&](T raw) {
+        const double value = stored.slope * static_cast<double>(raw) + stored.intercept;
+        wrong = isLabel(value) ? wrong : value;
+        return static_cast<std::uint16_t>(isLabel(value) ? value : 0.0);
+    };
+    if constexpr (sizeof(T) <= 2) {
+        if (const auto filled = readInPlace<T>(stored, labels.voxels, observe, labelOf); !filled) {
+            return filled.error();
+        }
+    } else {
+        const auto apart = readApart<T>(stored, observe);
+        if (!apart) {
+            return apart.error();
+        }
+        for (std::size_t i = labels.voxels.size(); i-- > 0;) {
+            labels.voxels[i] = labelOf(apart.value()[i]);
+        }
+    }
+    if (!isLabel(wrong)) {
+        return fileError(stored.path, says::labelsNoWholeNumber(toText(wrong)));
     }
     return labels;
-}
-
-/// A header that points at a whole volume and says nothing of the header in there would show that as voxels.
-bool isHeaderAmongVoxels(const StoredVolume& stored)
-{
-    const VoxelSource& source = stored.source;
-    if (source.path == stored.path || source.isAtEnd || source.offset + source.skip > 0) {
-        return false;
-    }
-    auto opened = ByteStream::open(source);
-    if (!opened) {
-        return false;
-    }
-    ByteStream stream = std::move(opened).value();
-    std::string head(niftiHeadSize, '\0');
-    head.resize(stream.readSome(head.data(), head.size()));
-    return head.starts_with("NRRD000") || niftiHeaderOf(head);
 }
 
 }   // namespace
 
 core::Status checkVoxels(const StoredVolume& stored)
 {
-    const VoxelSource& source = stored.source;
-    if (!std::filesystem::exists(source.path)) {
-        return fileError(stored.path,
-                         says::volumeVoxelsNotThere(std::filesystem::path(source.path).filename().string()));
+    if (const auto there = stored.voxels->check(); !there) {
+        return there;
     }
-    const auto stream = ByteStream::open(source);
-    if (!stream) {
-        return source.path == stored.path
-                   ? stream.error()
-                   : fileError(stored.path, says::volumeVoxelFileNotRead(stream.error().message));
-    }
-    if (isHeaderAmongVoxels(stored)) {
-        return fileError(stored.path, says::volumeVoxelsAreHeader());
-    }
-    const std::uint64_t needed = stored.geometry.voxelCount() * bytesOf(stored.type);
-    const std::uint64_t there = stream.value().fileSize() - std::min(source.offset, stream.value().fileSize());
-    if (source.packing == StreamPacking::None && there < needed + source.skip) {
-        return fileError(source.path, says::volumeCutShortBy(there, needed + source.skip));
-    }
-    if (static_cast<double>(needed) > greatestInflation * static_cast<double>(there)) {
-        return cutShort(stored);
-    }
-    if (2.0 * static_cast<double>(stored.geometry.voxelCount()) > 0.9 * memoryBytes()) {
-        return fileError(stored.path, says::volumeLargerThanMemory());
-    }
-    return core::Done{};
+    const std::size_t apart = bytesOf(stored.type) > 2 ? bytesOf(stored.type) : 0;
+    const double needed = static_cast<double>(stored.geometry.voxelCount()) * static_cast<double>(2 + apart);
+    return needed > 0.9 * memoryBytes() ? core::Status(tooLarge(stored)) : core::Done{};
 }
 
 core::Result<core::Volume> readVoxels(const StoredVolume& stored, const ReadObserver& observe, core::Messages& warnings)
@@ -274,7 +208,18 @@ core::Result<core::Volume> readVoxels(const StoredVolume& stored, const ReadObse
     if (const auto plausible = checkVoxels(stored); !plausible) {
         return plausible.error();
     }
-    return withType(stored.type, [&](auto kind) { return readAs<decltype(kind)>(stored, observe, warnings); });
+    try {
+        return withType(stored.type, [&](auto kind) -> core::Result<core::Volume> {
+            using T = decltype(kind);
+            if constexpr (sizeof(T) <= 2) {
+                return readNarrow<T>(stored, observe);
+            } else {
+                return readWide<T>(stored, observe, warnings);
+            }
+        });
+    } catch (const std::bad_alloc&) {
+        return tooLarge(stored);
+    }
 }
 
 core::Result<core::LabelVolume> readLabelVoxels(const StoredVolume& stored, const ReadObserver& observe)
@@ -282,7 +227,11 @@ core::Result<core::LabelVolume> readLabelVoxels(const StoredVolume& stored, cons
     if (const auto plausible = checkVoxels(stored); !plausible) {
         return plausible.error();
     }
-    return withType(stored.type, [&](auto kind) { return labelsAs<decltype(kind)>(stored, observe); });
+    try {
+        return withType(stored.type, [&](auto kind) { return labelsAs<decltype(kind)>(stored, observe); });
+    } catch (const std::bad_alloc&) {
+        return tooLarge(stored);
+    }
 }
 
 }   // namespace angiopose::io

@@ -2,12 +2,14 @@
 
 #include "core/imaging/volume.h"
 #include "core/support/message.h"
+#include "core/support/result.h"
+#include "io/support/read_observer.h"
 
 #include <cstdint>
-#include <optional>
+#include <map>
+#include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace angiopose::io {
 
@@ -15,20 +17,8 @@ enum class VoxelType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Int64, Uint64,
 
 constexpr std::size_t bytesOf(VoxelType type)
 {
-    switch (type) {
-        case VoxelType::Int8:
-        case VoxelType::Uint8:
-            return 1;
-        case VoxelType::Int16:
-        case VoxelType::Uint16:
-            return 2;
-        case VoxelType::Int32:
-        case VoxelType::Uint32:
-        case VoxelType::Float32:
-            return 4;
-        default:
-            return 8;
-    }
+    constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+    return sizes[static_cast<int>(type)];
 }
 
 constexpr std::string_view nameOf(VoxelType type)
@@ -38,29 +28,34 @@ constexpr std::string_view nameOf(VoxelType type)
     return names[static_cast<int>(type)];
 }
 
-enum class StreamPacking { None, Deflate };   ///< the latter: gzip or zlib
+/// Hands out the voxels of an opened volume as they are stored, in this machine's byte order.
+class VoxelReader {
+public:
+    VoxelReader() = default;
+    VoxelReader(const VoxelReader&) = delete;
+    VoxelReader& operator=(const VoxelReader&) = delete;
+    virtual ~VoxelReader() = default;
 
-/// Where the voxels of a volume lie: `path` from `offset` on, unpacked, then `skip` bytes further.
-struct VoxelSource {
-    std::string path;
-    std::uint64_t offset = 0;
-    StreamPacking packing = StreamPacking::None;
-    std::uint64_t skip = 0;
-    bool isAtEnd = false;   ///< the voxels are the last bytes of what is unpacked, whatever precedes them
+    /// The gate: fails when the file cannot hold what its header declares. Reads no voxel and takes no memory.
+    virtual core::Status check() const = 0;
+    /// All voxels, from the first to the last.
+    virtual core::Status read(char* voxels, const ReadObserver& observe) const = 0;
 };
 
-/// What the header of a NIfTI, NRRD or MetaImage file says about its volume: value = stored · slope + intercept.
+using LabelNames = std::map<int, std::string>;
+
+/// What the header of a volume file says: value = stored · slope + intercept.
 struct StoredVolume {
     std::string path;   ///< the file that was opened, for messages
-    std::string_view format;   ///< "NIfTI", …
+    std::string format;   ///< "NIfTI-1", …
     core::VolumeGeometry geometry;   ///< patient LPS
     VoxelType type = VoxelType::Int16;
-    bool isBigEndian = false;
     double slope = 1.0;
     double intercept = 0.0;
     bool isDeclaredLabels = false;   ///< the header says that values are labels
-    VoxelSource source;
+    LabelNames labelNames;   ///< what it calls them; empty where nothing is named
     core::Messages warnings;
+    std::shared_ptr<const VoxelReader> voxels;
 };
 
 }   // namespace angiopose::io

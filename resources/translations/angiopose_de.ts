@@ -3612,11 +3612,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>lässt sich nicht lesen (%1). Auf eine lokale Platte kopieren.</translation>
     </message>
     <message>
-        <source>it cannot be read. Copy it to a local disk.</source>
-        <comment>file.not-read-at-all</comment>
-        <translation>lässt sich nicht lesen. Auf eine lokale Platte kopieren.</translation>
-    </message>
-    <message>
         <source>it cannot be written (%1). Choose another folder or make room.</source>
         <comment>file.not-written</comment>
         <translation>lässt sich nicht schreiben (%1). Anderen Ordner wählen oder Platz schaffen.</translation>
@@ -4267,6 +4262,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Oberfläche misst %1, das ist ungewöhnlich: wenn ihre Einheit nicht Millimeter ist, die Einheit angeben.</translation>
     </message>
     <message>
+        <source>the surface is %1 across, larger than any body. Give the unit of the file, or remove points that lie astray.</source>
+        <comment>surface.larger-than-body</comment>
+        <translation>die Oberfläche misst %1, mehr als jeder Körper. Die Einheit der Datei angeben oder abseits liegende Punkte entfernen.</translation>
+    </message>
+    <message>
         <source>line %1 does not give a point. The file is damaged; export it again.</source>
         <comment>surface.obj-bad-point</comment>
         <translation>Zeile %1 ergibt keinen Punkt. Die Datei ist beschädigt; neu exportieren.</translation>
@@ -4562,11 +4562,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das ist %1, kein Volumen. Einen DICOM-Ordner, NIfTI, NRRD oder MetaImage (.mha, .mhd) wählen.</translation>
     </message>
     <message>
-        <source>this is an Analyze 7.5 header, which does not say left from right. Convert it to NIfTI where the orientation is known.</source>
-        <comment>volume.analyze</comment>
-        <translation>das ist ein Analyze-7.5-Header, der links und rechts nicht unterscheidet. Wo die Ausrichtung bekannt ist, in NIfTI umwandeln.</translation>
-    </message>
-    <message>
         <source>it holds a %1, not an image. Choose the scan.</source>
         <comment>volume.holds-other</comment>
         <translation>enthält ein %1, kein Bild. Den Scan wählen.</translation>
@@ -4647,9 +4642,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Achsen stehen %1 statt 90° zueinander. Das Volumen auf senkrechte Achsen umrechnen.</translation>
     </message>
     <message>
-        <source>its DimSize makes no sense. The file is damaged; export it again.</source>
-        <comment>volume.dim-size</comment>
-        <translation>die DimSize ergibt keinen Sinn. Die Datei ist beschädigt; neu exportieren.</translation>
+        <source>its header cannot be read (%1). Export it again.</source>
+        <comment>volume.header-not-read</comment>
+        <translation>der Header ist nicht lesbar (%1). Neu exportieren.</translation>
+    </message>
+    <message>
+        <source>its %1 header cannot be read. Export it again.</source>
+        <comment>volume.format-header-not-read</comment>
+        <translation>der %1-Header ist nicht lesbar. Neu exportieren.</translation>
     </message>
     <message>
         <source>its HeaderSize makes no sense. Correct the header.</source>
@@ -4660,11 +4660,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>it does not say where its voxels are (ElementDataFile). Export it again.</source>
         <comment>volume.no-data-file</comment>
         <translation>sagt nicht, wo die Voxel liegen (ElementDataFile). Neu exportieren.</translation>
-    </message>
-    <message>
-        <source>its sizes are no numbers. The file is damaged; export it again.</source>
-        <comment>volume.sizes-no-numbers</comment>
-        <translation>die Größen sind keine Zahlen. Die Datei ist beschädigt; neu exportieren.</translation>
     </message>
     <message>
         <source>its line skip or byte skip makes no sense. Correct the header.</source>
@@ -4692,6 +4687,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der Voxeltyp (NIfTI-Datentyp %1) wird nicht gelesen. Als 16 Bit oder float speichern.</translation>
     </message>
     <message>
+        <source>its voxel type is not read. Save it as 16-bit or float.</source>
+        <comment>volume.other-voxel-type</comment>
+        <translation>der Voxeltyp wird nicht gelesen. Als 16 Bit oder float speichern.</translation>
+    </message>
+    <message>
         <source>its voxels are packed with bzip2. Save it with gzip or raw encoding.</source>
         <comment>volume.bzip2</comment>
         <translation>die Voxel sind mit bzip2 gepackt. Mit gzip oder roh speichern.</translation>
@@ -4710,6 +4710,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>its voxels are cut short, or their packing is damaged. Copy or export it again.</source>
         <comment>volume.packing-damaged</comment>
         <translation>die Voxel sind unvollständig oder falsch gepackt. Neu kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>its voxels are cut short or damaged. Copy or export it again.</source>
+        <comment>volume.voxels-damaged</comment>
+        <translation>die Voxel sind unvollständig oder beschädigt. Neu kopieren oder exportieren.</translation>
     </message>
     <message>
         <source>its voxels are cut short. Copy or export it again.</source>

@@ -3612,11 +3612,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>无法读取（%1）。请复制到本地磁盘。</translation>
     </message>
     <message>
-        <source>it cannot be read. Copy it to a local disk.</source>
-        <comment>file.not-read-at-all</comment>
-        <translation>无法读取。请复制到本地磁盘。</translation>
-    </message>
-    <message>
         <source>it cannot be written (%1). Choose another folder or make room.</source>
         <comment>file.not-written</comment>
         <translation>无法写入（%1）。请选择其他文件夹或腾出空间。</translation>
@@ -4267,6 +4262,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>表面跨度为 %1，不寻常：若单位不是毫米，请指定单位。</translation>
     </message>
     <message>
+        <source>the surface is %1 across, larger than any body. Give the unit of the file, or remove points that lie astray.</source>
+        <comment>surface.larger-than-body</comment>
+        <translation>表面跨度为 %1，大于任何人体。请给出文件的单位，或去除远离的点。</translation>
+    </message>
+    <message>
         <source>line %1 does not give a point. The file is damaged; export it again.</source>
         <comment>surface.obj-bad-point</comment>
         <translation>第 %1 行不是点。文件损坏；请重新导出。</translation>
@@ -4562,11 +4562,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这是%1，不是体数据。请选择 DICOM 文件夹、NIfTI、NRRD 或 MetaImage（.mha、.mhd）。</translation>
     </message>
     <message>
-        <source>this is an Analyze 7.5 header, which does not say left from right. Convert it to NIfTI where the orientation is known.</source>
-        <comment>volume.analyze</comment>
-        <translation>这是 Analyze 7.5 文件头，不区分左右。请在已知方位处转换为 NIfTI。</translation>
-    </message>
-    <message>
         <source>it holds a %1, not an image. Choose the scan.</source>
         <comment>volume.holds-other</comment>
         <translation>含 %1，而非图像。请选择扫描。</translation>
@@ -4647,9 +4642,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>各轴夹角为 %1 而非 90°。请重采样到正交轴。</translation>
     </message>
     <message>
-        <source>its DimSize makes no sense. The file is damaged; export it again.</source>
-        <comment>volume.dim-size</comment>
-        <translation>DimSize 无意义。文件损坏；请重新导出。</translation>
+        <source>its header cannot be read (%1). Export it again.</source>
+        <comment>volume.header-not-read</comment>
+        <translation>文件头无法读取（%1）。请重新导出。</translation>
+    </message>
+    <message>
+        <source>its %1 header cannot be read. Export it again.</source>
+        <comment>volume.format-header-not-read</comment>
+        <translation>其 %1 文件头无法读取。请重新导出。</translation>
     </message>
     <message>
         <source>its HeaderSize makes no sense. Correct the header.</source>
@@ -4660,11 +4660,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>it does not say where its voxels are (ElementDataFile). Export it again.</source>
         <comment>volume.no-data-file</comment>
         <translation>未说明体素所在（ElementDataFile）。请重新导出。</translation>
-    </message>
-    <message>
-        <source>its sizes are no numbers. The file is damaged; export it again.</source>
-        <comment>volume.sizes-no-numbers</comment>
-        <translation>尺寸不是数字。文件损坏；请重新导出。</translation>
     </message>
     <message>
         <source>its line skip or byte skip makes no sense. Correct the header.</source>
@@ -4692,6 +4687,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>不支持体素类型（NIfTI 类型 %1）。请存为 16 位或浮点。</translation>
     </message>
     <message>
+        <source>its voxel type is not read. Save it as 16-bit or float.</source>
+        <comment>volume.other-voxel-type</comment>
+        <translation>不支持其体素类型。请存为 16 位或浮点。</translation>
+    </message>
+    <message>
         <source>its voxels are packed with bzip2. Save it with gzip or raw encoding.</source>
         <comment>volume.bzip2</comment>
         <translation>体素以 bzip2 压缩。请用 gzip 或 raw 编码保存。</translation>
@@ -4710,6 +4710,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>its voxels are cut short, or their packing is damaged. Copy or export it again.</source>
         <comment>volume.packing-damaged</comment>
         <translation>体素被截断或压缩损坏。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>its voxels are cut short or damaged. Copy or export it again.</source>
+        <comment>volume.voxels-damaged</comment>
+        <translation>体素被截断或损坏。请重新复制或导出。</translation>
     </message>
     <message>
         <source>its voxels are cut short. Copy or export it again.</source>

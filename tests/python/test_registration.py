@@ -97,7 +97,7 @@ def test_other_threads_run_meanwhile(arrays):
     after = time.monotonic()
     isDone.set()
     thread.join()
-    assert sum(before < stamp < after for stamp in stamps) > 5
+    assert sum(before < stamp < after for stamp in stamps) > 2   # with the lock held: none, or one at either end
 
 
 def test_errors_say_what_is_wrong(arrays):

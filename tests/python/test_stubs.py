@@ -73,7 +73,7 @@ def test_arguments_are_those_of_the_module():
         assert module, f"{owner or ''}.{name}: no signature in\n{doc}"
         assert module == [stubbed(node) for node in nodes], f"{owner or ''}.{name}"
         checked += 1
-    assert checked > 50
+    assert checked > 40
 
 
 def test_names_are_those_of_the_module():

@@ -1,0 +1,206 @@
+#include "io/volume/voxel_stream.h"
+
+#include "io/messages/says.h"
+#include "io/support/file_error.h"
+#include "io/support/input_bytes.h"
+
+#include <zlib.h>
+#include <algorithm>
+#include <bit>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+namespace angiopose::io {
+namespace {
+
+constexpr std::size_t streamBlock = std::size_t{1} << 20;
+constexpr std::size_t niftiHeadBytes = 348;
+constexpr double greatestInflation = 1100.0;   // deflate packs at most 1032 to 1
+
+/// The bytes of a file from `offset` on, unpacked where they begin like gzip or are said to be packed.
+class PackedFile {
+public:
+    PackedFile(const std::string& path, std::uint64_t offset, bool isPacked) : file_(path, std::ios::binary)
+    {
+        file_.seekg(static_cast<std::streamoff>(offset));
+        isPacked_ = isPacked && inflateInit2(&inflater_, 15 + 32) == Z_OK;   // gzip or zlib, by what is there
+        isDamaged_ = !file_ || isPacked != isPacked_;
+        block_.resize(isPacked ? streamBlock / 4 : 0);
+    }
+    PackedFile(const PackedFile&) = delete;
+    PackedFile& operator=(const PackedFile&) = delete;
+    ~PackedFile() { inflateEnd(&inflater_); }
+
+    /// Up to `size` bytes, at most one block; 0 at the end or at damage.
+    std::size_t read(char* out, std::size_t size)
+    {
+        size = std::min(size, streamBlock);
+        if (!isPacked_) {
+            file_.read(out, static_cast<std::streamsize>(size));
+            return static_cast<std::size_t>(file_.gcount());
+        }
+        inflater_.next_out = reinterpret_cast<Bytef*>(out);
+        inflater_.avail_out = static_cast<uInt>(size);
+        while (inflater_.avail_out > 0 && !isDamaged_ && (inflater_.avail_in > 0 || refill())) {
+            const int status = inflate(&inflater_, Z_NO_FLUSH);
+            if (status == Z_STREAM_END) {   // another archive may follow: parallel packers write several
+                isDamaged_ = (inflater_.avail_in == 0 && !refill()) || inflateReset(&inflater_) != Z_OK;
+            } else {
+                isDamaged_ = status != Z_OK && status != Z_BUF_ERROR;
+            }
+        }
+        return size - inflater_.avail_out;
+    }
+
+    /// Passes over bytes; how many there were.
+    std::uint64_t skip(std::uint64_t size)
+    {
+        std::vector<char> sink(streamBlock);
+        std::uint64_t done = 0;
+        for (std::size_t got = 1; got > 0 && done < size; done += got) {
+            got = read(sink.data(), std::min<std::uint64_t>(size - done, sink.size()));
+        }
+        return done;
+    }
+
+private:
+    bool refill()
+    {
+        file_.read(block_.data(), static_cast<std::streamsize>(block_.size()));
+        inflater_.next_in = reinterpret_cast<Bytef*>(block_.data());
+        inflater_.avail_in = static_cast<uInt>(file_.gcount());
+        return inflater_.avail_in > 0;
+    }
+
+    std::ifstream file_;
+    z_stream inflater_{};
+    std::vector<char> block_;
+    bool isPacked_ = false;
+    bool isDamaged_ = false;
+};
+
+class VoxelStream : public VoxelReader {
+public:
+    VoxelStream(const StoredVolume& stored, VoxelSource source)
+        : path_(stored.path),
+          source_(std::move(source)),
+          bytesPerVoxel_(bytesOf(stored.type)),
+          needed_(stored.geometry.voxelCount() * bytesOf(stored.type))
+    {
+    }
+
+    core::Status check() const override;
+    core::Status read(char* voxels, const ReadObserver& observe) const override;
+
+private:
+    core::Error cutShort() const { return fileError(source_.path, says::volumePackingDamaged()); }
+    bool isHeaderAmongVoxels() const;
+    std::unique_ptr<PackedFile> openAtVoxels() const;
+
+    std::string path_;
+    VoxelSource source_;
+    std::size_t bytesPerVoxel_;
+    std::uint64_t needed_;
+};
+
+/// A header that points at a whole volume and says nothing of the header in there would show that as voxels.
+bool VoxelStream::isHeaderAmongVoxels() const
+{
+    if (source_.path == path_ || source_.isAtEnd || source_.offset + source_.skip > 0) {
+        return false;
+    }
+    const std::string head = headOf(source_.path, niftiHeadBytes);
+    const std::string_view magic = head.size() == niftiHeadBytes ? std::string_view(head).substr(344, 3) : "";
+    return head.starts_with("NRRD000") || magic == "n+1" || head.substr(4, 2) == "n+";
+}
+
+core::Status VoxelStream::check() const
+{
+    if (!std::filesystem::exists(source_.path)) {
+        return fileError(path_, says::volumeVoxelsNotThere(std::filesystem::path(source_.path).filename().string()));
+    }
+    const auto input = openInput(source_.path);
+    if (!input) {
+        return source_.path == path_ ? input.error()
+                                     : fileError(path_, says::volumeVoxelFileNotRead(input.error().message));
+    }
+    if (isHeaderAmongVoxels()) {
+        return fileError(path_, says::volumeVoxelsAreHeader());
+    }
+    const std::uint64_t size = input.value().view().size();
+    const std::uint64_t there = size - std::min(source_.offset, size);
+    if (!source_.isPacked && there < needed_ + source_.skip) {
+        return fileError(source_.path, says::volumeCutShortBy(there, needed_ + source_.skip));
+    }
+    return static_cast<double>(needed_) > greatestInflation * static_cast<double>(there) ? core::Status(cutShort())
+                                                                                         : core::Done{};
+}
+
+std::unique_ptr<PackedFile> VoxelStream::openAtVoxels() const
+{
+    const auto open = [this] { return std::make_unique<PackedFile>(source_.path, source_.offset, source_.isPacked); };
+    auto file = open();
+    std::uint64_t skip = source_.skip;
+    if (source_.isAtEnd) {
+        const std::uint64_t length = file->skip(std::numeric_limits<std::uint64_t>::max());
+        if (length < needed_) {
+            return nullptr;
+        }
+        skip = length - needed_;
+        file = open();
+    }
+    return file->skip(skip) == skip ? std::move(file) : nullptr;
+}
+
+void turnBytes(char* values, std::size_t bytes, std::size_t bytesPerValue)
+{
+    for (char* value = values; value < values + bytes; value += bytesPerValue) {
+        std::reverse(value, value + bytesPerValue);
+    }
+}
+
+core::Status VoxelStream::read(char* voxels, const ReadObserver& observe) const
+{
+    const auto file = openAtVoxels();
+    if (!file) {
+        return cutShort();
+    }
+    for (std::uint64_t done = 0; done < needed_;) {
+        if (isStopWished(observe, static_cast<double>(done) / static_cast<double>(needed_))) {
+            return stoppedReading(path_);
+        }
+        const std::size_t got = file->read(voxels + done, needed_ - done);
+        if (got == 0) {
+            return cutShort();
+        }
+        done += got;
+    }
+    const bool isTurned = source_.isBigEndian != (std::endian::native == std::endian::big);
+    if (isTurned && bytesPerVoxel_ > 1) {
+        turnBytes(voxels, needed_, bytesPerVoxel_);
+    }
+    return core::Done{};
+}
+
+}   // namespace
+
+std::shared_ptr<const VoxelReader> voxelStream(const StoredVolume& stored, const VoxelSource& source)
+{
+    return std::make_shared<VoxelStream>(stored, source);
+}
+
+std::string headOf(const std::string& path, std::size_t size)
+{
+    const auto content = openInput(path);
+    PackedFile file(path, 0, content && content.value().view().starts_with("\x1f\x8b"));
+    std::string head(size, '\0');
+    std::size_t done = 0;
+    for (std::size_t got = 1; got > 0 && done < size; done += got) {
+        got = file.read(head.data() + done, size - done);
+    }
+    head.resize(done);
+    return head;
+}
+
+}   // namespace angiopose::io
