@@ -17,7 +17,7 @@ SimulatedCase simulateCase(std::uint64_t seed, const SimulationOptions& options)
 
     auto content = std::make_unique<Case::Content>();
     content->values.title = "Simulated case, seed " + std::to_string(seed);
-    content->values.tree = std::make_shared<const core::VesselTree>(std::move(simulated.tree));
+    content->values.vessels.tree = std::make_shared<const core::VesselTree>(std::move(simulated.tree));
     library::putAngiogram(content->values, std::make_shared<const core::Angiogram>(std::move(simulated.angiogram)));
     Case theCase(std::move(content));
     theCase.setStartPose(library::toPublic(simulated.initialCameraFromPatient));

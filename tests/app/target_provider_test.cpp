@@ -33,7 +33,7 @@ TEST(TargetProvider, RemembersTracesButKeepsNoRunAlive)
     TargetProvider provider;
     auto first = caseWith(simulatedRun());
     const auto second = caseWith(simulatedRun());
-    const std::weak_ptr<const core::Angiogram> firstRun = first.angiogram;
+    const std::weak_ptr<const core::Angiogram> firstRun = first.shown().angiogram;
     provider.want(first);
     ASSERT_TRUE(isReady(provider));
     const SharedTrace traced = provider.trace();
@@ -43,7 +43,7 @@ TEST(TargetProvider, RemembersTracesButKeepsNoRunAlive)
     provider.want(first);
     EXPECT_EQ(provider.trace(), traced);   // at once
     provider.want(second);
-    first.angiogram.reset();   // closed
+    first.shown().angiogram.reset();   // closed
     EXPECT_TRUE(firstRun.expired());
 }
 

@@ -187,7 +187,7 @@ TEST_F(WindowCurves, SurviveSavingAndReopening)
     core::Messages warnings;
     const auto loaded = io::loadCase(path, warnings);
     ASSERT_TRUE(loaded) << loaded.error().message;
-    const auto same = core::targetOf(loaded.value());
+    const auto same = core::targetOf(loaded.value().shown());
     ASSERT_TRUE(same);
     ASSERT_EQ(same.value().curves.size(), target()->curves.size());
     for (std::size_t i = 0; i < same.value().curves.size(); ++i) {

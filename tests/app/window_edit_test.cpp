@@ -105,7 +105,7 @@ protected:
     {
         w.openSample();
         w.press(Qt::Key_N);
-        const auto camera = core::cameraOf(w.current());
+        const auto camera = core::cameraOf(w.current().shown());
         const auto pivot = core::project(
             camera.value(), w.current().shown().cameraFromPatient * core::centroidInPatient(*w.current().vessels.tree));
         from = w.window.angiogramView().widgetFromImage(*pivot).toPoint();
@@ -186,7 +186,7 @@ TEST(WindowBranches, ArePickedInTheAngiogram)
 {
     OpenWindow w;
     w.openSample();
-    const auto camera = core::cameraOf(w.current());
+    const auto camera = core::cameraOf(w.current().shown());
     ui::AngiogramView& view = w.window.angiogramView();
     for (const core::VesselBranch& branch : w.current().vessels.tree->branches) {
         const auto pixel = core::project(camera.value(), w.current().shown().cameraFromPatient *

@@ -121,8 +121,8 @@ TEST(WindowRecovery, OpensACaseWhoseInputsHaveMoved)
     fs::copy_file(inputs.vessels.file.path, tree);
     fs::copy_file(inputs.shown().imageFile.path, image);
     auto wanted = w.current();
-    wanted.centerlineFile.path = tree.string();
-    wanted.imageFile.path = image.string();
+    wanted.vessels.file.path = tree.string();
+    wanted.shown().imageFile.path = image.string();
     w.controller.document().push(joinInputs(w.controller.document(), wanted, [] { return QStringLiteral("move"); }));
     bool isSaved = false;
     const QString path = QString::fromStdString((home / "moved.angiopose").string());

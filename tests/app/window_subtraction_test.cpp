@@ -92,7 +92,7 @@ TEST_F(WindowSubtraction, TheShownPictureIsTheOneTraced)
     markFirstFrames();
     ASSERT_TRUE(QTest::qWaitFor([this] { return w.controller.target().current() || w.controller.target().problem(); },
                                 test::patienceMs));
-    const auto expected = core::targetOf(w.current());
+    const auto expected = core::targetOf(w.current().shown());
     ASSERT_EQ(expected ? true : false, w.controller.target().current() != nullptr);
     if (expected) {
         EXPECT_EQ(w.controller.target().current()->pointCount(), expected.value().pointCount());

@@ -136,8 +136,8 @@ TEST_F(CliOnSimulatedCase, KeepsLockedDegreesOfFreedom)
     core::Messages warnings;
     const auto loaded = io::loadCase(casePath_, warnings);
     ASSERT_TRUE(found && loaded);
-    EXPECT_LT((found.value().rotation - loaded.value().cameraFromPatient.rotation).norm(), 1e-12);
-    EXPECT_GT((found.value().translation - loaded.value().cameraFromPatient.translation).norm(), 0.1);
+    EXPECT_LT((found.value().rotation - loaded.value().shown().cameraFromPatient.rotation).norm(), 1e-12);
+    EXPECT_GT((found.value().translation - loaded.value().shown().cameraFromPatient.translation).norm(), 0.1);
 
     const auto unknown = runCli({"register", casePath_, "--lock", "sideways"});
     EXPECT_EQ(unknown.exitCode, 2);

@@ -75,7 +75,7 @@ TEST(SaveCase, EditedCurvesReplaceTheirOwnFileOnly)
 
     // Saved under another name, the case takes its curves along.
     ASSERT_TRUE(io::saveCase(reloaded(folder.file("a.angiopose")), folder.file("b.angiopose")));
-    EXPECT_EQ(reloaded(folder.file("b.angiopose")).targetFile.path, folder.file("b.curves.csv"));
+    EXPECT_EQ(reloaded(folder.file("b.angiopose")).shown().target.file.path, folder.file("b.curves.csv"));
 }
 
 TEST(SaveCase, RestoresTheSubtraction)
