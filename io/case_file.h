@@ -12,7 +12,7 @@
 namespace angiopose::io {
 
 /// The JSON Schema of `*.angiopose` files, as published under resources/.
-std::string_view caseSchema();
+const std::string& caseSchema();
 
 /// Reads a case file and the inputs it names (FORMATS §2). Relative paths are relative to the case file.
 /// An input whose content no longer matches its stored hash loads with a warning. Vessels given as a volume, a

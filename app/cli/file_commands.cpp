@@ -1,7 +1,9 @@
 #include "app/cli/file_commands.h"
 
 #include "app/cli/commands.h"
+#include "io/case_file.h"
 
+#include <cstdio>
 #include <memory>
 
 namespace angiopose::app {
@@ -55,6 +57,15 @@ void addInfo(CLI::App& app, int& exitCode)
 void addValidate(CLI::App& app, int& exitCode)
 {
     addFileCommand(app, exitCode, "validate", "Check a case file and name every problem", runValidate);
+}
+
+void addSchema(CLI::App& app, int& exitCode)
+{
+    CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of case files");
+    command->callback([&exitCode] {
+        std::puts(io::caseSchema().c_str());
+        exitCode = exitDone;
+    });
 }
 
 }   // namespace angiopose::app

@@ -8,5 +8,6 @@ namespace angiopose::app {
 void addTraceAngiogram(CLI::App& app, int& exitCode);
 void addInfo(CLI::App& app, int& exitCode);
 void addValidate(CLI::App& app, int& exitCode);
+void addSchema(CLI::App& app, int& exitCode);
 
 }   // namespace angiopose::app

@@ -37,6 +37,7 @@ int parseAndRun(int argc, char** argv)
     addConvert(app, exitCode);
     addInfo(app, exitCode);
     addValidate(app, exitCode);
+    addSchema(app, exitCode);
     app.failure_message(usageHelp);
     try {
         app.parse(asOptions({argv + 1, argv + argc}));

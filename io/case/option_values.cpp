@@ -25,6 +25,22 @@ std::string optionsJson(const core::RegistrationOptions& options)
     return json.dump();
 }
 
+void readOptions(std::string_view json, core::RegistrationOptions& options, core::Messages& problems)
+{
+    const nlohmann::json given = nlohmann::json::parse(json);
+    for (const core::OptionField& field : core::optionFields()) {
+        const nlohmann::json value = given.value(std::string(field.key), nlohmann::json());
+        if (value.is_null()) {
+            continue;
+        }
+        const auto number = value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+        const std::string text = value.is_string() ? value.get<std::string>() : std::string();
+        if (const auto problem = setOption(options, field, number, text)) {
+            problems.push_back(*problem);
+        }
+    }
+}
+
 std::optional<core::Message> setOption(core::RegistrationOptions& options, const core::OptionField& field,
                                        std::optional<double> number, std::string_view text)
 {

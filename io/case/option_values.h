@@ -12,6 +12,9 @@ namespace angiopose::io {
 /// `{"key": value, …}` over the option table; choices by their text.
 std::string optionsJson(const core::RegistrationOptions& options);
 
+/// Sets what such a text says; null leaves an option as it is. Adds to `problems` what makes no sense.
+void readOptions(std::string_view json, core::RegistrationOptions& options, core::Messages& problems);
+
 /// Sets one option from a number, or from the text of a choice. Returns what is wrong, if anything.
 std::optional<core::Message> setOption(core::RegistrationOptions& options, const core::OptionField& field,
                                        std::optional<double> number, std::string_view text);

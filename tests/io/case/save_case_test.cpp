@@ -45,8 +45,8 @@ TEST(SaveCase, RestoresEveryBit)
     original.shown().geometry.cArm.rollDeg = {0.1 + 0.2, core::Origin::User, ""};
     original.shown().geometry.cArm.isocentreInPatientMm = {Eigen::Vector3d(0.1, -1.0 / 3.0, 7e5), core::Origin::Derived,
                                                            "clicked"};
-    original.shown().landmarks = {{{1.0 / 3.0, -2.0, 600.5}, {10.1, 511.0 / 3.0}, "bifurcation 3 / 5"},
-                                  {{1, 2, 3}, {4, 5}, ""}};
+    original.shown().landmarks = {{{1.0 / 3.0, -2.0, 600.5}, {10.1, 511.0 / 3.0}, "bifurcation 3 / 5", ""},
+                                  {{1, 2, 3}, {4, 5}, "", ""}};
     original.views.emplace_back().caseFile.path = folder.file("other.angiopose");
     original.shown().cameraFromPatient.translation.x() = 1.0 / 3.0;
     ASSERT_TRUE(io::saveCase(original, folder.file("copy.angiopose")));
@@ -86,6 +86,8 @@ TEST(SaveCase, KeepsKeysItDoesNotKnow)
     json["pose"]["history"] = {1, 2.5, nullptr};
     json["options"]["futureKnob"] = 0.1;
     json["geometry"]["tableHeightMm"] = -12.25;
+    json["pose"]["landmarks"] = {{{"pointInPatientMm", {1, 2, 3}}, {"pixel", {4, 5}}, {"seenBy", "E. F."}}};
+    json["snapshots"] = {{{"cameraFromPatient", json["pose"]["initial"]["cameraFromPatient"]}, {"mood", 3}}};
     const auto loaded = small.load(json);
     ASSERT_TRUE(loaded) << loaded.error().message;
     ASSERT_TRUE(io::saveCase(loaded.value(), small.path("saved.angiopose")));
@@ -96,6 +98,8 @@ TEST(SaveCase, KeepsKeysItDoesNotKnow)
     EXPECT_EQ(saved["pose"]["history"], json["pose"]["history"]);
     EXPECT_EQ(saved["options"]["futureKnob"], 0.1);
     EXPECT_EQ(saved["geometry"]["tableHeightMm"], -12.25);
+    EXPECT_EQ(saved["pose"]["landmarks"][0]["seenBy"], "E. F.");
+    EXPECT_EQ(saved["snapshots"][0]["mood"], 3);
     const auto again = io::loadCase(small.path("saved.angiopose"), small.warnings);
     ASSERT_TRUE(again);
     EXPECT_EQ(nlohmann::json::parse(again.value().extraKeys), nlohmann::json::parse(loaded.value().extraKeys));

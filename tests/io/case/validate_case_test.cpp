@@ -3,6 +3,7 @@
 #include "tests/io/case/small_case.h"
 
 #include <gtest/gtest.h>
+#include <fstream>
 
 using namespace angiopose;
 
@@ -51,9 +52,11 @@ TEST(DoubtsOfCase, HoldTheCaseAgainstTheHeaderOfItsImage)
 
 TEST(CaseSchema, IsThePublishedFile)
 {
-    const nlohmann::json schema = nlohmann::json::parse(io::caseSchema());
-    EXPECT_EQ(schema["title"], "AngioPose case");
-    EXPECT_TRUE(schema["definitions"].contains("pose"));
+    std::ifstream file(std::string(RESOURCES_DIR) + "/angiopose-case.schema.json");
+    ASSERT_TRUE(file);
+    const nlohmann::json published = nlohmann::json::parse(file);
+    EXPECT_EQ(published, nlohmann::json::parse(io::caseSchema())) << "angiopose-cli schema prints the new one";
+    EXPECT_EQ(published["title"], "AngioPose case");
 }
 
 }   // namespace

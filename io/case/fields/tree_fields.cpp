@@ -1,13 +1,11 @@
-#include "io/case/tree_values.h"
+#include "io/case/fields/tree_fields.h"
 
 #include "io/messages/says.h"
 
-#include <nlohmann/json.hpp>
+#include <limits>
 
 namespace angiopose::io {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json branchJson(const core::VesselBranch& branch)
 {
@@ -52,21 +50,20 @@ core::VesselBranch branchFrom(const Json& json)
 
 }   // namespace
 
-std::string treeJson(const core::VesselTree& tree)
+Json treeJson(const core::VesselTree& tree)
 {
     Json json;
     Json& branches = json["branches"] = Json::array();
     for (const core::VesselBranch& branch : tree.branches) {
         branches.push_back(branchJson(branch));
     }
-    return json.dump();
+    return json;
 }
 
-core::Result<core::VesselTree> treeFromJson(std::string_view json)
+core::Result<core::VesselTree> treeFromJson(const Json& json)
 {
-    const Json root = Json::parse(json);
     core::VesselTree tree;
-    for (const Json& branch : root.at("branches")) {
+    for (const Json& branch : json.at("branches")) {
         tree.branches.push_back(branchFrom(branch));
         if (tree.find(tree.branches.back().id) != &tree.branches.back()) {
             return core::Error(says::caseBranchTwice(tree.branches.back().id));
@@ -76,6 +73,21 @@ core::Result<core::VesselTree> treeFromJson(std::string_view json)
         return core::Error(*problem);
     }
     return tree;
+}
+
+Json treeSchema()
+{
+    Json point = listSchema(numberSchema());
+    point["minItems"] = 3;
+    point["maxItems"] = 4;
+    Json points = about(listSchema(point), "Points in patient LPS, each with the radius where it is known.");
+    points["minItems"] = 2;
+    const Json id = integerSchema(std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+    Json branches = listSchema(objectSchema(
+        {{"id", id}, {"name", textSchema()}, {"generation", integerSchema(0, 100000)}, {"pointsMm", std::move(points)}},
+        {"id", "pointsMm"}));
+    branches["minItems"] = 1;
+    return objectSchema({{"branches", std::move(branches)}}, {"branches"});
 }
 
 }   // namespace angiopose::io

@@ -1,0 +1,52 @@
+#include "io/case/case_document.h"
+
+#include "io/case/fields/case_fields.h"
+#include "io/case/fields/view_fields.h"
+#include "io/messages/says.h"
+#include "io/support/json_text.h"
+
+namespace angiopose::io {
+namespace {
+
+/// What this version does not know goes with the view it belongs to.
+void readUnknown(const Json& root, core::Case& values)
+{
+    const std::string unknown = unknownKeys(root.dump(), knownCaseKeys(values.vessels.input.kind).dump());
+    Json ofCase = unknown.empty() ? Json::object() : Json::parse(unknown);
+    Json ofView = Json::object();
+    for (const StoredField<core::View>& field : viewFields()) {
+        if (const auto found = ofCase.find(field.key); found != ofCase.end()) {
+            ofView[field.key] = *found;
+            ofCase.erase(field.key);
+        }
+    }
+    values.extraKeys = ofCase.empty() ? std::string() : ofCase.dump();
+    values.shown().extraKeys = ofView.empty() ? std::string() : ofView.dump();
+}
+
+}   // namespace
+
+CaseDocument parseCaseDocument(std::string_view json)
+{
+    const Json root = Json::parse(json);
+    CaseDocument document;
+    if (root["version"].get<double>() > 1.0) {
+        document.problems.push_back(says::caseNewer().about("version"));
+        return document;
+    }
+    Reading reading;
+    readFields(root, document.values, caseFields(), reading);
+    readUnknown(root, document.values);
+    document.notes = std::move(reading.otherViews);
+    document.notes.insert(document.notes.begin(), std::move(reading.view));
+    document.problems = std::move(reading.problems);
+    return document;
+}
+
+std::string caseDocumentText(const core::Case& theCase, const std::filesystem::path& folder)
+{
+    const Json known = writeFields(theCase, caseFields(), folder);
+    return prettyJson(withExtraKeys(withExtraKeys(known.dump(), theCase.shown().extraKeys), theCase.extraKeys));
+}
+
+}   // namespace angiopose::io

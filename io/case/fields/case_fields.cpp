@@ -1,0 +1,204 @@
+#include "io/case/fields/case_fields.h"
+
+#include "io/case/fields/file_fields.h"
+#include "io/case/fields/vessel_fields.h"
+#include "io/case/fields/vessel_key.h"
+#include "io/case/fields/view_fields.h"
+#include "io/case/option_values.h"
+#include "io/case_file.h"
+#include "io/messages/says.h"
+#include "io/support/json_text.h"
+
+#include <algorithm>
+
+namespace angiopose::io {
+namespace {
+
+namespace fs = std::filesystem;
+using core::Case;
+
+/// Says what the file is; read before anything else.
+StoredField<Case> constantField(std::string key, Json schema, Json value)
+{
+    return {std::move(key), std::move(schema), [](const Json&, Case&, Reading&) {},
+            [value = std::move(value)](const Case&, const fs::path&) { return value; }};
+}
+
+StoredField<Case> vesselField()
+{
+    StoredField<Case> field = storedPart("vessel", Json::object(), &Case::vessels, vesselFields());
+    field.read = [read = field.read](const Json& value, Case& theCase, Reading& reading) {
+        read(value, theCase, reading);
+        if (!reading.hasVessels) {
+            reading.problems.push_back(says::caseNoInput().about("vessel"));
+        }
+    };
+    return field;
+}
+
+/// Belongs to the options, but stands with the pose.
+StoredField<Case> locksField()
+{
+    const Json schema = about(listSchema(choiceSchema({"right", "up", "along-ray", "roll", "lao-rao", "cra-cau"})),
+                              "Degrees of freedom that nudging and registering leave as they are.");
+    return {"locked", schema,
+            [](const Json& value, Case& theCase, Reading&) {
+                for (const Json& id : value) {
+                    if (const auto axis = core::poseAxisFrom(id.get<std::string>())) {   // the schema knows no others
+                        theCase.options.locks[static_cast<std::size_t>(*axis)] = true;
+                    }
+                }
+            },
+            [](const Case& theCase, const fs::path&) {
+                Json ids;
+                for (const core::PoseAxis axis : core::poseAxes) {
+                    if (core::isLocked(theCase.options.locks, axis)) {
+                        ids.push_back(core::idOf(axis));
+                    }
+                }
+                return ids;
+            }};
+}
+
+void readOtherView(const Json& json, core::View& view, Reading& reading)
+{
+    Reading own;
+    if (json.contains("angiogram")) {
+        readItem(json, view, viewFields(), own);
+    } else {
+        view.caseFile = fileFrom(json);
+    }
+    for (const core::Message& problem : own.problems) {
+        reading.problems.push_back(problem.about("views"));
+    }
+    reading.otherViews.push_back(std::move(own.view));
+}
+
+Json otherViewJson(const core::View& view, const fs::path& folder)
+{
+    return view.caseFile.path.empty() ? itemJson(view, viewFields(), folder) : fileJson(view.caseFile, folder);
+}
+
+StoredField<Case> otherViewsField()
+{
+    Json schema = listSchema(anyOfSchema(definedAs("input"), definedAs("view")));
+    schema["maxItems"] = 100;
+    return {"views",
+            about(std::move(schema),
+                  "Other views of the same vessels, registered together with this one: a case file, or what a case "
+                  "says about its view. Their angles tell the geometry between the views."),
+            [](const Json& value, Case& theCase, Reading& reading) {
+                for (const Json& each : value) {
+                    readOtherView(each, theCase.views.emplace_back(), reading);
+                }
+            },
+            [](const Case& theCase, const fs::path& folder) {
+                Json list;
+                for (const core::View& view : theCase.views) {
+                    if (&view != &theCase.shown()) {
+                        list.push_back(otherViewJson(view, folder));
+                    }
+                }
+                return list;
+            }};
+}
+
+StoredField<Case> methodField()
+{
+    return {"method", textSchema(),
+            [](const Json& value, Case& theCase, Reading& reading) {
+                const std::string& method = theCase.options.method = value.get<std::string>();
+                const auto methods = core::methodInfos();
+                if (std::ranges::find(methods, method, &core::MethodInfo::id) == methods.end()) {
+                    std::vector<std::string> known;
+                    for (const core::MethodInfo& info : methods) {
+                        known.emplace_back(info.id);
+                    }
+                    reading.problems.push_back(says::caseMethodUnknown(method.substr(0, 40), known).about("method"));
+                }
+            },
+            [](const Case& theCase, const fs::path&) { return Json(theCase.options.method); }};
+}
+
+StoredField<Case> optionsField()
+{
+    const Json anything{{"type", {"number", "string", "boolean", "null", "object", "array"}}};
+    Json schema{{"type", "object"}, {"additionalProperties", anything}};
+    for (const core::OptionField& field : core::optionFields()) {
+        schema["properties"][std::string(field.key)] = anything;   // said what is wrong with it when it is read
+    }
+    return {"options", std::move(schema),
+            [](const Json& value, Case& theCase, Reading& reading) {
+                readOptions(value.dump(), theCase.options, reading.problems);
+            },
+            [](const Case& theCase, const fs::path&) { return Json::parse(optionsJson(theCase.options)); }};
+}
+
+/// Whose members may be unknown ones of the view, wherever that stands.
+Json viewSchema()
+{
+    Json properties = Json::object();
+    for (const StoredField<core::View>& field : viewFields()) {
+        properties[field.key] = {{"$ref", "#/properties/" + field.key}};
+    }
+    return objectSchema(std::move(properties), {"angiogram"});
+}
+
+Json schemaOfRows()
+{
+    Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
+                {"$id", "https://angiopose.org/schema/angiopose-case-1.json"},
+                {"title", "AngioPose case"},
+                {"description",
+                 "One session: a vessel tree, an angiogram, the geometry between them and the pose. Lengths in mm, "
+                 "angles in degrees, pixels from the centre of the first pixel; patient space is DICOM LPS. Keys not "
+                 "listed here are allowed and kept."}};
+    schema.update(objectSchema(propertiesOf(caseFields()), {"format", "version", "vessel", "angiogram"}));
+    schema["definitions"] = schemaDefinitions();
+    schema["definitions"]["view"] = viewSchema();
+    return schema;
+}
+
+}   // namespace
+
+const StoredFields<Case>& caseFields()
+{
+    static const StoredFields<Case> fields = [] {
+        StoredFields<Case> rows{
+            constantField("format", choiceSchema({"angiopose-case"}), "angiopose-case"),
+            constantField("version", Json{{"type", "integer"}, {"minimum", 1}}, 1),
+            storedValue("title", textSchema(), &Case::title),
+            vesselField(),
+        };
+        for (const StoredField<core::View>& field : viewFields()) {
+            rows.push_back(storedThrough<Case>(
+                [](auto& theCase) -> auto& { return theCase.shown(); }, field));
+        }
+        rows.push_back(storedGroup<Case>("pose", Json::object(), {locksField()}));
+        rows.push_back(otherViewsField());
+        rows.push_back(methodField());
+        rows.push_back(optionsField());
+        return rows;
+    }();
+    return fields;
+}
+
+const std::string& caseSchema()
+{
+    static const std::string schema = prettyJson(schemaOfRows().dump());
+    return schema;
+}
+
+Json knownCaseKeys(core::VesselInputKind kind)
+{
+    Json keys = keysOf(caseFields());
+    for (const core::VesselInputKind other : vesselInputKinds) {   // another kind beside it is kept, not read,
+        if (other != kind && other != core::VesselInputKind::Volume) {   // but for a scan
+            keys["vessel"].erase(vesselKey(other));
+        }
+    }
+    keys["vessel"]["editedTree"] = "";   // goes as a whole
+    return keys;
+}
+
+}   // namespace angiopose::io

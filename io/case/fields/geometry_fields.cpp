@@ -1,0 +1,145 @@
+#include "io/case/fields/geometry_fields.h"
+
+#include "io/case/fields/json_values.h"
+
+#include <tuple>
+
+namespace angiopose::io {
+namespace {
+
+using core::CArm;
+using core::Origin;
+using core::Sourced;
+using core::ViewGeometry;
+namespace fs = std::filesystem;
+
+Origin originFrom(const std::string& text)
+{
+    return text == "header"    ? Origin::Header
+           : text == "derived" ? Origin::Derived
+           : text == "assumed" ? Origin::Assumed
+                               : Origin::User;
+}
+
+const char* originText(Origin origin)
+{
+    switch (origin) {
+        case Origin::Header:
+            return "header";
+        case Origin::Derived:
+            return "derived";
+        case Origin::Assumed:
+            return "assumed";
+        default:
+            return "user";
+    }
+}
+
+/// A bare value, or an object that says where it comes from.
+Json sourcedSchema(const Json& value)
+{
+    return anyOfSchema(
+        value, objectSchema({{"value", value}, {"origin", definedAs("origin")}, {"basis", textSchema()}}, {"value"}));
+}
+
+/// A bare value was typed by a user.
+template <class Value>
+Sourced<Value> sourcedFrom(const Json& json)
+{
+    return json.is_object() ? Sourced<Value>{json.at("value").get<Value>(), originFrom(json.value("origin", "user")),
+                                             json.value("basis", "")}
+                            : Sourced<Value>{json.get<Value>(), Origin::User, ""};
+}
+
+template <class Value>
+Json sourcedJson(const Sourced<Value>& sourced)
+{
+    if (!sourced.value) {
+        return {};
+    }
+    Json json{{"value", *sourced.value}, {"origin", originText(sourced.origin)}};
+    if (!sourced.basis.empty()) {
+        json["basis"] = sourced.basis;
+    }
+    return json;
+}
+
+template <class Value>
+StoredField<ViewGeometry> sourcedField(const char* key, const Json& valueSchema, Sourced<Value> CArm::*member,
+                                       std::string_view sentence = {})
+{
+    const Json schema = sourcedSchema(valueSchema);
+    return {key, sentence.empty() ? schema : about(schema, sentence),
+            [member](const Json& value, ViewGeometry& geometry, Reading&) {
+                geometry.cArm.*member = sourcedFrom<Value>(value);
+            },
+            [member](const ViewGeometry& geometry, const fs::path&) { return sourcedJson(geometry.cArm.*member); }};
+}
+
+/// Two values of one origin.
+StoredField<ViewGeometry> spacingField()
+{
+    return {"imagerPixelSpacingMm", about(sourcedSchema(definedAs("pair")), "Row spacing, column spacing."),
+            [](const Json& value, ViewGeometry& geometry, Reading&) {
+                const auto both = sourcedFrom<Eigen::Vector2d>(value);
+                geometry.cArm.rowSpacingMm = {both.value->x(), both.origin, both.basis};
+                geometry.cArm.columnSpacingMm = {both.value->y(), both.origin, both.basis};
+            },
+            [](const ViewGeometry& geometry, const fs::path&) {
+                const auto& [rows, columns] = std::tie(geometry.cArm.rowSpacingMm, geometry.cArm.columnSpacingMm);
+                return rows.value && columns.value
+                           ? sourcedJson(Sourced<Eigen::Vector2d>{Eigen::Vector2d(*rows.value, *columns.value),
+                                                                  columns.origin, columns.basis})
+                           : Json();
+            }};
+}
+
+StoredFields<core::ProjectionCamera> cameraFields()
+{
+    using core::ProjectionCamera;
+    return {storedValue("fx", numberSchema(), &ProjectionCamera::fx),
+            storedValue("fy", numberSchema(), &ProjectionCamera::fy),
+            storedValue("cx", numberSchema(), &ProjectionCamera::cx),
+            storedValue("cy", numberSchema(), &ProjectionCamera::cy),
+            storedValue("width", integerSchema(1, 100000), &ProjectionCamera::width),
+            storedValue("height", integerSchema(1, 100000), &ProjectionCamera::height)};
+}
+
+StoredField<ViewGeometry> cameraField()
+{
+    return {"camera",
+            about(objectSchema(propertiesOf(cameraFields()), {"fx", "fy", "cx", "cy", "width", "height"}),
+                  "Overrides what follows from the values below. fx is negative for an image shown as seen from the "
+                  "detector."),
+            [](const Json& value, ViewGeometry& geometry, Reading& reading) {
+                core::ProjectionCamera& camera = geometry.cameraOverride.emplace();
+                readFields(value, camera, cameraFields(), reading);
+                if (const auto problem = core::findProblem(camera)) {
+                    reading.problems.push_back(problem->about("geometry.camera"));
+                }
+            },
+            [](const ViewGeometry& geometry, const fs::path& folder) {
+                return geometry.cameraOverride ? writeFields(*geometry.cameraOverride, cameraFields(), folder) : Json();
+            }};
+}
+
+}   // namespace
+
+StoredFields<ViewGeometry> geometryFields()
+{
+    return {
+        cameraField(),
+        sourcedField("sourceToDetectorMm", numberSchema(), &CArm::sourceToDetectorMm),
+        sourcedField("sourceToPatientMm", numberSchema(), &CArm::sourceToPatientMm),
+        spacingField(),
+        sourcedField("primaryAngleDeg", numberSchema(), &CArm::primaryAngleDeg, "LAO +, RAO -."),
+        sourcedField("secondaryAngleDeg", numberSchema(), &CArm::secondaryAngleDeg, "CRA +, CAU -."),
+        sourcedField("rollDeg", numberSchema(), &CArm::rollDeg, "Image turned clockwise on screen."),
+        sourcedField("principalPointPx", definedAs("pair"), &CArm::principalPointPx, "cx, cy."),
+        sourcedField("isocentreInPatientMm", definedAs("point"), &CArm::isocentreInPatientMm,
+                     "Where the gantry turns about, in the vessels' coordinates; absent: the tree's centroid."),
+        sourcedField("mirrored", flagSchema(), &CArm::mirrored, "True: shown as seen from the source."),
+    };
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "io/case/fields/stored_field.h"
+
+namespace angiopose::io {
+
+/// What stands under `geometry`: the values of the C-arm, each with its origin, and a camera that overrides them.
+StoredFields<core::ViewGeometry> geometryFields();
+
+}   // namespace angiopose::io

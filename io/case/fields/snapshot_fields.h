@@ -1,0 +1,10 @@
+#pragma once
+
+#include "io/case/fields/stored_field.h"
+
+namespace angiopose::io {
+
+/// What stands under `snapshots`, numbered from 1.
+StoredField<core::View> snapshotsField();
+
+}   // namespace angiopose::io

@@ -1,0 +1,150 @@
+#include "io/case/fields/vessel_fields.h"
+
+#include "io/case/fields/file_fields.h"
+#include "io/case/fields/json_values.h"
+#include "io/case/fields/tree_fields.h"
+#include "io/case/fields/vessel_key.h"
+#include "io/messages/says.h"
+
+namespace angiopose::io {
+namespace {
+
+namespace fs = std::filesystem;
+using core::VesselInput;
+using core::VesselInputKind;
+using core::Vessels;
+using core::VesselTracingOptions;
+
+Json inputSchema(VesselInputKind kind)
+{
+    static constexpr std::array sentences = {
+        "One of centerline, segmentation, surface or volume; the first of them that is there is read.",
+        "Label image: NIfTI, NRRD, MetaImage.", "VTP, VTK, STL, PLY, OBJ.",
+        "NIfTI, NRRD, MetaImage, a DICOM slice, or a folder of them; then dicom.seriesInstanceUid names the series. "
+        "Beside another kind: the scan that those vessels lie in."};
+    const Json schema = objectSchema({{"path", definedAs("path")},
+                                      {"sha256", definedAs("sha256")},
+                                      {"dicom", objectSchema({{"seriesInstanceUid", textSchema()}})}},
+                                     {"path"});
+    return about(schema, sentences[static_cast<std::size_t>(kind)]);
+}
+
+Json inputJson(const core::InputFile& file, const std::string& seriesId, const fs::path& folder)
+{
+    Json json = fileJson(file, folder);
+    if (!json.is_null() && !seriesId.empty()) {
+        json["dicom"]["seriesInstanceUid"] = seriesId;
+    }
+    return json;
+}
+
+/// The first of the four kinds is what the vessels come from; a volume beside it is the scan they lie in.
+StoredField<Vessels> inputField(VesselInputKind kind)
+{
+    return {vesselKey(kind), inputSchema(kind),
+            [kind](const Json& value, Vessels& vessels, Reading& reading) {
+                const std::string seriesId = value.value("dicom", Json::object()).value("seriesInstanceUid", "");
+                if (!std::exchange(reading.hasVessels, true)) {
+                    vessels.file = fileFrom(value);
+                    vessels.input.kind = kind;
+                    vessels.input.seriesId = seriesId;
+                } else if (kind == VesselInputKind::Volume) {
+                    vessels.scanFile = fileFrom(value);
+                    vessels.scanSeriesId = seriesId;
+                }
+            },
+            [kind](const Vessels& vessels, const fs::path& folder) {
+                return kind == vessels.input.kind        ? inputJson(vessels.file, vessels.input.seriesId, folder)
+                       : kind == VesselInputKind::Volume ? inputJson(vessels.scanFile, vessels.scanSeriesId, folder)
+                                                         : Json();
+            }};
+}
+
+StoredField<Vessels> tracingField()
+{
+    using Options = VesselTracingOptions;
+    const StoredFields<Options> fields{
+        storedValue("minBranchLengthMm", numberSchema(0, 1000), &Options::minBranchLengthMm),
+        storedValue("minBranchRadiusMm", numberSchema(0, 1000), &Options::minBranchRadiusMm),
+        storedValue("pointSpacingMm", numberSchema(0.01, 100), &Options::pointSpacingMm),
+        storedIfSet("threshold",
+                    about(numberSchema(), "The lumen begins at this value (HU for CT); absent: found from the blood."),
+                    &Options::threshold),
+        storedIfSet("seedsInPatientMm", listSchema(definedAs("point")), &Options::seedsInPatient),
+        storedIfSet("avoidInPatientMm",
+                    about(listSchema(definedAs("point")), "What is reached from these on wider ways is no vessel."),
+                    &Options::avoidInPatient),
+        storedIfSet("rootInPatientMm", definedAs("point"), &Options::rootInPatient)};
+    const Json schema{{"description", "How a segmentation, surface or volume is traced; absent: the defaults."}};
+    return writtenWhere([](const Vessels& vessels) { return vessels.input.kind != VesselInputKind::Centerline; },
+                        storedThrough<Vessels>(
+                            [](auto& vessels) -> auto& { return vessels.input; },
+                            storedPart("tracing", schema, &VesselInput::tracing, fields)));
+}
+
+StoredField<Vessels> labelsField()
+{
+    return storedThrough<Vessels>(
+        [](auto& vessels) -> auto& { return vessels.input; },
+        storedIfSet("labels",
+                    about(listSchema(integerSchema(1, 65535)),
+                          "Of a segmentation: the labels that are vessels; empty or absent: all."),
+                    &VesselInput::labels));
+}
+
+StoredField<Vessels> unitField()
+{
+    const Json schema{{"type", "number"}, {"exclusiveMinimum", 0}, {"maximum", 10000}};
+    return storedThrough<Vessels>(
+        [](auto& vessels) -> auto& { return vessels.input; },
+        storedIfSet("unitMm", about(schema, "Length of one unit of a surface or a centreline file, mm."),
+                    &VesselInput::unitMm));
+}
+
+/// The tree as the user left it: it stands for what the input gives.
+StoredField<Vessels> editedTreeField()
+{
+    return {"editedTree",
+            about(treeSchema(), "The vessels as edited by hand; they stand for what the input above gives."),
+            [](const Json& value, Vessels& vessels, Reading& reading) {
+                auto tree = treeFromJson(value);
+                if (!tree) {
+                    reading.problems.push_back(says::caseEditedTree(tree.error().message).about("vessel.editedTree"));
+                    return;
+                }
+                vessels.tree = std::make_shared<const core::VesselTree>(std::move(tree).value());
+                vessels.isTreeEdited = true;
+            },
+            [](const Vessels& vessels, const fs::path&) {
+                return vessels.isTreeEdited && vessels.tree ? treeJson(*vessels.tree) : Json();
+            }};
+}
+
+}   // namespace
+
+const StoredFields<Vessels>& vesselFields()
+{
+    static const StoredFields<Vessels> fields{
+        inputField(VesselInputKind::Centerline),
+        inputField(VesselInputKind::Segmentation),
+        inputField(VesselInputKind::Surface),
+        inputField(VesselInputKind::Volume),
+        tracingField(),
+        labelsField(),
+        unitField(),
+        storedValue("auxiliaryBranches",
+                    about(definedAs("branchIds"), "Branches of the auxiliary problem; empty means the nodes."),
+                    &Vessels::auxiliaryBranchIds),
+        storedValue("excludedBranches", definedAs("branchIds"), &Vessels::excludedBranchIds),
+        storedIfSet("hiddenBranches", about(definedAs("branchIds"), "Branches that count but are not drawn."),
+                    &Vessels::hiddenBranchIds),
+        storedIfSet("pivotInPatientMm",
+                    about(definedAs("point"),
+                          "What the vessels turn about by hand, and whose shifts are locked; absent: their centroid."),
+                    &Vessels::pickedPivotInPatient),
+        editedTreeField(),
+    };
+    return fields;
+}
+
+}   // namespace angiopose::io

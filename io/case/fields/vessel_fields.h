@@ -1,0 +1,10 @@
+#pragma once
+
+#include "io/case/fields/stored_field.h"
+
+namespace angiopose::io {
+
+/// What stands under `vessel`: one row each.
+const StoredFields<core::Vessels>& vesselFields();
+
+}   // namespace angiopose::io

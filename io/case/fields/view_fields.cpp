@@ -1,0 +1,184 @@
+#include "io/case/fields/view_fields.h"
+
+#include "io/case/fields/file_fields.h"
+#include "io/case/fields/geometry_fields.h"
+#include "io/case/fields/json_values.h"
+#include "io/case/fields/snapshot_fields.h"
+#include "io/case/fields/subtraction_fields.h"
+#include "io/messages/says.h"
+#include "io/support/pose_matrix.h"
+
+namespace angiopose::io {
+namespace {
+
+namespace fs = std::filesystem;
+using core::GivenTarget;
+using core::TraceOptions;
+using core::View;
+
+/// The file, and which DICOM image it is.
+StoredField<View> imageField()
+{
+    return {"image", definedAs("input"),
+            [](const Json& value, View& view, Reading& reading) {
+                view.imageFile = fileFrom(value);
+                reading.view.sopInstanceUid = value.value("dicom", Json::object()).value("sopInstanceUid", "");
+            },
+            [](const View& view, const fs::path& folder) {
+                Json json = fileJson(view.imageFile, folder);
+                if (view.angiogram && !view.angiogram->identity.sopInstanceUid.empty()) {
+                    const core::StudyIdentity& identity = view.angiogram->identity;
+                    json["dicom"] = {{"studyInstanceUid", identity.studyUid},
+                                     {"seriesInstanceUid", identity.seriesUid},
+                                     {"sopInstanceUid", identity.sopInstanceUid}};
+                }
+                return json;
+            }};
+}
+
+StoredField<View> frameField()
+{
+    return {"frame", about(integerSchema(0, 100000), "Counts from 0; absent: the fullest frame."),
+            [](const Json& value, View& view, Reading& reading) {
+                view.frame = value.get<int>();
+                reading.view.hasFrame = true;
+            },
+            [](const View& view, const fs::path&) { return Json(view.frame); }};
+}
+
+/// Curves that were edited in the window say so, and for which frame.
+StoredFields<GivenTarget> targetFields()
+{
+    const StoredField<GivenTarget> origin{
+        "origin",
+        about(choiceSchema({"given", "edited"}),
+              "edited: curves of one frame, changed by hand in the window and written by it. Absent: given."),
+        [](const Json& value, GivenTarget& target, Reading&) {
+            if (value == "edited") {
+                target.editedFrame = 0;
+            }
+        },
+        [](const GivenTarget& target, const fs::path&) { return target.editedFrame ? Json("edited") : Json(); }};
+    const StoredField<GivenTarget> frame{
+        "frame", about(integerSchema(0, 100000), "Of edited curves: they replace tracing for this frame alone."),
+        [](const Json& value, GivenTarget& target, Reading&) {
+            if (target.editedFrame) {
+                target.editedFrame = value.get<int>();
+            }
+        },
+        [](const GivenTarget& target, const fs::path&) { return Json(target.editedFrame); }};
+    const auto isEdited = [](const GivenTarget& target) { return target.editedFrame.has_value(); };
+    return {origin, frame,
+            writtenWhere(isEdited, storedValue("acceptedCurves",
+                                               about(definedAs("branchIds"),
+                                                     "Of edited curves: these are vessels, though they look like a "
+                                                     "catheter."),
+                                               &GivenTarget::acceptedCurveIds))};
+}
+
+StoredField<View> targetField()
+{
+    Json schema = objectSchema({{"path", definedAs("path")}, {"sha256", definedAs("sha256")}}, {"path"});
+    schema["properties"].update(propertiesOf(targetFields()));
+    return {"centerline", about(std::move(schema), "CSV or mask that replaces tracing."),
+            [](const Json& value, View& view, Reading& reading) {
+                view.target.file = fileFrom(value);
+                readFields(value, view.target, targetFields(), reading);
+                if (view.target.editedFrame && !value.contains("frame")) {
+                    view.target.editedFrame = view.frame;
+                }
+            },
+            [](const View& view, const fs::path& folder) {
+                Json json = fileJson(view.target.file, folder);
+                if (!json.is_null()) {
+                    json.update(writeFields(view.target, targetFields(), folder));
+                }
+                return json;
+            }};
+}
+
+StoredField<View> traceField()
+{
+    StoredField<View> field =
+        storedPart("trace", Json::object(), &View::traceOptions,
+                   {storedValue("minVesselRadiusPx", numberSchema(0.1, 1000), &TraceOptions::minVesselRadiusPx),
+                    storedValue("maxVesselRadiusPx", numberSchema(0.1, 1000), &TraceOptions::maxVesselRadiusPx),
+                    storedValue("minBranchLengthPx", integerSchema(0, 100000), &TraceOptions::minBranchLengthPx),
+                    storedValue("minComponentLengthPx", integerSchema(0, 100000), &TraceOptions::minComponentLengthPx),
+                    storedValue("sensitivity", numberSchema(0.01, 100), &TraceOptions::sensitivity)});
+    field.read = [read = field.read](const Json& value, View& view, Reading& reading) {
+        read(value, view, reading);
+        if (view.traceOptions.maxVesselRadiusPx < view.traceOptions.minVesselRadiusPx) {
+            reading.problems.push_back(says::caseRadiiSwapped().about("angiogram.trace"));
+        }
+    };
+    return field;
+}
+
+/// A pose under `pose.<key>`; nothing where it makes no sense.
+std::optional<core::RigidTransform> poseFrom(const Json& value, const std::string& key, Reading& reading)
+{
+    const auto pose = poseFromRows(value.at("cameraFromPatient").get<MatrixRows>());
+    if (!pose) {
+        reading.problems.push_back(pose.error().message.about("pose." + key));
+        return std::nullopt;
+    }
+    return pose.value();
+}
+
+Json poseJson(const core::RigidTransform& pose)
+{
+    return {{"cameraFromPatient", rowsOf(pose)}};
+}
+
+StoredField<View> initialPoseField()
+{
+    return {"initial", about(definedAs("pose"), "Absent: from the angles, with the tree's centroid in the isocentre."),
+            [](const Json& value, View& view, Reading& reading) {
+                view.initialCameraFromPatient = poseFrom(value, "initial", reading);
+            },
+            [](const View& view, const fs::path&) {
+                return view.initialCameraFromPatient ? poseJson(*view.initialCameraFromPatient) : Json();
+            }};
+}
+
+StoredField<View> currentPoseField()
+{
+    return {"current", definedAs("pose"),
+            [](const Json& value, View& view, Reading& reading) {
+                if (const auto pose = poseFrom(value, "current", reading)) {
+                    view.cameraFromPatient = *pose;
+                    reading.view.hasCurrentPose = true;
+                }
+            },
+            [](const View& view, const fs::path&) { return poseJson(view.cameraFromPatient); }};
+}
+
+StoredField<View> landmarksField()
+{
+    using core::Landmark;
+    const Json schema{
+        {"description", "Places known on the vessels and in the image, from which the start pose can be found."},
+        {"maxItems", 10000}};
+    return storedList(
+        "landmarks", schema, &View::landmarks, objectSchema({}, {"pointInPatientMm", "pixel"}),
+        StoredFields<Landmark>{storedValue("pointInPatientMm", definedAs("point"), &Landmark::pointInPatient),
+                               storedValue("pixel", definedAs("pair"), &Landmark::pixel),
+                               storedIfSet("name", textSchema(), &Landmark::name)});
+}
+
+}   // namespace
+
+const StoredFields<View>& viewFields()
+{
+    static const StoredFields<View> fields{
+        storedGroup<View>("angiogram", objectSchema({}, {"image"}),
+                          {imageField(), frameField(), targetField(), subtractionField(), traceField()}),
+        storedPart("geometry", Json::object(), &View::geometry, geometryFields()),
+        storedGroup<View>("pose", Json::object(), {initialPoseField(), currentPoseField(), landmarksField()}),
+        snapshotsField(),
+    };
+    return fields;
+}
+
+}   // namespace angiopose::io
