@@ -11,6 +11,7 @@
 #include "ui/words/spoken.h"
 
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QMenu>
 #include <QtConcurrentRun>
 
@@ -57,6 +58,11 @@ QString anglesOf(const core::View& view)
            QString::fromStdString(secondaryAngleText(*cArm.secondaryAngleDeg.value));
 }
 
+QString titleOf(const core::View& view)
+{
+    return view.name.empty() ? anglesOf(view) : QString::fromStdString(view.name);
+}
+
 }   // namespace
 
 ViewController::ViewController(CaseDocument& document, const TargetProvider& target, ui::MainWindow& window,
@@ -88,8 +94,10 @@ void ViewController::connectWindow()
     connect(&strip, &ui::ViewStrip::addRequested, actions[ui::Command::AddView], &QAction::trigger);
     connect(&strip, &ui::ViewStrip::menuRequested, this, [this](int line, const QPoint& at) {
         auto* menu = new QMenu(&window_);
+        menu->setObjectName(QStringLiteral("viewMenu"));
         menu->setAttribute(Qt::WA_DeleteOnClose);
         menu->addAction(tr("Show this view"), this, [this, line] { show(line); });
+        menu->addAction(tr("Name this view…"), this, [this, line] { askName(line); });
         menu->addAction(tr("Take this view out"), this, [this, line] { remove(line); });
         menu->popup(at);
     });
@@ -151,7 +159,7 @@ void ViewController::showLines()
             agreement = view.angiogram ? QStringLiteral("…") : tr("not found");
         }
         const QString problem = look ? ui::messageText(look->problem) : QString();
-        lines.push_back({ui::withDecimalSign(anglesOf(view)) + QLatin1Char('\n') + agreement,
+        lines.push_back({ui::withDecimalSign(titleOf(view)) + QLatin1Char('\n') + agreement,
                          problem.isEmpty()
                              ? tr("%1. A click shows it, Delete takes the shown view out.").arg(nameOf(view))
                              : nameOf(view) + QStringLiteral(": ") + problem});
@@ -204,7 +212,7 @@ void ViewController::show(int line)
         emit refused(tr("The image of this view could not be read."));
     } else {
         document_.push(showView(document_, core::showingView(current, place),
-                                [name = anglesOf(view)] { return tr("Show view %1").arg(ui::withDecimalSign(name)); }));
+                                [name = titleOf(view)] { return tr("Show view %1").arg(ui::withDecimalSign(name)); }));
     }
     showLines();   // the mark goes back where it was refused
 }
@@ -216,6 +224,25 @@ void ViewController::showNext()
         const auto next = shown + 1 == order_.end() ? order_.begin() : shown + 1;
         show(static_cast<int>(next - order_.begin()));
     }
+}
+
+void ViewController::askName(int line)
+{
+    const std::size_t place = order_[static_cast<std::size_t>(line)];
+    auto* dialog = new QInputDialog(&window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Name this view"));
+    dialog->setLabelText(tr("Name of the view %1 (empty: its angles)")
+                             .arg(ui::withDecimalSign(anglesOf(document_.current().views[place]))));
+    dialog->setTextValue(QString::fromStdString(document_.current().views[place].name));
+    connect(dialog, &QInputDialog::textValueSelected, this, [this, place](const QString& name) {
+        core::Case named = document_.current();
+        if (place < named.views.size() && !document_.isLocked()) {
+            named.views[place].name = name.trimmed().toStdString();
+            document_.push(showView(document_, named, [] { return tr("Name a view"); }));
+        }
+    });
+    dialog->open();
 }
 
 void ViewController::remove(int line)

@@ -28,6 +28,7 @@ public:
 
     bool isLooking() const { return looking_.isRunning(); }   ///< making pictures and numbers of the views
     void showNext();
+    void askName(int line);
     void remove(int line);   ///< in place of the shown view the next one is shown
 
 signals:

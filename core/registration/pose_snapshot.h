@@ -35,7 +35,7 @@ struct PoseSnapshot {
     RigidTransform cameraFromPatient;
     std::optional<SnapshotMetrics> metrics;   ///< nothing: not judged
     double runMs = 0.0;   ///< 0: not found by a run
-    std::string extraKeys;   ///< JSON object with what a case file says of it that this version does not know
+    std::string extraKeys{};   ///< JSON object with what a case file says of it that this version does not know
 };
 
 /// What a snapshot remembers of a judged pose.

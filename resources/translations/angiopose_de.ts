@@ -1747,6 +1747,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Diese Ansicht zeigen</translation>
     </message>
     <message>
+        <source>Name this view…</source>
+        <translation>Diese Ansicht benennen …</translation>
+    </message>
+    <message>
+        <source>Name this view</source>
+        <translation>Diese Ansicht benennen</translation>
+    </message>
+    <message>
+        <source>Name of the view %1 (empty: its angles)</source>
+        <translation>Name der Ansicht %1 (leer: ihre Winkel)</translation>
+    </message>
+    <message>
+        <source>Name a view</source>
+        <translation>Eine Ansicht benennen</translation>
+    </message>
+    <message>
         <source>Take this view out</source>
         <translation>Diese Ansicht herausnehmen</translation>
     </message>

@@ -1747,6 +1747,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>显示此视图</translation>
     </message>
     <message>
+        <source>Name this view…</source>
+        <translation>为此视图命名…</translation>
+    </message>
+    <message>
+        <source>Name this view</source>
+        <translation>为此视图命名</translation>
+    </message>
+    <message>
+        <source>Name of the view %1 (empty: its angles)</source>
+        <translation>视图 %1 的名称（留空则显示角度）</translation>
+    </message>
+    <message>
+        <source>Name a view</source>
+        <translation>为视图命名</translation>
+    </message>
+    <message>
         <source>Take this view out</source>
         <translation>移除此视图</translation>
     </message>

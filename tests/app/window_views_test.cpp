@@ -5,7 +5,9 @@
 
 #include <QCheckBox>
 #include <QFile>
+#include <QInputDialog>
 #include <QListWidget>
+#include <QMenu>
 #include <QTemporaryDir>
 
 namespace angiopose::app {
@@ -195,6 +197,36 @@ TEST(WindowViews, ASavedCaseShowsThemAgain)
     ASSERT_TRUE(again.current().views[1].angiogram);
     EXPECT_EQ(again.current().views[1].cameraFromPatient.matrix(), otherPose);
     EXPECT_EQ(again.window.views().count(), 2);
+}
+
+TEST(WindowViews, AViewKeepsTheNameThatTheUserGivesIt)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("named.angiopose"));
+    OpenWindow w;
+    openBothViews(w);
+    const int shown = strip(w).currentRow();
+    emit w.window.views().menuRequested(1 - shown, {});
+    QMenu* menu = w.window.findChild<QMenu*>(QStringLiteral("viewMenu"));
+    ASSERT_TRUE(menu);
+    menu->actions().at(1)->trigger();
+    menu->close();
+    auto* dialog = w.window.findChild<QInputDialog*>();
+    ASSERT_TRUE(dialog);
+    dialog->setTextValue(QStringLiteral(" before the stent "));
+    dialog->accept();
+    EXPECT_EQ(w.current().views[1].name, "before the stent");
+    EXPECT_TRUE(wordsOf(w, 1 - shown).startsWith(QStringLiteral("before the stent")));
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(w.current().views[1].name, "");
+    w.press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    w.controller.saving().saveTo(path);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !w.controller.document().isModified(); }, test::patienceMs));
+    OpenWindow again;
+    again.drop({path});
+    ASSERT_EQ(again.current().views.size(), 2U);
+    EXPECT_EQ(again.current().views[1].name, "before the stent");
 }
 
 TEST(WindowViews, AViewThatHasMovedIsLookedForAndTheCaseOpensWithout)

@@ -173,7 +173,8 @@ const StoredFields<View>& viewFields()
 {
     static const StoredFields<View> fields{
         storedGroup<View>("angiogram", objectSchema({}, {"image"}),
-                          {imageField(), frameField(), targetField(), subtractionField(), traceField()}),
+                          {storedIfSet("name", about(textSchema(), "What the user calls this view."), &View::name),
+                           imageField(), frameField(), targetField(), subtractionField(), traceField()}),
         storedPart("geometry", Json::object(), &View::geometry, geometryFields()),
         storedGroup<View>("pose", Json::object(), {initialPoseField(), currentPoseField(), landmarksField()}),
         snapshotsField(),

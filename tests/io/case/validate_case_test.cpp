@@ -55,7 +55,7 @@ TEST(CaseSchema, IsThePublishedFile)
     std::ifstream file(std::string(RESOURCES_DIR) + "/angiopose-case.schema.json");
     ASSERT_TRUE(file);
     const nlohmann::json published = nlohmann::json::parse(file);
-    EXPECT_EQ(published, nlohmann::json::parse(io::caseSchema())) << "angiopose-cli schema prints the new one";
+    EXPECT_TRUE(published == nlohmann::json::parse(io::caseSchema())) << "angiopose-cli schema prints the new one";
     EXPECT_EQ(published["title"], "AngioPose case");
 }
 
