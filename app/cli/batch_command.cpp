@@ -2,6 +2,7 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
 #include "app/cli/register_case.h"
+#include "app/cli/register_outputs.h"
 #include "app/cli/shard.h"
 #include "app/messages/says.h"
 #include "io/support/atomic_file.h"
@@ -27,14 +28,14 @@ core::Result<core::RegistrationResult> registerEntry(const io::BatchEntry& entry
     if (const auto status = applyArguments(theCase, arguments); !status) {
         return status.error();
     }
-    auto registered = registerCase(std::move(theCase), entry.name);
+    const auto registered = registerForCommand(std::move(theCase), entry.name);
     if (!registered) {
         return registered.error();
     }
     if (const auto status = writeOutputs(registered.value(), folder); !status) {
         return status.error();
     }
-    return *registered.value().theCase.shown().result;
+    return registered.value().result();
 }
 
 /// Whatever goes wrong with one case stays with it.

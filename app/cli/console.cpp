@@ -1,5 +1,6 @@
 #include "app/cli/console.h"
 
+#include "app/texts/number_text.h"
 #include "io/support/message_json.h"
 
 #include <unistd.h>
@@ -64,6 +65,18 @@ void ProgressLine::show(double fraction, std::string_view detail)
     std::fprintf(stderr, "\r\x1b[K%s %3d %%  %.*s", label_.c_str(), percent, static_cast<int>(detail.size()),
                  detail.data());
     std::fflush(stderr);
+}
+
+core::WorkObserver ProgressLine::observer()
+{
+    return [this](const core::WorkReport& report) {
+        std::string detail(report.stage);
+        if (report.iteration) {
+            detail += ", median " + fixedText(report.iteration->medianDistancePx, 2) + " px";
+        }
+        show(report.fraction, detail);
+        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+    };
 }
 
 void catchInterrupts()

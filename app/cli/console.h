@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/support/result.h"
+#include "core/workflow/observer.h"
 
 #include <string>
 #include <string_view>
@@ -35,6 +36,9 @@ public:
     ProgressLine& operator=(const ProgressLine&) = delete;
 
     void show(double fraction, std::string_view detail);
+
+    /// Shows what work on a case reports; answers Ctrl+C with Stop. Not after the line.
+    core::WorkObserver observer();
 
 private:
     std::string label_;

@@ -1,10 +1,7 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
 #include "app/cli/register_case.h"
-#include "app/cli/register_views.h"
-#include "app/texts/number_text.h"
-#include "core/registration/registration.h"
-#include "io/result_file.h"
+#include "app/cli/register_outputs.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -20,28 +17,17 @@ std::string outputFolderOf(const RegisterArguments& arguments)
                                           : arguments.outputFolder;
 }
 
-void printLine(const std::string& label, const std::string& text)
+/// The views that the cases at `paths` show.
+core::Status addOtherViews(core::Case& theCase, const std::vector<std::string>& paths)
 {
-    std::printf("%-14s %s\n", label.c_str(), text.c_str());
-}
-
-void printSummary(const core::RegistrationResult& result, const std::string& folder)
-{
-    const core::DistanceMetrics& metrics = result.metrics;
-    printLine("method", result.method);
-    printLine("stopped", std::string(core::toText(result.stopReason)) + " after " + std::to_string(result.iterations) +
-                             " iterations, " + fixedText(result.time.totalMs, 1) + " ms");
-    printLine("distance", "median " + fixedText(metrics.medianPx, 2) + " px (" + fixedText(metrics.medianMm, 2) +
-                              " mm), 95 % " + fixedText(metrics.p95Px, 2) + " px");
-    printLine("covered", fixedText(100.0 * metrics.coverage, 0) + " % of the traced vessels");
-    printLine("uncertainty", "in plane ±" + fixedText(result.uncertainty.inPlaneMm, 2) + " mm, depth ±" +
-                                 fixedText(result.uncertainty.depthMm, 1) + " mm, rotation ±" +
-                                 fixedText(result.uncertainty.rotationDeg.maxCoeff(), 2) + "°");
-    printLine("trustworthy", result.trustworthy ? "yes" : "NO");
-    for (const core::Message& warning : result.warnings) {
-        printLine("", warning.text());
+    for (const std::string& path : paths) {
+        auto read = loadCaseForCommand(fs::absolute(path).string(), std::nullopt);
+        if (!read) {
+            return read.error();
+        }
+        theCase.views.push_back(std::move(read).value().shown());
     }
-    printLine("written", (fs::path(folder) / "overlay.png").string() + ", result.json, pose.tfm");
+    return core::Done{};
 }
 
 int exitCodeOf(const core::RegistrationResult& result)
@@ -65,13 +51,10 @@ int runRegister(const RegisterArguments& arguments)
         printMessage(status.error().message.text());
         return exitUsage;
     }
-    for (const std::string& path : arguments.otherViews) {
-        theCase.views.emplace_back().caseFile.path = fs::absolute(path).string();
+    if (const auto status = addOtherViews(theCase, arguments.otherViews); !status) {
+        return failInput(status.error(), arguments.format);
     }
-    if (theCase.views.size() > 1) {
-        return registerViewsOf(theCase, arguments, outputFolderOf(arguments));
-    }
-    const auto registered = registerCase(std::move(theCase), "registering");
+    const auto registered = registerForCommand(std::move(theCase), "registering");
     if (!registered) {
         return failInput(registered.error().about(arguments.casePath), arguments.format);
     }
@@ -79,13 +62,12 @@ int runRegister(const RegisterArguments& arguments)
     if (const auto status = writeOutputs(registered.value(), folder); !status) {
         return failInput(status.error(), arguments.format);
     }
-    const core::RegistrationResult& result = *registered.value().theCase.shown().result;
     if (arguments.format == OutputFormat::Json) {
-        std::puts(io::resultJson(registered.value().theCase, result).c_str());
+        std::puts(registeredJson(registered.value()).c_str());
     } else {
-        printSummary(result, folder);
+        printRegistered(registered.value(), folder);
     }
-    return exitCodeOf(result);
+    return exitCodeOf(registered.value().result());
 }
 
 }   // namespace angiopose::app

@@ -2,7 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/register_case.h"
 #include "app/texts/number_text.h"
-#include "core/follow_frames.h"
+#include "core/workflow/follow_frames.h"
 #include "io/pose_table.h"
 
 #include <algorithm>
@@ -14,10 +14,7 @@ namespace {
 core::Result<std::vector<core::FollowedFrame>> followWithProgress(const core::Case& theCase)
 {
     ProgressLine progress("following");
-    return core::followFrames(theCase, [&progress](double fraction) {
-        progress.show(fraction, "");
-        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
-    });
+    return core::followFrames(theCase, progress.observer());
 }
 
 void printFrames(const std::vector<core::FollowedFrame>& frames)
@@ -41,7 +38,7 @@ int runTrack(const TrackArguments& arguments)
     }
     core::Case theCase = std::move(loaded).value();
     if (!arguments.keepPose) {
-        auto registered = registerCase(std::move(theCase), "registering");
+        auto registered = registerForCommand(std::move(theCase), "registering");
         if (!registered) {
             return failInput(registered.error().about(arguments.casePath));
         }

@@ -14,9 +14,6 @@ using core::View;
 /// A hand edit of the pose: what the last run said no longer holds.
 using MovePose = SetFields<&View::cameraFromPatient, &View::result>;
 
-/// What a run found, and the snapshot it leaves.
-using ApplyRun = SetFields<&View::cameraFromPatient, &View::result, &View::snapshots>;
-
 using ChangeSnapshots = SetFields<&View::snapshots>;
 
 /// A blind trial: another start pose, and nothing in sight of what was found before.
@@ -38,7 +35,7 @@ using ChangeVessels = SetFields<&Case::vessels, &View::cameraFromPatient, &View:
 using ChangeOptions = SetFields<&Case::options>;
 using ChangeGeometry = SetFields<&View::geometry, &View::cameraFromPatient, &View::result>;
 
-/// All views at once: added, moved along with the shown one, or registered together.
+/// All views at once: added, moved along with the shown one, or found by a run.
 using ChangeViews = SetFields<&Case::views>;
 
 /// Another view is shown, or one taken out.

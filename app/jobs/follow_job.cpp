@@ -28,9 +28,9 @@ void FollowJob::start(core::Case theCase)
     stopRequested_ = false;
     watcher_.setFuture(QtConcurrent::run([this, followed = std::move(theCase)]() -> Outcome {
         return guarded<std::vector<core::FollowedFrame>>([&] {
-            return core::followFrames(followed, [this](double fraction) {
+            return core::followFrames(followed, [this](const core::WorkReport& report) {
                 QMetaObject::invokeMethod(
-                    this, [this, fraction] { emit advanced(fraction); }, Qt::QueuedConnection);
+                    this, [this, fraction = report.fraction] { emit advanced(fraction); }, Qt::QueuedConnection);
                 return stopRequested_ ? core::Verdict::Stop : core::Verdict::Continue;
             });
         });

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/follow_frames.h"
 #include "core/support/result.h"
+#include "core/workflow/follow_frames.h"
 
 #include <QFutureWatcher>
 #include <QObject>

@@ -7,27 +7,30 @@
 #include <QtConcurrentRun>
 
 #include <chrono>
+#include <optional>
 #include <utility>
 
 namespace angiopose::app {
 namespace {
 
-/// Lets through what the eye can follow; a fast solver would flood the event queue.
+/// Lets through what the eye can follow, and the first of each view; a fast solver would flood the event queue.
 class Throttle {
 public:
-    bool passes()
+    bool passes(std::size_t view)
     {
         const auto now = Clock::now();
-        if (now - last_ < std::chrono::milliseconds(33)) {
+        if (view == view_ && now - last_ < std::chrono::milliseconds(33)) {
             return false;
         }
         last_ = now;
+        view_ = view;
         return true;
     }
 
 private:
     using Clock = std::chrono::steady_clock;
     Clock::time_point last_{};
+    std::optional<std::size_t> view_;
 };
 
 }   // namespace
@@ -43,22 +46,31 @@ RegistrationJob::~RegistrationJob()
     waitFor(watcher_);
 }
 
-void RegistrationJob::start(core::RegistrationInput input, core::RegistrationOptions options)
+void RegistrationJob::start(core::Case theCase, core::RegistrationPlan plan)
 {
     Q_ASSERT(!isRunning());
     stopRequested_ = false;
     publishPending_ = true;
-    watcher_.setFuture(QtConcurrent::run([this, input = std::move(input), options = std::move(options)]() -> Outcome {
-        Throttle throttle;
-        const auto observe = [this, &throttle](const core::IterationReport& report) {
-            if (throttle.passes()) {
-                QMetaObject::invokeMethod(
-                    this, [this, report] { emit advanced(report); }, Qt::QueuedConnection);
-            }
-            return stopRequested_ ? core::Verdict::Stop : core::Verdict::Continue;
-        };
-        return guarded<core::RegistrationResult>([&] { return core::registerVessels(input, options, observe); });
-    }));
+    watcher_.setFuture(
+        QtConcurrent::run([this, theCase = std::move(theCase), plan = std::move(plan)]() mutable -> Outcome {
+            return guarded<core::RegisteredCase>([&] { return run(std::move(theCase), std::move(plan)); });
+        }));
+}
+
+RegistrationJob::Outcome RegistrationJob::run(core::Case theCase, core::RegistrationPlan plan)
+{
+    Throttle throttle;
+    const std::size_t shown = theCase.shownView;
+    return core::registerCase(std::move(theCase), std::move(plan),
+                              [this, &throttle, shown](const core::WorkReport& report) {
+                                  if (report.iteration && throttle.passes(report.view)) {
+                                      RunReport told{*report.iteration, report.view == shown};
+                                      told.iteration.progress = report.fraction;
+                                      QMetaObject::invokeMethod(
+                                          this, [this, told] { emit advanced(told); }, Qt::QueuedConnection);
+                                  }
+                                  return stopRequested_ ? core::Verdict::Stop : core::Verdict::Continue;
+                              });
 }
 
 void RegistrationJob::publish()

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/registration/registration.h"
 #include "core/support/result.h"
+#include "core/workflow/register_case.h"
 
 #include <QFutureWatcher>
 #include <QObject>
@@ -10,24 +10,31 @@
 
 namespace angiopose::app {
 
-/// Runs one registration off the GUI thread. Every signal arrives on the job's own thread.
+/// How far a running registration is, for the eye.
+struct RunReport {
+    core::IterationReport iteration;   ///< of the solver; its progress is that of the whole run
+    bool isOfShownView = true;   ///< whose pose it is
+};
+
+/// Registers the open case off the GUI thread: core::registerCase. Every signal arrives on the job's own thread.
 class RegistrationJob : public QObject {
     Q_OBJECT
 public:
     explicit RegistrationJob(QObject* parent = nullptr);
-    ~RegistrationJob() override;   ///< stops and waits, for one solver iteration at most
+    ~RegistrationJob() override;   ///< stops and waits, for one solver iteration or one frame's tracing at most
 
-    void start(core::RegistrationInput input, core::RegistrationOptions options);
-    void requestStop() { stopRequested_ = true; }   ///< returns at once; `finished` follows
+    void start(core::Case theCase, core::RegistrationPlan plan);
+    void requestStop() { stopRequested_ = true; }   ///< returns at once; `finished` or `failed` follows
     bool isRunning() const { return watcher_.isRunning() || publishPending_; }
 
 signals:
-    void advanced(const core::IterationReport& report);   ///< at most thirty times a second
-    void finished(const core::RegistrationResult& result);   ///< after a stop: best pose so far
+    void advanced(const app::RunReport& report);   ///< at most thirty times a second
+    void finished(const core::RegisteredCase& registered);   ///< after a stop: with the best poses so far
     void failed(const core::Message& reason);
 
 private:
-    using Outcome = core::Result<core::RegistrationResult>;
+    using Outcome = core::Result<core::RegisteredCase>;
+    Outcome run(core::Case theCase, core::RegistrationPlan plan);
     void publish();
 
     std::atomic<bool> stopRequested_{false};

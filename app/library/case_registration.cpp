@@ -1,8 +1,8 @@
 #include "app/library/case_content.h"
 #include "app/library/conversions.h"
 #include "app/library/relay.h"
-#include "core/case/case_views.h"
 #include "core/case/registration_input.h"
+#include "core/workflow/register_case.h"
 
 namespace angiopose::library {
 namespace {
@@ -22,32 +22,19 @@ core::RegistrationInput coreInputOf(const core::Case& values)
     return valueOf(core::registrationInputOf(values, valueOf(core::targetOf(values.shown()))));
 }
 
-void requireImages(const core::Case& values)
+/// Every view that has an image knows where it starts; one without is told of by the run.
+void requireStarts(const core::Case& values)
 {
     for (const core::View& view : values.views) {
-        if (!view.angiogram) {
-            const std::string& path = view.imageFile.path.empty() ? view.caseFile.path : view.imageFile.path;
-            throw Error("library.no-view", path + ": the image of this view could not be read.");
+        if (view.angiogram) {
+            requireStart(view, values.vessels);
         }
     }
 }
 
-std::vector<core::RegistrationInput> jointInputsOf(const core::Case& values)
+core::RegisteredCase registered(const core::Case& values, Relay& relay)
 {
-    requireImages(values);
-    const std::vector<core::View> views = core::viewsAt(values, core::registeredViews(values));
-    std::vector<core::Centerline2d> targets;
-    for (const core::View& view : views) {
-        requireStart(view, values.vessels);
-        targets.push_back(valueOf(core::targetOf(view)));
-    }
-    return valueOf(core::jointInputsOf(views, values.vessels, targets));
-}
-
-void takeOver(core::Case& values, const core::RegistrationResult& result)
-{
-    values.views = core::movedAlong(values, result.cameraFromPatient);
-    values.shown().result = result;
+    return relay.take(core::registerCase(values, {}, relay.working()));
 }
 
 }   // namespace
@@ -72,23 +59,23 @@ RegistrationResult registerCase(Case& theCase, const Observer& observe)
         throw Error("library.several-views", "The case has " + std::to_string(theCase.viewCount()) +
                                                  " views of the vessels. Register them together with registerViews.");
     }
+    library::requireStarts(values);
     library::Relay relay(observe);
-    const core::RegistrationResult result =
-        relay.take(core::registerVessels(library::coreInputOf(values), values.options, relay.iterations()));
-    library::takeOver(values, result);
-    return library::toPublic(result);
+    values = library::registered(values, relay).theCase;
+    return library::toPublic(*values.shown().result);
 }
 
 MultiViewResult registerViews(Case& theCase, const Observer& observe)
 {
     core::Case& values = theCase.content().values;
+    if (values.views.size() < 2) {
+        throw Error("library.one-view", "The case has one view of the vessels. Register it with registerCase.");
+    }
+    library::requireStarts(values);
     library::Relay relay(observe);
-    const core::MultiViewResult joint =
-        relay.take(core::registerViews(library::jointInputsOf(values), values.options, {}, relay.iterations()));
-    core::RegistrationResult shown = joint.views.front();
-    shown.uncertainty = joint.uncertainty;
-    library::takeOver(values, shown);
-    return library::toPublic(joint);
+    core::RegisteredCase run = library::registered(values, relay);
+    values = std::move(run.theCase);
+    return library::toPublic(*run.joint);
 }
 
 }   // namespace angiopose

@@ -52,8 +52,24 @@ core::IterationObserver Relay::iterations()
         return {};
     }
     return [this](const core::IterationReport& report) {
-        return tell({std::string(report.stage), report.progress, report.iteration, report.medianDistancePx,
-                     toPublic(report.cameraFromPatient)});
+        return tell({std::string(report.stage), report.progress, static_cast<int>(report.view), report.iteration,
+                     report.medianDistancePx, toPublic(report.cameraFromPatient)});
+    };
+}
+
+core::WorkObserver Relay::working()
+{
+    if (!observe_) {
+        return {};
+    }
+    return [this](const core::WorkReport& report) {
+        Progress progress{std::string(report.stage), report.fraction, static_cast<int>(report.view), 0, 0.0, {}};
+        if (const core::IterationReport* solver = report.iteration) {
+            progress.iteration = solver->iteration;
+            progress.medianDistancePx = solver->medianDistancePx;
+            progress.cameraFromPatient = toPublic(solver->cameraFromPatient);
+        }
+        return tell(progress);
     };
 }
 
@@ -62,7 +78,7 @@ io::ReadObserver Relay::reading(std::string_view stage)
     if (!observe_) {
         return {};
     }
-    return [this, stage = std::string(stage)](double fraction) { return tell({stage, fraction, 0, 0.0, {}}); };
+    return [this, stage = std::string(stage)](double fraction) { return tell({stage, fraction, 0, 0, 0.0, {}}); };
 }
 
 core::TracingObserver Relay::tracing()
@@ -71,7 +87,7 @@ core::TracingObserver Relay::tracing()
         return {};
     }
     return [this](const core::TracingReport& report) {
-        return tell({std::string(report.stage), report.progress, 0, 0.0, {}});
+        return tell({std::string(report.stage), report.progress, 0, 0, 0.0, {}});
     };
 }
 

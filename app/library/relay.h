@@ -7,6 +7,7 @@
 #include "core/support/result.h"
 #include "core/support/verdict.h"
 #include "core/tracing/volume/trace_vessels.h"
+#include "core/workflow/observer.h"
 #include "io/support/read_observer.h"
 
 #include <exception>
@@ -49,6 +50,7 @@ public:
     Relay& operator=(const Relay&) = delete;
 
     core::IterationObserver iterations();
+    core::WorkObserver working();
     io::ReadObserver reading(std::string_view stage);
     core::TracingObserver tracing();
 

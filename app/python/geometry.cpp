@@ -85,6 +85,7 @@ void bindGeometry(py::module_& module)
     py::class_<Progress>(module, "Progress", "How far long work is. The last three are told while a registration runs.")
         .def_readonly("stage", &Progress::stage)
         .def_readonly("fraction", &Progress::fraction, "0...1, never decreasing")
+        .def_readonly("view", &Progress::view, "which view of the case it is about, counted from 0")
         .def_readonly("iteration", &Progress::iteration)
         .def_readonly("medianDistancePx", &Progress::medianDistancePx, "tree points to their nearest image point")
         .def_property_readonly(

@@ -1,10 +1,7 @@
 #include "app/registration/registration_controller.h"
 
 #include "app/document/edit_case.h"
-#include "app/registration/joint_poses.h"
 #include "app/review/snapshot_texts.h"
-#include "core/case/case_views.h"
-#include "core/case/registration_input.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/words/message_text.h"
 
@@ -17,9 +14,6 @@ RegistrationController::RegistrationController(CaseDocument& document, TargetPro
     connect(&job_, &RegistrationJob::advanced, this, &RegistrationController::advanced);
     connect(&job_, &RegistrationJob::finished, this, &RegistrationController::apply);
     connect(&job_, &RegistrationJob::failed, this, &RegistrationController::giveUp);
-    connect(&jointJob_, &JointJob::advanced, this, &RegistrationController::advanced);
-    connect(&jointJob_, &JointJob::finished, this, &RegistrationController::applyJoint);
-    connect(&jointJob_, &JointJob::failed, this, &RegistrationController::giveUp);
 }
 
 QString RegistrationController::whyNotReady() const
@@ -68,7 +62,6 @@ void RegistrationController::stop()
     } else if (phase_ == Phase::Solving) {
         stopWished_ = true;
         job_.requestStop();
-        jointJob_.requestStop();
     }
 }
 
@@ -85,38 +78,25 @@ void RegistrationController::continueAfterTracing()
     if (!target_.current()) {
         return;
     }
-    auto input = core::registrationInputOf(document_.current(), *target_.current());
-    if (!input) {
-        end();
-        emit failed(ui::messageText(input.error().message));
-        return;
-    }
     phase_ = Phase::Solving;
-    if (allViews_ && core::registeredViews(document_.current()).size() > 1) {
-        jointJob_.start(document_.current(), *target_.current());
-        return;
+    using Views = core::RegistrationPlan::Views;   // a view whose image is lost is marked in the strip
+    job_.start(document_.current(), {allViews_ ? Views::Loaded : Views::Shown, *target_.current()});
+}
+
+void RegistrationController::apply(const core::RegisteredCase& registered)
+{
+    end();
+    std::vector<core::View> views = registered.theCase.views;
+    for (const std::size_t place : registered.places) {
+        core::View& view = views[place];
+        view.snapshots = core::withSnapshot(std::move(view.snapshots), snapshotOfRun(*view.result, view.frame));
     }
-    job_.start(std::move(input).value(), document_.current().options);
-}
-
-void RegistrationController::apply(const core::RegistrationResult& result)
-{
-    end();
-    const core::Case& current = document_.current();
-    document_.push(std::make_unique<ApplyRun>(
-        document_,
-        ApplyRun::Values{result.cameraFromPatient, result,
-                         core::withSnapshot(current.shown().snapshots, snapshotOfRun(result, current.shown().frame))},
-        [method = current.options.method] { return tr("Register (%1)").arg(ui::methodWords(method)); }));
-    emit finished(result);
-}
-
-void RegistrationController::applyJoint(const core::MultiViewResult& joint)
-{
-    end();
-    document_.push(std::make_unique<ChangeViews>(document_, ChangeViews::Values{viewsAfter(document_.current(), joint)},
-                                                 [] { return tr("Register all views"); }));
-    emit finished(*document_.current().shown().result);
+    const bool areSeveral = registered.joint.has_value();
+    document_.push(std::make_unique<ChangeViews>(
+        document_, ChangeViews::Values{std::move(views)}, [areSeveral, method = registered.result().method] {
+            return areSeveral ? tr("Register all views") : tr("Register (%1)").arg(ui::methodWords(method));
+        }));
+    emit finished(registered.result());
 }
 
 void RegistrationController::giveUp(const core::Message& reason)

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/document/case_document.h"
-#include "app/jobs/joint_job.h"
 #include "app/jobs/registration_job.h"
 #include "app/registration/target_provider.h"
 
@@ -26,22 +25,20 @@ public:
 signals:
     void runningChanged(bool running);
     void tracingStarted();
-    void advanced(const core::IterationReport& report);
+    void advanced(const app::RunReport& report);
     void finished(const core::RegistrationResult& result);
     void failed(const QString& reason);
 
 private:
     enum class Phase { Idle, Tracing, Solving };
     void continueAfterTracing();
-    void apply(const core::RegistrationResult& result);
-    void applyJoint(const core::MultiViewResult& joint);
+    void apply(const core::RegisteredCase& registered);
     void giveUp(const core::Message& reason);
     void end();
 
     CaseDocument& document_;
     TargetProvider& target_;
     RegistrationJob job_;
-    JointJob jointJob_;
     bool allViews_ = true;
     bool stopWished_ = false;
     Phase phase_ = Phase::Idle;

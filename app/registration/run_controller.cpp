@@ -81,18 +81,21 @@ void RunController::showRunning(bool running)
     }
 }
 
-void RunController::showProgress(const core::IterationReport& report)
+void RunController::showProgress(const RunReport& report)
 {
     if (!on_.registration.isRunning()) {
         return;   // a report that was still on its way when the run ended
     }
-    on_.sync.showPreview(report.cameraFromPatient, ResidualColors::Kept);
-    on_.window.result().showProgress(report);
+    const core::IterationReport& step = report.iteration;
+    if (report.isOfShownView) {
+        on_.sync.showPreview(step.cameraFromPatient, ResidualColors::Kept);
+        on_.window.result().showProgress(step);
+    }
     on_.window.strip().showProgress(tr("Registering: %1 · %2 % · %3 px")
-                                        .arg(ui::termText(report.stage))
-                                        .arg(ui::numberText(100.0 * report.progress, 0))
-                                        .arg(ui::numberText(report.medianDistancePx, 1)),
-                                    report.progress);
+                                        .arg(ui::termText(step.stage))
+                                        .arg(ui::numberText(100.0 * step.progress, 0))
+                                        .arg(ui::numberText(step.medianDistancePx, 1)),
+                                    step.progress);
 }
 
 void RunController::showFinished(const core::RegistrationResult& result)

@@ -42,7 +42,7 @@ private:
     void stop();
     void changeOptions(const core::RegistrationOptions& options, const ui::Words& label);
     void showRunning(bool running);
-    void showProgress(const core::IterationReport& report);
+    void showProgress(const RunReport& report);
     void showFinished(const core::RegistrationResult& result);
 
     Parts on_;

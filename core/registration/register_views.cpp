@@ -219,6 +219,19 @@ Result<std::vector<std::unique_ptr<JointView>>> makeViews(std::span<const Regist
     return views;
 }
 
+/// Tells of a run in one of several views as of a part of the whole.
+IterationObserver observerInView(const IterationObserver& observe, std::size_t index, std::size_t count)
+{
+    if (!observe) {
+        return {};
+    }
+    return [&observe, index, count](IterationReport report) {
+        report.view = index;
+        report.progress = (static_cast<double>(index) + report.progress) / static_cast<double>(count);
+        return observe(report);
+    };
+}
+
 /// Every view's own answers, carried to the first view, are where the joint solve starts from; the best score wins.
 Result<JointPose> bestJointPose(JointSolve& solve, std::span<const RegistrationInput> inputs,
                                 const RegistrationOptions& options, const IterationObserver& observe)
@@ -226,7 +239,7 @@ Result<JointPose> bestJointPose(JointSolve& solve, std::span<const RegistrationI
     JointPose best;
     double bestScore = -1.0;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
-        const auto alone = registerVessels(inputs[k], options, observe);
+        const auto alone = registerVessels(inputs[k], options, observerInView(observe, k, inputs.size()));
         if (!alone) {
             return inView(k, alone.error());
         }

@@ -46,6 +46,7 @@ struct IterationReport {
     double medianDistancePx = 0.0;   ///< tree points to their nearest target point
     double stepMm = 0.0;   ///< rms shift of the tree's points since the report before, or since the start
     RigidTransform cameraFromPatient;   ///< best pose so far
+    std::size_t view = 0;   ///< whose pose: place among the views that are registered together
 };
 
 using IterationObserver = std::function<Verdict(const IterationReport&)>;

@@ -54,6 +54,15 @@ TEST(Cli, RegistersTheViewsThatStandInACase)
     ASSERT_TRUE(outcome.exitCode == 0 || outcome.exitCode == 4) << outcome.messages;
     EXPECT_EQ(nlohmann::json::parse(outcome.output)["views"].size(), 2U);
     EXPECT_TRUE(fs::exists(fs::path(folder.file("joint")) / "view-2/result.json"));
+
+    // A batch does the same.
+    const std::string manifest = folder.write("batch.csv", "case,name\nboth.angiopose,both\n");
+    const auto batch = runCli({"batch", manifest, "--output", folder.file("out")});
+    ASSERT_TRUE(batch.exitCode == 0 || batch.exitCode == 4) << batch.messages;
+    EXPECT_EQ(test::readText(folder.file("out/both/pose.tfm")), test::readText(folder.file("joint/pose.tfm")));
+    const auto joint = nlohmann::json::parse(test::readText(folder.file("out/both/joint.json")));
+    const auto own = nlohmann::json::parse(test::readText(folder.file("out/both/result.json")));
+    EXPECT_EQ(joint["uncertainty"]["depthSigmaMm"], own["uncertainty"]["depthSigmaMm"]);
 }
 
 TEST(Cli, FollowsTheVesselsThroughTheFramesOfARun)

@@ -1,6 +1,7 @@
 #include "app/jobs/registration_job.h"
 
 #include "tests/app/jobs/small_case.h"
+#include "tests/support/simulated_views.h"
 
 #include <gtest/gtest.h>
 #include <QCoreApplication>
@@ -8,6 +9,7 @@
 #include <QThread>
 
 #include <memory>
+#include <set>
 
 namespace angiopose::app {
 namespace {
@@ -15,12 +17,12 @@ namespace {
 constexpr int patienceMs = 60000;
 
 /// Takes so long that nobody would wait for its end: only a stop ends it.
-core::RegistrationOptions longRun()
+core::Case longRun()
 {
-    core::RegistrationOptions options;
-    options.method = "iterative-pnp";
-    options.maxIterations = 1000;
-    return options;
+    core::Case values = test::caseOf(test::smallCase());
+    values.options.method = "iterative-pnp";
+    values.options.maxIterations = 1000;
+    return values;
 }
 
 TEST(RegistrationJob, DeliversTheResultOfTheSolver)
@@ -28,15 +30,15 @@ TEST(RegistrationJob, DeliversTheResultOfTheSolver)
     const auto simulated = test::smallCase();
     RegistrationJob job;
     core::RegistrationResult result;
-    QObject::connect(&job, &RegistrationJob::finished, [&](const core::RegistrationResult& r) { result = r; });
+    QObject::connect(&job, &RegistrationJob::finished, [&](const core::RegisteredCase& r) { result = r.result(); });
     QSignalSpy finished(&job, &RegistrationJob::finished);
 
-    job.start(test::inputOf(simulated), {});
+    job.start(test::caseOf(simulated), {});
 
     ASSERT_TRUE(finished.wait(patienceMs));
-    const auto expected = core::registerVessels(test::inputOf(simulated), {});
+    const auto expected = core::registerCase(test::caseOf(simulated));
     ASSERT_TRUE(expected);
-    EXPECT_TRUE(result.cameraFromPatient.matrix() == expected.value().cameraFromPatient.matrix());
+    EXPECT_TRUE(result.cameraFromPatient.matrix() == expected.value().result().cameraFromPatient.matrix());
     EXPECT_FALSE(job.isRunning());
 }
 
@@ -44,11 +46,11 @@ TEST(RegistrationJob, KeepsTheBestPoseAfterAStop)
 {
     RegistrationJob job;
     core::RegistrationResult result;
-    QObject::connect(&job, &RegistrationJob::finished, [&](const core::RegistrationResult& r) { result = r; });
+    QObject::connect(&job, &RegistrationJob::finished, [&](const core::RegisteredCase& r) { result = r.result(); });
     QObject::connect(&job, &RegistrationJob::advanced, &job, &RegistrationJob::requestStop);
     QSignalSpy finished(&job, &RegistrationJob::finished);
 
-    job.start(test::inputOf(test::smallCase()), longRun());
+    job.start(longRun(), {});
 
     ASSERT_TRUE(finished.wait(patienceMs));
     EXPECT_TRUE(core::isRigid(result.cameraFromPatient));
@@ -59,10 +61,12 @@ TEST(RegistrationJob, ReportsStoppedWhenStoppedAtOnce)
 {
     RegistrationJob job;
     core::RegistrationResult result;
-    QObject::connect(&job, &RegistrationJob::finished, [&](const core::RegistrationResult& r) { result = r; });
+    QObject::connect(&job, &RegistrationJob::finished, [&](const core::RegisteredCase& r) { result = r.result(); });
     QSignalSpy finished(&job, &RegistrationJob::finished);
 
-    job.start(test::inputOf(test::smallCase()), longRun());
+    core::Case values = longRun();
+    core::Centerline2d target = *values.shown().target.centerline;
+    job.start(std::move(values), {core::RegistrationPlan::Views::Shown, std::move(target)});
     job.requestStop();
 
     ASSERT_TRUE(finished.wait(patienceMs));
@@ -80,11 +84,33 @@ TEST(RegistrationJob, ReportsProgressOnTheThreadOfItsOwner)
     });
     QSignalSpy finished(&job, &RegistrationJob::finished);
 
-    job.start(test::inputOf(test::smallCase()), {});
+    job.start(test::caseOf(test::smallCase()), {});
 
     ASSERT_TRUE(finished.wait(patienceMs));
     EXPECT_GT(reports, 0);
     EXPECT_TRUE(sameThread);
+}
+
+TEST(RegistrationJob, TellsWhosePoseItReports)
+{
+    core::Case values = test::twoViewCase();
+    values.options.method = "iterative-pnp";   // reports longer than the eye's pause
+    RegistrationJob job;
+    std::set<bool> ofShown;
+    double last = 0.0;
+    bool hasFallen = false;
+    QObject::connect(&job, &RegistrationJob::advanced, [&](const RunReport& report) {
+        ofShown.insert(report.isOfShownView);
+        hasFallen = hasFallen || report.iteration.progress < last;
+        last = report.iteration.progress;
+    });
+    QSignalSpy finished(&job, &RegistrationJob::finished);
+
+    job.start(values, {});
+
+    ASSERT_TRUE(finished.wait(patienceMs));
+    EXPECT_EQ(ofShown, (std::set{false, true}));
+    EXPECT_FALSE(hasFallen);
 }
 
 TEST(RegistrationJob, FailsOnUnusableInputWithWords)
@@ -105,7 +131,7 @@ TEST(RegistrationJob, CanBeDestroyedWhileRunning)
     auto job = std::make_unique<RegistrationJob>();
     int late = 0;
     QObject::connect(job.get(), &RegistrationJob::finished, [&] { ++late; });
-    job->start(test::inputOf(test::smallCase()), longRun());
+    job->start(longRun(), {});
     QThread::msleep(20);
 
     job.reset();

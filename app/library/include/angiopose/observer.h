@@ -15,6 +15,7 @@ enum class Verdict { Continue, Stop };
 struct Progress {
     std::string stage;   ///< "reading", "search", "refine", …
     double fraction = 0.0;   ///< 0…1, never decreasing
+    int view = 0;   ///< which view of the case it is about, counted from 0
     int iteration = 0;
     double medianDistancePx = 0.0;   ///< tree points to their nearest image point
     std::optional<Pose> cameraFromPatient;   ///< best pose so far

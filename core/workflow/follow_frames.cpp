@@ -1,4 +1,4 @@
-#include "core/follow_frames.h"
+#include "core/workflow/follow_frames.h"
 
 #include "core/messages/says.h"
 
@@ -64,8 +64,7 @@ FollowedFrame givenFrame(const Case& theCase)
 
 }   // namespace
 
-Result<std::vector<FollowedFrame>> followFrames(const Case& theCase,
-                                                const std::function<Verdict(double fraction)>& observe)
+Result<std::vector<FollowedFrame>> followFrames(const Case& theCase, const WorkObserver& observe)
 {
     if (const Status status = checkCase(theCase); !status) {
         return status.error();
@@ -84,13 +83,14 @@ Result<std::vector<FollowedFrame>> followFrames(const Case& theCase,
     }
     const int count = theCase.shown().angiogram->frameCount();
     std::vector<FollowedFrame> frames{givenFrame(theCase)};
-    bool isStopped = false;
+    Course course(observe);
+    course.enter(0.0, 1.0, theCase.shownView);
     for (const int direction : {1, -1}) {
         Walk walk(theCase, problem.value());
-        for (int frame = theCase.shown().frame + direction; frame >= 0 && frame < count && !isStopped;
+        for (int frame = theCase.shown().frame + direction; frame >= 0 && frame < count && !course.isStopped();
              frame += direction) {
             frames.push_back(walk.step(frame));
-            isStopped = observe(static_cast<double>(frames.size()) / count) == Verdict::Stop;
+            course.tell("following", static_cast<double>(frames.size()) / count);
         }
     }
     std::ranges::sort(frames, {}, &FollowedFrame::frame);

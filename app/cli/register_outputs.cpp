@@ -1,0 +1,145 @@
+#include "app/cli/register_outputs.h"
+
+#include "app/cli/add_warnings.h"
+#include "app/messages/says.h"
+#include "app/texts/number_text.h"
+#include "app/texts/overlay_picture.h"
+#include "core/case/case_views.h"
+#include "core/geometry/angle_units.h"
+#include "io/image_file.h"
+#include "io/pose_file.h"
+#include "io/result_file.h"
+#include "io/support/atomic_file.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+namespace angiopose::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using core::RegisteredCase;
+
+core::Case caseShowing(const RegisteredCase& registered, std::size_t index)
+{
+    return core::showingView(registered.theCase, registered.places[index]);
+}
+
+std::string viewFolder(const std::string& folder, std::size_t index)
+{
+    return index == 0 ? folder : (fs::path(folder) / ("view-" + std::to_string(index + 1))).string();
+}
+
+core::Status writeView(const core::Case& theCase, const core::Centerline2d& target, const std::string& folderName)
+{
+    const fs::path folder(folderName);
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure) {
+        return core::Error(says::folderNotMade(folder.string(), failure.message()));
+    }
+    if (auto status = io::writeResult(theCase, *theCase.shown().result, (folder / "result.json").string()); !status) {
+        return status;
+    }
+    if (auto status = io::writePose(theCase.shown().cameraFromPatient, (folder / "pose.tfm").string()); !status) {
+        return status;
+    }
+    const auto picture = drawOverlay(theCase, target);
+    if (!picture) {
+        return picture.error();
+    }
+    return io::writePng(picture.value(), (folder / "overlay.png").string(), provenanceTexts(theCase));
+}
+
+Json correctionJson(const core::Vector6d& correction)
+{
+    return {{"turnDeg", core::degreesPerRadian * correction.head<3>().norm()},
+            {"shiftMm", correction.tail<3>().norm()}};
+}
+
+std::string jointJson(const RegisteredCase& registered)
+{
+    const core::MultiViewResult& joint = *registered.joint;
+    Json json{{"format", "angiopose-joint-result"}, {"version", 1}, {"trustworthy", joint.trustworthy}};
+    addWarnings(json, joint.warnings);
+    json["uncertainty"] = {{"inPlaneSigmaMm", joint.uncertainty.inPlaneMm},
+                           {"depthSigmaMm", joint.uncertainty.depthMm},
+                           {"rotationSigmaDeg", joint.uncertainty.rotationDeg.maxCoeff()}};
+    for (std::size_t k = 0; k < registered.places.size(); ++k) {
+        const core::Case showing = caseShowing(registered, k);
+        Json view = Json::parse(io::resultJson(showing, *showing.shown().result));
+        view["geometryCorrection"] = correctionJson(joint.corrections[k]);
+        json["views"].push_back(std::move(view));
+    }
+    return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+void printLine(const std::string& label, const std::string& text)
+{
+    std::printf("%-14s %s\n", label.c_str(), text.c_str());
+}
+
+/// Distances of the shown view alone, or of each together with how far its geometry was off.
+void printViews(const RegisteredCase& registered)
+{
+    for (std::size_t k = 0; registered.joint && k < registered.places.size(); ++k) {
+        const core::View& view = registered.theCase.views[registered.places[k]];
+        const core::DistanceMetrics& metrics = view.result->metrics;
+        const core::Vector6d& correction = registered.joint->corrections[k];
+        std::printf("view %-9zu median %s px (%s mm), covered %s %%, geometry off by %s° and %s mm  %s\n", k + 1,
+                    fixedText(metrics.medianPx, 2).c_str(), fixedText(metrics.medianMm, 2).c_str(),
+                    fixedText(100.0 * metrics.coverage, 0).c_str(),
+                    fixedText(core::degreesPerRadian * correction.head<3>().norm(), 2).c_str(),
+                    fixedText(correction.tail<3>().norm(), 2).c_str(),
+                    fs::path(view.imageFile.path).filename().string().c_str());
+    }
+    if (!registered.joint) {
+        const core::RegistrationResult& result = registered.result();
+        const core::DistanceMetrics& metrics = result.metrics;
+        printLine("distance", "median " + fixedText(metrics.medianPx, 2) + " px (" + fixedText(metrics.medianMm, 2) +
+                                  " mm), 95 % " + fixedText(metrics.p95Px, 2) + " px");
+        printLine("covered", fixedText(100.0 * metrics.coverage, 0) + " % of the traced vessels");
+    }
+}
+
+}   // namespace
+
+core::Status writeOutputs(const RegisteredCase& registered, const std::string& folder)
+{
+    for (std::size_t k = 0; k < registered.places.size(); ++k) {
+        if (auto status = writeView(caseShowing(registered, k), registered.targets[k], viewFolder(folder, k));
+            !status) {
+            return status;
+        }
+    }
+    return registered.joint ? io::writeAtomically((fs::path(folder) / "joint.json").string(), jointJson(registered))
+                            : core::Status(core::Done{});
+}
+
+std::string registeredJson(const RegisteredCase& registered)
+{
+    return registered.joint ? jointJson(registered) : io::resultJson(registered.theCase, registered.result());
+}
+
+void printRegistered(const RegisteredCase& registered, const std::string& folder)
+{
+    const core::RegistrationResult& result = registered.result();
+    printLine("method", result.method);
+    printLine("stopped", std::string(core::toText(result.stopReason)) +
+                             (registered.joint ? "" : " after " + std::to_string(result.iterations) + " iterations") +
+                             ", " + fixedText(result.time.totalMs, 1) + " ms");
+    printViews(registered);
+    printLine("uncertainty", "in plane ±" + fixedText(result.uncertainty.inPlaneMm, 2) + " mm, depth ±" +
+                                 fixedText(result.uncertainty.depthMm, registered.joint ? 2 : 1) + " mm, rotation ±" +
+                                 fixedText(result.uncertainty.rotationDeg.maxCoeff(), 2) + "°");
+    printLine("trustworthy", result.trustworthy ? "yes" : "NO");
+    for (const core::Message& warning : result.warnings) {
+        printLine("", warning.text());
+    }
+    printLine("written", registered.joint ? (fs::path(folder) / "joint.json").string()
+                                          : (fs::path(folder) / "overlay.png").string() + ", result.json, pose.tfm");
+}
+
+}   // namespace angiopose::app

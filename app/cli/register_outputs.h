@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/support/result.h"
+#include "core/workflow/register_case.h"
+
+#include <string>
+
+namespace angiopose::app {
+
+/// Writes result.json, pose.tfm and overlay.png of each registered view (the shown one into `folder`, the others into
+/// view-2, view-3, … below it) and, of several views, joint.json about all. Makes the folders.
+core::Status writeOutputs(const core::RegisteredCase& registered, const std::string& folder);
+
+/// What result.json says, or of several views joint.json.
+std::string registeredJson(const core::RegisteredCase& registered);
+
+/// The same in a few lines for people.
+void printRegistered(const core::RegisteredCase& registered, const std::string& folder);
+
+}   // namespace angiopose::app

@@ -1,0 +1,23 @@
+#include "core/workflow/observer.h"
+
+#include <algorithm>
+
+namespace angiopose::core {
+
+void Course::enter(double first, double last, std::size_t view)
+{
+    first_ = first;
+    last_ = last;
+    view_ = view;
+}
+
+Verdict Course::tell(std::string_view stage, double fraction, const IterationReport* iteration)
+{
+    told_ = std::max(told_, std::clamp(first_ + fraction * (last_ - first_), 0.0, 1.0));
+    if (!isStopped_ && observe_) {
+        isStopped_ = observe_({stage, told_, view_, iteration}) == Verdict::Stop;
+    }
+    return isStopped_ ? Verdict::Stop : Verdict::Continue;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,149 @@
+#include "core/workflow/register_case.h"
+
+#include "core/case/case_views.h"
+#include "core/case/registration_input.h"
+#include "core/messages/says.h"
+#include "core/support/stopwatch.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double tracingShare = 0.1;   // of the whole, where something has to be traced
+
+Result<std::vector<std::size_t>> plannedViews(const Case& theCase, RegistrationPlan::Views views)
+{
+    if (views == RegistrationPlan::Views::Shown) {
+        return std::vector{theCase.shownView};
+    }
+    for (const View& view : theCase.views) {
+        if (views == RegistrationPlan::Views::All && !view.angiogram) {
+            const std::string& path = view.imageFile.path.empty() ? view.caseFile.path : view.imageFile.path;
+            return Error(says::viewImageUnread().about(path));
+        }
+    }
+    return registeredViews(theCase);
+}
+
+/// What a view lacks is said of its file where there are several.
+Error about(const Error& error, const View& view, std::size_t viewCount)
+{
+    return viewCount > 1 && !error.isStop() ? error.about(view.imageFile.path) : error;
+}
+
+Result<std::vector<Centerline2d>> traceViews(const Case& theCase, const std::vector<std::size_t>& places,
+                                             std::optional<Centerline2d> shownTarget, Course& course)
+{
+    std::vector<Centerline2d> targets;
+    const double share = tracingShare / static_cast<double>(places.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        course.enter(share * static_cast<double>(k), share * static_cast<double>(k + 1), places[k]);
+        if (k == 0 && shownTarget) {
+            targets.push_back(*std::move(shownTarget));
+            continue;
+        }
+        if (course.tell("tracing", 0.0) == Verdict::Stop) {
+            return Stopped{says::stoppedBeforeRun()};
+        }
+        auto target = targetOf(theCase.views[places[k]]);
+        if (!target) {
+            return about(target.error(), theCase.views[places[k]], places.size());
+        }
+        targets.push_back(std::move(target).value());
+    }
+    return targets;
+}
+
+/// What a solver says of the views at `places` goes to the course.
+IterationObserver solverObserver(Course& course, const std::vector<std::size_t>& places, double begin)
+{
+    return [&course, &places, begin](const IterationReport& report) {
+        course.enter(begin, 1.0, places[report.view]);
+        return course.tell(report.stage, report.progress, &report);
+    };
+}
+
+/// What holds for all views together belongs to the shown one: its depth is known from the others.
+RegistrationResult resultOfAll(const MultiViewResult& joint)
+{
+    RegistrationResult result = joint.views.front();
+    result.uncertainty = joint.uncertainty;
+    result.trustworthy = joint.trustworthy;
+    for (const Message& warning : joint.warnings) {
+        if (std::ranges::find(result.warnings, warning) == result.warnings.end()) {
+            result.warnings.push_back(warning);
+        }
+    }
+    return result;
+}
+
+void takeOver(View& view, RegistrationResult result)
+{
+    view.caseFile = {};   // the view differs from its file now
+    view.cameraFromPatient = result.cameraFromPatient;
+    view.result = std::move(result);
+}
+
+Status registerOne(RegisteredCase& run, const IterationObserver& observe)
+{
+    const auto input = registrationInputOf(run.theCase, run.targets.front());
+    if (!input) {
+        return input.error();
+    }
+    auto result = registerVessels(input.value(), run.theCase.options, observe);
+    if (!result) {
+        return result.error();
+    }
+    takeOver(run.theCase.shown(), std::move(result).value());
+    return Done{};
+}
+
+Status registerTogether(RegisteredCase& run, const IterationObserver& observe, const Course& course)
+{
+    Stopwatch watch;
+    const auto inputs = jointInputsOf(viewsAt(run.theCase, run.places), run.theCase.vessels, run.targets);
+    if (!inputs) {
+        return inputs.error();
+    }
+    auto joint = registerViews(inputs.value(), run.theCase.options, {}, observe);
+    if (!joint) {
+        return joint.error();
+    }
+    run.joint = std::move(joint).value();
+    const double totalMs = watch.lapMs();   // one run found them all
+    for (std::size_t k = 0; k < run.places.size(); ++k) {
+        RegistrationResult& result = run.joint->views[k];
+        result.time.totalMs = totalMs;
+        result.stopReason = course.isStopped() ? StopReason::StoppedByUser : result.stopReason;
+        takeOver(run.theCase.views[run.places[k]], k == 0 ? resultOfAll(*run.joint) : result);
+    }
+    return Done{};
+}
+
+}   // namespace
+
+Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan, const WorkObserver& observe)
+{
+    const bool isTraced = !plan.shownTarget;
+    auto places = plannedViews(theCase, plan.views);
+    if (!places) {
+        return places.error();
+    }
+    Course course(observe);
+    auto targets = traceViews(theCase, places.value(), std::move(plan.shownTarget), course);
+    if (!targets) {
+        return targets.error();
+    }
+    RegisteredCase run{std::move(theCase), std::move(places).value(), std::move(targets).value(), {}};
+    const double begin = isTraced || run.places.size() > 1 ? tracingShare : 0.0;
+    const IterationObserver observer = solverObserver(course, run.places, begin);
+    const Status status = run.places.size() > 1 ? registerTogether(run, observer, course) : registerOne(run, observer);
+    if (!status) {
+        return status.error();
+    }
+    return run;
+}
+
+}   // namespace angiopose::core

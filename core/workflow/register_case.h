@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/case/case.h"
+#include "core/registration/register_views.h"
+#include "core/workflow/observer.h"
+
+#include <optional>
+#include <vector>
+
+namespace angiopose::core {
+
+/// What of a case is registered.
+struct RegistrationPlan {
+    /// All: every view, together. Loaded: likewise, without those whose image is not there. Shown: that one alone.
+    enum class Views { All, Loaded, Shown };
+
+    Views views = Views::All;
+    std::optional<Centerline2d> shownTarget{};   ///< vessels of the shown view where they are known; else traced
+};
+
+/// A case after its registration.
+struct RegisteredCase {
+    Case theCase;   ///< every registered view with its pose and its result; the shown view's holds for all together
+    std::vector<std::size_t> places;   ///< of the registered views in `theCase.views`, the shown one first
+    std::vector<Centerline2d> targets;   ///< what they were registered to, in the same order
+    std::optional<MultiViewResult> joint;   ///< of several views
+
+    const RegistrationResult& result() const { return *theCase.shown().result; }
+};
+
+/// The main job: traces the vessels in each view, registers the tree to one view (registerVessels) or to all together
+/// (registerViews), and takes over what was found. Fails naming the view and what it lacks. Stopped before there is any
+/// pose it ends as stopped, later it keeps the best pose.
+Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan = {}, const WorkObserver& observe = {});
+
+}   // namespace angiopose::core

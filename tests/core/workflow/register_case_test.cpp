@@ -1,0 +1,120 @@
+#include "core/workflow/register_case.h"
+
+#include "tests/support/simulated_views.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace angiopose::core {
+namespace {
+
+using Views = RegistrationPlan::Views;
+
+TEST(Course, NeverFallsAndRemembersAStop)
+{
+    std::vector<double> told;
+    const WorkObserver observe = [&told](const WorkReport& report) {
+        told.push_back(report.fraction);
+        return told.size() < 4 ? Verdict::Continue : Verdict::Stop;
+    };
+    Course course(observe);
+    course.enter(0.5, 1.0, 3);
+    EXPECT_EQ(course.tell("a", 0.5), Verdict::Continue);
+    course.enter(0.0, 0.5, 3);   // out of order
+    EXPECT_EQ(course.tell("b", 1.0), Verdict::Continue);
+    course.enter(0.0, 1.0, 3);
+    EXPECT_EQ(course.tell("b", 7.0), Verdict::Continue);
+    EXPECT_EQ(course.tell("b", 1.0), Verdict::Stop);
+    EXPECT_EQ(course.tell("b", 1.0), Verdict::Stop);
+    EXPECT_EQ(told, (std::vector{0.75, 0.75, 1.0, 1.0}));
+    EXPECT_TRUE(course.isStopped());
+}
+
+TEST(RegisterCase, TellsOfEachViewAndItsProgressNeverFalls)
+{
+    Case values = test::twoViewCase();
+    values.shownView = 1;
+    double last = 0.0;
+    bool hasFallen = false;
+    std::set<std::size_t> views;
+    const auto run = registerCase(values, {}, [&](const WorkReport& report) {
+        hasFallen = hasFallen || report.fraction < last;
+        last = report.fraction;
+        if (report.iteration) {   // its pose is one of that view: the tree is in front of its camera
+            views.insert(report.view);
+            const RigidTransform& pose = report.iteration->cameraFromPatient;
+            EXPECT_LT((pose.translation - values.views[report.view].cameraFromPatient.translation).norm(), 150.0);
+        }
+        return Verdict::Continue;
+    });
+    ASSERT_TRUE(run) << run.error().message;
+    EXPECT_FALSE(hasFallen);
+    EXPECT_EQ(views, (std::set<std::size_t>{0, 1}));
+    EXPECT_EQ(run.value().places, (std::vector<std::size_t>{1, 0}));
+    ASSERT_TRUE(run.value().joint);
+    for (const View& view : run.value().theCase.views) {
+        ASSERT_TRUE(view.result);
+        EXPECT_LT(view.result->metrics.medianPx, 1.0);
+        EXPECT_EQ(view.cameraFromPatient.matrix(), view.result->cameraFromPatient.matrix());
+    }
+    EXPECT_EQ(run.value().result().uncertainty.covariance, run.value().joint->uncertainty.covariance);
+}
+
+TEST(RegisterCase, TakesOneViewAloneWhereThatIsWanted)
+{
+    const Case values = test::twoViewCase();
+    const auto together = registerCase(values);
+    const auto alone = registerCase(values, {Views::Shown});
+    ASSERT_TRUE(together && alone);
+    EXPECT_FALSE(alone.value().joint);
+    EXPECT_FALSE(alone.value().theCase.views[1].result);
+    EXPECT_EQ(alone.value().theCase.views[1].cameraFromPatient.matrix(), values.views[1].cameraFromPatient.matrix());
+    EXPECT_GT(alone.value().result().uncertainty.depthMm, together.value().result().uncertainty.depthMm);
+}
+
+TEST(RegisterCase, SaysWhichViewHasNoImage)
+{
+    Case values = test::twoViewCase();
+    values.views[1].angiogram = nullptr;
+    values.views[1].imageFile.path = "lost.dcm";
+    const auto all = registerCase(values);
+    ASSERT_FALSE(all);
+    EXPECT_NE(all.error().message.text().find("lost.dcm"), std::string::npos);
+    const auto loaded = registerCase(values, {Views::Loaded});
+    ASSERT_TRUE(loaded);
+    EXPECT_EQ(loaded.value().places, std::vector<std::size_t>{0});
+}
+
+TEST(RegisterCase, HearsStopInEveryView)
+{
+    const Case values = test::twoViewCase();
+    const auto stopped = registerCase(values, {}, [](const WorkReport&) { return Verdict::Stop; });
+    EXPECT_TRUE(stopped.isStopped());   // before there was any pose
+    for (const std::size_t view : {0U, 1U}) {
+        int late = 0;
+        bool isSaid = false;
+        const auto kept = registerCase(values, {}, [&](const WorkReport& report) {
+            late += isSaid ? 1 : 0;
+            isSaid = isSaid || (report.iteration && report.view == view);
+            return isSaid ? Verdict::Stop : Verdict::Continue;
+        });
+        ASSERT_TRUE(kept) << kept.error().message;
+        EXPECT_EQ(late, 0);
+        EXPECT_EQ(kept.value().result().stopReason, StopReason::StoppedByUser);
+        EXPECT_TRUE(isRigid(kept.value().theCase.shown().cameraFromPatient));
+    }
+}
+
+TEST(RegisterCase, UsesTheKnownTargetOfTheShownView)
+{
+    Case values = test::twoViewCase();
+    const Centerline2d known = *values.shown().target.centerline;
+    values.shown().target = {};
+    values.shown().angiogram = std::make_shared<const Angiogram>();   // cannot be traced
+    EXPECT_FALSE(registerCase(values, {Views::Shown}));
+    EXPECT_TRUE(registerCase(values, {Views::Shown, known}));
+}
+
+}   // namespace
+}   // namespace angiopose::core
