@@ -27,7 +27,7 @@ private:
     PixelLayout layout_;
     std::string path_;
     std::string transferSyntax_;
-    DicomElement pixels_;
+    DicomPixels pixels_;
     std::vector<std::vector<std::string_view>> streams_;   ///< fragments of each compressed frame
 };
 
