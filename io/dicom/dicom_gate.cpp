@@ -2,6 +2,7 @@
 
 #include "io/messages/says.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -12,7 +13,7 @@ constexpr DicomTag itemTag = 0xfffee000;
 constexpr DicomTag itemEndTag = 0xfffee00d;
 constexpr DicomTag sequenceEndTag = 0xfffee0dd;
 constexpr std::uint32_t undefinedLength = 0xffffffff;
-constexpr int maxDepth = 32;
+constexpr std::size_t maxDepth = 32;
 constexpr std::size_t maxValueBytes = std::size_t{1} << 20;   // no field that is asked for is longer
 
 // PS3.5 §7.1.2: these have a 32-bit length, these a 16-bit one.
@@ -22,11 +23,6 @@ constexpr std::string_view shortVrs = "AE AS AT CS DA DS DT FD FL IS LO LT PN SH
 bool isUpper(char c)
 {
     return c >= 'A' && c <= 'Z';
-}
-
-bool isVrKnown(std::string_view vr)
-{
-    return longVrs.find(vr) != std::string_view::npos || shortVrs.find(vr) != std::string_view::npos;
 }
 
 std::string tagName(DicomTag tag)
@@ -41,104 +37,107 @@ bool isPixelTag(DicomTag tag)
     return tag == pixelDataTag || tag == floatPixelsTag || tag == doublePixelsTag;
 }
 
-/// Finds where values end, and whether DCMTK can be given what is in them.
-class ValueWalk {
-public:
-    bool isClean() const { return isClean_; }
-
-    /// Bytes of the value after `head`, delimiter included; nothing when it does not end within `rest`.
-    std::optional<std::size_t> value(const ElementHead& head, std::string_view rest, DicomEncoding encoding, int depth);
-
-private:
-    std::optional<std::size_t> items(std::string_view bytes, bool isOpen, DicomEncoding encoding, bool hasElements,
-                                     int depth);
-    std::optional<std::size_t> elements(std::string_view bytes, bool isOpen, DicomEncoding encoding, int depth);
-    void require(bool condition) { isClean_ = isClean_ && condition; }
-
-    bool isClean_ = true;
-};
-
-std::optional<std::size_t> ValueWalk::value(const ElementHead& head, std::string_view rest, DicomEncoding encoding,
-                                            int depth)
+/// DCMTK reads the element as it is meant.
+bool isReadable(const ElementHead& head, DicomEncoding encoding)
 {
-    const bool isOpen = head.length == undefinedLength;
-    if (!isOpen && head.length > rest.size()) {
-        return std::nullopt;
-    }
-    const std::string_view bytes = isOpen ? rest : rest.substr(0, head.length);
-    const auto first = readHead(bytes, encoding);
-    // Without a VR the content tells. A sequence whose VR was lost is implicit inside (PS3.5 §6.2.2).
-    const bool isUnknown = head.vr.empty() || head.vr == "UN";
-    const bool isSequence = head.vr == "SQ" || (isUnknown && (isOpen || (first && first->tag == itemTag)));
-    require(isSequence || !isOpen);
-    require(head.vr.empty() || isVrKnown(head.vr));
-    if (!isSequence && !isOpen) {
-        return head.length;
-    }
-    require(!isUnknown || encoding.order == ByteOrder::Little);
-    const auto size =
-        items(bytes, isOpen, isUnknown ? DicomEncoding{false, encoding.order} : encoding, isSequence, depth + 1);
-    require(size.has_value());
-    return isOpen ? size : head.length;
+    const bool isVrKnown =
+        longVrs.find(head.vr) != std::string_view::npos || shortVrs.find(head.vr) != std::string_view::npos;
+    return encoding.isExplicit ? !head.vr.empty() && isVrKnown : head.vr.empty();
 }
 
-std::optional<std::size_t> ValueWalk::items(std::string_view bytes, bool isOpen, DicomEncoding encoding,
-                                            bool hasElements, int depth)
+/// A sequence or an item whose end is not reached yet.
+struct OpenLevel {
+    std::size_t end;   ///< `untilDelimiter` when its length is undefined
+    DicomEncoding encoding;
+    bool holdsItems;
+    bool isOpaque;   ///< its items are fragments of pixels
+};
+
+constexpr std::size_t untilDelimiter = std::string_view::npos;
+
+/// What the value of an element holds besides plain bytes; nothing when it is those.
+std::optional<OpenLevel> levelOf(const ElementHead& head, std::string_view rest, std::size_t at, DicomEncoding encoding)
 {
+    const bool isOpen = head.length == undefinedLength;
+    const bool isUnknown = head.vr.empty() || head.vr == "UN";   // then the content tells
+    const auto first = isUnknown && !isOpen ? readHead(rest.substr(0, head.length), encoding) : std::nullopt;
+    const bool isSequence = head.vr == "SQ" || (isUnknown && (isOpen || (first && first->tag == itemTag)));
+    if (!isSequence && !isOpen) {
+        return std::nullopt;
+    }
+    // A sequence whose VR was lost is implicit inside (PS3.5 §6.2.2).
+    return OpenLevel{isOpen ? untilDelimiter : at + head.length,
+                     isUnknown ? DicomEncoding{false, encoding.order} : encoding, true,
+                     !isSequence || isPixelTag(head.tag)};
+}
+
+/// Where the value of an element ends, and whether DCMTK can be given it.
+struct ValueWalk {
+    std::optional<std::size_t> size;   ///< nothing: not within the bytes that are there
+    bool isClean = true;
+};
+
+/// Walks through a sequence, whatever is in it, until it is closed.
+ValueWalk walkThrough(const OpenLevel& sequence, std::string_view bytes)
+{
+    ValueWalk walk;
     std::size_t at = 0;
-    while (depth <= maxDepth && (isOpen || at < bytes.size())) {
-        const auto head = readHead(bytes.substr(at), encoding);
-        if (head && head->tag == sequenceEndTag && isOpen) {
-            return at + head->size;
+    for (std::vector<OpenLevel> levels{sequence}; !levels.empty();) {
+        const OpenLevel level = levels.back();
+        if (at == level.end) {
+            levels.pop_back();
+            continue;
         }
-        if (!head || head->tag != itemTag) {
-            return std::nullopt;
+        const auto head = readHead(bytes.substr(at, level.end - at), level.encoding);
+        if (!head || levels.size() > 2 * maxDepth) {
+            return {};
         }
         at += head->size;
-        const bool isOpenItem = head->length == undefinedLength;
-        if (!isOpenItem && head->length > bytes.size() - at) {
-            return std::nullopt;
-        }
-        if (hasElements || isOpenItem) {
-            const auto size = elements(bytes.substr(at, head->length), isOpenItem, encoding, depth);
-            require(size.has_value());
-            if (isOpenItem && !size) {
-                return std::nullopt;
+        if (head->tag == itemEndTag || head->tag == sequenceEndTag) {
+            if (level.end != untilDelimiter || level.holdsItems != (head->tag == sequenceEndTag)) {
+                return {};
             }
-            at += isOpenItem ? *size : head->length;
+            levels.pop_back();
+            continue;
+        }
+        const bool isOpen = head->length == undefinedLength;
+        const bool isItem = head->tag == itemTag;
+        if (isItem != level.holdsItems || (!isOpen && head->length > std::min(bytes.size(), level.end) - at)) {
+            return {};
+        }
+        auto inside = isItem ? std::nullopt : levelOf(*head, bytes.substr(at), at, level.encoding);
+        if (isItem && (isOpen || !level.isOpaque)) {
+            inside = OpenLevel{isOpen ? untilDelimiter : at + head->length, level.encoding, false, false};
+        }
+        walk.isClean = walk.isClean && (isItem || isReadable(*head, level.encoding)) && !(inside && inside->isOpaque);
+        if (inside) {
+            levels.push_back(*inside);
         } else {
             at += head->length;
         }
     }
-    return depth <= maxDepth ? std::optional(at) : std::nullopt;
+    walk.size = at;
+    return walk;
 }
 
-std::optional<std::size_t> ValueWalk::elements(std::string_view bytes, bool isOpen, DicomEncoding encoding, int depth)
+ValueWalk walkValue(const ElementHead& head, std::string_view rest, DicomEncoding encoding)
 {
-    std::size_t at = 0;
-    while (isOpen || at < bytes.size()) {
-        const auto head = readHead(bytes.substr(at), encoding);
-        if (!head) {
-            return std::nullopt;
-        }
-        at += head->size;
-        if (head->tag == itemEndTag) {
-            require(isOpen);
-            return at;
-        }
-        require(!encoding.isExplicit || !head->vr.empty());
-        const auto size = value(*head, bytes.substr(at), encoding, depth);
-        if (!size) {
-            return std::nullopt;
-        }
-        at += *size;
+    const bool isOpen = head.length == undefinedLength;
+    if (!isOpen && head.length > rest.size()) {
+        return {};
     }
-    return at;
+    const auto level = levelOf(head, rest, 0, encoding);
+    if (!level) {
+        return {head.length, isReadable(head, encoding) || head.vr.empty()};
+    }
+    ValueWalk walk = walkThrough(*level, rest);
+    walk.isClean = walk.isClean && walk.size && !level->isOpaque;
+    walk.size = isOpen ? walk.size : head.length;
+    return walk;
 }
 
 /// What one element of the data set adds.
-void pass(const ElementHead& head, std::string_view whole, const ValueWalk& walk, DicomEncoding encoding,
-          PassedElements& passed)
+void pass(const ElementHead& head, std::string_view whole, bool isClean, DicomEncoding encoding, PassedElements& passed)
 {
     const std::string_view value = whole.substr(head.size);
     if (isPixelTag(head.tag)) {
@@ -148,7 +147,7 @@ void pass(const ElementHead& head, std::string_view whole, const ValueWalk& walk
     const DicomTag group = head.tag >> 16;
     const bool isOfStandard = group % 2 == 0 && group >= 0x0008;
     const bool isSequence = head.vr == "SQ" || head.length == undefinedLength;
-    if (walk.isClean() && isOfStandard && (isSequence || value.size() <= maxValueBytes)) {
+    if (isClean && isOfStandard && (isSequence || value.size() <= maxValueBytes)) {
         (encoding.isExplicit && head.vr.empty() ? passed.withoutVr : passed.elements) += whole;
     }
 }
@@ -191,8 +190,7 @@ PassedElements passElements(std::string_view bytes, DicomEncoding encoding)
         }
         const std::string_view rest = bytes.substr(head->size);
         const bool isOpen = head->length == undefinedLength;
-        ValueWalk walk;
-        auto size = walk.value(*head, rest, encoding, 0);
+        const auto [size, isClean] = walkValue(*head, rest, encoding);
         if (!size && isOpen && !isPixelTag(head->tag)) {
             passed.damage = says::dicomSequenceWithoutEnd(tagName(head->tag));
             return passed;
@@ -203,7 +201,7 @@ PassedElements passElements(std::string_view bytes, DicomEncoding encoding)
         passed.isEmpty = false;
         const std::string_view whole = bytes.substr(0, head->size + size.value_or(rest.size()));
         if (size || isPixelTag(head->tag)) {
-            pass(*head, whole, walk, encoding, passed);
+            pass(*head, whole, isClean, encoding, passed);
         }
         bytes.remove_prefix(whole.size());
         if (passed.damage) {

@@ -177,21 +177,28 @@ core::Result<ImageF> FrameReader::frame(int index) const
     return image;
 }
 
-core::Result<std::vector<ImageF>> readFrames(const DicomFile& file, const PixelLayout& layout, const std::string& path)
+core::Result<DecodedRun> readFrames(const DicomFile& file, const PixelLayout& layout, const std::string& path)
 {
     const auto reader = FrameReader::open(file, layout, path);
     if (!reader) {
         return reader.error();
     }
-    std::vector<ImageF> frames;
+    DecodedRun run;
+    std::optional<core::Error> failure;
     for (int k = 0; k < layout.frames; ++k) {
         auto frame = reader.value().frame(k);
-        if (!frame) {
-            return frame.error();
+        if (frame) {
+            run.frames.resize(static_cast<std::size_t>(k), frame.value());   // for lost ones before the first
+            run.frames.push_back(std::move(frame).value());
+            continue;
         }
-        frames.push_back(std::move(frame).value());
+        failure = failure ? failure : frame.error();
+        run.lostFrames.push_back(k);
+        if (!run.frames.empty()) {
+            run.frames.push_back(run.frames.back());
+        }
     }
-    return frames;
+    return run.frames.empty() ? core::Result<DecodedRun>(*failure) : run;
 }
 
 }   // namespace angiopose::io

@@ -1,7 +1,7 @@
 #include "io/raster/raster_integrity.h"
 
-#include "io/dicom/dicom_dataset.h"
 #include "io/messages/says.h"
+#include "io/support/byte_order.h"
 
 #include <zlib.h>
 #include <utility>

@@ -149,6 +149,17 @@ TEST(SubtractRun, RefusesInPlainWords)
     EXPECT_FALSE(core::subtractRun(filled, Polarity::VesselsDark, {})) << "contrast from the first frame on";
 }
 
+TEST(SubtractRun, AFrameThatShowsNothingIsNeitherMaskNorSubtractedFrom)
+{
+    std::vector<ImageF> frames = run;
+    std::ranges::fill(frames[0].pixels, 1200.0F);
+    std::ranges::fill(frames[3].pixels, 1200.0F);
+    const auto subtracted = core::subtractRun(frames, Polarity::VesselsDark, {});
+    ASSERT_TRUE(subtracted) << subtracted.error().message;
+    EXPECT_EQ(subtracted.value().maskFrames, std::vector<int>{1});
+    EXPECT_EQ(subtracted.value().frames[3].pixels, frames[3].pixels);
+}
+
 TEST(SuggestMaskFrames, AreThoseBeforeTheContrastArrives)
 {
     std::vector<ImageF> plain;
