@@ -1,10 +1,10 @@
 # Fails when a layer includes what it must not know (see the table in the README).
 set(forbidden_core "<Q[A-Za-z]|<vtk|\"(io|ui|app)/")
 set(forbidden_io "<Q[A-Za-z]|\"(ui|app)/")
-set(forbidden_ui "<itk|<gdcm|\"(io|app)/")
+set(forbidden_ui "<itk|<dcmtk|\"(io|app)/")
 set(forbidden_ui_scenes "<Q[A-Za-z]")
 set(forbidden_core_headers "<itk|<opencv2|<nanoflann")
-set(forbidden_io_headers "<itk|<gdcm|<vtk|<nlohmann")
+set(forbidden_io_headers "<itk|<dcmtk|<vtk|<nlohmann")
 
 function(check_files pattern)
   foreach(source ${ARGN})
