@@ -5,6 +5,8 @@
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 
+#include <exception>
+
 namespace angiopose::io {
 namespace {
 
@@ -16,7 +18,11 @@ core::Status writePixels(const PngPixels& pixels, const std::string& path,
     if (expected == 0 || pixels.bytes->size() != expected) {
         return fileError(path, says::pictureMissing());
     }
-    return writeAtomically(path, encodedPng(pixels, texts));
+    try {
+        return writeAtomically(path, encodedPng(pixels, texts));
+    } catch (const std::exception&) {
+        return fileError(path, says::imageSize());
+    }
 }
 
 }   // namespace

@@ -57,6 +57,10 @@ core::Result<core::RigidTransform> readPose(const std::string& path)
         const auto pose = poseFromItkText(content);
         return pose ? pose : fileError(path, pose.error());
     }
+    if (extension == ".mat") {
+        const auto pose = poseFromItkMatlab(content);
+        return pose ? pose : fileError(path, pose.error());
+    }
     if (describeContent(content) == &says::aJsonFile || extension == ".json") {
         return poseFromJson(content, path);
     }

@@ -8,7 +8,7 @@
 
 namespace angiopose::io {
 
-/// Pose from `.json` (`cameraFromPatient` at the top, or in `pose`), or an ITK `.tfm`.
+/// Pose from `.json` (`cameraFromPatient` at the top, or in `pose`), or an ITK `.tfm` or `.mat`.
 /// Our ITK transforms map patient points to camera points (LPS mm), said in the file's comment.
 core::Result<core::RigidTransform> readPose(const std::string& path);
 

@@ -1,10 +1,10 @@
 # Fails when a layer includes what it must not know (see the table in the README).
 set(forbidden_core "<Q[A-Za-z]|<vtk|\"(io|ui|app)/")
 set(forbidden_io "<Q[A-Za-z]|\"(ui|app)/")
-set(forbidden_ui "<itk|<gdcm|\"(io|app)/")
+set(forbidden_ui "<itk|<dcmtk|\"(io|app)/")
 set(forbidden_ui_scenes "<Q[A-Za-z]")
 set(forbidden_core_headers "<itk|<opencv2|<nanoflann")
-set(forbidden_io_headers "<itk|<gdcm|<vtk|<nlohmann")   # but for the table of a case's fields, which only io reads
+set(forbidden_io_headers "<itk|<dcmtk|<vtk|<nlohmann")   # but for the table of a case's fields, which only io reads
 set(forbidden_app "\"io/case/fields/")
 
 function(check_files pattern)

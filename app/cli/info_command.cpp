@@ -168,7 +168,7 @@ core::Result<Json> describe(const std::string& path)
     if (extension == ".stl" || extension == ".ply" || extension == ".obj") {
         return surfaceJson(path);
     }
-    if (extension == ".json" || extension == ".tfm") {
+    if (extension == ".json" || extension == ".tfm" || extension == ".mat") {
         return poseOrTreeJson(path);
     }
     const bool isTree =

@@ -188,7 +188,7 @@ void bindRegistration(py::module_& module)
         py::arg("observe") = py::none(),
         "Registers one tree to two or more views of the same moment, which tells the depth. The start poses tell how\n"
         "the cameras stand to each other.");
-    module.def("readPose", &readPose, py::arg("path"), "(4, 4) from .json or an ITK .tfm.");
+    module.def("readPose", &readPose, py::arg("path"), "(4, 4) from .json, or an ITK .tfm or .mat.");
     module.def("writePose", &writePose, py::arg("cameraFromPatient"), py::arg("path"),
                "To .json or .tfm, by the extension; every number restores to the last bit.");
 }

@@ -34,6 +34,22 @@ std::optional<Message> problemWith(const std::vector<ImageF>& frames, const Subt
     return {};
 }
 
+/// A frame that could not be decoded, or one that shows nothing: no mask for others, and nothing to subtract from.
+bool isBlank(const ImageF& frame)
+{
+    return std::ranges::all_of(frame.pixels, [&](float value) { return value == frame.pixels.front(); });
+}
+
+/// Blank frames are no masks where others are.
+void leaveOutBlank(const std::vector<ImageF>& frames, std::vector<int>& maskFrames)
+{
+    std::vector<int> shown = maskFrames;
+    std::erase_if(shown, [&](int index) { return isBlank(frames[static_cast<std::size_t>(index)]); });
+    if (!shown.empty()) {
+        maskFrames = std::move(shown);
+    }
+}
+
 /// The plan with its mask frames chosen.
 Result<SubtractionPlan> settledPlan(const std::vector<ImageF>& frames, Polarity polarity, SubtractionPlan plan)
 {
@@ -50,6 +66,7 @@ Result<SubtractionPlan> settledPlan(const std::vector<ImageF>& frames, Polarity 
     if (plan.maskFrames.empty()) {
         return Error(says::subtractionNoMask());
     }
+    leaveOutBlank(frames, plan.maskFrames);
     return plan;
 }
 
@@ -64,6 +81,9 @@ std::optional<std::size_t> intervalMask(const MaskInterval& interval, int frame,
 
 SubtractedFrame subtractedFrame(const ImageF& frame, const ImageF& mask, const SubtractionPlan& plan)
 {
+    if (isBlank(frame) && !isBlank(mask)) {
+        return {frame};
+    }
     const Eigen::Vector2d shift = plan.maskShiftPx ? *plan.maskShiftPx : maskShift(mask, frame, plan.relation);
     return {subtracted(frame, mask, shift, plan.relation), shift};
 }
@@ -84,19 +104,26 @@ SubtractedFrame subtractedFrame(const std::vector<ImageF>& frames, std::size_t i
 std::vector<int> suggestMaskFrames(const std::vector<ImageF>& frames, Polarity polarity)
 {
     const std::vector<double> curve = opacificationCurve(frames, polarity);
-    if (curve.size() < 2) {
+    std::vector<int> shown;
+    for (int k = 0; k < static_cast<int>(frames.size()); ++k) {
+        if (!isBlank(frames[static_cast<std::size_t>(k)])) {
+            shown.push_back(k);
+        }
+    }
+    if (shown.size() < 2) {
         return {};
     }
-    const auto [least, most] = std::minmax_element(curve.begin(), curve.end());
-    if (*most < leastRise * curve.front() || !(*most > 0.0)) {
+    const auto opacity = [&](int frame) { return curve[static_cast<std::size_t>(frame)]; };
+    const double least = opacity(std::ranges::min(shown, {}, opacity));
+    const double most = opacity(std::ranges::max(shown, {}, opacity));
+    if (most < leastRise * opacity(shown.front()) || !(most > 0.0)) {
         return {};
     }
-    const double limit = *least + emptyShare * (*most - *least);
-    std::vector<int> masks;
-    while (masks.size() < std::min(mostMaskFrames, curve.size()) && curve[masks.size()] <= limit) {
-        masks.push_back(static_cast<int>(masks.size()));
-    }
-    return masks;
+    const double limit = least + emptyShare * (most - least);
+    const auto firstFilled = std::ranges::find_if(shown, [&](int frame) { return opacity(frame) > limit; });
+    shown.erase(firstFilled, shown.end());
+    shown.resize(std::min(mostMaskFrames, shown.size()));
+    return shown;
 }
 
 Result<SubtractedRun> subtractRun(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,

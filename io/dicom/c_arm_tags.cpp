@@ -40,12 +40,8 @@ void addFromGroups(DicomDataset& data, DicomTag groupsTag)
     if (groups.empty()) {
         return;
     }
-    for (const auto& [macroTag, macro] : groups.front().elements) {
-        for (const DicomDataset& content : groups.front().items(macroTag)) {
-            for (const auto& [tag, element] : content.elements) {
-                data.elements.emplace(tag, element);
-            }
-        }
+    for (const DicomDataset& content : groups.front().itemsOfAllSequences()) {
+        data.addMissingFrom(content);
     }
 }
 
@@ -135,7 +131,7 @@ void readAngles(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
 {
     cArm.primaryAngleDeg = fromHeader(data, primaryAngleTag, "(0018,1510) Positioner Primary Angle");
     cArm.secondaryAngleDeg = fromHeader(data, secondaryAngleTag, "(0018,1511) Positioner Secondary Angle");
-    if (!cArm.primaryAngleDeg.value && data.find(0x00189463)) {
+    if (!cArm.primaryAngleDeg.value && data.has(0x00189463)) {
         warnings.push_back(says::anglesOfIsocentre());
     }
     const double detectorTilt =

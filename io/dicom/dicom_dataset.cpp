@@ -1,95 +1,96 @@
 #include "io/dicom/dicom_dataset.h"
 
-#include "io/dicom/dicom_elements.h"
-#include "io/messages/says.h"
 #include "io/support/numbers.h"
+#include "io/support/quiet_libraries.h"
 
-#include <algorithm>
-#include <bit>
+#include <dcmtk/config/osconfig.h>
+// DCMTK's macros first.
+#include <dcmtk/dcmdata/dcistrmb.h>
+#include <dcmtk/dcmdata/dctk.h>
 #include <cmath>
-#include <cstdio>
 
 namespace angiopose::io {
 namespace {
 
-bool isVr(const DicomElement& element, std::string_view vr)
+DcmTagKey keyOf(DicomTag tag)
 {
-    return element.vr[0] == vr[0] && element.vr[1] == vr[1];
+    return {static_cast<Uint16>(tag >> 16U), static_cast<Uint16>(tag & 0xffffU)};
 }
 
-/// Without a VR: most of group 0028 is binary 16-bit, the rest of what we read is text (PS3.6).
-bool isImplicitShort(DicomTag tag)
+E_TransferSyntax syntaxOf(DicomEncoding encoding)
 {
-    constexpr std::array<DicomTag, 7> texts = {0x00280004, 0x00280008, 0x00280030, 0x00280034,
-                                               0x00280a02, 0x00281040, 0x00281090};
-    const bool isRescale = tag >= 0x00281050 && tag <= 0x00281055;
-    return tag >> 16 == 0x0028 && !isRescale && std::find(texts.begin(), texts.end(), tag) == texts.end();
+    if (!encoding.isExplicit) {
+        return encoding.order == ByteOrder::Big ? EXS_BigEndianImplicit : EXS_LittleEndianImplicit;
+    }
+    return encoding.order == ByteOrder::Big ? EXS_BigEndianExplicit : EXS_LittleEndianExplicit;
 }
 
+/// A number by one of DCMTK's getters; nothing beyond the last value.
 template <class Number>
-std::optional<double> binaryValue(const DicomElement& element, std::size_t index)
+std::optional<double> valueBy(OFCondition (DcmElement::*get)(Number&, unsigned long), DcmElement& element,
+                              std::size_t index)
 {
-    const std::size_t size = sizeof(Number);
-    if (element.value.size() < (index + 1) * size) {
-        return std::nullopt;
-    }
-    std::array<char, sizeof(Number)> bytes;
-    std::copy_n(element.value.data() + index * size, size, bytes.begin());
-    if (element.encoding.isBigEndian) {
-        std::reverse(bytes.begin(), bytes.end());
-    }
-    return static_cast<double>(std::bit_cast<Number>(bytes));
+    Number value{};
+    return (element.*get)(value, index).good() ? std::optional(static_cast<double>(value)) : std::nullopt;
 }
 
-std::optional<double> valueOf(DicomTag tag, const DicomElement& element, std::size_t index, std::string_view text)
+std::optional<double> binaryNumber(DcmElement& element, std::size_t index)
 {
-    const bool isUnknown = isVr(element, "UN");
-    if (isVr(element, "US") || (isUnknown && isImplicitShort(tag))) {
-        return binaryValue<std::uint16_t>(element, index);
+    switch (element.ident()) {
+        case EVR_US:
+            return valueBy(&DcmElement::getUint16, element, index);
+        case EVR_SS:
+            return valueBy(&DcmElement::getSint16, element, index);
+        case EVR_UL:
+            return valueBy(&DcmElement::getUint32, element, index);
+        case EVR_SL:
+            return valueBy(&DcmElement::getSint32, element, index);
+        case EVR_FL:
+            return valueBy(&DcmElement::getFloat32, element, index);
+        case EVR_FD:
+            return valueBy(&DcmElement::getFloat64, element, index);
+        default:
+            return std::nullopt;
     }
-    if (isVr(element, "SS")) {
-        return binaryValue<std::int16_t>(element, index);
-    }
-    if (isVr(element, "UL")) {
-        return binaryValue<std::uint32_t>(element, index);
-    }
-    if (isVr(element, "SL")) {
-        return binaryValue<std::int32_t>(element, index);
-    }
-    if (isVr(element, "FL")) {
-        return binaryValue<float>(element, index);
-    }
-    if (isVr(element, "FD")) {
-        return binaryValue<double>(element, index);
-    }
-    return parseNumber(text);
 }
 
-std::string tagName(DicomTag tag)
+bool isBinaryVr(DcmEVR vr)
 {
-    std::array<char, 16> buffer;
-    std::snprintf(buffer.data(), buffer.size(), "(%04x,%04x)", tag >> 16, tag & 0xffff);
-    return buffer.data();
+    return vr == EVR_US || vr == EVR_SS || vr == EVR_UL || vr == EVR_SL || vr == EVR_FL || vr == EVR_FD;
 }
 
-DicomEncoding insideOf(const DicomElement& element)
+/// The items of a sequence; each keeps the data set that it belongs to.
+void appendItems(DcmElement& element, const std::shared_ptr<DcmItem>& owner, std::vector<DicomDataset>& items)
 {
-    // A sequence whose VR was lost is implicit inside (PS3.5 §6.2.2).
-    return isVr(element, "UN") ? DicomEncoding{false, element.encoding.isBigEndian} : element.encoding;
+    if (element.ident() != EVR_SQ) {
+        return;
+    }
+    auto& sequence = static_cast<DcmSequenceOfItems&>(element);
+    for (unsigned long i = 0; i < sequence.card(); ++i) {
+        items.emplace_back(std::shared_ptr<DcmItem>(owner, sequence.getItem(i)));
+    }
 }
 
 }   // namespace
 
-const DicomElement* DicomDataset::find(DicomTag tag) const
+DcmElement* DicomDataset::find(DicomTag tag) const
 {
-    const auto found = elements.find(tag);
-    return found == elements.end() ? nullptr : &found->second;
+    DcmElement* element = nullptr;
+    for (const auto& layer : layers_) {
+        if (layer->findAndGetElement(keyOf(tag), element).good()) {
+            return element;
+        }
+    }
+    return nullptr;
 }
 
 std::string_view DicomDataset::text(DicomTag tag) const
 {
-    const DicomElement* element = find(tag);
-    return element && !element->hasUndefinedLength ? trimmed(element->value) : std::string_view();
+    DcmElement* element = find(tag);
+    char* bytes = nullptr;
+    Uint32 size = 0;
+    const bool isText = element && element->getString(bytes, size).good() && bytes;
+    return isText ? trimmed({bytes, size}) : std::string_view();
 }
 
 std::string_view DicomDataset::text(DicomTag tag, std::size_t index) const
@@ -107,8 +108,9 @@ std::string_view DicomDataset::text(DicomTag tag, std::size_t index) const
 
 std::optional<double> DicomDataset::number(DicomTag tag, std::size_t index) const
 {
-    const DicomElement* element = find(tag);
-    const auto value = element ? valueOf(tag, *element, index, text(tag, index)) : std::nullopt;
+    DcmElement* element = find(tag);
+    const bool isBinary = element && isBinaryVr(element->ident());
+    const auto value = isBinary ? binaryNumber(*element, index) : parseNumber(text(tag, index));
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
@@ -118,88 +120,53 @@ std::optional<int> DicomDataset::integer(DicomTag tag, std::size_t index) const
     return value && std::abs(*value) < 2e9 ? std::optional(static_cast<int>(*value)) : std::nullopt;
 }
 
+bool DicomDataset::isBinaryNumber(DicomTag tag) const
+{
+    const DcmElement* element = find(tag);
+    return element && isBinaryVr(element->ident());
+}
+
 std::vector<DicomDataset> DicomDataset::items(DicomTag tag) const
 {
-    std::vector<DicomDataset> result;
-    const DicomElement* element = find(tag);
-    if (!element) {
-        return result;
-    }
-    const DicomEncoding encoding = insideOf(*element);
-    std::string_view rest = element->value;
-    while (const auto head = readHead(rest, encoding)) {
-        rest.remove_prefix(head->size);
-        if (head->tag != itemTag) {
+    std::vector<DicomDataset> items;
+    for (const auto& layer : layers_) {
+        DcmElement* element = nullptr;
+        if (layer->findAndGetElement(keyOf(tag), element).good()) {
+            appendItems(*element, layer, items);
             break;
         }
-        std::size_t size = head->length;
-        if (head->length == undefinedLength) {
-            const auto found = undefinedItemSize(rest, encoding);
-            if (!found) {
-                break;
-            }
-            size = *found;
-            result.push_back(parseElements(rest.substr(0, size), encoding).dataset);
-        } else if (size <= rest.size()) {
-            result.push_back(parseElements(rest.substr(0, size), encoding).dataset);
-        } else {
-            break;
-        }
-        rest.remove_prefix(size);
     }
-    return result;
+    return items;
 }
 
-DicomParse parseElements(std::string_view bytes, DicomEncoding encoding)
+std::vector<DicomDataset> DicomDataset::itemsOfAllSequences() const
 {
-    DicomParse parse;
-    while (const auto head = readHead(bytes, encoding)) {
-        bytes.remove_prefix(head->size);
-        if (head->tag == itemEndTag || head->tag == sequenceEndTag) {
-            return parse;
+    std::vector<DicomDataset> items;
+    for (const auto& layer : layers_) {
+        for (unsigned long i = 0; i < layer->card(); ++i) {
+            appendItems(*layer->getElement(i), layer, items);
         }
-        DicomElement element{head->vr, {}, head->length == undefinedLength, encoding};
-        std::size_t size = head->length;
-        if (element.hasUndefinedLength) {
-            const bool isPixels = head->tag == pixelDataTag;
-            const auto found = undefinedValueSize(bytes, isPixels ? encoding : insideOf(element));
-            size = found.value_or(bytes.size());
-            if (!found && !isPixels) {
-                parse.problem = says::dicomSequenceWithoutEnd(tagName(head->tag));
-                return parse;
-            }
-        } else if (size > bytes.size()) {
-            parse.problem = says::dicomElementTooLong(tagName(head->tag), size, bytes.size());
-            element.value = bytes;
-            parse.dataset.elements.emplace(head->tag, element);
-            return parse;
-        }
-        element.value = bytes.substr(0, size);
-        parse.dataset.elements.emplace(head->tag, element);
-        bytes.remove_prefix(size);
     }
-    if (bytes.find_first_not_of('\0') != std::string_view::npos) {
-        parse.problem = says::dicomEndsWithin();
-    }
-    return parse;
+    return items;
 }
 
-std::optional<std::vector<std::string_view>> fragmentsOf(const DicomElement& pixelData)
+void DicomDataset::addMissingFrom(const DicomDataset& other)
 {
-    std::vector<std::string_view> fragments;
-    std::string_view rest = pixelData.value;
-    while (const auto head = readHead(rest, pixelData.encoding)) {
-        rest.remove_prefix(head->size);
-        if (head->tag != itemTag) {
-            return head->tag == sequenceEndTag ? std::optional(fragments) : std::nullopt;
-        }
-        if (head->length > rest.size()) {
-            return std::nullopt;
-        }
-        fragments.push_back(rest.substr(0, head->length));
-        rest.remove_prefix(head->length);
-    }
-    return fragments;   // without a delimiter: whole fragments up to the end of the file
+    layers_.insert(layers_.end(), other.layers_.begin(), other.layers_.end());
+}
+
+DicomDataset readElements(std::string_view elements, DicomEncoding encoding)
+{
+    quietLibraries();
+    dcmEnableUnknownVRConversion.set(OFTrue);   // writers that do not know an element call its VR UN
+    const auto data = std::make_shared<DcmDataset>();
+    DcmInputBufferStream stream;
+    stream.setBuffer(elements.data(), static_cast<offile_off_t>(elements.size()));
+    stream.setEos();
+    data->transferInit();
+    data->read(stream, syntaxOf(encoding));   // what went before a failure is kept
+    data->transferEnd();
+    return DicomDataset(data);
 }
 
 }   // namespace angiopose::io

@@ -1,6 +1,5 @@
 #include "io/dicom/dicom_file.h"
 
-#include "io/dicom/dicom_elements.h"
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/inflate.h"
@@ -28,15 +27,12 @@ bool startsLikeDataset(std::string_view bytes)
     if (bytes.size() < 8) {
         return false;
     }
-    constexpr DicomEncoding little{true, false};
-    constexpr DicomEncoding big{true, true};
-    const auto isPlausible = [&](DicomEncoding encoding) {
-        const auto group = readUint16(bytes, encoding);
-        const auto head = readHead(bytes, encoding);
-        return (group == 0x0002 || group == 0x0008) && readUint16(bytes.substr(2), encoding) < 0x0100 && head &&
-               head->length <= bytes.size();
+    const auto isPlausible = [&](ByteOrder order) {
+        const auto head = readHead(bytes, DicomEncoding{true, order});
+        const DicomTag group = head ? head->tag >> 16 : 0;
+        return (group == 0x0002 || group == 0x0008) && (head->tag & 0xffff) < 0x0100 && head->length <= bytes.size();
     };
-    return isPlausible(little) || isPlausible(big);
+    return isPlausible(ByteOrder::Little) || isPlausible(ByteOrder::Big);
 }
 
 /// Whether VRs are there, their letters tell better than a wrong or missing transfer syntax.
@@ -46,9 +42,9 @@ DicomEncoding encodingOf(std::string_view bytes, std::string_view transferSyntax
     if (bytes.size() >= 6) {
         const auto isUpper = [](char c) { return c >= 'A' && c <= 'Z'; };
         encoding.isExplicit = isUpper(bytes[4]) && isUpper(bytes[5]);
-        const auto littleGroup = readUint16(bytes, DicomEncoding{true, false});
-        const auto bigGroup = readUint16(bytes, DicomEncoding{true, true});
-        encoding.isBigEndian = transferSyntax.empty() ? bigGroup < littleGroup : transferSyntax == bigEndianSyntax;
+        const bool looksBig = readUint16(bytes, ByteOrder::Big) < readUint16(bytes, ByteOrder::Little);
+        const bool isBig = transferSyntax.empty() ? looksBig : transferSyntax == bigEndianSyntax;
+        encoding.order = isBig ? ByteOrder::Big : ByteOrder::Little;
     }
     return encoding;
 }
@@ -56,7 +52,7 @@ DicomEncoding encodingOf(std::string_view bytes, std::string_view transferSyntax
 /// Reads the file meta information (always explicit, little endian) and leaves `rest` at the data set.
 std::string readMeta(std::string_view& rest)
 {
-    constexpr DicomEncoding encoding{true, false};
+    constexpr DicomEncoding encoding;
     std::string syntax;
     while (const auto head = readHead(rest, encoding)) {
         if (head->tag >> 16 != 0x0002 || head->length > rest.size() - head->size) {
@@ -96,12 +92,17 @@ core::Result<DicomFile> parseDicom(std::string_view content, const std::string& 
         file.unpacked = InputBytes(std::move(*unpacked));
         rest = file.unpacked.view();
     }
-    DicomParse parse = parseElements(rest, encodingOf(rest, file.transferSyntax));
-    file.dataset = std::move(parse.dataset);
-    file.damage = std::move(parse.problem);
-    if (file.dataset.elements.empty()) {
+    const DicomEncoding encoding = encodingOf(rest, file.transferSyntax);
+    PassedElements passed = passElements(rest, encoding);
+    if (passed.isEmpty) {
         return fileError(path, says::dicomNoElement());
     }
+    file.dataset = readElements(passed.elements, encoding);
+    if (!passed.withoutVr.empty()) {
+        file.dataset.addMissingFrom(readElements(passed.withoutVr, DicomEncoding{false, encoding.order}));
+    }
+    file.pixels = std::move(passed.pixels);
+    file.damage = std::move(passed.damage);
     return file;
 }
 

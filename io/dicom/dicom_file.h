@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/support/result.h"
-#include "io/dicom/dicom_dataset.h"
+#include "io/dicom/dicom_gate.h"
 #include "io/support/input_bytes.h"
 
 #include <optional>
@@ -9,10 +9,11 @@
 
 namespace angiopose::io {
 
-/// A parsed DICOM file. Values point into the bytes it was parsed from, or into `unpacked` for deflated files.
+/// A parsed DICOM file. Pixels point into the bytes it was parsed from, or into `unpacked` for deflated files.
 struct DicomFile {
     std::string transferSyntax;   ///< UID; "" when the file does not say
     DicomDataset dataset;
+    std::map<DicomTag, DicomPixels> pixels;
     std::optional<core::Message> damage;   ///< what is wrong after the last good element
     InputBytes unpacked;
 };
@@ -20,7 +21,7 @@ struct DicomFile {
 /// True for a part-10 file, and for a bare data set that starts like one.
 bool looksLikeDicom(std::string_view content);
 
-/// Own parser: it never trusts a declared length beyond the file's size, which the libraries do.
+/// Passes the gate first, then DCMTK. Fails when there is no element that can be read.
 core::Result<DicomFile> parseDicom(std::string_view content, const std::string& path);
 
 }   // namespace angiopose::io

@@ -1,7 +1,6 @@
 #include "io/dicom/frame_source.h"
 
 #include "io/dicom/decode_frame.h"
-#include "io/dicom/dicom_elements.h"
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
 
@@ -17,8 +16,8 @@ using core::ImageF;
 /// Stored value number `index` of a frame, sign-extended from its high bit.
 class SampleReader {
 public:
-    SampleReader(std::string_view bytes, const PixelLayout& layout, DicomEncoding encoding)
-        : bytes_(bytes), layout_(&layout), encoding_(encoding)
+    SampleReader(std::string_view bytes, const PixelLayout& layout, ByteOrder order)
+        : bytes_(bytes), layout_(&layout), order_(order)
     {
     }
 
@@ -32,10 +31,10 @@ public:
                 raw = static_cast<unsigned char>(bytes_[index]);
                 break;
             case 16:
-                raw = readUint16(bytes_.substr(2 * index), encoding_);
+                raw = readUint16(bytes_.substr(2 * index), order_);
                 break;
             default:
-                raw = readUint32(bytes_.substr(4 * index), encoding_);
+                raw = readUint32(bytes_.substr(4 * index), order_);
         }
         if (layout_->isFloat) {
             return std::bit_cast<float>(raw);
@@ -52,7 +51,7 @@ public:
 private:
     std::string_view bytes_;
     const PixelLayout* layout_;
-    DicomEncoding encoding_;
+    ByteOrder order_;
 };
 
 /// Bits of one native frame; colour sub-sampled 4:2:2 takes two samples per pixel (PS3.5 §8.2).
@@ -117,18 +116,17 @@ FrameReader::FrameReader(PixelLayout layout, std::string path) : layout_(std::mo
 core::Result<FrameReader> FrameReader::open(const DicomFile& file, const PixelLayout& layout, const std::string& path)
 {
     FrameReader reader(layout, path);
-    const DicomElement* pixels = file.dataset.find(layout.isFloat ? 0x7fe00008 : pixelDataTag);
-    reader.pixels_ = *pixels;
+    const DicomPixels& pixels = reader.pixels_ = file.pixels.at(layout.isFloat ? floatPixelsTag : pixelDataTag);
     reader.transferSyntax_ = file.transferSyntax;
     const auto count = static_cast<std::size_t>(layout.frames);
-    if (!pixels->hasUndefinedLength) {
+    if (!pixels.isEncapsulated) {
         const std::size_t needed = (bitsPerFrame(layout) * count + 7) / 8;
-        if (pixels->value.size() < needed) {
-            return fileError(path, says::dicomPixelsCutShort(pixels->value.size(), needed));
+        if (pixels.bytes.size() < needed) {
+            return fileError(path, says::dicomPixelsCutShort(pixels.bytes.size(), needed));
         }
         return reader;
     }
-    auto fragments = fragmentsOf(*pixels);
+    auto fragments = fragmentsOf(pixels);
     if (!fragments || fragments->size() < 2) {
         return fileError(path, says::dicomPackedPixelsCutShort());
     }
@@ -143,13 +141,13 @@ core::Result<FrameReader> FrameReader::open(const DicomFile& file, const PixelLa
 ImageF FrameReader::nativeFrame(std::size_t index) const
 {
     if (layout_.bitsAllocated == 1) {   // frames follow each other without padding
-        return imageFrom(SampleReader(pixels_.value, layout_, pixels_.encoding), layout_, false,
+        return imageFrom(SampleReader(pixels_.bytes, layout_, pixels_.order), layout_, false,
                          index * layout_.pixelsPerFrame());
     }
     const bool isSubsampled = layout_.samples == 3 && layout_.photometric == "YBR_FULL_422";
     const std::size_t frameBytes = bitsPerFrame(layout_) / 8;
-    const std::string_view bytes = pixels_.value.substr(index * frameBytes, frameBytes);
-    return imageFrom(SampleReader(bytes, layout_, pixels_.encoding), layout_, isSubsampled, 0);
+    const std::string_view bytes = pixels_.bytes.substr(index * frameBytes, frameBytes);
+    return imageFrom(SampleReader(bytes, layout_, pixels_.order), layout_, isSubsampled, 0);
 }
 
 core::Result<ImageF> FrameReader::compressedFrame(std::size_t index) const
@@ -165,35 +163,42 @@ core::Result<ImageF> FrameReader::compressedFrame(std::size_t index) const
     if (!bytes || bytes->size() < needed || layout_.bitsAllocated < 8) {
         return fileError(path_, says::dicomFrameUndecodable(index, transferSyntax_.substr(0, 64)));
     }
-    const SampleReader sample({bytes->data(), bytes->size()}, decoded, DicomEncoding{true, false});
+    const SampleReader sample({bytes->data(), bytes->size()}, decoded, ByteOrder::Little);
     return imageFrom(sample, decoded, false, 0);
 }
 
 core::Result<ImageF> FrameReader::frame(int index) const
 {
-    auto image = pixels_.hasUndefinedLength ? compressedFrame(static_cast<std::size_t>(index))
-                                            : nativeFrame(static_cast<std::size_t>(index));
+    auto image = pixels_.isEncapsulated ? compressedFrame(static_cast<std::size_t>(index))
+                                        : nativeFrame(static_cast<std::size_t>(index));
     if (image && layout_.isFloat && !isFinite(image.value())) {
         return fileError(path_, says::pixelNotFinite());
     }
     return image;
 }
 
-core::Result<std::vector<ImageF>> readFrames(const DicomFile& file, const PixelLayout& layout, const std::string& path)
+core::Result<DecodedRun> readFrames(const DicomFile& file, const PixelLayout& layout, const std::string& path)
 {
     const auto reader = FrameReader::open(file, layout, path);
     if (!reader) {
         return reader.error();
     }
-    std::vector<ImageF> frames;
+    DecodedRun run;
+    std::optional<core::Error> failure;
     for (int k = 0; k < layout.frames; ++k) {
         auto frame = reader.value().frame(k);
-        if (!frame) {
-            return frame.error();
+        if (frame) {
+            run.frames.resize(static_cast<std::size_t>(k), frame.value());   // for lost ones before the first
+            run.frames.push_back(std::move(frame).value());
+            continue;
         }
-        frames.push_back(std::move(frame).value());
+        failure = failure ? failure : frame.error();
+        run.lostFrames.push_back(k);
+        if (!run.frames.empty()) {
+            run.frames.push_back(run.frames.back());
+        }
     }
-    return frames;
+    return run.frames.empty() ? core::Result<DecodedRun>(*failure) : run;
 }
 
 }   // namespace angiopose::io

@@ -27,12 +27,17 @@ private:
     PixelLayout layout_;
     std::string path_;
     std::string transferSyntax_;
-    DicomElement pixels_;
+    DicomPixels pixels_;
     std::vector<std::vector<std::string_view>> streams_;   ///< fragments of each compressed frame
 };
 
-/// All frames of a file.
-core::Result<std::vector<core::ImageF>> readFrames(const DicomFile& file, const PixelLayout& layout,
-                                                   const std::string& path);
+/// All frames of a run.
+struct DecodedRun {
+    std::vector<core::ImageF> frames;
+    std::vector<int> lostFrames;   ///< those that cannot be decoded: copies of a neighbour stand in their places
+};
+
+/// Fails when no frame can be decoded.
+core::Result<DecodedRun> readFrames(const DicomFile& file, const PixelLayout& layout, const std::string& path);
 
 }   // namespace angiopose::io

@@ -77,16 +77,10 @@ std::string tagText(DicomTag tag)
     return text.data();
 }
 
-bool isBinaryNumber(const DicomElement& element)
-{
-    const std::string_view vr(element.vr.data(), element.vr.size());
-    return vr == "FD" || vr == "FL" || vr == "US" || vr == "SS" || vr == "UL" || vr == "SL";
-}
-
 /// The values as people write them: "200, 200"; long lists end with their length.
 std::string valueText(const DicomDataset& data, DicomTag tag)
 {
-    const bool isBinary = isBinaryNumber(*data.find(tag));
+    const bool isBinary = data.isBinaryNumber(tag);
     std::string text;
     std::size_t count = 0;
     for (;; ++count) {
@@ -105,7 +99,7 @@ std::string valueText(const DicomDataset& data, DicomTag tag)
 void readTags(const DicomDataset& data, GantryHeader& header)
 {
     for (const GeometryTag& known : geometryTags) {
-        if (data.find(known.tag)) {
+        if (data.has(known.tag)) {
             std::string value = valueText(data, known.tag);
             header.tags.push_back({tagText(known.tag), known.name, value.empty() ? "(empty)" : std::move(value)});
         }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/gantry_header.h"
+#include "core/support/message.h"
 #include "io/dicom/dicom_dataset.h"
 
 #include <string>

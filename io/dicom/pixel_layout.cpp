@@ -1,6 +1,5 @@
 #include "io/dicom/pixel_layout.h"
 
-#include "io/dicom/dicom_elements.h"
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
 
@@ -10,8 +9,6 @@
 
 namespace angiopose::io {
 namespace {
-
-constexpr DicomTag floatPixelDataTag = 0x7fe00008;
 
 core::Message missingImage(const DicomFile& file)
 {
@@ -54,8 +51,8 @@ core::Result<PixelLayout> pixelLayoutOf(const DicomFile& file, const std::string
 {
     const DicomDataset& data = file.dataset;
     PixelLayout layout;
-    layout.isFloat = data.find(floatPixelDataTag) != nullptr;
-    if (!data.find(pixelDataTag) && !layout.isFloat) {
+    layout.isFloat = file.pixels.contains(floatPixelsTag);
+    if (!file.pixels.contains(pixelDataTag) && !layout.isFloat) {
         return fileError(path, missingImage(file));
     }
     layout.rows = data.integer(0x00280010).value_or(0);

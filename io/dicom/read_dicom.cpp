@@ -53,6 +53,23 @@ bool showBright(const DicomDataset& data, const PixelLayout& layout, std::vector
     return true;
 }
 
+/// Lost frames become as empty as a frame without contrast medium: nothing is found in them, nor in the way of others.
+void blank(const std::vector<int>& lostFrames, Angiogram& angiogram)
+{
+    const bool isDark = angiogram.polarity == core::Polarity::VesselsDark;
+    float level = angiogram.frames.front().pixels.front();
+    for (const ImageF& frame : angiogram.frames) {
+        const auto [least, most] = std::minmax_element(frame.pixels.begin(), frame.pixels.end());
+        level = isDark ? std::max(level, *most) : std::min(level, *least);
+    }
+    std::vector<std::string> names;
+    for (const int lost : lostFrames) {
+        std::ranges::fill(angiogram.frames[static_cast<std::size_t>(lost)].pixels, level);
+        names.push_back(std::to_string(lost));
+    }
+    angiogram.warnings.push_back(says::dicomFramesLost(names, angiogram.frameCount()));
+}
+
 /// Contrast absorbs, so vessels are low where values rise with the X-ray intensity, (0028,1041) = +1.
 core::Polarity polarityOf(const DicomDataset& data, bool wasInverted)
 {
@@ -128,16 +145,20 @@ core::Result<core::Angiogram> readDicomAngiogram(std::string_view content, const
     if (!layout) {
         return layout.error();
     }
-    auto frames = readFrames(file, layout.value(), path);
-    if (!frames) {
-        return frames.error();
+    auto decoded = readFrames(file, layout.value(), path);
+    if (!decoded) {
+        return decoded.error();
     }
+    DecodedRun run = std::move(decoded).value();
     Angiogram angiogram;
-    angiogram.frames = std::move(frames).value();
+    angiogram.frames = std::move(run.frames);
     applyRescale(file.dataset, angiogram.frames);
     angiogram.polarity = polarityOf(file.dataset, showBright(file.dataset, layout.value(), angiogram.frames));
     angiogram.frameTimeMs = angiogram.frames.size() > 1 ? frameTimeMs(file.dataset) : 0.0;
     describe(file, layout.value(), angiogram);
+    if (!run.lostFrames.empty()) {
+        blank(run.lostFrames, angiogram);
+    }
     return angiogram;
 }
 

@@ -1,11 +1,10 @@
 #include "io/dicom/decode_frame.h"
 
-#include "io/dicom/dicom_dataset.h"
+#include "io/support/byte_order.h"
 
 namespace angiopose::io {
 namespace {
 
-constexpr DicomEncoding bigEndian{true, true};
 constexpr std::string_view codestreamStart("\xff\x4f\xff\x51", 4);   // SOC, SIZ (ISO 15444-1)
 
 std::optional<StreamHead> jpeg2000Head(std::string_view stream)
@@ -14,10 +13,10 @@ std::optional<StreamHead> jpeg2000Head(std::string_view stream)
     if (start == std::string_view::npos || stream.size() < start + 43) {
         return std::nullopt;
     }
-    const auto at = [&](std::size_t offset) { return readUint32(stream.substr(start + offset), bigEndian); };
+    const auto at = [&](std::size_t offset) { return readUint32(stream.substr(start + offset), ByteOrder::Big); };
     const std::uint32_t columns = at(8) - at(16);
     const std::uint32_t rows = at(12) - at(20);
-    const int components = readUint16(stream.substr(start + 40), bigEndian);
+    const int components = readUint16(stream.substr(start + 40), ByteOrder::Big);
     const int bits = (static_cast<unsigned char>(stream[start + 42]) & 0x7f) + 1;
     return StreamHead{static_cast<int>(columns), static_cast<int>(rows), components, bits, false};
 }
@@ -46,11 +45,12 @@ std::optional<StreamHead> streamHeadOf(std::string_view stream)
             continue;
         }
         if (isFrameStart(marker)) {
-            return StreamHead{readUint16(stream.substr(at + 7), bigEndian),
-                              readUint16(stream.substr(at + 5), bigEndian), static_cast<unsigned char>(stream[at + 9]),
-                              static_cast<unsigned char>(stream[at + 4]), marker <= 0xc2 && stream[at + 4] == 8};
+            return StreamHead{readUint16(stream.substr(at + 7), ByteOrder::Big),
+                              readUint16(stream.substr(at + 5), ByteOrder::Big),
+                              static_cast<unsigned char>(stream[at + 9]), static_cast<unsigned char>(stream[at + 4]),
+                              marker <= 0xc2 && stream[at + 4] == 8};
         }
-        at += 2 + std::size_t{readUint16(stream.substr(at + 2), bigEndian)};
+        at += 2 + std::size_t{readUint16(stream.substr(at + 2), ByteOrder::Big)};
     }
     return std::nullopt;
 }

@@ -1,24 +1,28 @@
 #include "io/pose/itk_transform.h"
 
 #include "io/messages/says.h"
+#include "io/support/byte_order.h"
 #include "io/support/numbers.h"
 #include "io/support/pose_matrix.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cstring>
 #include <optional>
 #include <vector>
 
 namespace angiopose::io {
 namespace {
 
-/// What an ITK text file says about its transform.
+/// What an ITK file says about its transform.
 struct ItkTransform {
     int count = 0;
     std::string type;
     std::vector<double> parameters;
-    std::vector<double> centre;
+    std::vector<double> fixed;   ///< the centre; of Euler angles also whether their order is Z Y X
 };
+
+constexpr std::size_t mostParameters = 100;
 
 std::optional<std::vector<double>> numbersIn(std::string_view text)
 {
@@ -26,7 +30,7 @@ std::optional<std::vector<double>> numbersIn(std::string_view text)
     for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
         const std::string_view word = text.substr(0, text.find_first_of(" \t"));
         const auto value = parseNumber(word);
-        if (!value || values.size() > 100) {
+        if (!value || values.size() > mostParameters) {
             return std::nullopt;
         }
         values.push_back(*value);
@@ -58,7 +62,7 @@ std::optional<ItkTransform> parse(std::string_view text)
         } else if (key == "Parameters") {
             transform.parameters = *numbers;
         } else if (key == "FixedParameters") {
-            transform.centre = *numbers;
+            transform.fixed = *numbers;
         }
     }
     return transform;
@@ -86,21 +90,17 @@ std::optional<core::RigidTransform> motionOf(const ItkTransform& transform)
         return core::RigidTransform{Eigen::Quaterniond(w, axis.x(), axis.y(), axis.z()).normalized().toRotationMatrix(),
                                     vectorAt(p, 3)};
     }
-    if (transform.type.starts_with("Euler3DTransform") && p.size() == 6) {   // R = Rz Rx Ry, ITK's default order
-        const Eigen::Matrix3d rotation =
-            (Eigen::AngleAxisd(p[2], Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(p[0], Eigen::Vector3d::UnitX()) *
-             Eigen::AngleAxisd(p[1], Eigen::Vector3d::UnitY()))
-                .toRotationMatrix();
-        return core::RigidTransform{rotation, vectorAt(p, 3)};
+    if (transform.type.starts_with("Euler3DTransform") && p.size() == 6) {   // R = Rz Rx Ry, or Rz Ry Rx
+        const Eigen::AngleAxisd x(p[0], Eigen::Vector3d::UnitX()), y(p[1], Eigen::Vector3d::UnitY());
+        const Eigen::AngleAxisd z(p[2], Eigen::Vector3d::UnitZ());
+        const bool isZyx = transform.fixed.size() > 3 && transform.fixed[3] != 0.0;
+        return core::RigidTransform{(isZyx ? z * y * x : z * x * y).toRotationMatrix(), vectorAt(p, 3)};
     }
     return std::nullopt;
 }
 
-}   // namespace
-
-core::Result<core::RigidTransform> poseFromItkText(std::string_view text)
+core::Result<core::RigidTransform> poseOf(const std::optional<ItkTransform>& transform)
 {
-    const auto transform = parse(text);
     if (!transform || transform->count != 1) {
         return core::Error(says::poseNoTransform());
     }
@@ -109,16 +109,72 @@ core::Result<core::RigidTransform> poseFromItkText(std::string_view text)
         return core::Error(says::poseNotRigidTransform(transform->type.substr(0, 60)));
     }
     auto pose = poseFromRows(rowsOf(*motion));
-    if (!pose || transform->centre.size() < 3) {
+    if (!pose || transform->fixed.size() < 3) {
         return pose;
     }
     core::RigidTransform shifted = std::move(pose).value();
-    const Eigen::Vector3d centre = vectorAt(transform->centre, 0);
+    const Eigen::Vector3d centre = vectorAt(transform->fixed, 0);
     if (!centre.isZero(0.0)) {
         shifted.translation += centre - shifted.rotation * centre;
     }
     return shifted.translation.allFinite() ? core::Result<core::RigidTransform>(shifted)
                                            : core::Error(says::poseCentreNotFinite());
+}
+
+/// A matrix of a MATLAB file, level 4.
+struct MatlabMatrix {
+    std::string name;
+    std::vector<double> values;
+};
+
+template <class Number>
+std::vector<double> numbersOf(std::string_view bytes)
+{
+    std::vector<Number> numbers(bytes.size() / sizeof(Number));
+    std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(Number));
+    return {numbers.begin(), numbers.end()};
+}
+
+/// Takes one off the front: type, rows, columns, imaginary part, size of the name; the name; the values.
+std::optional<MatlabMatrix> takeMatrix(std::string_view& rest)
+{
+    constexpr std::size_t headSize = 20;
+    constexpr std::uint32_t singlePrecision = 10, longestName = 200;   // of little-endian files
+    if (rest.size() < headSize) {
+        return std::nullopt;
+    }
+    const auto field = [&](std::size_t i) { return readUint32(rest.substr(4 * i), ByteOrder::Little); };
+    const std::uint32_t type = field(0), rows = field(1), columns = field(2), nameSize = field(4);
+    const bool isKnown = (type == 0 || type == singlePrecision) && field(3) == 0;
+    if (!isKnown || rows > mostParameters || columns != 1 || nameSize == 0 || nameSize > longestName) {
+        return std::nullopt;
+    }
+    const std::size_t valuesSize = std::size_t{rows} * (type == 0 ? sizeof(double) : sizeof(float));
+    rest.remove_prefix(headSize);
+    if (rest.size() < nameSize + valuesSize) {
+        return std::nullopt;
+    }
+    const std::string_view values = rest.substr(nameSize, valuesSize);
+    MatlabMatrix matrix{std::string(trimmed(rest.substr(0, nameSize))),
+                        type == 0 ? numbersOf<double>(values) : numbersOf<float>(values)};
+    rest.remove_prefix(nameSize + valuesSize);
+    return matrix;
+}
+
+}   // namespace
+
+core::Result<core::RigidTransform> poseFromItkText(std::string_view text)
+{
+    return poseOf(parse(text));
+}
+
+core::Result<core::RigidTransform> poseFromItkMatlab(std::string_view content)
+{
+    const auto parameters = takeMatrix(content);
+    const auto fixed = takeMatrix(content);
+    return parameters && fixed && fixed->name == "fixed" && content.empty()
+               ? poseOf(ItkTransform{1, parameters->name, parameters->values, fixed->values})
+               : core::Error(says::poseNoTransform());
 }
 
 std::string itkText(const core::RigidTransform& cameraFromPatient)

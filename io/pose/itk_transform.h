@@ -12,6 +12,9 @@ namespace angiopose::io {
 /// of a failure does not name the file.
 core::Result<core::RigidTransform> poseFromItkText(std::string_view text);
 
+/// The same of a `.mat` file. Read here: ITK's reader writes past its buffers when one is damaged.
+core::Result<core::RigidTransform> poseFromItkMatlab(std::string_view content);
+
 /// The pose as an ITK text file that maps patient points (LPS) to camera points, mm.
 std::string itkText(const core::RigidTransform& cameraFromPatient);
 

@@ -1,78 +1,73 @@
 #include "io/raster/png_text.h"
 
-#include <zlib.h>
-#include <string_view>
+#include <png.h>
+#include <stdexcept>
 
 namespace angiopose::io {
 namespace {
 
 constexpr std::size_t maxKeyword = 79;   // PNG §11.3.4
 
-void appendUint32(std::string& text, std::uint32_t value)
+[[noreturn]] void refuse(png_struct*, const char* reason)
 {
-    for (int shift = 24; shift >= 0; shift -= 8) {
-        text += static_cast<char>(value >> shift & 0xff);
+    throw std::runtime_error(reason);
+}
+
+void ignore(png_struct*, const char*) {}
+
+void append(png_struct* png, png_byte* bytes, std::size_t size)
+{
+    static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(bytes), size);
+}
+
+/// What libpng writes with, given back on every way out.
+struct PngWriter {
+    png_struct* png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, refuse, ignore);
+    png_info* info = png_create_info_struct(png);
+    PngWriter() = default;
+    PngWriter(const PngWriter&) = delete;
+    PngWriter& operator=(const PngWriter&) = delete;
+    ~PngWriter() { png_destroy_write_struct(&png, &info); }
+};
+
+void addTexts(png_struct* png, png_info* info, const std::map<std::string, std::string>& texts)
+{
+    for (const auto& [keyword, text] : texts) {
+        const std::string key = keyword.substr(0, maxKeyword);
+        png_text entry{};
+        entry.compression = PNG_ITXT_COMPRESSION_NONE;
+        entry.key = const_cast<char*>(key.c_str());
+        entry.text = const_cast<char*>(text.c_str());
+        entry.itxt_length = text.size();
+        png_set_text(png, info, &entry, 1);   // copies
     }
-}
-
-void appendChunk(std::string& png, std::string_view type, std::string_view data)
-{
-    appendUint32(png, static_cast<std::uint32_t>(data.size()));
-    const std::string body = std::string(type) + std::string(data);
-    png += body;
-    appendUint32(png, static_cast<std::uint32_t>(
-                          crc32_z(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<z_size_t>(body.size()))));
-}
-
-/// Rows with the filter "difference to the pixel on the left", which suits images and flat areas alike.
-std::string filteredRows(const PngPixels& pixels)
-{
-    const auto channels = static_cast<std::size_t>(pixels.channels);
-    const std::size_t rowBytes = static_cast<std::size_t>(pixels.width) * channels;
-    std::string rows;
-    rows.reserve((rowBytes + 1) * static_cast<std::size_t>(pixels.height));
-    for (std::size_t y = 0; y < static_cast<std::size_t>(pixels.height); ++y) {
-        const std::uint8_t* row = pixels.bytes->data() + y * rowBytes;
-        rows += '\x01';
-        for (std::size_t i = 0; i < rowBytes; ++i) {
-            rows += static_cast<char>(row[i] - (i >= channels ? row[i - channels] : 0));
-        }
-    }
-    return rows;
-}
-
-std::string compressed(const std::string& content)
-{
-    uLongf size = compressBound(static_cast<uLong>(content.size()));
-    std::string packed(size, '\0');
-    compress2(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(content.data()),
-              static_cast<uLong>(content.size()), 6);
-    packed.resize(size);
-    return packed;
 }
 
 }   // namespace
 
 std::string encodedPng(const PngPixels& pixels, const std::map<std::string, std::string>& texts)
 {
-    std::string png = "\x89PNG\r\n\x1a\n";
-    std::string header;
-    appendUint32(header, static_cast<std::uint32_t>(pixels.width));
-    appendUint32(header, static_cast<std::uint32_t>(pixels.height));
-    header += '\x08';
-    header += pixels.channels == 3 ? '\x02' : '\0';
-    header += std::string(3, '\0');   // deflate, adaptive filters, not interlaced
-    appendChunk(png, "IHDR", header);
-    if (pixels.channels == 3) {
-        appendChunk(png, "sRGB", std::string(1, '\0'));
+    std::string content;
+    const PngWriter writer;
+    png_struct* png = writer.png;
+    png_info* info = writer.info;
+    const auto channels = static_cast<std::size_t>(pixels.channels);
+    png_set_write_fn(png, &content, append, nullptr);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(pixels.width), static_cast<png_uint_32>(pixels.height), 8,
+                 channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (channels == 3) {
+        png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     }
-    for (const auto& [keyword, text] : texts) {
-        // keyword, not compressed, no language, no translated keyword
-        appendChunk(png, "iTXt", keyword.substr(0, maxKeyword) + std::string(5, '\0') + text);
+    addTexts(png, info, texts);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);   // suits images and flat areas alike
+    png_write_info(png, info);
+    const std::size_t rowBytes = static_cast<std::size_t>(pixels.width) * channels;
+    for (std::size_t y = 0; y < static_cast<std::size_t>(pixels.height); ++y) {
+        png_write_row(png, pixels.bytes->data() + y * rowBytes);
     }
-    appendChunk(png, "IDAT", compressed(filteredRows(pixels)));
-    appendChunk(png, "IEND", "");
-    return png;
+    png_write_end(png, info);
+    return content;
 }
 
 }   // namespace angiopose::io

@@ -15,7 +15,8 @@ struct PngPixels {
     const std::vector<std::uint8_t>* bytes = nullptr;
 };
 
-/// A PNG file with the texts as iTXt chunks (UTF-8).
+/// A PNG file by libpng with the texts as iTXt chunks (UTF-8). Throws what libpng will not write (an image of too many
+/// columns).
 std::string encodedPng(const PngPixels& pixels, const std::map<std::string, std::string>& texts);
 
 }   // namespace angiopose::io

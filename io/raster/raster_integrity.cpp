@@ -1,7 +1,7 @@
 #include "io/raster/raster_integrity.h"
 
-#include "io/dicom/dicom_dataset.h"
 #include "io/messages/says.h"
+#include "io/support/byte_order.h"
 
 #include <zlib.h>
 #include <utility>
@@ -12,7 +12,6 @@ namespace {
 constexpr std::string_view pngSignature = "\x89PNG\r\n\x1a\n";
 constexpr std::size_t maxPngSide = 1'000'000;   // libpng takes no more
 constexpr std::size_t maxJpegTrailer = 4096;
-constexpr DicomEncoding bigEndian{true, true};
 
 /// The fields of the header chunk (PNG §11.2.2): libpng leaves the process over one that cannot be.
 bool isSoundHeader(std::string_view header)
@@ -20,7 +19,7 @@ bool isSoundHeader(std::string_view header)
     if (header.size() != 13) {
         return false;
     }
-    const std::size_t width = readUint32(header, bigEndian), height = readUint32(header.substr(4), bigEndian);
+    const std::size_t width = readUint32(header, ByteOrder::Big), height = readUint32(header.substr(4), ByteOrder::Big);
     const int depth = header[8], colour = header[9];
     const bool isGrey = colour == 0 && (depth == 1 || depth == 2 || depth == 4 || depth == 8 || depth == 16);
     const bool isPalette = colour == 3 && (depth == 1 || depth == 2 || depth == 4 || depth == 8);
@@ -63,13 +62,13 @@ bool isWholePng(std::string_view content)
     ChunkOrder order;
     std::size_t at = pngSignature.size();
     while (at + 12 <= content.size()) {
-        const std::size_t length = readUint32(content.substr(at), bigEndian);
+        const std::size_t length = readUint32(content.substr(at), ByteOrder::Big);
         if (length > content.size() - at - 12) {
             return false;
         }
         const std::string_view typeAndData = content.substr(at + 4, length + 4);
         const uLong sum = crc32_z(0, reinterpret_cast<const Bytef*>(typeAndData.data()), length + 4);
-        if (sum != readUint32(content.substr(at + 8 + length), bigEndian) ||
+        if (sum != readUint32(content.substr(at + 8 + length), ByteOrder::Big) ||
             !order.accepts(typeAndData.substr(0, 4), typeAndData.substr(4))) {
             return false;
         }

@@ -1,6 +1,5 @@
 #include "io/series/dicom_segmentation.h"
 
-#include "io/dicom/dicom_elements.h"
 #include "io/dicom/dicom_text.h"
 #include "io/dicom/frame_source.h"
 #include "io/dicom/open_dicom.h"
@@ -21,23 +20,13 @@ constexpr DicomTag identificationTag = 0x0062000a;
 constexpr DicomTag segmentNumberTag = 0x0062000b;
 constexpr std::size_t maxPixels = std::size_t{1} << 31;
 
-/// A 16-bit number, also where no VR says that it is one.
-std::optional<int> shortNumber(const DicomDataset& data, DicomTag tag)
-{
-    const DicomElement* element = data.find(tag);
-    if (element != nullptr && element->vr == std::array<char, 2>{'U', 'N'} && element->value.size() == 2) {
-        return readUint16(element->value, element->encoding);
-    }
-    return data.integer(tag);
-}
-
 std::optional<int> segmentIn(const std::vector<DicomDataset>& groups, std::size_t index)
 {
     if (index >= groups.size()) {
         return std::nullopt;
     }
     const std::vector<DicomDataset> items = groups[index].items(identificationTag);
-    return items.empty() ? std::nullopt : shortNumber(items.front(), segmentNumberTag);
+    return items.empty() ? std::nullopt : items.front().integer(segmentNumberTag);
 }
 
 /// Segment number of each frame; empty when a frame does not say.
@@ -60,8 +49,8 @@ std::vector<int> segmentOfFrames(const DicomDataset& data, std::size_t frameCoun
 /// Bits of all frames one after the other, the first in the lowest bit of a byte (PS3.5 8.1.1).
 class BitFrames {
 public:
-    BitFrames(const DicomElement& pixels, std::size_t pixelsPerFrame)
-        : bytes_(pixels.value), pixelsPerFrame_(pixelsPerFrame)
+    BitFrames(const DicomPixels& pixels, std::size_t pixelsPerFrame)
+        : bytes_(pixels.bytes), pixelsPerFrame_(pixelsPerFrame)
     {
     }
 
@@ -100,13 +89,13 @@ std::size_t firstVoxel(const Segmentation& segmentation, std::size_t frame)
 core::Result<core::LabelVolume> bitLabels(const Segmentation& segmentation, const std::string& path,
                                           const ReadObserver& observe)
 {
-    const DicomElement* pixels = segmentation.file.dataset.find(pixelDataTag);
+    const auto pixels = segmentation.file.pixels.find(pixelDataTag);
     const SliceRecord& first = segmentation.frames.front();
     const auto perFrame = static_cast<std::size_t>(first.size.x()) * static_cast<std::size_t>(first.size.y());
-    if (pixels == nullptr || pixels->hasUndefinedLength) {
+    if (pixels == segmentation.file.pixels.end() || pixels->second.isEncapsulated) {
         return fileError(path, says::seriesIsSegmentation());
     }
-    const BitFrames bits(*pixels, perFrame);
+    const BitFrames bits(pixels->second, perFrame);
     if (!bits.holds(segmentation.frames.size())) {
         return fileError(path, says::volumeCutShort());
     }
@@ -137,7 +126,7 @@ core::Result<core::LabelVolume> byteLabels(const Segmentation& segmentation, con
         return reader.error();
     }
     const bool isLabelMap = segmentation.segments.empty();
-    const double largest = shortNumber(segmentation.file.dataset, 0x0062000e).value_or(255);
+    const double largest = segmentation.file.dataset.integer(0x0062000e).value_or(255);
     const auto least = static_cast<float>(0.5 * largest);
     core::LabelVolume labels(segmentation.grid.geometry);
     for (std::size_t k = 0; k < segmentation.frames.size(); ++k) {
@@ -226,7 +215,7 @@ core::Result<std::vector<DicomSegment>> listSegments(const std::string& path)
     }
     std::vector<DicomSegment> segments;
     for (const DicomDataset& item : parsed.value().dataset.items(0x00620002)) {
-        segments.push_back({shortNumber(item, 0x00620004).value_or(0), utf8Text(item, 0x00620005)});
+        segments.push_back({item.integer(0x00620004).value_or(0), utf8Text(item, 0x00620005)});
     }
     return segments;
 }

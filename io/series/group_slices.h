@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/dicom_series.h"
+#include "io/series/series.h"
 
 #include <vector>
 

@@ -1,8 +1,9 @@
+#include "io/series/read_series.h"
+
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/frame_source.h"
 #include "io/dicom/open_dicom.h"
 #include "io/dicom/pixel_layout.h"
-#include "io/dicom_series.h"
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/volume/quantization.h"

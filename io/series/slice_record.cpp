@@ -1,6 +1,5 @@
 #include "io/series/slice_record.h"
 
-#include "io/dicom/dicom_elements.h"
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/dicom_text.h"
 #include "io/dicom/open_dicom.h"
@@ -14,8 +13,6 @@ namespace {
 
 constexpr DicomTag sharedGroupsTag = 0x52009229;
 constexpr DicomTag perFrameGroupsTag = 0x52009230;
-constexpr DicomTag floatPixelsTag = 0x7fe00008;
-constexpr DicomTag doublePixelsTag = 0x7fe00009;
 constexpr int maxFrames = 20'000;
 
 /// Tags of `phaseKeys` in a classic image.
@@ -106,17 +103,13 @@ void readFunctionalGroups(const DicomDataset& groups, SliceRecord& slice)
     }
 }
 
-bool hasPixels(const DicomDataset& data)
+SliceRecord commonRecord(const DicomFile& file, const std::string& path)
 {
-    return data.find(pixelDataTag) || data.find(floatPixelsTag) || data.find(doublePixelsTag);
-}
-
-SliceRecord commonRecord(const DicomDataset& data, const std::string& path)
-{
+    const DicomDataset& data = file.dataset;
     SliceRecord slice;
     slice.path = path;
     slice.size = {data.integer(0x00280011).value_or(0), data.integer(0x00280010).value_or(0)};
-    slice.isFloat = data.find(floatPixelsTag) || data.find(doublePixelsTag);
+    slice.isFloat = file.pixels.contains(floatPixelsTag) || file.pixels.contains(doublePixelsTag);
     slice.bitsStored = data.integer(0x00280101).value_or(16);
     slice.isSigned = data.integer(0x00280103).value_or(0) == 1;
     slice.sopInstanceUid = data.text(0x00080018);
@@ -126,9 +119,10 @@ SliceRecord commonRecord(const DicomDataset& data, const std::string& path)
     return slice;
 }
 
-std::vector<SliceRecord> slicesOf(const DicomDataset& data, const std::string& path)
+std::vector<SliceRecord> slicesOf(const DicomFile& file, const std::string& path)
 {
-    SliceRecord slice = commonRecord(data, path);
+    const DicomDataset& data = file.dataset;
+    SliceRecord slice = commonRecord(file, path);
     const std::vector<DicomDataset> perFrame = data.items(perFrameGroupsTag);
     const int frames = data.integer(0x00280008).value_or(1);
     if (perFrame.empty() || frames < 1 || frames > maxFrames) {
@@ -169,8 +163,8 @@ core::Result<DicomImages> readSliceRecords(const std::string& path)
     images.sopClassUid = data.text(0x00080016);
     images.modality = images.identity.modality;
     images.damage = parsed.value().damage;
-    if (hasPixels(data)) {
-        images.slices = slicesOf(data, path);
+    if (!parsed.value().pixels.empty()) {
+        images.slices = slicesOf(parsed.value(), path);
     }
     return images;
 }

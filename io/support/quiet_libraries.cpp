@@ -3,7 +3,6 @@
 #include <dcmtk/config/osconfig.h>
 // DCMTK's macros first.
 #include <dcmtk/oflog/oflog.h>
-#include <gdcmTrace.h>
 #include <itkObject.h>
 #include <tiffio.h>
 #include <vtkLogger.h>
@@ -35,9 +34,6 @@ void quietLibraries()
         vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);   // errors go there before the window
         itk::Object::SetGlobalWarningDisplay(false);
         OFLog::configure(OFLogger::OFF_LOG_LEVEL);
-        gdcm::Trace::DebugOff();
-        gdcm::Trace::WarningOff();
-        gdcm::Trace::ErrorOff();
         TIFFSetWarningHandler(nullptr);
         TIFFSetErrorHandler(nullptr);
     });

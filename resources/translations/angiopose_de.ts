@@ -3723,9 +3723,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zeile %1: branch muss eine ganze Zahl sein. Berichtigen.</translation>
     </message>
     <message>
-        <source>it does not hold one ITK transform as text. Export a single rigid transform.</source>
+        <source>it does not hold one ITK transform. Export a single rigid transform.</source>
         <comment>pose.no-transform</comment>
-        <translation>enthält nicht eine ITK-Transformation als Text. Eine einzelne starre Transformation exportieren.</translation>
+        <translation>enthält nicht genau eine ITK-Transformation. Eine einzelne starre Transformation exportieren.</translation>
     </message>
     <message>
         <source>its transform &quot;%1&quot; is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
@@ -3768,14 +3768,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die linken oberen 3 x 3 von cameraFromPatient sind keine Drehung (Skalierung oder Scherung). Eine starre Lage in mm angeben.</translation>
     </message>
     <message>
-        <source>it is too large for a pose. Choose a .json or .tfm file.</source>
+        <source>it is too large for a pose. Choose a .json, .tfm or .mat file.</source>
         <comment>pose.too-large</comment>
-        <translation>ist zu groß für eine Lage. Eine .json- oder .tfm-Datei wählen.</translation>
+        <translation>ist zu groß für eine Lage. Eine .json-, .tfm- oder .mat-Datei wählen.</translation>
     </message>
     <message>
-        <source>this is no pose. Choose a .json or an ITK .tfm file.</source>
+        <source>this is no pose. Choose a .json, or an ITK .tfm or .mat file.</source>
         <comment>pose.unknown</comment>
-        <translation>das ist keine Lage. Eine .json- oder ITK-.tfm-Datei wählen.</translation>
+        <translation>das ist keine Lage. Eine .json-Datei oder eine von ITK (.tfm, .mat) wählen.</translation>
     </message>
     <message>
         <source>the pose is not a rigid motion of finite numbers. Reset it before saving.</source>
@@ -4118,6 +4118,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Bild %1 lässt sich nicht dekodieren (Transfersyntax %2): beschädigt, unvollständig oder unbekannte Kompression. Serie neu exportieren, möglichst unkomprimiert.</translation>
     </message>
     <message>
+        <source>Frames %1 of %2 cannot be decoded: they are shown empty, the others are whole. Export the run again where they matter.</source>
+        <comment>dicom.frames-lost</comment>
+        <translation>Die Bilder %1 von %2 lassen sich nicht dekodieren: Sie werden leer gezeigt, die anderen sind vollständig. Serie neu exportieren, wo sie gebraucht werden.</translation>
+    </message>
+    <message>
         <source>it is only %1 x %2 pixels. Choose the angiogram at its full size.</source>
         <comment>dicom.thumbnail</comment>
         <translation>hat nur %1 x %2 Pixel. Das Angiogramm in voller Größe wählen.</translation>
@@ -4128,9 +4133,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das ist %1, keine Röntgenangiographie: ohne C-Bogen-Geometrie.</translation>
     </message>
     <message>
-        <source>GDCM could not write the DICOM file. Choose another format.</source>
+        <source>the DICOM file could not be written. Choose another format.</source>
         <comment>dicom.not-written</comment>
-        <translation>GDCM konnte die DICOM-Datei nicht schreiben. Anderes Format wählen.</translation>
+        <translation>Die DICOM-Datei ließ sich nicht schreiben. Anderes Format wählen.</translation>
     </message>
     <message>
         <source>there are no frames to write. Load or simulate an angiogram first.</source>

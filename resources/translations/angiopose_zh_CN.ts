@@ -3723,9 +3723,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 行：branch 必须为整数。请更正。</translation>
     </message>
     <message>
-        <source>it does not hold one ITK transform as text. Export a single rigid transform.</source>
+        <source>it does not hold one ITK transform. Export a single rigid transform.</source>
         <comment>pose.no-transform</comment>
-        <translation>未含单个文本形式的 ITK 变换。请导出一个刚性变换。</translation>
+        <translation>未含单个 ITK 变换。请导出一个刚性变换。</translation>
     </message>
     <message>
         <source>its transform &quot;%1&quot; is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
@@ -3768,14 +3768,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>cameraFromPatient 左上 3 x 3 不是旋转（含缩放或剪切）。请给出以 mm 为单位的刚性位姿。</translation>
     </message>
     <message>
-        <source>it is too large for a pose. Choose a .json or .tfm file.</source>
+        <source>it is too large for a pose. Choose a .json, .tfm or .mat file.</source>
         <comment>pose.too-large</comment>
-        <translation>作为位姿过大。请选择 .json 或 .tfm 文件。</translation>
+        <translation>作为位姿过大。请选择 .json、.tfm 或 .mat 文件。</translation>
     </message>
     <message>
-        <source>this is no pose. Choose a .json or an ITK .tfm file.</source>
+        <source>this is no pose. Choose a .json, or an ITK .tfm or .mat file.</source>
         <comment>pose.unknown</comment>
-        <translation>这不是位姿。请选择 .json 或 ITK .tfm 文件。</translation>
+        <translation>这不是位姿。请选择 .json 或 ITK 的 .tfm、.mat 文件。</translation>
     </message>
     <message>
         <source>the pose is not a rigid motion of finite numbers. Reset it before saving.</source>
@@ -4118,6 +4118,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 帧无法解码（传输语法 %2）：损坏、截断或不支持的压缩。请重新导出，尽量不压缩。</translation>
     </message>
     <message>
+        <source>Frames %1 of %2 cannot be decoded: they are shown empty, the others are whole. Export the run again where they matter.</source>
+        <comment>dicom.frames-lost</comment>
+        <translation>共 %2 帧，其中第 %1 帧无法解码：显示为空白，其余各帧完整。如需要这些帧，请重新导出。</translation>
+    </message>
+    <message>
         <source>it is only %1 x %2 pixels. Choose the angiogram at its full size.</source>
         <comment>dicom.thumbnail</comment>
         <translation>仅 %1 x %2 像素。请选择原尺寸造影图像。</translation>
@@ -4128,9 +4133,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这是%1，不是 X 线血管造影：没有 C 形臂几何。</translation>
     </message>
     <message>
-        <source>GDCM could not write the DICOM file. Choose another format.</source>
+        <source>the DICOM file could not be written. Choose another format.</source>
         <comment>dicom.not-written</comment>
-        <translation>GDCM 无法写入 DICOM 文件。请选择其他格式。</translation>
+        <translation>无法写入 DICOM 文件。请选择其他格式。</translation>
     </message>
     <message>
         <source>there are no frames to write. Load or simulate an angiogram first.</source>

@@ -64,6 +64,45 @@ TEST(ReadPose, KnowsItksRigidTransforms)
               std::string::npos);
 }
 
+TEST(ReadPose, FollowsTheOrderOfEulerAngles)
+{
+    const test::TemporaryFolder folder;
+    const std::string start =
+        "#Insight Transform File V1.0\n#Transform 0\nTransform: Euler3DTransform_double_3_3\n"
+        "Parameters: 0.3 0.2 0 0 0 0\nFixedParameters: 0 0 0 ";
+    const Eigen::AngleAxisd x(0.3, Eigen::Vector3d::UnitX()), y(0.2, Eigen::Vector3d::UnitY());
+    for (const bool isZyx : {false, true}) {
+        const auto pose = io::readPose(folder.write("order.tfm", start + (isZyx ? "1\n" : "0\n")));
+        ASSERT_TRUE(pose) << pose.error().message;
+        EXPECT_TRUE(pose.value().rotation.isApprox((isZyx ? y * x : x * y).toRotationMatrix(), 1e-12));
+    }
+}
+
+TEST(ReadPose, TakesTheMatlabFilesOfItk)
+{
+    // As ITK 5.2 writes them: Euler angles 0.1, -0.2, 0.3, translation 1.5, -2, 740.25, centre 10, 20, 30.
+    const auto matrix = [](const std::string& name, const std::vector<double>& values) {
+        const std::array<std::uint32_t, 5> head{0, static_cast<std::uint32_t>(values.size()), 1, 0,
+                                                static_cast<std::uint32_t>(name.size() + 1)};
+        return std::string(reinterpret_cast<const char*>(head.data()), sizeof head) + name + '\0' +
+               std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double));
+    };
+    const std::string content =
+        matrix("Euler3DTransform_double_3_3", {0.1, -0.2, 0.3, 1.5, -2, 740.25}) + matrix("fixed", {10, 20, 30, 0});
+    const test::TemporaryFolder folder;
+    const auto pose = io::readPose(folder.write("euler.mat", content));
+    ASSERT_TRUE(pose) << pose.error().message;
+    Eigen::Matrix3d rotation;   // the matrix that ITK gives for these angles
+    rotation << 0.9421546635113683, -0.29404383655185584, -0.16088136066569614, 0.2706814883919034, 0.9505637859220634,
+        -0.15218416716418803, 0.19767681165408388, 0.09983341664682815, 0.975170327201816;
+    EXPECT_TRUE(pose.value().rotation.isApprox(rotation, 1e-14));
+    const Eigen::Vector3d centre(10, 20, 30);
+    EXPECT_TRUE((pose.value() * centre).isApprox(centre + Eigen::Vector3d(1.5, -2, 740.25), 1e-14));
+    for (std::size_t size = 0; size < content.size(); ++size) {
+        EXPECT_FALSE(io::readPose(folder.write("cut.mat", content.substr(0, std::max<std::size_t>(size, 1)))));
+    }
+}
+
 TEST(ReadPose, FindsThePoseInAResult)
 {
     const test::TemporaryFolder folder;

@@ -58,7 +58,7 @@ foreach(header ${headers})
   run(OUTPUT seen COMMAND ${CXX} -std=c++20 -Wall -Wextra -Wpedantic -Wshadow -Werror -fsyntax-only -H
     -isystem /usr/include/eigen3 -I${prefix}/include ${WORK}/alone.cpp)
   run(OUTPUT seen COMMAND ${CXX} -std=c++20 -M -isystem /usr/include/eigen3 -I${prefix}/include ${WORK}/alone.cpp)
-  string(REGEX MATCHALL "[^ \n\\]*(/ITK|/vtk|/opencv|/gdcm|/qt6|/Qt|/nlohmann|/core/|/io/)[^ \n\\]*\\.h[^ \n]*" strangers "${seen}")
+  string(REGEX MATCHALL "[^ \n\\]*(/ITK|/vtk|/opencv|/dcmtk|/qt6|/Qt|/nlohmann|/core/|/io/)[^ \n\\]*\\.h[^ \n]*" strangers "${seen}")
   list(FILTER strangers EXCLUDE REGEX "eigen3/|/c\\+\\+/")
   if(strangers)
     message(SEND_ERROR "${header} includes ${strangers}")

@@ -93,6 +93,18 @@ std::string plyText(const core::SurfaceMesh& mesh)
     return text;
 }
 
+/// A pose as ITK writes it for MATLAB, level 4.
+std::string matlabPose()
+{
+    const auto matrix = [](const std::string& name, const std::vector<double>& values) {
+        const std::array<std::uint32_t, 5> head{0, static_cast<std::uint32_t>(values.size()), 1, 0,
+                                                static_cast<std::uint32_t>(name.size() + 1)};
+        return std::string(reinterpret_cast<const char*>(head.data()), sizeof head) + name + '\0' +
+               std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double));
+    };
+    return matrix("Euler3DTransform_double_3_3", {0.1, -0.2, 0.3, 1.5, -2, 740.25}) + matrix("fixed", {10, 20, 30, 0});
+}
+
 constexpr const char* legacyText =
     "# vtk DataFile Version 3.0\nlines\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n0 0 0 1 0 0 2 0 1 3 1 1\n"
     "LINES 1 5\n4 0 1 2 3\nPOINT_DATA 4\nSCALARS Radius float 1\nLOOKUP_TABLE default\n1 1 2 2\n"
@@ -123,6 +135,7 @@ std::vector<SmallFile> smallFiles(const std::string& dataFolder, const std::stri
         written(name, [](const std::string& path) { return io::writeVesselTree(smallTree(), path); });
     }
     written("pose.tfm", [](const std::string& path) { return io::writePose({}, path); });
+    files.push_back({"pose.mat", matlabPose()});
     files.push_back({"lines.vtk", legacyText});
     files.push_back({"grid.vtk", gridText});
     written("box.stl", [](const std::string& path) { return io::writeSurface(smallSurface(), path); });

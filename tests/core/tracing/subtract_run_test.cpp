@@ -149,6 +149,17 @@ TEST(SubtractRun, RefusesInPlainWords)
     EXPECT_FALSE(core::subtractRun(filled, Polarity::VesselsDark, {})) << "contrast from the first frame on";
 }
 
+TEST(SubtractRun, AFrameThatShowsNothingIsNeitherMaskNorSubtractedFrom)
+{
+    std::vector<ImageF> frames = run;
+    std::ranges::fill(frames[0].pixels, 1200.0F);
+    std::ranges::fill(frames[3].pixels, 1200.0F);
+    const auto subtracted = core::subtractRun(frames, Polarity::VesselsDark, {.maskFrames = {0, 1}});
+    ASSERT_TRUE(subtracted) << subtracted.error().message;
+    EXPECT_EQ(subtracted.value().maskFrames, std::vector<int>{1});
+    EXPECT_EQ(subtracted.value().frames[3].pixels, frames[3].pixels);
+}
+
 TEST(SuggestMaskFrames, AreThoseBeforeTheContrastArrives)
 {
     std::vector<ImageF> plain;
@@ -158,6 +169,8 @@ TEST(SuggestMaskFrames, AreThoseBeforeTheContrastArrives)
     }
     EXPECT_EQ(core::suggestMaskFrames(plain, Polarity::VesselsDark), (std::vector<int>{0, 1}));
     EXPECT_TRUE(core::suggestMaskFrames({}, Polarity::VesselsDark).empty());
+    std::ranges::fill(plain[0].pixels, 1000.0F);   // shows nothing
+    EXPECT_EQ(core::suggestMaskFrames(plain, Polarity::VesselsDark), std::vector<int>{1});
 }
 
 }   // namespace

@@ -12,17 +12,22 @@ using namespace angiopose;
 
 namespace {
 
-/// A header with these elements, as text.
+/// A header with these elements in ascending order, as text.
 io::DicomDataset headerWith(std::initializer_list<std::pair<io::DicomTag, const char*>> elements)
 {
-    io::DicomDataset data;
+    std::string bytes;
+    const auto add = [&](std::size_t number) {
+        bytes += static_cast<char>(number & 0xff);
+        bytes += static_cast<char>(number >> 8 & 0xff);
+    };
     for (const auto& [tag, value] : elements) {
-        io::DicomElement element;
-        element.vr = {'D', 'S'};
-        element.value = value;
-        data.elements[tag] = element;
+        add(tag >> 16);
+        add(tag);
+        bytes += "DS";
+        add(std::string_view(value).size());
+        bytes += value;
     }
-    return data;
+    return io::readElements(bytes, io::DicomEncoding{});
 }
 
 std::string valueOf(const core::GantryHeader& header, const std::string& tag)

@@ -103,7 +103,7 @@ struct MultiViewResult {
 ANGIOPOSE_EXPORT MultiViewResult registerViews(const std::vector<RegistrationInput>& views,
                                                const RegistrationOptions& options = {}, const Observer& observe = {});
 
-/// From .json or an ITK .tfm; the latter maps patient points to camera points.
+/// From .json, or an ITK .tfm or .mat; the latter map patient points to camera points.
 ANGIOPOSE_EXPORT Pose readPose(const std::string& path);
 
 /// To .json or .tfm, by the extension; every number restores to the last bit.

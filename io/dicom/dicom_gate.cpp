@@ -1,0 +1,235 @@
+#include "io/dicom/dicom_gate.h"
+
+#include "io/messages/says.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace angiopose::io {
+namespace {
+
+constexpr DicomTag itemTag = 0xfffee000;
+constexpr DicomTag itemEndTag = 0xfffee00d;
+constexpr DicomTag sequenceEndTag = 0xfffee0dd;
+constexpr std::uint32_t undefinedLength = 0xffffffff;
+constexpr std::size_t maxDepth = 32;
+constexpr std::size_t maxValueBytes = std::size_t{1} << 20;   // no field that is asked for is longer
+
+// PS3.5 §7.1.2: these have a 32-bit length, these a 16-bit one.
+constexpr std::string_view longVrs = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
+constexpr std::string_view shortVrs = "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US";
+
+bool isUpper(char c)
+{
+    return c >= 'A' && c <= 'Z';
+}
+
+std::string tagName(DicomTag tag)
+{
+    std::array<char, 16> buffer;
+    std::snprintf(buffer.data(), buffer.size(), "(%04x,%04x)", tag >> 16, tag & 0xffff);
+    return buffer.data();
+}
+
+bool isPixelTag(DicomTag tag)
+{
+    return tag == pixelDataTag || tag == floatPixelsTag || tag == doublePixelsTag;
+}
+
+/// DCMTK reads the element as it is meant.
+bool isReadable(const ElementHead& head, DicomEncoding encoding)
+{
+    const bool isVrKnown =
+        longVrs.find(head.vr) != std::string_view::npos || shortVrs.find(head.vr) != std::string_view::npos;
+    return encoding.isExplicit ? !head.vr.empty() && isVrKnown : head.vr.empty();
+}
+
+/// A sequence or an item whose end is not reached yet.
+struct OpenLevel {
+    std::size_t end;   ///< `untilDelimiter` when its length is undefined
+    DicomEncoding encoding;
+    bool holdsItems;
+    bool isOpaque;   ///< its items are fragments of pixels
+};
+
+constexpr std::size_t untilDelimiter = std::string_view::npos;
+
+/// What the value of an element holds besides plain bytes; nothing when it is those.
+std::optional<OpenLevel> levelOf(const ElementHead& head, std::string_view rest, std::size_t at, DicomEncoding encoding)
+{
+    const bool isOpen = head.length == undefinedLength;
+    const bool isUnknown = head.vr.empty() || head.vr == "UN";   // then the content tells
+    const auto first = isUnknown && !isOpen ? readHead(rest.substr(0, head.length), encoding) : std::nullopt;
+    const bool isSequence = head.vr == "SQ" || (isUnknown && (isOpen || (first && first->tag == itemTag)));
+    if (!isSequence && !isOpen) {
+        return std::nullopt;
+    }
+    // A sequence whose VR was lost is implicit inside (PS3.5 §6.2.2).
+    return OpenLevel{isOpen ? untilDelimiter : at + head.length,
+                     isUnknown ? DicomEncoding{false, encoding.order} : encoding, true,
+                     !isSequence || isPixelTag(head.tag)};
+}
+
+/// Where the value of an element ends, and whether DCMTK can be given it.
+struct ValueWalk {
+    std::optional<std::size_t> size;   ///< nothing: not within the bytes that are there
+    bool isClean = true;
+};
+
+/// Walks through a sequence, whatever is in it, until it is closed.
+ValueWalk walkThrough(const OpenLevel& sequence, std::string_view bytes)
+{
+    ValueWalk walk;
+    std::size_t at = 0;
+    for (std::vector<OpenLevel> levels{sequence}; !levels.empty();) {
+        const OpenLevel level = levels.back();
+        if (at == level.end) {
+            levels.pop_back();
+            continue;
+        }
+        const auto head = readHead(bytes.substr(at, level.end - at), level.encoding);
+        if (!head || levels.size() > 2 * maxDepth) {
+            return {};
+        }
+        at += head->size;
+        if (head->tag == itemEndTag || head->tag == sequenceEndTag) {
+            if (level.end != untilDelimiter || level.holdsItems != (head->tag == sequenceEndTag)) {
+                return {};
+            }
+            levels.pop_back();
+            continue;
+        }
+        const bool isOpen = head->length == undefinedLength;
+        const bool isItem = head->tag == itemTag;
+        if (isItem != level.holdsItems || (!isOpen && head->length > std::min(bytes.size(), level.end) - at)) {
+            return {};
+        }
+        auto inside = isItem ? std::nullopt : levelOf(*head, bytes.substr(at), at, level.encoding);
+        if (isItem && (isOpen || !level.isOpaque)) {
+            inside = OpenLevel{isOpen ? untilDelimiter : at + head->length, level.encoding, false, false};
+        }
+        walk.isClean = walk.isClean && (isItem || isReadable(*head, level.encoding)) && !(inside && inside->isOpaque);
+        if (inside) {
+            levels.push_back(*inside);
+        } else {
+            at += head->length;
+        }
+    }
+    walk.size = at;
+    return walk;
+}
+
+ValueWalk walkValue(const ElementHead& head, std::string_view rest, DicomEncoding encoding)
+{
+    const bool isOpen = head.length == undefinedLength;
+    if (!isOpen && head.length > rest.size()) {
+        return {};
+    }
+    const auto level = levelOf(head, rest, 0, encoding);
+    if (!level) {
+        return {head.length, isReadable(head, encoding) || head.vr.empty()};
+    }
+    ValueWalk walk = walkThrough(*level, rest);
+    walk.isClean = walk.isClean && walk.size && !level->isOpaque;
+    walk.size = isOpen ? walk.size : head.length;
+    return walk;
+}
+
+/// What one element of the data set adds.
+void pass(const ElementHead& head, std::string_view whole, bool isClean, DicomEncoding encoding, PassedElements& passed)
+{
+    const std::string_view value = whole.substr(head.size);
+    if (isPixelTag(head.tag)) {
+        passed.pixels.emplace(head.tag, DicomPixels{value, head.length == undefinedLength, encoding.order});
+        return;
+    }
+    const DicomTag group = head.tag >> 16;
+    const bool isOfStandard = group % 2 == 0 && group >= 0x0008;
+    const bool isSequence = head.vr == "SQ" || head.length == undefinedLength;
+    if (isClean && isOfStandard && (isSequence || value.size() <= maxValueBytes)) {
+        (encoding.isExplicit && head.vr.empty() ? passed.withoutVr : passed.elements) += whole;
+    }
+}
+
+}   // namespace
+
+std::optional<ElementHead> readHead(std::string_view bytes, DicomEncoding encoding)
+{
+    if (bytes.size() < 8) {
+        return std::nullopt;
+    }
+    ElementHead head;
+    head.size = 8;
+    head.tag =
+        static_cast<DicomTag>(readUint16(bytes, encoding.order)) << 16 | readUint16(bytes.substr(2), encoding.order);
+    // Item tags have no VR; some writers forget the VR of single elements, which the letters tell.
+    if (!encoding.isExplicit || head.tag >> 16 == 0xfffe || !isUpper(bytes[4]) || !isUpper(bytes[5])) {
+        head.length = readUint32(bytes.substr(4), encoding.order);
+        return head;
+    }
+    head.vr = bytes.substr(4, 2);
+    if (longVrs.find(head.vr) == std::string_view::npos) {
+        head.length = readUint16(bytes.substr(6), encoding.order);
+        return head;
+    }
+    head.size = 12;
+    if (bytes.size() < head.size) {
+        return std::nullopt;
+    }
+    head.length = readUint32(bytes.substr(8), encoding.order);
+    return head;
+}
+
+PassedElements passElements(std::string_view bytes, DicomEncoding encoding)
+{
+    PassedElements passed;
+    while (const auto head = readHead(bytes, encoding)) {
+        if (head->tag == itemEndTag || head->tag == sequenceEndTag) {
+            return passed;
+        }
+        const std::string_view rest = bytes.substr(head->size);
+        const bool isOpen = head->length == undefinedLength;
+        const auto [size, isClean] = walkValue(*head, rest, encoding);
+        if (!size && isOpen && !isPixelTag(head->tag)) {
+            passed.damage = says::dicomSequenceWithoutEnd(tagName(head->tag));
+            return passed;
+        }
+        if (!size && !isOpen) {
+            passed.damage = says::dicomElementTooLong(tagName(head->tag), std::size_t{head->length}, rest.size());
+        }
+        passed.isEmpty = false;
+        const std::string_view whole = bytes.substr(0, head->size + size.value_or(rest.size()));
+        if (size || isPixelTag(head->tag)) {
+            pass(*head, whole, isClean, encoding, passed);
+        }
+        bytes.remove_prefix(whole.size());
+        if (passed.damage) {
+            return passed;
+        }
+    }
+    if (bytes.find_first_not_of('\0') != std::string_view::npos) {
+        passed.damage = says::dicomEndsWithin();
+    }
+    return passed;
+}
+
+std::optional<std::vector<std::string_view>> fragmentsOf(const DicomPixels& pixels)
+{
+    std::vector<std::string_view> fragments;
+    std::string_view rest = pixels.bytes;
+    while (const auto head = readHead(rest, DicomEncoding{true, pixels.order})) {
+        rest.remove_prefix(head->size);
+        if (head->tag != itemTag) {
+            return head->tag == sequenceEndTag ? std::optional(fragments) : std::nullopt;
+        }
+        if (head->length > rest.size()) {
+            return std::nullopt;
+        }
+        fragments.push_back(rest.substr(0, head->length));
+        rest.remove_prefix(head->length);
+    }
+    return fragments;   // without a delimiter: whole fragments up to the end of the file
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,103 @@
+#include "io/dicom/dicom_gate.h"
+
+#include "io/dicom/dicom_file.h"
+#include "io/messages/says.h"
+
+#include <gtest/gtest.h>
+
+using namespace angiopose;
+
+namespace {
+
+std::string number(std::size_t value, int bytes)
+{
+    std::string text;
+    for (int i = 0; i < bytes; ++i) {
+        text += static_cast<char>(value >> (8 * i) & 0xff);
+    }
+    return text;
+}
+
+std::string tagBytes(io::DicomTag tag)
+{
+    return number(tag >> 16, 2) + number(tag, 2);
+}
+
+std::string shortElement(io::DicomTag tag, const std::string& vr, const std::string& value)
+{
+    return tagBytes(tag) + vr + number(value.size(), 2) + value;
+}
+
+std::string longElement(io::DicomTag tag, const std::string& vr, const std::string& value)
+{
+    return tagBytes(tag) + vr + std::string(2, '\0') + number(value.size(), 4) + value;
+}
+
+std::string item(const std::string& elements)
+{
+    return tagBytes(0xfffee000) + number(elements.size(), 4) + elements;
+}
+
+/// The data set that gets through the gate.
+io::DicomFile parsed(const std::string& bytes)
+{
+    const std::string name = shortElement(0x00080060, "CS", "XA");
+    auto file = io::parseDicom("DICM" + name + bytes, "made.dcm");
+    EXPECT_TRUE(file) << file.error().message;
+    return file ? std::move(file).value() : io::DicomFile{};
+}
+
+const std::string rows = shortElement(0x00280010, "US", number(512, 2));
+
+}   // namespace
+
+TEST(DicomGate, FindsAnElementWhoseVrWasForgotten)
+{
+    const std::string bare = tagBytes(0x00181110) + number(4, 4) + "1020";
+    const io::DicomFile file = parsed(bare + rows);
+    EXPECT_EQ(file.dataset.number(0x00181110), 1020.0);
+    EXPECT_EQ(file.dataset.integer(0x00280010), 512);
+    EXPECT_FALSE(file.damage);
+}
+
+TEST(DicomGate, ReadsNumbersWhoseVrIsUnknown)
+{
+    EXPECT_EQ(parsed(longElement(0x00280010, "UN", number(300, 2))).dataset.integer(0x00280010), 300);
+}
+
+TEST(DicomGate, LeavesOutASequenceThatIsDamagedInside)
+{
+    const std::string damaged = item(tagBytes(0x00081155) + "UI" + number(5000, 2) + "1.2");
+    const io::DicomFile file = parsed(longElement(0x00081140, "SQ", damaged) + rows);
+    EXPECT_FALSE(file.dataset.has(0x00081140));
+    EXPECT_EQ(file.dataset.integer(0x00280010), 512);
+    EXPECT_FALSE(file.damage);
+}
+
+TEST(DicomGate, KeepsTheItemsOfSoundSequences)
+{
+    const std::string items = item(shortElement(0x00181510, "DS", "30")) + item(shortElement(0x00181510, "DS", "-5"));
+    const auto found = parsed(longElement(0x00081140, "SQ", items)).dataset.items(0x00081140);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].number(0x00181510), 30.0);
+    EXPECT_EQ(found[1].number(0x00181510), -5.0);
+}
+
+TEST(DicomGate, LeavesOutWhatIsNestedTooDeeply)
+{
+    std::string nested;
+    for (int depth = 0; depth < 2'000; ++depth) {
+        nested = item(longElement(0x00081140, "SQ", nested));
+    }
+    const io::DicomFile file = parsed(longElement(0x00081140, "SQ", nested) + rows);
+    EXPECT_FALSE(file.dataset.has(0x00081140));
+    EXPECT_EQ(file.dataset.integer(0x00280010), 512);
+}
+
+TEST(DicomGate, NamesTheElementThatIsCutShort)
+{
+    const io::DicomFile file = parsed(rows + longElement(0x7fe00010, "OW", std::string(100, 'p')).substr(0, 60));
+    ASSERT_TRUE(file.damage);
+    EXPECT_TRUE(file.damage->is(io::says::dicomElementTooLong));
+    EXPECT_EQ(file.pixels.at(io::pixelDataTag).bytes.size(), 48U);
+}
