@@ -2,7 +2,7 @@
 
 #include "app/document/edit_case.h"
 #include "app/files/assemble_case.h"
-#include "app/texts/geometry_state.h"
+#include "app/words/geometry_state.h"
 #include "ui/main_window.h"
 
 namespace angiopose::app {

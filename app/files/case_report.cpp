@@ -1,7 +1,7 @@
 #include "app/files/case_report.h"
 
 #include "app/messages/says.h"
-#include "app/texts/geometry_state.h"
+#include "app/words/geometry_state.h"
 #include "ui/panels/result_sentences.h"
 #include "ui/words/language.h"
 #include "ui/words/message_text.h"

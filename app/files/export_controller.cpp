@@ -6,6 +6,7 @@
 #include "app/review/snapshot_texts.h"
 #include "app/settings.h"
 #include "app/texts/overlay_picture.h"
+#include "app/words/corner_words.h"
 #include "core/case/registration_input.h"
 #include "io/centerline2d_file.h"
 #include "io/image_file.h"
@@ -101,7 +102,7 @@ OverlayPictureOptions ExportController::lookOf(const ui::ExportChoice& choice) c
         choice.widthPx,
         choice.residualColors == ui::Choice::On ? OverlayColoring::Residuals : OverlayColoring::Branches,
         choice.identity == ui::Choice::On ? Identity::Shown : Identity::Hidden,
-        choice.english == ui::Choice::On ? PictureLanguage::English : PictureLanguage::Window};
+        choice.english == ui::Choice::On ? englishTexts : windowTexts};
     options.vessels = view.scene().mode();   // as they are seen
     options.range = view.shownRange();
     options.depthCue = view.scene().depthCue();

@@ -2,8 +2,8 @@
 
 #include "ui/actions/key_hint.h"
 
-#include "app/texts/case_texts.h"
 #include "app/texts/overlay_picture.h"
+#include "app/words/corner_words.h"
 #include "core/tracing/subtract_run.h"
 #include "core/tracing/suggest_frame.h"
 #include "ui/main_window.h"

@@ -1,8 +1,6 @@
 #include "app/texts/case_texts.h"
 
 #include "app/messages/says.h"
-#include "ui/words/language.h"
-#include "ui/words/message_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,19 +103,6 @@ void addPixelScale(core::Messages& lines, const core::Case& theCase)
     }
 }
 
-template <class ToText>
-ui::CornerTexts textsOf(const CornerLines& lines, const ToText& toText)
-{
-    const auto all = [&toText](const core::Messages& messages) {
-        std::vector<std::string> texts;
-        for (const core::Message& message : messages) {
-            texts.push_back(toText(message));
-        }
-        return texts;
-    };
-    return {all(lines.topLeft), all(lines.topRight), all(lines.bottomLeft), all(lines.bottomRight)};
-}
-
 }   // namespace
 
 core::Message originWord(core::Origin origin)
@@ -142,17 +127,21 @@ std::string originText(core::Origin origin)
     return originWord(origin).text();
 }
 
+ui::CornerTexts textsOf(const CornerLines& lines, const std::function<std::string(const core::Message&)>& toText)
+{
+    const auto all = [&toText](const core::Messages& messages) {
+        std::vector<std::string> texts;
+        for (const core::Message& message : messages) {
+            texts.push_back(toText(message));
+        }
+        return texts;
+    };
+    return {all(lines.topLeft), all(lines.topRight), all(lines.bottomLeft), all(lines.bottomRight)};
+}
+
 ui::CornerTexts englishTexts(const CornerLines& lines)
 {
     return textsOf(lines, [](const core::Message& message) { return message.text(); });
-}
-
-ui::CornerTexts windowTexts(const CornerLines& lines)
-{
-    ui::CornerTexts texts =
-        textsOf(lines, [](const core::Message& message) { return ui::messageText(message).toStdString(); });
-    texts.decimalSign = ui::languageLocale().decimalPoint() == QLatin1String(",") ? ',' : '.';
-    return texts;
 }
 
 CornerLines cornerLines(const core::Case& theCase, Identity identity)

@@ -4,6 +4,7 @@
 #include "core/support/message.h"
 #include "ui/scenes/render_offscreen.h"
 
+#include <functional>
 #include <string>
 
 namespace angiopose::app {
@@ -19,9 +20,11 @@ struct CornerLines {
     core::Messages topLeft, topRight, bottomLeft, bottomRight;
 };
 
-/// As English text, for files, or in the language of the window.
+/// Each line as `toText` says it.
+ui::CornerTexts textsOf(const CornerLines& lines, const std::function<std::string(const core::Message&)>& toText);
+
+/// As English text, for files.
 ui::CornerTexts englishTexts(const CornerLines& lines);
-ui::CornerTexts windowTexts(const CornerLines& lines);
 
 /// Corner texts where readers of other viewers look for them: patient and study on top, geometry with its basis at the
 /// bottom right. The bottom left is the caller's: frame, window and zoom belong to the view.

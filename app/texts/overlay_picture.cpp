@@ -44,7 +44,7 @@ ui::CornerTexts exportTexts(const core::Case& theCase, const OverlayPictureOptio
         lines.bottomLeft.push_back(result.trustworthy ? says::poseOfMethod(result.method, median)
                                                       : says::poseNotTrustworthy(result.method, median));
     }
-    ui::CornerTexts texts = options.language == PictureLanguage::Window ? windowTexts(lines) : englishTexts(lines);
+    ui::CornerTexts texts = options.texts(lines);
     texts.topLeft.insert(texts.topLeft.begin(), theCase.title);   // the user's words
     return texts;
 }

@@ -15,14 +15,13 @@
 namespace angiopose::app {
 
 enum class OverlayColoring { Residuals, Branches };
-enum class PictureLanguage { English, Window };   ///< of the texts burned in; the command line knows English only
 
 /// How an exported overlay looks.
 struct OverlayPictureOptions {
     int widthPx = 0;   ///< 0: twice the image; the height follows from the image
     OverlayColoring coloring = OverlayColoring::Residuals;
     Identity identity = Identity::Hidden;
-    PictureLanguage language = PictureLanguage::English;
+    ui::CornerTexts (*texts)(const CornerLines&) = englishTexts;   ///< burned in; the window has windowTexts for them
     ui::OverlayMode vessels = ui::OverlayMode::Centerline;
     std::optional<core::DisplayRange> range = std::nullopt;   ///< not set: found from the frame
     ui::DepthCue depthCue = ui::DepthCue::None;

@@ -1,4 +1,5 @@
 #include "app/texts/overlay_picture.h"
+#include "app/words/corner_words.h"
 #include "tests/app/open_window.h"
 #include "tests/support/test_data.h"
 #include "ui/words/language.h"
@@ -180,17 +181,17 @@ TEST(WindowFiles, SpeakTheLanguageOfTheWindowInAnOverlay)
 {
     OpenWindow w;
     w.openSample();
-    const auto pictureIn = [&w](const char* windowLanguage, PictureLanguage language) {
+    const auto pictureIn = [&w](const char* windowLanguage, ui::CornerTexts (*texts)(const CornerLines&)) {
         ui::applyLanguage(QString::fromLatin1(windowLanguage));
-        const auto picture = drawOverlay(w.current(), {}, {400, OverlayColoring::Branches, Identity::Hidden, language});
+        const auto picture = drawOverlay(w.current(), {}, {400, OverlayColoring::Branches, Identity::Hidden, texts});
         ui::applyLanguage(QStringLiteral("en"));
         return picture ? picture.value().rgb : std::vector<std::uint8_t>{};
     };
-    const auto english = pictureIn("en", PictureLanguage::Window);
+    const auto english = pictureIn("en", windowTexts);
     ASSERT_FALSE(english.empty());
-    EXPECT_NE(pictureIn("de", PictureLanguage::Window), english);
-    EXPECT_NE(pictureIn("zh_CN", PictureLanguage::Window), pictureIn("de", PictureLanguage::Window));
-    EXPECT_EQ(pictureIn("de", PictureLanguage::English), english);
+    EXPECT_NE(pictureIn("de", windowTexts), english);
+    EXPECT_NE(pictureIn("zh_CN", windowTexts), pictureIn("de", windowTexts));
+    EXPECT_EQ(pictureIn("de", englishTexts), english);
 }
 
 /// Whatever is dropped on the window loads or is refused by one message, and the open case survives a refusal.

@@ -1,4 +1,4 @@
-#include "app/texts/geometry_state.h"
+#include "app/words/geometry_state.h"
 
 #include "core/geometry/geometry_checks.h"
 #include "ui/words/message_text.h"

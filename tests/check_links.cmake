@@ -1,0 +1,13 @@
+# Fails when PROGRAM links a library whose name matches FORBIDDEN.
+execute_process(COMMAND objdump -p "${PROGRAM}" OUTPUT_VARIABLE headers RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "objdump cannot read ${PROGRAM}")
+endif()
+string(REGEX MATCHALL "NEEDED +[^\n]+" needed "${headers}")
+if(NOT needed)
+  message(FATAL_ERROR "${PROGRAM} names no library at all")
+endif()
+list(FILTER needed INCLUDE REGEX "${FORBIDDEN}")
+if(needed)
+  message(SEND_ERROR "${PROGRAM} links ${needed}")
+endif()
