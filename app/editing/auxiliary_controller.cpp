@@ -9,8 +9,6 @@
 #include "ui/words/language.h"
 #include "ui/words/number.h"
 
-#include <QtConcurrentRun>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -69,27 +67,26 @@ core::Vector6d inDegrees(core::Vector6d std)
 
 AuxiliaryController::AuxiliaryController(CaseDocument& document, BranchController& branches, ui::MainWindow& window,
                                          QObject* parent)
-    : QObject(parent), document_(document), branches_(branches), window_(window)
+    : QObject(parent), document_(document), branches_(branches), window_(window), job_([this](const Advice& advice) {
+          take(advice);
+      })
 {
     auto* lasso = new ui::LassoTool(window_.angiogramView());
     ui::bindTool(*window_.actions()[ui::Command::Lasso], window_.angiogramView(), *lasso);
     connect(lasso, &ui::LassoTool::enclosed, this, &AuxiliaryController::chooseInside);
     connect(window_.actions()[ui::Command::AuxiliaryAdvice], &QAction::triggered, this, &AuxiliaryController::open);
     connect(&document_, &CaseDocument::changed, this, &AuxiliaryController::request);
-    connect(&job_, &QFutureWatcherBase::finished, this, [this] {
-        advice_ = job_.result();
-        isKnown_ = true;
-        if (std::exchange(isWanted_, false)) {
-            start();
-        }
-        show();
-        emit adviceChanged();
-    });
 }
 
-AuxiliaryController::~AuxiliaryController()
+void AuxiliaryController::take(const Advice& advice)
 {
-    job_.waitForFinished();
+    advice_ = advice;
+    isKnown_ = true;
+    if (std::exchange(isWanted_, false)) {
+        start();
+    }
+    show();
+    emit adviceChanged();
 }
 
 void AuxiliaryController::open()
@@ -214,22 +211,21 @@ void AuxiliaryController::start()
     }
     const core::Vector6d priorStd =
         core::startPrior({}, current.options).std;   // what the solver believes of a start pose
-    job_.setFuture(QtConcurrent::run(
-        [tree = current.vessels.tree, camera = camera.value(), pose = current.shown().cameraFromPatient,
-         excluded = current.vessels.excludedBranchIds, chosen = current.vessels.auxiliaryBranchIds, priorStd] {
-            const auto branches = core::branchInformation(core::without(*tree, excluded), camera, pose);
-            std::vector<int> all(branches.size());
-            std::ranges::transform(branches, all.begin(), &core::BranchInformation::branchId);
-            Advice advice;
-            advice.stdOfAll = inDegrees(core::expectedStd(branches, all, priorStd));
-            advice.stdOfChosen = inDegrees(core::expectedStd(branches, chosen.empty() ? all : chosen, priorStd));
-            for (std::size_t step = 0; step < advice.pinnedBy.size(); ++step) {
-                advice.pinnedBy[step] =
-                    core::branchesThatPin(branches, static_cast<int>(step), priorStd, branchesPerStep);
-            }
-            advice.suggested = core::mostInformativeBranches(branches, priorStd);
-            return advice;
-        }));
+    job_.start([tree = current.vessels.tree, camera = camera.value(), pose = current.shown().cameraFromPatient,
+                excluded = current.vessels.excludedBranchIds, chosen = current.vessels.auxiliaryBranchIds,
+                priorStd](JobLink<double>&) -> core::Result<Advice> {
+        const auto branches = core::branchInformation(core::without(*tree, excluded), camera, pose);
+        std::vector<int> all(branches.size());
+        std::ranges::transform(branches, all.begin(), &core::BranchInformation::branchId);
+        Advice advice;
+        advice.stdOfAll = inDegrees(core::expectedStd(branches, all, priorStd));
+        advice.stdOfChosen = inDegrees(core::expectedStd(branches, chosen.empty() ? all : chosen, priorStd));
+        for (std::size_t step = 0; step < advice.pinnedBy.size(); ++step) {
+            advice.pinnedBy[step] = core::branchesThatPin(branches, static_cast<int>(step), priorStd, branchesPerStep);
+        }
+        advice.suggested = core::mostInformativeBranches(branches, priorStd);
+        return advice;
+    });
 }
 
 QString AuxiliaryController::namesOf(const std::vector<int>& branchIds) const

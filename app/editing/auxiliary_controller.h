@@ -2,11 +2,11 @@
 
 #include "app/document/case_document.h"
 #include "app/editing/branch_controller.h"
+#include "app/jobs/job.h"
 #include "core/registration/judging/branch_information.h"
 #include "ui/dialogs/auxiliary_dialog.h"
 #include "ui/views/tools/lasso_tool.h"
 
-#include <QFutureWatcher>
 #include <QObject>
 #include <QPointer>
 
@@ -26,7 +26,6 @@ class AuxiliaryController : public QObject {
 public:
     AuxiliaryController(CaseDocument& document, BranchController& branches, ui::MainWindow& window,
                         QObject* parent = nullptr);
-    ~AuxiliaryController() override;
 
     bool isRunning() const { return job_.isRunning(); }   ///< working out what each branch tells
     void open();
@@ -53,6 +52,7 @@ private:
     void connectDialog();
     void request();
     void start();
+    void take(const Advice& advice);
     void show();
     QString namesOf(const std::vector<int>& branchIds) const;
     QString previewWords() const;
@@ -61,7 +61,7 @@ private:
     BranchController& branches_;
     ui::MainWindow& window_;
     QPointer<ui::AuxiliaryDialog> dialog_;
-    QFutureWatcher<Advice> job_;
+    Job<Advice> job_;
     Advice advice_;
     bool isKnown_ = false;
     bool isWanted_ = false;   ///< again, when the running one is done

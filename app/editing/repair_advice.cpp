@@ -1,18 +1,14 @@
 #include "app/editing/repair_advice.h"
 
-#include <QtConcurrentRun>
-
 namespace angiopose::app {
 
-RepairAdvice::RepairAdvice(CaseDocument& document, QObject* parent) : QObject(parent), document_(document)
+RepairAdvice::RepairAdvice(CaseDocument& document, QObject* parent)
+    : QObject(parent), document_(document), job_([this](const Found& found) {
+          found_ = found;
+          emit changed();
+      })
 {
     connect(&document, &CaseDocument::changed, this, &RepairAdvice::followDocument);
-    connect(&watcher_, &QFutureWatcherBase::finished, this, [this] {
-        if (watcher_.future().resultCount() > 0) {
-            found_ = watcher_.result();
-            emit changed();
-        }
-    });
 }
 
 void RepairAdvice::followDocument()
@@ -22,11 +18,11 @@ void RepairAdvice::followDocument()
     }
     tree_ = document_.current().vessels.tree;
     found_ = {};
-    watcher_.setFuture({});
+    job_.drop();
     if (tree_) {
-        watcher_.setFuture(QtConcurrent::run([tree = tree_] {
+        job_.start([tree = tree_](JobLink<double>&) -> core::Result<Found> {
             return Found{core::pieceCount(*tree), core::findGaps(*tree)};
-        }));
+        });
     }
     emit changed();
 }

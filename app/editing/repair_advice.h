@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/document/case_document.h"
+#include "app/jobs/job.h"
 #include "core/vessel/tree_gaps.h"
 
-#include <QFutureWatcher>
 #include <QObject>
 
 #include <memory>
@@ -19,7 +19,7 @@ public:
 
     int pieceCount() const { return found_.pieceCount; }
     const std::vector<core::TreeGap>& gaps() const { return found_.gaps; }
-    bool isLooking() const { return watcher_.isRunning(); }
+    bool isLooking() const { return job_.isRunning(); }
 
 signals:
     void changed();
@@ -33,7 +33,7 @@ private:
 
     CaseDocument& document_;
     std::shared_ptr<const core::VesselTree> tree_;
-    QFutureWatcher<Found> watcher_;
+    Job<Found> job_;
     Found found_;
 };
 

@@ -9,8 +9,6 @@
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
-#include <QtConcurrentRun>
-
 #include <utility>
 
 namespace angiopose::app {
@@ -62,7 +60,11 @@ Source sourceOf(const core::Case& current)
 }   // namespace
 
 TracingController::TracingController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
-    : QObject(parent), document_(document), window_(window), labels_(document, window)
+    : QObject(parent),
+      document_(document),
+      window_(window),
+      labels_(document, window),
+      level_([this](double threshold) { window_.tracing().showFound(threshold); })
 {
     connectPanel();
     connect(&document, &CaseDocument::changed, this, &TracingController::followDocument);
@@ -84,11 +86,6 @@ TracingController::TracingController(CaseDocument& document, ui::MainWindow& win
     connect(&job_, &VesselTraceJob::stopped, this, [this] {
         ended();
         emit traced(tr("Stopped: the vessels are as they were"));
-    });
-    connect(&level_, &QFutureWatcherBase::finished, this, [this] {
-        if (level_.future().resultCount() > 0) {
-            window_.tracing().showFound(level_.result());
-        }
     });
     connect(window.actions()[ui::Command::SlicesLarge], &QAction::toggled, this, [this](bool large) {
         setPick(ui::TracingPick::Nothing);
@@ -142,7 +139,7 @@ void TracingController::followDocument()
         sourceOf(current).input.kind == core::VesselInputKind::Volume ? current.vessels.scan : nullptr;
     if (traced != shownVolume_) {
         shownVolume_ = traced;
-        level_.setFuture({});
+        level_.drop();
         panel.showFound(std::nullopt);
         panel.showRange(traced ? thresholdRange(window_.slices()) : std::nullopt, {});
         if (window_.actions()[ui::Command::SlicesLarge]->isChecked()) {
@@ -200,10 +197,13 @@ void TracingController::findThreshold()
     if (!shownVolume_ || window_.tracing().thresholdShown() || level_.isRunning()) {
         return;
     }
-    level_.setFuture(QtConcurrent::run([volume = shownVolume_]() -> std::optional<double> {
+    level_.start([volume = shownVolume_](JobLink<double>&) -> core::Result<double> {
         const auto level = core::findBloodLevel(*volume, core::patientAxisOrder(volume->geometry), std::nullopt);
-        return level ? std::optional(level.value().threshold) : std::nullopt;
-    }));
+        if (!level) {
+            return level.error();
+        }
+        return level.value().threshold;
+    });
 }
 
 void TracingController::start()

@@ -52,7 +52,7 @@ private:
     core::InputFile source_;   ///< of the trace under way
     std::optional<VesselTrace> waiting_;   ///< for the end of a registration
     ui::TracingPick pick_ = ui::TracingPick::Nothing;
-    QFutureWatcher<std::optional<double>> level_;
+    Job<double> level_;
 };
 
 }   // namespace angiopose::app

@@ -1,46 +1,17 @@
 #include "app/jobs/follow_job.h"
 
-#include "app/jobs/future_result.h"
-#include "app/jobs/guarded.h"
-#include "app/jobs/publish_outcome.h"
-
-#include <QtConcurrentRun>
-
 #include <utility>
 
 namespace angiopose::app {
 
-FollowJob::FollowJob(QObject* parent) : QObject(parent)
-{
-    connect(&watcher_, &QFutureWatcherBase::finished, this, &FollowJob::publish);
-}
-
-FollowJob::~FollowJob()
-{
-    requestStop();
-    waitFor(watcher_);
-}
+FollowJob::FollowJob(QObject* parent) : QObject(parent), job_(signalsOf<std::vector<core::FollowedFrame>>(*this)) {}
 
 void FollowJob::start(core::Case theCase)
 {
-    Q_ASSERT(!running_);
-    running_ = true;
-    stopRequested_ = false;
-    watcher_.setFuture(QtConcurrent::run([this, followed = std::move(theCase)]() -> Outcome {
-        return guarded<std::vector<core::FollowedFrame>>([&] {
-            return core::followFrames(followed, [this](const core::WorkReport& report) {
-                QMetaObject::invokeMethod(
-                    this, [this, fraction = report.fraction] { emit advanced(fraction); }, Qt::QueuedConnection);
-                return stopRequested_ ? core::Verdict::Stop : core::Verdict::Continue;
-            });
-        });
-    }));
-}
-
-void FollowJob::publish()
-{
-    running_ = false;
-    publishOutcome(*this, takeResult(watcher_));
+    job_.start([theCase = std::move(theCase)](JobLink<double>& link) {
+        return core::followFrames(theCase,
+                                  [&link](const core::WorkReport& report) { return link.tell(report.fraction); });
+    });
 }
 
 }   // namespace angiopose::app

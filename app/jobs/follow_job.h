@@ -1,26 +1,23 @@
 #pragma once
 
-#include "core/support/result.h"
+#include "app/jobs/job.h"
 #include "core/workflow/follow_frames.h"
 
-#include <QFutureWatcher>
 #include <QObject>
 
-#include <atomic>
 #include <vector>
 
 namespace angiopose::app {
 
-/// Follows the vessels through the frames of a run off the GUI thread. Every signal arrives on the job's own thread.
+/// Follows the vessels through the frames of a run off the GUI thread: core::followFrames.
 class FollowJob : public QObject {
     Q_OBJECT
 public:
     explicit FollowJob(QObject* parent = nullptr);
-    ~FollowJob() override;   ///< stops and waits, for one frame at most
 
     void start(core::Case theCase);
-    void requestStop() { stopRequested_ = true; }   ///< returns at once; `finished` follows
-    bool isRunning() const { return running_; }
+    void requestStop() { job_.requestStop(); }   ///< returns at once; `finished` follows
+    bool isRunning() const { return job_.isRunning(); }
 
 signals:
     void advanced(double fraction);
@@ -28,12 +25,7 @@ signals:
     void failed(const core::Message& reason);
 
 private:
-    using Outcome = core::Result<std::vector<core::FollowedFrame>>;
-    void publish();
-
-    std::atomic<bool> stopRequested_{false};
-    QFutureWatcher<Outcome> watcher_;
-    bool running_ = false;
+    Job<std::vector<core::FollowedFrame>> job_;
 };
 
 }   // namespace angiopose::app

@@ -1,10 +1,6 @@
 #include "app/jobs/judge_job.h"
 
-#include "app/jobs/future_result.h"
-#include "app/jobs/guarded.h"
 #include "core/evaluation/branch_distances.h"
-
-#include <QtConcurrentRun>
 
 #include <utility>
 
@@ -26,14 +22,22 @@ core::Result<SharedJudgement> judge(const JudgeRequest& request)
 
 }   // namespace
 
-JudgeJob::JudgeJob(QObject* parent) : QObject(parent)
+JudgeJob::JudgeJob(QObject* parent)
+    : QObject(parent),
+      job_({[this](const SharedJudgement& judgement) {
+                startWaiting();
+                emit judged(judgement);
+            },
+            [this](const core::Error& error) {
+                startWaiting();
+                emit failed(error.message);
+            }})
 {
-    connect(&watcher_, &QFutureWatcherBase::finished, this, &JudgeJob::publish);
 }
 
 void JudgeJob::request(JudgeRequest request)
 {
-    if (running_) {
+    if (job_.isRunning()) {
         waiting_ = std::move(request);
     } else {
         start(std::move(request));
@@ -43,32 +47,18 @@ void JudgeJob::request(JudgeRequest request)
 void JudgeJob::cancel()
 {
     waiting_.reset();
-    cancelled_ = running_;
+    job_.drop();
 }
 
 void JudgeJob::start(JudgeRequest request)
 {
-    running_ = true;
-    cancelled_ = false;
-    watcher_.setFuture(QtConcurrent::run(
-        [snapshot = std::move(request)] { return guarded<SharedJudgement>([&snapshot] { return judge(snapshot); }); }));
+    job_.start([request = std::move(request)](JobLink<double>&) { return judge(request); });
 }
 
-void JudgeJob::publish()
+void JudgeJob::startWaiting()
 {
-    running_ = false;
-    const auto outcome = takeResult(watcher_);
-    const bool wanted = !std::exchange(cancelled_, false);
     if (waiting_) {
         start(*std::exchange(waiting_, std::nullopt));
-    }
-    if (!wanted) {
-        return;
-    }
-    if (outcome) {
-        emit judged(outcome.value());
-    } else {
-        emit failed(outcome.error().message);
     }
 }
 

@@ -1,10 +1,9 @@
 #pragma once
 
+#include "app/jobs/job.h"
 #include "core/registration/registration.h"
-#include "core/support/result.h"
 #include "core/vessel/centerline2d.h"
 
-#include <QFutureWatcher>
 #include <QObject>
 
 #include <map>
@@ -42,12 +41,10 @@ signals:
 
 private:
     void start(JudgeRequest request);
-    void publish();
+    void startWaiting();
 
     std::optional<JudgeRequest> waiting_;
-    QFutureWatcher<core::Result<SharedJudgement>> watcher_;
-    bool running_ = false;
-    bool cancelled_ = false;
+    Job<SharedJudgement> job_;
 };
 
 }   // namespace angiopose::app

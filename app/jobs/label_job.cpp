@@ -1,10 +1,5 @@
 #include "app/jobs/label_job.h"
 
-#include "app/jobs/guarded.h"
-#include "app/jobs/publish_outcome.h"
-
-#include <QtConcurrentRun>
-
 namespace angiopose::app {
 namespace {
 
@@ -24,41 +19,13 @@ core::Result<LabelOverview> readOverview(const std::string& path, const io::Read
 
 }   // namespace
 
-LabelJob::LabelJob(QObject* parent) : QObject(parent) {}
-
-LabelJob::~LabelJob()
-{
-    drop();
-}
+LabelJob::LabelJob(QObject* parent) : QObject(parent), job_(signalsOf<LabelOverview>(*this)) {}
 
 void LabelJob::start(const std::string& path)
 {
-    using Outcome = core::Result<LabelOverview>;
-    drop();
-    isDropped_ = std::make_shared<std::atomic<bool>>(false);
-    auto* watcher = new QFutureWatcher<Outcome>(this);
-    connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher, isDropped = isDropped_] {
-        watcher->deleteLater();
-        if (*isDropped) {
-            return;
-        }
-        isDropped_.reset();
-        publishOutcome(*this, watcher->result());
+    job_.start([path](JobLink<double>& link) {
+        return readOverview(path, [&link](double fraction) { return link.tell(fraction); });
     });
-    watcher->setFuture(QtConcurrent::run([path, isDropped = isDropped_] {
-        return guarded<LabelOverview>([&] {
-            return readOverview(
-                path, [&isDropped](double) { return *isDropped ? core::Verdict::Stop : core::Verdict::Continue; });
-        });
-    }));
-}
-
-void LabelJob::drop()
-{
-    if (isDropped_) {
-        *isDropped_ = true;
-        isDropped_.reset();
-    }
 }
 
 }   // namespace angiopose::app

@@ -1,12 +1,10 @@
 #pragma once
 
-#include "core/support/result.h"
+#include "app/jobs/job.h"
 #include "io/label_list.h"
 
-#include <QFutureWatcher>
 #include <QObject>
 
-#include <atomic>
 #include <memory>
 #include <set>
 
@@ -25,18 +23,17 @@ class LabelJob : public QObject {
     Q_OBJECT
 public:
     explicit LabelJob(QObject* parent = nullptr);
-    ~LabelJob() override;
 
     void start(const std::string& path);
-    void drop();   ///< nothing comes any more
-    bool isRunning() const { return isDropped_ != nullptr; }
+    void drop() { job_.drop(); }   ///< nothing comes any more
+    bool isRunning() const { return job_.isRunning(); }
 
 signals:
     void finished(const app::LabelOverview& overview);
     void failed(const core::Message& reason);
 
 private:
-    std::shared_ptr<std::atomic<bool>> isDropped_;   ///< of the running read; null without one
+    Job<LabelOverview> job_;
 };
 
 }   // namespace angiopose::app

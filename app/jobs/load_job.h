@@ -1,15 +1,10 @@
 #pragma once
 
+#include "app/jobs/job.h"
 #include "app/jobs/read_inputs.h"
-#include "core/support/result.h"
 
-#include <QFutureWatcher>
 #include <QObject>
 #include <QStringList>
-#include <QTimer>
-
-#include <atomic>
-#include <memory>
 
 namespace angiopose::app {
 
@@ -19,11 +14,9 @@ class LoadJob : public QObject {
 public:
     explicit LoadJob(QObject* parent = nullptr);
 
-    ~LoadJob() override;
-
     void start(const QStringList& paths, const OpenHints& hints = {});
-    void abandon();
-    bool isRunning() const { return running_; }
+    void abandon() { job_.drop(); }
+    bool isRunning() const { return job_.isRunning(); }
     const QStringList& paths() const { return paths_; }
 
 signals:
@@ -32,19 +25,8 @@ signals:
     void failed(const core::Message& reason);
 
 private:
-    using Outcome = core::Result<LoadedInputs>;
-    /// What job and worker share: it outlives the job when that is dropped first.
-    struct Shared {
-        std::atomic<bool> isStopWished{false};
-        std::atomic<double> fraction{0.0};
-    };
-    void publish();
-
     QStringList paths_;
-    std::shared_ptr<Shared> shared_;
-    QTimer poll_;   ///< looks at the worker's progress
-    QFutureWatcher<Outcome> watcher_;
-    bool running_ = false;
+    Job<LoadedInputs> job_;
 };
 
 }   // namespace angiopose::app

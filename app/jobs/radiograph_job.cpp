@@ -1,23 +1,22 @@
 #include "app/jobs/radiograph_job.h"
 
-#include "app/jobs/future_result.h"
-#include "app/jobs/guarded.h"
 #include "app/jobs/radiograph_source.h"
-
-#include <QtConcurrentRun>
 
 #include <utility>
 
 namespace angiopose::app {
 
-RadiographJob::RadiographJob(QObject* parent) : QObject(parent)
+RadiographJob::RadiographJob(QObject* parent)
+    : QObject(parent),
+      job_({[this](const core::ImageF& picture) {
+                startWaiting();
+                emit made(picture);
+            },
+            [this](const core::Error& error) {
+                startWaiting();
+                emit failed(error.message);
+            }})
 {
-    connect(&watcher_, &QFutureWatcherBase::finished, this, &RadiographJob::publish);
-}
-
-RadiographJob::~RadiographJob()
-{
-    waitFor(watcher_);
 }
 
 void RadiographJob::setInput(core::RegistrationInput input, core::RegistrationOptions options)
@@ -35,12 +34,12 @@ void RadiographJob::clear()
 void RadiographJob::cancel()
 {
     waiting_.reset();
-    cancelled_ = running_;
+    job_.drop();
 }
 
 void RadiographJob::request(const core::RigidTransform& cameraFromPatient)
 {
-    if (running_) {
+    if (job_.isRunning()) {
         waiting_ = cameraFromPatient;
     } else if (source_) {
         start(cameraFromPatient);
@@ -49,28 +48,13 @@ void RadiographJob::request(const core::RigidTransform& cameraFromPatient)
 
 void RadiographJob::start(const core::RigidTransform& cameraFromPatient)
 {
-    running_ = true;
-    cancelled_ = false;
-    watcher_.setFuture(QtConcurrent::run([source = source_, cameraFromPatient] {
-        return guarded<core::ImageF>([&] { return source->from(cameraFromPatient); });
-    }));
+    job_.start([source = source_, cameraFromPatient](JobLink<double>&) { return source->from(cameraFromPatient); });
 }
 
-void RadiographJob::publish()
+void RadiographJob::startWaiting()
 {
-    running_ = false;
-    const core::Result<core::ImageF> outcome = takeResult(watcher_);
-    const bool wasCancelled = std::exchange(cancelled_, false);
     if (const auto next = std::exchange(waiting_, std::nullopt)) {
         start(*next);
-    }
-    if (wasCancelled) {
-        return;
-    }
-    if (outcome) {
-        emit made(outcome.value());
-    } else {
-        emit failed(outcome.error().message);
     }
 }
 

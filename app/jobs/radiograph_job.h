@@ -1,10 +1,10 @@
 #pragma once
 
+#include "app/jobs/job.h"
 #include "core/imaging/image2d.h"
 #include "core/registration/registration.h"
 #include "core/support/result.h"
 
-#include <QFutureWatcher>
 #include <QObject>
 
 #include <memory>
@@ -20,7 +20,6 @@ class RadiographJob : public QObject {
     Q_OBJECT
 public:
     explicit RadiographJob(QObject* parent = nullptr);
-    ~RadiographJob() override;   ///< waits, for one radiograph at most
 
     void setInput(core::RegistrationInput input,
                   core::RegistrationOptions options);   ///< made ready with the next wish
@@ -34,13 +33,11 @@ signals:
 private:
     void cancel();   ///< drops what waits and what is being made
     void start(const core::RigidTransform& cameraFromPatient);
-    void publish();
+    void startWaiting();
 
     std::shared_ptr<RadiographSource> source_;
     std::optional<core::RigidTransform> waiting_;
-    QFutureWatcher<core::Result<core::ImageF>> watcher_;
-    bool running_ = false;
-    bool cancelled_ = false;
+    Job<core::ImageF> job_;
 };
 
 }   // namespace angiopose::app

@@ -1,12 +1,9 @@
 #pragma once
 
-#include "core/support/result.h"
+#include "app/jobs/job.h"
 #include "core/workflow/register_case.h"
 
-#include <QFutureWatcher>
 #include <QObject>
-
-#include <atomic>
 
 namespace angiopose::app {
 
@@ -16,16 +13,15 @@ struct RunReport {
     bool isOfShownView = true;   ///< whose pose it is
 };
 
-/// Registers the open case off the GUI thread: core::registerCase. Every signal arrives on the job's own thread.
+/// Registers the open case off the GUI thread: core::registerCase.
 class RegistrationJob : public QObject {
     Q_OBJECT
 public:
     explicit RegistrationJob(QObject* parent = nullptr);
-    ~RegistrationJob() override;   ///< stops and waits, for one solver iteration or one frame's tracing at most
 
     void start(core::Case theCase, core::RegistrationPlan plan);
-    void requestStop() { stopRequested_ = true; }   ///< returns at once; `finished` or `failed` follows
-    bool isRunning() const { return watcher_.isRunning() || publishPending_; }
+    void requestStop() { job_.requestStop(); }   ///< returns at once; `finished` or `failed` follows
+    bool isRunning() const { return job_.isRunning(); }
 
 signals:
     void advanced(const app::RunReport& report);   ///< at most thirty times a second
@@ -33,13 +29,7 @@ signals:
     void failed(const core::Message& reason);
 
 private:
-    using Outcome = core::Result<core::RegisteredCase>;
-    Outcome run(core::Case theCase, core::RegistrationPlan plan);
-    void publish();
-
-    std::atomic<bool> stopRequested_{false};
-    QFutureWatcher<Outcome> watcher_;
-    bool publishPending_ = false;
+    Job<core::RegisteredCase, RunReport> job_;
 };
 
 }   // namespace angiopose::app

@@ -1,11 +1,6 @@
 #include "app/jobs/trace_job.h"
 
 #include "app/jobs/freed_elsewhere.h"
-#include "app/jobs/future_result.h"
-#include "app/jobs/guarded.h"
-#include "app/jobs/publish_outcome.h"
-
-#include <QtConcurrentRun>
 
 #include <utility>
 
@@ -25,24 +20,13 @@ core::Result<SharedTrace> trace(const TraceRequest& request)
 
 }   // namespace
 
-TraceJob::TraceJob(QObject* parent) : QObject(parent)
-{
-    connect(&watcher_, &QFutureWatcherBase::finished, this, &TraceJob::publish);
-}
+TraceJob::TraceJob(QObject* parent) : QObject(parent), job_(signalsOf<SharedTrace>(*this)) {}
 
 void TraceJob::start(TraceRequest request)
 {
     Q_ASSERT(!isRunning() && request.angiogram && request.frame >= 0 &&
              request.frame < request.angiogram->frameCount());
-    running_ = true;
-    watcher_.setFuture(QtConcurrent::run(
-        [snapshot = std::move(request)] { return guarded<SharedTrace>([&snapshot] { return trace(snapshot); }); }));
-}
-
-void TraceJob::publish()
-{
-    running_ = false;
-    publishOutcome(*this, takeResult(watcher_));
+    job_.start([request = std::move(request)](JobLink<double>&) { return trace(request); });
 }
 
 }   // namespace angiopose::app

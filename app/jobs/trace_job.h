@@ -1,11 +1,11 @@
 #pragma once
 
+#include "app/jobs/job.h"
 #include "core/imaging/angiogram.h"
 #include "core/support/result.h"
 #include "core/tracing/trace_angiogram.h"
 #include "core/vessel/centerline2d.h"
 
-#include <QFutureWatcher>
 #include <QObject>
 
 #include <memory>
@@ -39,17 +39,14 @@ public:
     explicit TraceJob(QObject* parent = nullptr);
 
     void start(TraceRequest request);
-    bool isRunning() const { return running_; }
+    bool isRunning() const { return job_.isRunning(); }
 
 signals:
     void finished(const app::SharedTrace& traced);
     void failed(const core::Message& reason);
 
 private:
-    void publish();
-
-    QFutureWatcher<core::Result<SharedTrace>> watcher_;
-    bool running_ = false;
+    Job<SharedTrace> job_;
 };
 
 }   // namespace angiopose::app

@@ -1,16 +1,9 @@
 #include "app/jobs/vessel_trace_job.h"
 
-#include "app/jobs/future_result.h"
-#include "app/jobs/guarded.h"
-#include "app/jobs/publish_outcome.h"
 #include "io/vessel_input_file.h"
-
-#include <QtConcurrentRun>
 
 namespace angiopose::app {
 namespace {
-
-constexpr int tracePollMs = 60;
 
 core::Result<VesselTrace> traceScan(const VesselTraceRequest& request, const io::ReadObserver& observe)
 {
@@ -44,51 +37,38 @@ core::Result<VesselTrace> traceFile(const VesselTraceRequest& request, const io:
 
 }   // namespace
 
-VesselTraceJob::VesselTraceJob(QObject* parent) : QObject(parent)
-{
-    connect(&watcher_, &QFutureWatcherBase::finished, this, &VesselTraceJob::publish);
-    poll_.setInterval(tracePollMs);
-    connect(&poll_, &QTimer::timeout, this, [this] { emit advanced(shared_->fraction); });
-}
+VesselTraceJob::VesselTraceJob(QObject* parent) : QObject(parent), job_(answers()) {}
 
-VesselTraceJob::~VesselTraceJob()
+/// Stopped is stopped, even where the end was near.
+Job<VesselTrace>::Answers VesselTraceJob::answers()
 {
-    stop();
+    const auto unlessStopped = [this](const auto& answer) {
+        if (stopWished_) {
+            emit stopped();
+        } else {
+            answer();
+        }
+    };
+    return {[this, unlessStopped](const VesselTrace& traced) { unlessStopped([&] { emit finished(traced); }); },
+            [this, unlessStopped](const core::Error& error) { unlessStopped([&] { emit failed(error.message); }); },
+            [this](double fraction) { emit advanced(fraction); }};
 }
 
 void VesselTraceJob::start(VesselTraceRequest request)
 {
     Q_ASSERT(!isRunning());
-    running_ = true;
-    shared_ = std::make_shared<Shared>();
-    poll_.start();
-    watcher_.setFuture(QtConcurrent::run([request = std::move(request), shared = shared_] {
-        const io::ReadObserver observe = [&shared](double fraction) {
-            shared->fraction = fraction;
-            return shared->isStopWished ? core::Verdict::Stop : core::Verdict::Continue;
-        };
-        return guarded<VesselTrace>([&] {
-            const bool isScan = request.volume && request.input.kind == core::VesselInputKind::Volume;
-            return isScan ? traceScan(request, observe) : traceFile(request, observe);
-        });
-    }));
+    stopWished_ = false;
+    job_.start([request = std::move(request)](JobLink<double>& link) {
+        const io::ReadObserver observe = [&link](double fraction) { return link.tell(fraction); };
+        const bool isScan = request.volume && request.input.kind == core::VesselInputKind::Volume;
+        return isScan ? traceScan(request, observe) : traceFile(request, observe);
+    });
 }
 
 void VesselTraceJob::stop()
 {
-    shared_->isStopWished = true;
-}
-
-void VesselTraceJob::publish()
-{
-    running_ = false;
-    poll_.stop();
-    const auto outcome = takeResult(watcher_);
-    if (shared_->isStopWished) {
-        emit stopped();
-    } else {
-        publishOutcome(*this, outcome);
-    }
+    stopWished_ = true;
+    job_.requestStop();
 }
 
 }   // namespace angiopose::app

@@ -1,13 +1,11 @@
 #pragma once
 
+#include "app/jobs/job.h"
 #include "core/case/case.h"
 #include "core/support/result.h"
 
-#include <QFutureWatcher>
 #include <QObject>
-#include <QTimer>
 
-#include <atomic>
 #include <memory>
 
 namespace angiopose::app {
@@ -33,11 +31,10 @@ class VesselTraceJob : public QObject {
     Q_OBJECT
 public:
     explicit VesselTraceJob(QObject* parent = nullptr);
-    ~VesselTraceJob() override;
 
     void start(VesselTraceRequest request);
     void stop();
-    bool isRunning() const { return running_; }
+    bool isRunning() const { return job_.isRunning(); }
 
 signals:
     void advanced(double fraction);
@@ -46,17 +43,10 @@ signals:
     void stopped();
 
 private:
-    /// What job and worker share: it outlives the job when that is dropped first.
-    struct Shared {
-        std::atomic<bool> isStopWished{false};
-        std::atomic<double> fraction{0.0};
-    };
-    void publish();
+    Job<VesselTrace>::Answers answers();
 
-    std::shared_ptr<Shared> shared_ = std::make_shared<Shared>();
-    QTimer poll_;
-    QFutureWatcher<core::Result<VesselTrace>> watcher_;
-    bool running_ = false;
+    bool stopWished_ = false;
+    Job<VesselTrace> job_;
 };
 
 }   // namespace angiopose::app

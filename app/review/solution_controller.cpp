@@ -7,8 +7,6 @@
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
-#include <QtConcurrentRun>
-
 #include <algorithm>
 
 namespace angiopose::app {
@@ -66,7 +64,10 @@ std::vector<ui::SolutionLine> linesOf(const core::Case& current, std::size_t cou
 }   // namespace
 
 SolutionController::SolutionController(const CaseDocument& document, ui::MainWindow& window, QObject* parent)
-    : QObject(parent), document_(document), window_(window)
+    : QObject(parent),
+      document_(document),
+      window_(window),
+      pictures_([this](const Pictures& pictures) { showPictures(pictures); })
 {
     ui::SolutionStrip& strip = window_.result().solutions();
     ui::speak(this, [this] {
@@ -78,20 +79,13 @@ SolutionController::SolutionController(const CaseDocument& document, ui::MainWin
             [this](int index) { emit solutionWanted(static_cast<std::size_t>(index)); });
     connect(&strip, &ui::SolutionStrip::takeRequested, this,
             [this](int index) { emit takeWanted(static_cast<std::size_t>(index)); });
-    connect(&pictures_, &QFutureWatcherBase::finished, this, [this] {
-        const Pictures pictures = pictures_.future().resultCount() > 0 ? pictures_.result() : Pictures{};
-        for (std::size_t i = 0; i < pictures.size(); ++i) {
-            window_.result().solutions().showPicture(static_cast<int>(i), pictures[i]);
-        }
-    });
 }
 
-SolutionController::~SolutionController()
+void SolutionController::showPictures(const Pictures& pictures)
 {
-    if (stopWished_) {
-        *stopWished_ = true;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        window_.result().solutions().showPicture(static_cast<int>(i), pictures[i]);
     }
-    pictures_.waitForFinished();
 }
 
 void SolutionController::showCurrent(std::size_t index)
@@ -113,29 +107,27 @@ void SolutionController::followDocument()
 
 void SolutionController::draw(const std::vector<core::RigidTransform>& poses)
 {
-    if (stopWished_) {
-        *stopWished_ = true;   // of the pictures that nobody wants any more
-    }
-    stopWished_ = std::make_shared<std::atomic<bool>>(false);
+    pictures_.drop();   // nobody wants those of other poses any more
     if (poses.empty()) {
-        pictures_.setFuture({});
         return;
     }
     const int widthPx = window_.result().solutions().pictureWidthPx();
-    pictures_.setFuture(
-        QtConcurrent::run([snapshot = document_.current(), poses, widthPx, stop = stopWished_]() mutable {
-            Pictures pictures;
-            for (const core::RigidTransform& pose : poses) {
-                snapshot.shown().cameraFromPatient = pose;
-                auto picture = *stop ? core::Result<core::ColorImage>(core::Stopped{says::notShown()})
-                                     : drawThumbnail(snapshot, widthPx);
-                if (!picture) {
-                    break;
-                }
-                pictures.push_back(std::move(picture).value());
+    pictures_.start([theCase = document_.current(), poses, widthPx](JobLink<double>& link) -> core::Result<Pictures> {
+        core::Case snapshot = theCase;
+        Pictures pictures;
+        for (const core::RigidTransform& pose : poses) {
+            if (link.verdict() == core::Verdict::Stop) {
+                break;
             }
-            return pictures;
-        }));
+            snapshot.shown().cameraFromPatient = pose;
+            auto picture = drawThumbnail(snapshot, widthPx);
+            if (!picture) {
+                break;
+            }
+            pictures.push_back(std::move(picture).value());
+        }
+        return pictures;
+    });
 }
 
 }   // namespace angiopose::app

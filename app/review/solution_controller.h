@@ -1,12 +1,11 @@
 #pragma once
 
 #include "app/document/case_document.h"
+#include "app/jobs/job.h"
 #include "core/imaging/image2d.h"
 
-#include <QFutureWatcher>
 #include <QObject>
 
-#include <atomic>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -23,7 +22,6 @@ class SolutionController : public QObject {
     Q_OBJECT
 public:
     SolutionController(const CaseDocument& document, ui::MainWindow& window, QObject* parent = nullptr);
-    ~SolutionController() override;
 
     void showCurrent(std::size_t index);   ///< the one that is on screen now
 
@@ -35,12 +33,12 @@ private:
     using Pictures = std::vector<core::ColorImage>;
     void followDocument();
     void draw(const std::vector<core::RigidTransform>& poses);
+    void showPictures(const Pictures& pictures);
 
     const CaseDocument& document_;
     ui::MainWindow& window_;
     std::vector<core::RigidTransform> shown_;   ///< poses in the strip
-    std::shared_ptr<std::atomic<bool>> stopWished_;   ///< of the drawing under way
-    QFutureWatcher<Pictures> pictures_;
+    Job<Pictures> pictures_;
 };
 
 }   // namespace angiopose::app

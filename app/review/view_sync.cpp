@@ -11,8 +11,6 @@
 #include "ui/views/tree_view.h"
 #include "ui/words/spoken.h"
 
-#include <QtConcurrentRun>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -63,9 +61,11 @@ std::vector<double> relativeToFullest(std::vector<double> shares)
 }   // namespace
 
 ViewSync::ViewSync(ui::MainWindow& window, const CaseDocument& document, QObject* parent)
-    : QObject(parent), window_(window), document_(document)
+    : QObject(parent),
+      window_(window),
+      document_(document),
+      opacification_([this](const Measured& measured) { takeMeasured(measured); })
 {
-    connect(&opacification_, &QFutureWatcherBase::finished, this, &ViewSync::publishMeasured);
     ui::speak(this, [this] {
         showFrameNote();
         showCornerTexts();
@@ -266,22 +266,18 @@ void ViewSync::measureOpacification()
     frameCurve_ = {};
     suggestedMasks_.clear();
     window_.strip().showFrames(frameCurve_);
-    opacification_.setFuture({});
+    opacification_.drop();
     if (measuredRun_ && measuredRun_->frameCount() > 1) {
-        opacification_.setFuture(QtConcurrent::run([run = measuredRun_] {
+        opacification_.start([run = measuredRun_](JobLink<double>&) -> core::Result<Measured> {
             return Measured{core::opacificationCurve(run->frames, run->polarity),
                             core::suggestMaskFrames(run->frames, run->polarity)};
-        }));
+        });
     }
     emit runMeasured();
 }
 
-void ViewSync::publishMeasured()
+void ViewSync::takeMeasured(const Measured& measured)
 {
-    if (!measuredRun_ || opacification_.future().resultCount() == 0) {
-        return;
-    }
-    const Measured measured = opacification_.result();
     frameCurve_ = {relativeToFullest(measured.opacification), measuredRun_->suggestedFrame, measuredRun_->frameTimeMs};
     suggestedMasks_ = measured.masks;
     window_.strip().showFrames(frameCurve_);

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "app/document/case_document.h"
+#include "app/jobs/job.h"
 #include "app/jobs/judge_job.h"
 #include "app/jobs/trace_job.h"
 #include "ui/plots/frame_bars.h"
 #include "ui/scenes/overlay_scene.h"
 
-#include <QFutureWatcher>
 #include <QObject>
 
 #include <optional>
@@ -58,7 +58,7 @@ private:
     void showCornerTexts();
     void showFrameNote();
     void measureOpacification();
-    void publishMeasured();
+    void takeMeasured(const Measured& measured);
 
     ui::MainWindow& window_;
     const CaseDocument& document_;
@@ -75,7 +75,7 @@ private:
     std::shared_ptr<const core::Angiogram> measuredRun_;
     ui::FrameCurve frameCurve_;
     std::vector<int> suggestedMasks_;
-    QFutureWatcher<Measured> opacification_;
+    Job<Measured> opacification_;
 };
 
 }   // namespace angiopose::app

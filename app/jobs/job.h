@@ -1,0 +1,151 @@
+#pragma once
+
+#include "app/jobs/future_result.h"
+#include "app/jobs/guarded.h"
+#include "core/support/verdict.h"
+
+#include <QFutureWatcher>
+#include <QObject>
+#include <QTimer>
+#include <QtConcurrentRun>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace angiopose::app {
+
+/// What running work shares with the job that waits for it; outlives both.
+template <class Report>
+class JobLink {
+public:
+    /// By the worker, as often as it likes: the newest report counts. Stop once that is wished.
+    core::Verdict tell(Report report)
+    {
+        const std::lock_guard lock(mutex_);
+        report_ = std::move(report);
+        return verdict();
+    }
+    core::Verdict verdict() const { return isStopWished_ ? core::Verdict::Stop : core::Verdict::Continue; }
+
+    void wishStop() { isStopWished_ = true; }
+    std::optional<Report> takeReport()
+    {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(report_, std::nullopt);
+    }
+
+private:
+    std::atomic<bool> isStopWished_{false};
+    std::mutex mutex_;
+    std::optional<Report> report_;
+};
+
+/// Work off the window's thread, one piece at a time: a snapshot goes in; reports, at most thirty a second, and one
+/// outcome come out on the thread that made the job. A job that is destroyed wishes its work to stop and lets go of it,
+/// without waiting.
+template <class Found, class Report = double>
+class Job {
+public:
+    using Link = JobLink<Report>;
+    using Outcome = core::Result<Found>;
+    using Work = std::function<Outcome(Link&)>;   ///< gets all it needs by value; what it throws becomes an error
+
+    struct Answers {
+        std::function<void(const Found&)> finished;
+        std::function<void(const core::Error&)> failed;   ///< nothing was found, or it was stopped before
+        std::function<void(const Report&)> advanced = {};
+    };
+
+    explicit Job(Answers answers) : answers_(std::move(answers))
+    {
+        poll_.setInterval(33);   // what the eye can follow
+        QObject::connect(&poll_, &QTimer::timeout, &poll_, [this] { tellNews(); });
+    }
+    /// For what is merely not shown where it cannot be found.
+    explicit Job(std::function<void(const Found&)> finished)
+        : Job(Answers{std::move(finished), [](const core::Error&) {}})
+    {
+    }
+    ~Job() { drop(); }
+    Job(const Job&) = delete;
+    Job& operator=(const Job&) = delete;
+
+    void start(Work work)   ///< what is under way is dropped
+    {
+        drop();
+        link_ = std::make_shared<Link>();
+        watcher_ = std::make_unique<QFutureWatcher<Outcome>>();
+        QObject::connect(watcher_.get(), &QFutureWatcherBase::finished, &poll_, [this] { publish(); });
+        poll_.start();
+        watcher_->setFuture(QtConcurrent::run([link = link_, work = std::move(work)]() -> Outcome {
+            return guarded<Found>([&] { return work(*link); });
+        }));
+    }
+
+    void requestStop()   ///< returns at once; an answer follows
+    {
+        if (link_) {
+            link_->wishStop();
+        }
+    }
+
+    void drop()   ///< stops the work, and nothing comes any more
+    {
+        requestStop();
+        link_.reset();
+        watcher_.reset();
+        poll_.stop();
+    }
+
+    bool isRunning() const { return link_ != nullptr; }
+
+private:
+    void tellNews()
+    {
+        if (auto report = link_->takeReport(); report && answers_.advanced) {
+            answers_.advanced(*report);
+        }
+    }
+
+    void publish()
+    {
+        const auto link = link_;
+        tellNews();
+        if (link != link_) {
+            return;   // dropped by who heard of it
+        }
+        const Outcome outcome = takeResult(*watcher_);
+        link_.reset();
+        poll_.stop();
+        watcher_.release()->deleteLater();   // its signal is being answered
+        if (outcome) {
+            answers_.finished(outcome.value());
+        } else {
+            answers_.failed(outcome.error());
+        }
+    }
+
+    Answers answers_;
+    QTimer poll_;
+    std::shared_ptr<Link> link_;   ///< of what is under way, else null
+    std::unique_ptr<QFutureWatcher<Outcome>> watcher_;
+};
+
+/// Answers that are signals of `owner`: finished(found), failed(message) and, where it has that, advanced(report).
+template <class Found, class Report = double, class Owner>
+typename Job<Found, Report>::Answers signalsOf(Owner& owner)
+{
+    typename Job<Found, Report>::Answers answers{
+        [&owner](const Found& found) { emit owner.finished(found); },
+        [&owner](const core::Error& error) { emit owner.failed(error.message); }};
+    if constexpr (requires(const Report& report) { owner.advanced(report); }) {
+        answers.advanced = [&owner](const Report& report) { emit owner.advanced(report); };
+    }
+    return answers;
+}
+
+}   // namespace angiopose::app
