@@ -213,7 +213,7 @@ void AuxiliaryController::start()
         return;
     }
     const core::Vector6d priorStd =
-        core::startPrior({}, current.options).std;   // what the solver believes of a start pose
+        core::startPrior({}, current.options).std();   // what the solver believes of a start pose
     job_.setFuture(QtConcurrent::run(
         [tree = current.vessels.tree, camera = camera.value(), pose = current.shown().cameraFromPatient,
          excluded = current.vessels.excludedBranchIds, chosen = current.vessels.auxiliaryBranchIds, priorStd] {

@@ -68,7 +68,8 @@ struct DistanceMetrics {
     double reverseMeanPx = 0.0, reverseMeanMm = 0.0;
 };
 
-/// Pose covariance about the tree's centroid in camera axes (ALGORITHMS §6.10).
+/// Pose covariance about the tree's centroid (centroidInPatient of the whole tree, whatever is excluded) in camera axes
+/// (ALGORITHMS §6.10).
 /// Order: rotation x, y, z (rad), translation x, y, z (mm); x right, y down on the detector up to sign, z along the
 /// ray.
 struct PoseUncertainty {

@@ -144,7 +144,7 @@ PoseFreedom freedomOf(const RegistrationInput& input, const PoseLocks& locks, co
 {
     const PoseFreedom::Frame frame{
         input.lockReference.value_or(problem.start).rotation,
-        input.lockPivotInPatient.value_or(centroidInPatient(input.tree)) - problem.tree.centroid};
+        input.lockPivotInPatient.value_or(problem.wholeTreeCentroid) - problem.tree.centroid};
     return {locks, frame, aboutCentroid(problem.start, problem.tree.centroid)};
 }
 
@@ -169,6 +169,7 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
                      input.initialCameraFromPatient.translation};
     const bool isEven = options.resample != 0.0;
     problem.tree = samplesOf(isEven ? resampled(tree, options.pointSpacingMm) : tree);
+    problem.wholeTreeCentroid = centroidInPatient(input.tree);
     markNodes(tree, problem.tree);
     problem.target = sampledTarget(input.target, options);
     for (const VesselBranch& branch : tree.branches) {

@@ -15,7 +15,7 @@ struct TreeSamples {
     std::vector<int> branchIndex;   ///< into branchIds, ascending
     std::vector<std::uint8_t> isNode;   ///< 1: stands for a bifurcation or an end
     std::vector<int> branchIds;   ///< of the used branches, in the tree's order
-    Eigen::Vector3d centroid = Eigen::Vector3d::Zero();   ///< mean of the points
+    Eigen::Vector3d centroid = Eigen::Vector3d::Zero();   ///< mean of the points; what methods turn them about
     double spreadMm = 1.0;   ///< ρ: rms distance of the points from their centroid
 
     std::size_t size() const { return points.size(); }
@@ -37,6 +37,7 @@ struct RegistrationProblem {
     ProjectionCamera camera;
     RigidTransform start;   ///< cameraFromPatient, exactly rigid
     TreeSamples tree;   ///< without the excluded branches
+    Eigen::Vector3d wholeTreeCentroid = Eigen::Vector3d::Zero();   ///< by length, excluded branches too: what users see
     PoseFreedom freedom;   ///< by the options' locks
     TargetSamples target;
     std::vector<Eigen::Vector3d> givenTreePoints;   ///< of the used branches, before resampling

@@ -10,7 +10,8 @@ namespace angiopose::core {
 double meanShiftMm(const TreeSamples& tree, const RigidTransform& a, const RigidTransform& b);
 
 /// The same to be expected from a covariance: root mean square over the tree's points, 1-σ.
-double expectedShiftMm(const TreeSamples& tree, const RigidTransform& pose, const PoseUncertainty& uncertainty);
+double expectedShiftMm(const RegistrationProblem& problem, const RigidTransform& pose,
+                       const PoseUncertainty& uncertainty);
 
 /// How far the pose slides when it is refined where it is: large when the vessels fit better close by.
 double settlingShiftMm(const RegistrationProblem& problem, const TargetLines& target, const RigidTransform& pose,

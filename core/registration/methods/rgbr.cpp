@@ -154,8 +154,9 @@ CentroidPose Rgbr::chooseByRansac(const std::vector<Correspondence>& pairs, cons
 /// Least distances to the edges' rays, held to where it comes from as far as one view leaves the pose open.
 CentroidPose Rgbr::fit(std::span<const Correspondence> pairs, const CentroidPose& from) const
 {
-    StartPrior prior{from, {}, freedom_};
-    prior.std << rotationStd, rotationStd, rotationStd, lateralStdMm, lateralStdMm, gradientDepthStdMm;
+    Vector6d std;
+    std << rotationStd, rotationStd, rotationStd, lateralStdMm, lateralStdMm, gradientDepthStdMm;
+    const StartPrior prior = independentPrior(from, std, freedom_);
     CentroidPose pose = from;
     for (int step = 0; step < fitSteps; ++step) {
         NormalEquations equations;

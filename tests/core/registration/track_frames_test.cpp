@@ -127,10 +127,10 @@ TEST(MotionModel, LearnsTheAxisOfTheMotion)
         model.advance(pose);
     }
     EXPECT_LT((stepBetween(pose, model.predict().start) - step).norm(), 1e-9);
-    const double before = model.predict().std[3];
+    const double before = model.predict().std()[3];
     model.advance({});
     EXPECT_LT(stepBetween(pose, model.predict().start).norm(), 1e-9);
-    EXPECT_GT(model.predict().std[3], before);
+    EXPECT_GT(model.predict().std()[3], before);
 }
 
 }   // namespace
