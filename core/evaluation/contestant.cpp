@@ -21,19 +21,12 @@ std::vector<std::string> split(const std::string& text, char separator)
     return parts;
 }
 
-bool appliesTo(const OptionField& field, const std::string& method)
-{
-    return field.methods.empty() ||
-           std::find(field.methods.begin(), field.methods.end(), method) != field.methods.end();
-}
-
-/// "preset=seed_mean" for "seed_mean": the one option of the method with a choice of this name.
+/// "preset=seed_mean" for "seed_mean": the one option of the method with a choice of this name. "on" is none.
 Result<std::string> assignmentOf(const std::string& setting, const std::string& method)
 {
     std::vector<std::string> found;
     for (const OptionField& field : optionFields()) {
-        if (appliesTo(field, method) &&
-            std::find(field.choices.begin(), field.choices.end(), setting) != field.choices.end()) {
+        if (isFor(field, method) && std::holds_alternative<ChoiceOption>(field.type) && valueFrom(field, setting)) {
             found.push_back(std::string(field.key) + "=" + setting);
         }
     }
@@ -126,7 +119,7 @@ RegistrationOptions optionsFor(const Contestant& contestant, bool targetIsExact)
 {
     RegistrationOptions options = contestant.options;
     if (targetIsExact && !contestant.choosesSpacing && options.method != ownMethod) {
-        options.resample = 0;
+        options.resample = false;
     }
     return options;
 }

@@ -23,13 +23,13 @@ struct MethodSolution {
 };
 
 /// Solves a checked problem. Reports every iteration to `progress` and returns at once when told to stop.
-using MethodFunction = MethodSolution (*)(const RegistrationProblem& problem, const RegistrationOptions& options,
-                                          ProgressLog& progress);
+using MethodSolver = MethodSolution(const RegistrationProblem& problem, const RegistrationOptions& options,
+                                    ProgressLog& progress);
 
 /// One row of the table of methods.
 struct Method {
     MethodInfo info;
-    MethodFunction solve = nullptr;
+    MethodSolver* solve = nullptr;
     bool heedsLocks = true;   ///< can leave locked degrees of freedom as they are
 };
 

@@ -1,16 +1,5 @@
 #include "core/registration/method.h"
-#include "core/registration/methods/angiopose.h"
-#include "core/registration/methods/assembled_icp.h"
-#include "core/registration/methods/automask.h"
-#include "core/registration/methods/dt_icp.h"
-#include "core/registration/methods/dynaweight.h"
-#include "core/registration/methods/evolution.h"
-#include "core/registration/methods/gradient_matching.h"
-#include "core/registration/methods/iterative_pnp.h"
-#include "core/registration/methods/nicp.h"
-#include "core/registration/methods/ogmm.h"
-#include "core/registration/methods/particle.h"
-#include "core/registration/methods/rgbr.h"
+#include "core/registration/methods/methods.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration/registration_options.h"
+#include "core/registration/option_fields.h"
 
 #include <cmath>
 #include <type_traits>
@@ -10,50 +10,85 @@ namespace angiopose::core::option_fields {
 
 using Options = RegistrationOptions;
 
-template <auto Field>
-double read(const Options& options)
+/// The member at the end of a path of members.
+template <auto First, auto... Rest, class Object>
+auto& at(Object& object)
 {
-    return static_cast<double>(options.*Field);
-}
-
-template <auto Field>
-void write(Options& options, double value)
-{
-    using Value = std::remove_reference_t<decltype(options.*Field)>;
-    if constexpr (std::is_integral_v<Value>) {
-        options.*Field = static_cast<Value>(std::lround(value));
+    if constexpr (sizeof...(Rest) == 0) {
+        return object.*First;
     } else {
-        options.*Field = value;
+        return at<Rest...>(object.*First);
     }
 }
 
-/// A number between two limits.
-template <auto Field>
-OptionField number(std::string_view key, std::string_view label, std::string_view unit, std::string_view help)
+template <auto... Path>
+using ValueAt = std::remove_reference_t<decltype(at<Path...>(std::declval<Options&>()))>;
+
+template <auto... Path>
+OptionValue read(const Options& options)
 {
-    OptionField field;
-    field.key = key;
-    field.label = label;
-    field.unit = unit;
-    field.help = help;
-    field.read = read<Field>;
-    field.write = write<Field>;
-    return field;
+    const auto value = at<Path...>(options);
+    if constexpr (std::is_same_v<ValueAt<Path...>, bool>) {
+        return value;
+    } else if constexpr (std::is_enum_v<ValueAt<Path...>>) {
+        return static_cast<std::size_t>(value);
+    } else {
+        return static_cast<double>(value);
+    }
 }
 
-inline OptionField within(OptionField field, double min, double max, int decimals)
+template <auto... Path>
+void write(Options& options, const OptionValue& value)
 {
-    field.min = min;
-    field.max = max;
-    field.decimals = decimals;
-    return field;
+    using Value = ValueAt<Path...>;
+    if constexpr (std::is_same_v<Value, bool>) {
+        at<Path...>(options) = std::get<bool>(value);
+    } else if constexpr (std::is_enum_v<Value>) {
+        at<Path...>(options) = static_cast<Value>(std::get<std::size_t>(value));
+    } else if constexpr (std::is_integral_v<Value>) {
+        at<Path...>(options) = static_cast<Value>(std::lround(std::get<double>(value)));
+    } else {
+        at<Path...>(options) = std::get<double>(value);
+    }
 }
 
-inline OptionField choice(OptionField field, std::vector<std::string_view> choices)
+/// Key, label and help of a row.
+struct Words {
+    std::string_view key, label, help;
+};
+
+template <auto... Path>
+OptionField row(const Words& words, OptionType type)
 {
-    field.max = static_cast<double>(choices.size() - 1);
-    field.choices = std::move(choices);
-    return field;
+    return {words.key, words.label, words.help, std::move(type), {}, read<Path...>, write<Path...>};
+}
+
+template <auto... Path>
+OptionField toggle(const Words& words)
+{
+    static_assert(std::is_same_v<ValueAt<Path...>, bool>);
+    return row<Path...>(words, SwitchOption{});
+}
+
+template <auto... Path>
+OptionField choice(const Words& words, std::vector<std::string_view> names)
+{
+    static_assert(std::is_enum_v<ValueAt<Path...>>);
+    return row<Path...>(words, ChoiceOption{std::move(names)});
+}
+
+template <auto... Path>
+OptionField number(const Words& words, const NumberOption& number)
+{
+    static_assert(std::is_same_v<ValueAt<Path...>, double>);
+    return row<Path...>(words, number);
+}
+
+template <auto... Path>
+OptionField count(const Words& words, int min, int max)
+{
+    static_assert(std::is_same_v<ValueAt<Path...>, int>);
+    return row<Path...>(words, NumberOption{"", static_cast<double>(min), static_cast<double>(max), 0});
 }
 
 inline OptionField onlyFor(std::vector<std::string_view> methods, OptionField field)

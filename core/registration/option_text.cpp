@@ -2,45 +2,42 @@
 
 #include "core/messages/says.h"
 
-#include <algorithm>
 #include <charconv>
 
 namespace angiopose::core {
 
-Result<double> optionValue(const OptionField& field, const std::string& text)
+Result<OptionValue> optionValue(const OptionField& field, const std::string& text)
 {
-    const auto choice = std::find(field.choices.begin(), field.choices.end(), text);
-    if (choice != field.choices.end()) {
-        return static_cast<double>(choice - field.choices.begin());
+    if (const auto named = valueFrom(field, text)) {
+        return *named;
     }
-    double value = 0.0;
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
+    double number = 0.0;
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
     if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size()) {
         return Error(says::optionNeedsValue(field.key, text));
     }
-    if (!(value >= field.min && value <= field.max)) {
-        return Error(says::optionValueOutOfRange(field.key, Quantity{field.min, Quantity::asNeeded},
-                                                 Quantity{field.max, Quantity::asNeeded}, text));
+    if (const auto value = valueFrom(field, number)) {
+        return *value;
     }
-    return value;
+    const OptionRange range = rangeOf(field);
+    return Error(says::optionValueOutOfRange(field.key, Quantity{range.min, Quantity::asNeeded},
+                                             Quantity{range.max, Quantity::asNeeded}, text));
 }
 
 Status setOption(RegistrationOptions& options, const std::string& assignment)
 {
     const std::size_t equals = assignment.find('=');
     const std::string key = assignment.substr(0, equals);
-    for (const OptionField& field : optionFields()) {
-        if (field.key != key) {
-            continue;
-        }
-        const auto value = optionValue(field, equals == std::string::npos ? "" : assignment.substr(equals + 1));
-        if (!value) {
-            return value.error();
-        }
-        field.write(options, value.value());
-        return Done{};
+    const OptionField* field = findOption(key);
+    if (field == nullptr) {
+        return Error(says::noSuchOption(key));
     }
-    return Error(says::noSuchOption(key));
+    const auto value = optionValue(*field, equals == std::string::npos ? "" : assignment.substr(equals + 1));
+    if (!value) {
+        return value.error();
+    }
+    field->write(options, value.value());
+    return Done{};
 }
 
 }   // namespace angiopose::core

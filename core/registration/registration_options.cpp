@@ -2,6 +2,7 @@
 
 #include "core/messages/says.h"
 #include "core/registration/method.h"
+#include "core/registration/option_fields.h"
 
 #include <algorithm>
 
@@ -31,10 +32,10 @@ std::optional<Message> findProblem(const RegistrationOptions& options)
         return says::noSuchMethod(options.method, known);
     }
     for (const OptionField& field : optionFields()) {
-        const double value = field.read(options);
-        if (!(value >= field.min && value <= field.max)) {
-            return says::optionOutOfRange(field.key, Quantity{field.min, Quantity::asNeeded},
-                                          Quantity{field.max, Quantity::asNeeded});
+        if (!isInRange(field, options)) {
+            const OptionRange range = rangeOf(field);
+            return says::optionOutOfRange(field.key, Quantity{range.min, Quantity::asNeeded},
+                                          Quantity{range.max, Quantity::asNeeded});
         }
     }
     return findProblem(options.locks, *findMethod(options.method));

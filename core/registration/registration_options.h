@@ -7,7 +7,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace angiopose::core {
 
@@ -18,80 +17,136 @@ enum class PriorPreset { SeedSum, SeedMean, SeedMetric, NoPrior };
 /// nodes where none is chosen; the nodes; the widest branches, up to a third of the length; random points.
 enum class AuxiliarySet { Chosen, Nodes, MainBranches, Random };
 
-/// Settings of every method; each method reads those that the table below gives it.
-struct RegistrationOptions {
-    std::string method = "angiopose";
+/// How nearest points are found: exactly by tree (the reproduction mode) or by buckets, or from a table that is right
+/// to within its cells.
+enum class IndexKind { KdTree, Grid, Map };
 
-    double pointSpacingMm = 1.0;   ///< tree points are this far apart
-    double targetSpacingPx = 1.0;   ///< target points are this far apart
-    double resample = 1;   ///< 1: points evenly spaced as above, 0: as they are
-    int maxIterations = 60;
-    double finalScalePx = 1.0;   ///< kernel width at which the annealing ends
+/// Where ℓ starts: at the largest distance d (at most half the image diagonal), or, as the paper prints it, at d²
+/// (ALGORITHMS §2, decision 14).
+enum class StartScale { Largest, LargestSquared };
 
-    // dynaweight, iterative-pnp
-    double preset = 1;   ///< index into PriorPreset
+/// When the kernel width ℓ shrinks (ALGORITHMS §3.1).
+enum class Decay {
+    Halving,   ///< ÷2 every five accepted steps: the seed
+    Stagnation   ///< ×0.7 after at least ten steps, once no further point comes within reach: RKHS-BA
+};
+
+/// Which target points pull a tree point (Δ of the seed, ALGORITHMS §2, decision 18).
+enum class Neighbours {
+    Closest,
+    Five,   ///< the five nearest
+    Radius   ///< all within three kernel widths, the nearest 64 at most
+};
+
+/// What dynaweight and iterative-pnp go by; other methods on points read what they share with them.
+struct SeedOptions {
+    PriorPreset preset = PriorPreset::SeedMean;
     double priorWeight = 100.0;   ///< λ of the pull towards the start pose
-    double rotationFirst = 1;   ///< 1: a rotation-only solve comes first
-    double alternation = 1;   ///< 1: auxiliary and full problem take turns
-    double index = 0;   ///< index into IndexKind: how nearest points are found
-    double startScale = 1;   ///< index into StartScale
-    double decay = 0;   ///< index into Decay: when the kernel narrows
-
-    double neighbours = 0;   ///< index into Neighbours: how many target points pull each tree point
-
-    // every method that alternates
-    double auxiliary = 0;   ///< index into AuxiliarySet
+    bool rotationFirst = true;   ///< a rotation-only solve comes first
+    bool alternation = true;   ///< auxiliary and full problem take turns
+    IndexKind index = IndexKind::KdTree;
+    StartScale startScale = StartScale::LargestSquared;
+    Decay decay = Decay::Halving;
+    Neighbours neighbours = Neighbours::Closest;   ///< how many target points pull each tree point
+    AuxiliarySet auxiliary = AuxiliarySet::Chosen;
     int auxiliaryCount = 60;   ///< points of AuxiliarySet::Random
 
-    // dt-icp, assembled-icp
-    int icpIterations = 100;
-    double alternate = 0;   ///< 1: inside the alternating search
+    bool operator==(const SeedOptions&) const = default;
+};
+
+/// Damped steps with fresh matches, or L-BFGS on the squared distances.
+enum class DescentSolver { DampedSteps, Lbfgs };
+
+/// Affine: an affine stage follows, its rigid part is kept if it fits better.
+enum class IcpModel { Rigid, Affine };
+
+/// dt-icp, assembled-icp.
+struct IcpOptions {
+    int iterations = 100;
+    bool alternate = false;   ///< inside the alternating search
     double huberPx = 5.0;   ///< distance from which pulls stop growing
-    double icpSolver = 0;   ///< 0: Levenberg–Marquardt with fresh matches, 1: L-BFGS on the squared distances
-    double icpModel = 0;   ///< 0: rigid, 1: an affine stage follows, its rigid part is kept if it fits better
+    DescentSolver solver = DescentSolver::DampedSteps;
+    IcpModel model = IcpModel::Rigid;
 
-    // nicp, nicp-alternating
-    double nicpImage = 0;   ///< 0: attracted by the traced vessels, 1: by the brightness of the image
-    double nicpStep = 0;   ///< 0: turns and shifts in balance, 1: raw radians and millimetres
-    double nicpPrior = 0;   ///< 1: with the prior of `preset` and `priorWeight`
-    double nicpStartScalePx = 20.0;
-    double nicpFinalScalePx = 3.0;
-    int nicpIterations = 300;   ///< per scale
+    bool operator==(const IcpOptions&) const = default;
+};
 
-    // rgbr
-    double rgbrReachMm = 20.0;   ///< first search along the normals
-    int rgbrHypotheses = 500;
-    int rgbrRounds = 30;
+/// What attracts the tree.
+enum class NicpImage { TracedVessels, Brightness };
 
-    // automask
-    double automaskSample = 100.0;   ///< % of the mask
-    double automaskMarginPx = 8.0;
-    int automaskEvaluations = 1000;
+/// How the gradient becomes a step: rotations scaled by the depth, so that both move the image alike, or raw radians
+/// beside millimetres, where rotation takes it all (ALGORITHMS §3.3).
+enum class StepMetric { Balanced, Literal };
 
-    // gradient-matching
-    double gradientScalePx = 1.5;
+/// nicp, nicp-alternating.
+struct NicpOptions {
+    NicpImage image = NicpImage::TracedVessels;
+    StepMetric step = StepMetric::Balanced;
+    bool prior = false;   ///< with the prior of SeedOptions
+    double startScalePx = 20.0;
+    double finalScalePx = 3.0;
+    int iterations = 300;   ///< per scale
+
+    bool operator==(const NicpOptions&) const = default;
+};
+
+struct RgbrOptions {
+    double reachMm = 20.0;   ///< first search along the normals
+    int hypotheses = 500;
+    int rounds = 30;
+
+    bool operator==(const RgbrOptions&) const = default;
+};
+
+struct AutoMaskOptions {
+    double sample = 100.0;   ///< % of the mask
+    double marginPx = 8.0;
+    int evaluations = 1000;
+
+    bool operator==(const AutoMaskOptions&) const = default;
+};
+
+/// gradient-matching.
+struct GradientOptions {
+    double scalePx = 1.5;
     int powellRounds = 20;
 
-    // ogmm
-    double ogmmStartScalePx = 15.0;
-    double ogmmFinalScalePx = 0.5;
-    double ogmmOrientation = 0.3;   ///< kernel width of the directions
-    double ogmmSelfWeight = 1.0;   ///< of the term that keeps the projected tree from collapsing
+    bool operator==(const GradientOptions&) const = default;
+};
 
-    // evolution
-    double evolutionStrategy = 0;   ///< 0: CMA-ES, 1: (1+1)
-    int evolutionPopulation = 16;
-    int evolutionEvaluations = 3000;
+struct OgmmOptions {
+    double startScalePx = 15.0;
+    double finalScalePx = 0.5;
+    double orientation = 0.3;   ///< kernel width of the directions
+    double selfWeight = 1.0;   ///< of the term that keeps the projected tree from collapsing
 
-    // particle
-    double particleSearch = 0;   ///< 0: annealed particle filter, 1: over the out-of-plane angles (Tian)
-    int particles = 500;
-    int particleRounds = 8;
+    bool operator==(const OgmmOptions&) const = default;
+};
 
-    int randomSeed = 1;   ///< of the methods that draw lots
+enum class EvolutionStrategy { CovarianceMatrix, OnePlusOne };
 
-    // angiopose
-    double search = 1;   ///< 1: coarse search before refining, 0: refine the start pose only
+struct EvolutionOptions {
+    EvolutionStrategy strategy = EvolutionStrategy::CovarianceMatrix;
+    int population = 16;
+    int evaluations = 3000;
+
+    bool operator==(const EvolutionOptions&) const = default;
+};
+
+/// An annealed particle filter, or a walk over the out-of-plane angles (Tian).
+enum class ParticleSearchKind { Filter, OutOfPlane };
+
+struct ParticleOptions {
+    ParticleSearchKind search = ParticleSearchKind::Filter;
+    int count = 500;
+    int rounds = 8;
+
+    bool operator==(const ParticleOptions&) const = default;
+};
+
+/// angiopose. The errors of the start pose hold for the covariance of every method.
+struct AngioPoseOptions {
+    bool search = true;   ///< coarse search before refining; else the start pose only
     double searchRadiusMm = 130.0;   ///< lateral reach of the coarse search; only starts that do not fit need it
     double searchTiltDeg = 90.0;   ///< reach of the search in LAO/RAO and CRA/CAU
     double searchRollDeg = 180.0;   ///< reach of the search in roll
@@ -99,27 +154,35 @@ struct RegistrationOptions {
     double priorLateralMm = 30.0;   ///< 1-σ of the start pose across the ray
     double priorDepthMm = 30.0;   ///< 1-σ of the start pose along the ray
 
+    bool operator==(const AngioPoseOptions&) const = default;
+};
+
+/// Which method runs, what every method reads, and the settings of each. Described for users by optionFields().
+struct RegistrationOptions {
+    std::string method = "angiopose";
+
+    double pointSpacingMm = 1.0;   ///< tree points are this far apart
+    double targetSpacingPx = 1.0;   ///< target points are this far apart
+    bool resample = true;   ///< points evenly spaced as above, or as they are
+    int maxIterations = 60;
+    double finalScalePx = 1.0;   ///< kernel width at which the annealing ends
+    int randomSeed = 1;   ///< of the methods that draw lots
+
+    AngioPoseOptions angiopose{};
+    SeedOptions seed{};
+    IcpOptions icp{};
+    NicpOptions nicp{};
+    RgbrOptions rgbr{};
+    AutoMaskOptions automask{};
+    GradientOptions gradient{};
+    OgmmOptions ogmm{};
+    EvolutionOptions evolution{};
+    ParticleOptions particle{};
+
     PoseLocks locks{};   ///< degrees of freedom that stay as they are at the start; for all methods but a few
 
     bool operator==(const RegistrationOptions&) const = default;
 };
-
-/// One option described once: panel, range check, command line and case file loop over the table.
-struct OptionField {
-    std::string_view key;   ///< in files and on the command line
-    std::string_view label;   ///< in the window
-    std::string_view unit;   ///< "px", "mm", "°" or empty
-    std::string_view help;   ///< the effect, one sentence
-    double min = 0.0;
-    double max = 0.0;
-    int decimals = 0;   ///< 0: whole numbers
-    std::vector<std::string_view> choices;   ///< not empty: the value is an index into these
-    std::vector<std::string_view> methods;   ///< ids it applies to; empty: all
-    double (*read)(const RegistrationOptions&);
-    void (*write)(RegistrationOptions&, double);
-};
-
-const std::vector<OptionField>& optionFields();
 
 /// A method as users meet it.
 struct MethodInfo {

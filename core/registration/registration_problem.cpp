@@ -167,7 +167,7 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
     problem.camera = input.camera;
     problem.start = {nearestRotation(input.initialCameraFromPatient.rotation),
                      input.initialCameraFromPatient.translation};
-    const bool isEven = options.resample != 0.0;
+    const bool isEven = options.resample;
     problem.tree = samplesOf(isEven ? resampled(tree, options.pointSpacingMm) : tree);
     problem.wholeTreeCentroid = centroidInPatient(input.tree);
     markNodes(tree, problem.tree);
@@ -190,7 +190,7 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
 
 TargetSamples sampledTarget(const Centerline2d& target, const RegistrationOptions& options)
 {
-    return samplesOf(options.resample != 0.0 ? resampled(target, options.targetSpacingPx) : target);
+    return samplesOf(options.resample ? resampled(target, options.targetSpacingPx) : target);
 }
 
 }   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include "io/messages/says.h"
 #include "io/support/numbers.h"
 
-#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace angiopose::io {
@@ -12,14 +12,15 @@ std::string optionsJson(const core::RegistrationOptions& options)
 {
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     for (const core::OptionField& field : core::optionFields()) {
-        const double value = field.read(options);
-        const auto choice = static_cast<std::size_t>(value);
-        if (!field.choices.empty() && value >= 0.0 && choice < field.choices.size()) {
-            json[std::string(field.key)] = field.choices[choice];
-        } else if (value == std::floor(value) && std::abs(value) < 1e9) {
-            json[std::string(field.key)] = static_cast<int>(value);
+        const core::OptionValue value = field.read(options);
+        const auto* number = std::get_if<double>(&value);
+        const std::string key(field.key);
+        if (number == nullptr) {
+            json[key] = core::nameOf(field, value);
+        } else if (*number == std::floor(*number) && std::abs(*number) < 1e9) {
+            json[key] = static_cast<int>(*number);
         } else {
-            json[std::string(field.key)] = value;
+            json[key] = *number;
         }
     }
     return json.dump();
@@ -44,22 +45,20 @@ void readOptions(std::string_view json, core::RegistrationOptions& options, core
 std::optional<core::Message> setOption(core::RegistrationOptions& options, const core::OptionField& field,
                                        std::optional<double> number, std::string_view text)
 {
-    const auto choice = std::find(field.choices.begin(), field.choices.end(), text);
-    if (!number && choice != field.choices.end()) {
-        number = static_cast<double>(choice - field.choices.begin());
-    }
-    if (number && *number >= field.min && *number <= field.max) {
-        field.write(options, *number);
+    if (const auto value = number ? core::valueFrom(field, *number) : core::valueFrom(field, text)) {
+        field.write(options, *value);
         return {};
     }
     const std::string key = "options." + std::string(field.key);
-    if (field.choices.empty()) {
-        return says::caseOptionNumber(core::Quantity{field.min, core::Quantity::asNeeded},
-                                      core::Quantity{field.max, core::Quantity::asNeeded})
+    const auto names = core::namesOf(field);
+    if (names.empty()) {
+        const core::OptionRange range = core::rangeOf(field);
+        return says::caseOptionNumber(core::Quantity{range.min, core::Quantity::asNeeded},
+                                      core::Quantity{range.max, core::Quantity::asNeeded})
             .about(key);
     }
     std::vector<std::string> choices;
-    for (const std::string_view known : field.choices) {
+    for (const std::string_view known : names) {
         choices.push_back("\"" + std::string(known) + "\"");
     }
     return says::caseOptionChoice(choices).about(key);

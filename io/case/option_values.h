@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration/registration_options.h"
+#include "core/registration/option_fields.h"
 #include "core/support/message.h"
 
 #include <optional>
@@ -9,13 +9,13 @@
 
 namespace angiopose::io {
 
-/// `{"key": value, …}` over the option table; choices by their text.
+/// `{"key": value, …}` over the option table; switches and choices by name.
 std::string optionsJson(const core::RegistrationOptions& options);
 
 /// Sets what such a text says; null leaves an option as it is. Adds to `problems` what makes no sense.
 void readOptions(std::string_view json, core::RegistrationOptions& options, core::Messages& problems);
 
-/// Sets one option from a number, or from the text of a choice. Returns what is wrong, if anything.
+/// Sets one option from a number, or from the name of a value. Returns what is wrong, if anything.
 std::optional<core::Message> setOption(core::RegistrationOptions& options, const core::OptionField& field,
                                        std::optional<double> number, std::string_view text);
 

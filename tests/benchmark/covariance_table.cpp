@@ -45,7 +45,7 @@ Outcome registerOnce(const core::Phantom& phantom, std::uint64_t trial)
         core::perturbedAboutCentroid(phantom.trueCameraFromPatient, centroid, 2.0, 5.0, random);
     input.target = core::degraded(phantom.exactTarget, phantom.camera, random);
     core::RegistrationOptions options;
-    options.resample = 0;
+    options.resample = false;
     const core::RegistrationResult result = core::registerVessels(input, options).value();
     const core::PosePair poses{result.cameraFromPatient, phantom.trueCameraFromPatient};
     return {core::projectionError(phantom.tree, phantom.camera, poses).meanMm, result.uncertainty.depthMm,

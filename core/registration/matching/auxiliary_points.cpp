@@ -92,7 +92,7 @@ std::vector<int> randomPoints(const TreeSamples& tree, int count, std::uint64_t 
 std::vector<int> auxiliaryPoints(const TreeSamples& tree, const std::vector<int>& branchIds,
                                  const RegistrationOptions& options)
 {
-    switch (static_cast<AuxiliarySet>(std::lround(options.auxiliary))) {
+    switch (options.seed.auxiliary) {
         case AuxiliarySet::Chosen:
             return branchIds.empty() ? nodes(tree) : chosenBranches(tree, branchIds);
         case AuxiliarySet::Nodes:
@@ -100,7 +100,7 @@ std::vector<int> auxiliaryPoints(const TreeSamples& tree, const std::vector<int>
         case AuxiliarySet::MainBranches:
             return mainBranches(tree);
         case AuxiliarySet::Random:
-            return randomPoints(tree, options.auxiliaryCount, static_cast<std::uint64_t>(options.randomSeed));
+            return randomPoints(tree, options.seed.auxiliaryCount, static_cast<std::uint64_t>(options.randomSeed));
     }
     return {};
 }

@@ -4,6 +4,7 @@
 #include "core/registration/matching/neighbour_search.h"
 #include "core/registration/matching/point_index.h"
 #include "core/registration/pnp/source_freedom.h"
+#include "core/registration/registration_options.h"
 
 #include <span>
 #include <vector>

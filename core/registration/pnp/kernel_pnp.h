@@ -10,10 +10,6 @@
 
 namespace angiopose::core {
 
-/// Where ℓ starts: at the largest distance d (at most half the image diagonal), or, as the paper prints it, at d²
-/// (ALGORITHMS §2, decision 14).
-enum class StartScale { Largest, LargestSquared };
-
 /// How one kernel PnP run goes (ALGORITHMS §3.1).
 struct KernelSchedule {
     int maxIterations = 60;   ///< accepted steps

@@ -10,10 +10,6 @@
 
 namespace angiopose::core {
 
-/// How the methods of the seed find nearest points: exactly by tree (the reproduction mode) or by buckets, or from a
-/// table that is right to within its cells.
-enum class IndexKind { KdTree, Grid, Map };
-
 /// What the methods that match points start from. Points live in the start camera's frame and the pose is the motion
 /// cameraFromStart, identity at first: only there do the rad² + mm² of the prior mean what they mean in the seed
 /// (ALGORITHMS §1, "perturbation models").

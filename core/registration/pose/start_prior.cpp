@@ -49,9 +49,10 @@ StartPrior independentPrior(const CentroidPose& start, const Vector6d& std, cons
 
 StartPrior startPrior(const CentroidPose& start, const RegistrationOptions& options, const PoseFreedom& freedom)
 {
-    const double rotation = options.priorRotationDeg * std::numbers::pi / 180.0;
+    const double rotation = options.angiopose.priorRotationDeg * std::numbers::pi / 180.0;
     Vector6d std;
-    std << rotation, rotation, rotation, options.priorLateralMm, options.priorLateralMm, options.priorDepthMm;
+    std << rotation, rotation, rotation, options.angiopose.priorLateralMm, options.angiopose.priorLateralMm,
+        options.angiopose.priorDepthMm;
     return independentPrior(start, std, freedom);
 }
 

@@ -15,8 +15,8 @@ TEST(Contestant, ReadsSettingsByNameAndByChoice)
     ASSERT_TRUE(contestant) << contestant.error().message;
     const RegistrationOptions& options = contestant.value().options;
     EXPECT_EQ(options.method, "dynaweight");
-    EXPECT_EQ(static_cast<PriorPreset>(options.preset), PriorPreset::NoPrior);
-    EXPECT_EQ(options.rotationFirst, 0.0);
+    EXPECT_EQ(options.seed.preset, PriorPreset::NoPrior);
+    EXPECT_FALSE(options.seed.rotationFirst);
     EXPECT_EQ(options.maxIterations, 30);
     EXPECT_EQ(contestant.value().label, "dynaweight:seed_noprior:rotationFirst=off:maxIterations=30");
 }
@@ -45,9 +45,10 @@ TEST(Contestant, GroupsStandForTheirMembers)
     EXPECT_EQ(all.value().size(), methodInfos().size());   // the repeated one counts once
     const auto ablation = contestantsFrom("ablation");
     ASSERT_TRUE(ablation) << ablation.error().message;
-    std::set<std::tuple<double, double, double>> settings;
+    std::set<std::tuple<PriorPreset, bool, bool>> settings;
     for (const Contestant& contestant : ablation.value()) {
-        settings.insert({contestant.options.preset, contestant.options.rotationFirst, contestant.options.alternation});
+        settings.insert({contestant.options.seed.preset, contestant.options.seed.rotationFirst,
+                         contestant.options.seed.alternation});
     }
     EXPECT_EQ(settings.size(), 16u);
 }

@@ -16,7 +16,7 @@ double depthStdWith(int points)
     constexpr std::uint64_t images = 6;
     const Phantom shown = makePhantom(1000, 2000);
     RegistrationOptions options;
-    options.resample = 0;
+    options.resample = false;
     RegistrationInput input;
     input.tree = makePhantom(1000, points).tree;
     input.camera = shown.camera;

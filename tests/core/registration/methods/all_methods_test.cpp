@@ -41,8 +41,8 @@ RegistrationOptions optionsFor(std::string_view method)
 {
     RegistrationOptions options;
     options.method = method;
-    options.resample = 0.0;
-    options.preset = static_cast<double>(PriorPreset::NoPrior);
+    options.resample = false;
+    options.seed.preset = PriorPreset::NoPrior;
     return options;
 }
 

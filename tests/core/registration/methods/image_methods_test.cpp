@@ -70,7 +70,7 @@ RegistrationOptions optionsFor(std::string_view method)
 {
     RegistrationOptions options;
     options.method = method;
-    options.nicpImage = 1.0;
+    options.nicp.image = NicpImage::Brightness;
     return options;
 }
 

@@ -56,7 +56,7 @@ TEST(StartPrior, InformationIsTheCurvatureOfItsCost)
     prior.add(moved(somePose(), away), 1.0, equations);
     EXPECT_LT((equations.hessian - prior.informationAt(moved(somePose(), away))).norm(), 1e-9);
     EXPECT_LT((prior.std() - independentPrior(somePose(), prior.std()).std()).norm(), 1e-9);
-    EXPECT_DOUBLE_EQ(prior.std()[5], RegistrationOptions().priorDepthMm);
+    EXPECT_DOUBLE_EQ(prior.std()[5], RegistrationOptions().angiopose.priorDepthMm);
 }
 
 }   // namespace
