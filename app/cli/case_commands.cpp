@@ -2,7 +2,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/method_list.h"
-#include "core/registration/option_fields.h"
+#include "core/registration/options/option_fields.h"
 
 #include <memory>
 

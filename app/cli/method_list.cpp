@@ -1,6 +1,6 @@
 #include "app/cli/method_list.h"
 
-#include "core/registration/registration_options.h"
+#include "core/registration/options/registration_options.h"
 
 namespace angiopose::app {
 

@@ -2,7 +2,7 @@
 
 #include "app/cli/console.h"
 #include "app/messages/says.h"
-#include "core/registration/option_text.h"
+#include "core/registration/options/option_text.h"
 
 #include <utility>
 

@@ -1,6 +1,6 @@
 #include "app/editing/auxiliary_controller.h"
 
-#include "core/registration/option_fields.h"
+#include "core/registration/options/option_fields.h"
 #include "core/registration/pose/start_prior.h"
 #include "core/support/quantile.h"
 #include "ui/main_window.h"

@@ -2,7 +2,7 @@
 
 #include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
-#include "core/evaluation/branch_distances.h"
+#include "core/evaluation/trial/branch_distances.h"
 
 #include <QtConcurrentRun>
 

@@ -2,7 +2,7 @@
 
 #include "core/imaging/angiogram.h"
 #include "core/support/result.h"
-#include "core/tracing/trace_angiogram.h"
+#include "core/tracing/angiogram/trace_angiogram.h"
 #include "core/vessel/centerline2d.h"
 
 #include <QFutureWatcher>

@@ -3,7 +3,7 @@
 #include "app/library/conversions.h"
 #include "app/library/relay.h"
 #include "core/geometry/pose_axis.h"
-#include "core/registration/option_text.h"
+#include "core/registration/options/option_text.h"
 #include "io/support/numbers.h"
 
 #include <algorithm>

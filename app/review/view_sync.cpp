@@ -4,8 +4,8 @@
 
 #include "app/texts/case_texts.h"
 #include "app/texts/overlay_picture.h"
-#include "core/tracing/subtract_run.h"
-#include "core/tracing/suggest_frame.h"
+#include "core/tracing/angiogram/run/subtract_run.h"
+#include "core/tracing/angiogram/run/suggest_frame.h"
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tree_view.h"

@@ -3,7 +3,7 @@
 #include "core/geometry/projection_camera.h"
 #include "core/geometry/rigid_transform.h"
 #include "core/imaging/angiogram.h"
-#include "core/registration/registration_options.h"
+#include "core/registration/options/registration_options.h"
 #include "core/support/result.h"
 #include "core/support/verdict.h"
 #include "core/vessel/centerline2d.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration/option_fields.h"
+#include "core/registration/options/option_fields.h"
 #include "core/support/message.h"
 
 #include <optional>

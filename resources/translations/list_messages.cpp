@@ -1,6 +1,6 @@
 #include "app/messages/catalogue.h"
 #include "core/messages/catalogue.h"
-#include "core/registration/option_fields.h"
+#include "core/registration/options/option_fields.h"
 #include "core/registration/registration.h"
 #include "io/messages/catalogue.h"
 

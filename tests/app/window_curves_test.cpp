@@ -1,4 +1,4 @@
-#include "core/tracing/edit_centerline.h"
+#include "core/tracing/angiogram/drawing/edit_centerline.h"
 #include "io/case_file.h"
 #include "tests/app/open_window.h"
 #include "tests/support/temporary_folder.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration/option_fields.h"
+#include "core/registration/options/option_fields.h"
 #include "ui/words/spoken.h"
 
 #include <QWidget>

@@ -1,6 +1,6 @@
-#include "core/evaluation/contestant.h"
 #include "core/evaluation/report/table_parts.h"
-#include "core/registration/option_fields.h"
+#include "core/evaluation/trial/contestant.h"
+#include "core/registration/options/option_fields.h"
 #include "core/support/format_number.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration/method.h"
+#include "core/registration/methods/method.h"
 
 namespace angiopose::core {
 

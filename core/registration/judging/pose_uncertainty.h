@@ -2,7 +2,7 @@
 
 #include "core/registration/matching/target_lines.h"
 #include "core/registration/pose/start_prior.h"
-#include "core/registration/registration_problem.h"
+#include "core/registration/problem/registration_problem.h"
 
 namespace angiopose::core {
 

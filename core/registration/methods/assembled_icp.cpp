@@ -1,7 +1,7 @@
 #include "core/registration/methods/methods.h"
 
 #include "core/registration/pnp/alternating_search.h"
-#include "core/registration/pnp/sqpnp.h"
+#include "core/registration/pose/sqpnp.h"
 #include "core/support/stopwatch.h"
 
 #include <algorithm>

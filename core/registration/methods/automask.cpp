@@ -2,12 +2,12 @@
 
 #include "core/imaging/image_filters.h"
 #include "core/imaging/mask_morphology.h"
+#include "core/registration/methods/pose_trials.h"
 #include "core/registration/picture/radiograph.h"
 #include "core/registration/picture/rank_correlation.h"
 #include "core/registration/picture/vessel_picture.h"
 #include "core/registration/pose/minimise.h"
 #include "core/registration/pose/pose_parameters.h"
-#include "core/registration/pose/pose_trials.h"
 #include "core/support/random.h"
 #include "core/support/stopwatch.h"
 

@@ -1,9 +1,9 @@
 #include "core/registration/methods/methods.h"
 
+#include "core/registration/methods/pose_trials.h"
 #include "core/registration/picture/vessel_brightness.h"
 #include "core/registration/pose/evolution.h"
 #include "core/registration/pose/pose_parameters.h"
-#include "core/registration/pose/pose_trials.h"
 #include "core/support/stopwatch.h"
 
 #include <limits>

@@ -1,10 +1,10 @@
 #include "core/registration/methods/methods.h"
 
 #include "core/imaging/image_filters.h"
+#include "core/registration/methods/pose_trials.h"
 #include "core/registration/picture/vessel_picture.h"
 #include "core/registration/pose/minimise.h"
 #include "core/registration/pose/pose_parameters.h"
-#include "core/registration/pose/pose_trials.h"
 #include "core/support/stopwatch.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration/method.h"
+#include "core/registration/methods/method.h"
 
 // Every method, each in a file of its own; the table in method_table.cpp says what users call them.
 namespace angiopose::core {

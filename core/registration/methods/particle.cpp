@@ -1,10 +1,10 @@
 #include "core/registration/methods/methods.h"
 
 #include "core/registration/matching/grid_index.h"
+#include "core/registration/methods/pose_trials.h"
 #include "core/registration/pnp/kernel_pnp.h"
 #include "core/registration/pnp/sparse_kernel.h"
 #include "core/registration/pose/pose_parameters.h"
-#include "core/registration/pose/pose_trials.h"
 #include "core/support/cell_index.h"
 #include "core/support/random.h"
 #include "core/support/stopwatch.h"

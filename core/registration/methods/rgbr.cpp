@@ -1,8 +1,8 @@
 #include "core/registration/methods/methods.h"
 
+#include "core/registration/methods/pose_trials.h"
 #include "core/registration/picture/vessel_picture.h"
 #include "core/registration/picture/wall_sites.h"
-#include "core/registration/pose/pose_trials.h"
 #include "core/registration/pose/start_prior.h"
 #include "core/support/random.h"
 #include "core/support/stopwatch.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration/method.h"
+#include "core/registration/methods/method.h"
 #include "core/registration/pnp/point_solver.h"
 #include "core/registration/pnp/seed_problem.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration/registration_options.h"
+#include "core/registration/options/registration_options.h"
 
 namespace angiopose::core {
 

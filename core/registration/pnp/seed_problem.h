@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/registration/pnp/kernel_pnp.h"
-#include "core/registration/progress_log.h"
-#include "core/registration/registration_problem.h"
+#include "core/registration/problem/progress_log.h"
+#include "core/registration/problem/registration_problem.h"
 
 #include <memory>
 #include <string_view>

@@ -2,9 +2,9 @@
 
 #include "core/geometry/angle_units.h"
 #include "core/messages/says.h"
-#include "core/registration/pnp/sqpnp.h"
 #include "core/registration/pose/centroid_pose.h"
 #include "core/registration/pose/damped_descent.h"
+#include "core/registration/pose/sqpnp.h"
 #include "core/registration/pose/start_prior.h"
 
 #include <Eigen/Cholesky>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/registration/options/registration_options.h"
 #include "core/registration/pose/pose_freedom.h"
-#include "core/registration/registration_options.h"
 
 namespace angiopose::core {
 

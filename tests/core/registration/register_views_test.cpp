@@ -1,6 +1,6 @@
 #include "core/registration/register_views.h"
 
-#include "core/evaluation/projection_error.h"
+#include "core/evaluation/trial/projection_error.h"
 #include "core/registration/alignment/joint_solve.h"
 #include "tests/support/clean_case.h"
 

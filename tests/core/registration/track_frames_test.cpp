@@ -1,6 +1,6 @@
 #include "core/registration/track_frames.h"
 
-#include "core/evaluation/projection_error.h"
+#include "core/evaluation/trial/projection_error.h"
 #include "tests/support/clean_case.h"
 
 #include <gtest/gtest.h>

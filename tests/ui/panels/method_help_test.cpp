@@ -1,6 +1,6 @@
 #include "ui/help/help_page.h"
 
-#include "core/registration/option_fields.h"
+#include "core/registration/options/option_fields.h"
 #include "ui/panels/registration_panel.h"
 
 #include <gtest/gtest.h>

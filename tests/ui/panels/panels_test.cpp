@@ -1,4 +1,4 @@
-#include "core/registration/option_fields.h"
+#include "core/registration/options/option_fields.h"
 #include "ui/panels/geometry_panel.h"
 #include "ui/panels/lock_dot.h"
 #include "ui/panels/option_form.h"

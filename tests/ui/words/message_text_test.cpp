@@ -6,7 +6,7 @@
 #include "ui/words/language.h"
 #include "ui/words/terms.h"
 
-#include "core/registration/option_fields.h"
+#include "core/registration/options/option_fields.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/evaluation/projection_error.h"
+#include "core/evaluation/trial/projection_error.h"
 #include "core/registration/registration.h"
 #include "core/simulation/simulated_case.h"
 

@@ -1,6 +1,6 @@
-#include "core/evaluation/projection_error.h"
+#include "core/evaluation/trial/projection_error.h"
 #include "core/imaging/volume.h"
-#include "core/registration/method.h"
+#include "core/registration/methods/method.h"
 #include "core/registration/picture/radiograph.h"
 #include "core/registration/picture/rank_correlation.h"
 #include "core/registration/picture/tube_picture.h"

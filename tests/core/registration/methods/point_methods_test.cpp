@@ -1,8 +1,8 @@
-#include "core/evaluation/projection_error.h"
-#include "core/registration/matching/auxiliary_points.h"
-#include "core/registration/method.h"
+#include "core/evaluation/trial/projection_error.h"
+#include "core/registration/methods/method.h"
 #include "core/registration/pnp/distance_descent.h"
 #include "core/registration/pnp/seed_problem.h"
+#include "core/registration/problem/auxiliary_points.h"
 #include "tests/support/clean_case.h"
 
 #include <gtest/gtest.h>

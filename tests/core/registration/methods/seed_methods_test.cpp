@@ -1,4 +1,4 @@
-#include "core/evaluation/projection_error.h"
+#include "core/evaluation/trial/projection_error.h"
 #include "core/registration/methods/methods.h"
 #include "core/registration/pnp/kernel_pnp.h"
 #include "core/registration/pnp/seed_problem.h"
