@@ -1,5 +1,6 @@
 #include "app/cli/method_list.h"
 
+#include "core/registration/methods/method_info.h"
 #include "core/registration/options/registration_options.h"
 
 namespace angiopose::app {

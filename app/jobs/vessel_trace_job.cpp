@@ -3,6 +3,7 @@
 #include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
 #include "app/jobs/publish_outcome.h"
+#include "core/tracing/volume/trace_vessels.h"
 #include "io/vessel_input_file.h"
 
 #include <QtConcurrentRun>

@@ -3,6 +3,7 @@
 #include "app/library/conversions.h"
 #include "app/library/relay.h"
 #include "core/geometry/pose_axis.h"
+#include "core/registration/methods/method_info.h"
 #include "core/registration/options/option_text.h"
 #include "io/support/numbers.h"
 

@@ -2,6 +2,7 @@
 
 #include "app/document/edit_case.h"
 #include "app/review/snapshot_texts.h"
+#include "core/registration/methods/method_info.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/words/message_text.h"
 

@@ -5,6 +5,8 @@
 #include "core/registration/alignment/joint_solve.h"
 #include "core/registration/judging/judge_pose.h"
 #include "core/registration/judging/pose_uncertainty.h"
+#include "core/registration/pose/tree_shift.h"
+#include "core/registration/problem/method_solution.h"
 
 namespace angiopose::core {
 namespace {

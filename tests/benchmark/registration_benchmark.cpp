@@ -4,6 +4,7 @@
 
 #include "core/evaluation/protocols/protocol.h"
 #include "core/evaluation/trial/contestant.h"
+#include "core/registration/methods/method_info.h"
 #include "tests/benchmark/breathing_run.h"
 #include "tests/benchmark/known_partners.h"
 #include "tests/benchmark/median_reporter.h"

@@ -1,6 +1,7 @@
 #include "core/evaluation/trial/contestant.h"
 
 #include "core/messages/says.h"
+#include "core/registration/methods/method_info.h"
 #include "core/registration/options/option_text.h"
 
 #include <algorithm>

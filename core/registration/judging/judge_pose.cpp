@@ -5,6 +5,7 @@
 #include "core/registration/judging/pose_shift.h"
 #include "core/registration/judging/pose_uncertainty.h"
 #include "core/registration/judging/trust.h"
+#include "core/registration/matching/target_lines.h"
 
 #include <algorithm>
 

@@ -75,16 +75,4 @@ const Method* findMethod(std::string_view id)
     return found == table().end() ? nullptr : &*found;
 }
 
-std::span<const MethodInfo> methodInfos()
-{
-    static const std::vector<MethodInfo> infos = [] {
-        std::vector<MethodInfo> all;
-        for (const Method& method : table()) {
-            all.push_back(method.info);
-        }
-        return all;
-    }();
-    return infos;
-}
-
 }   // namespace angiopose::core

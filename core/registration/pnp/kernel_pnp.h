@@ -3,7 +3,7 @@
 #include "core/registration/pnp/kernel_distances.h"
 #include "core/registration/pnp/scale_annealing.h"
 #include "core/registration/pose/pose_prior.h"
-#include "core/registration/registration.h"
+#include "core/registration/problem/registration_result.h"
 
 #include <functional>
 #include <limits>

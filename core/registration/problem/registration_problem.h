@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/registration/pose/pose_freedom.h"
-#include "core/registration/registration.h"
+#include "core/registration/problem/registration_result.h"
 
 #include <cstdint>
 

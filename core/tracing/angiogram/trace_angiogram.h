@@ -3,24 +3,13 @@
 #include "core/imaging/angiogram.h"
 #include "core/imaging/image2d.h"
 #include "core/support/result.h"
+#include "core/tracing/angiogram/frame/trace_options.h"
 #include "core/vessel/centerline2d.h"
 
 #include <string>
 #include <vector>
 
 namespace angiopose::core {
-
-/// One set of defaults for every image; lengths in px of a frame of usual size (see `WorkingSize`): in frames twice as
-/// large they are twice as long.
-struct TraceOptions {
-    double minVesselRadiusPx = 1.5;   ///< thinnest vessel looked for
-    double maxVesselRadiusPx = 8.0;   ///< widest vessel looked for
-    int minBranchLengthPx = 10;   ///< shorter spurs are removed
-    int minComponentLengthPx = 30;   ///< shorter isolated pieces are removed
-    double sensitivity = 1.0;   ///< above 1: fainter vessels too; scales the threshold by 1/sensitivity
-
-    bool operator==(const TraceOptions&) const = default;
-};
 
 /// What tracing found in one frame, with what it saw on the way.
 struct AngiogramTrace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/tracing/volume/trace_vessels.h"
+#include "core/tracing/volume/voxels/tracing_options.h"
 
 #include <string>
 #include <vector>

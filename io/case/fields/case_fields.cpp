@@ -1,5 +1,6 @@
 #include "io/case/fields/case_fields.h"
 
+#include "core/registration/methods/method_info.h"
 #include "io/case/fields/file_fields.h"
 #include "io/case/fields/vessel_fields.h"
 #include "io/case/fields/vessel_key.h"

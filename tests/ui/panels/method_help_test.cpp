@@ -1,5 +1,6 @@
 #include "ui/help/help_page.h"
 
+#include "core/registration/methods/method_info.h"
 #include "core/registration/options/option_fields.h"
 #include "ui/panels/registration_panel.h"
 

@@ -2,7 +2,7 @@
 
 #include "core/imaging/image2d.h"
 #include "core/tracing/angiogram/curves/skeleton_graph.h"
-#include "core/tracing/angiogram/trace_angiogram.h"
+#include "core/tracing/angiogram/frame/trace_options.h"
 
 namespace angiopose::core {
 

@@ -3,9 +3,9 @@
 #include "core/imaging/volume.h"
 #include "core/support/result.h"
 #include "core/tracing/volume/great_vessels/great_vessels.h"
-#include "core/tracing/volume/trace_vessels.h"
 #include "core/tracing/volume/voxels/axis_order.h"
 #include "core/tracing/volume/voxels/touching_vessels.h"
+#include "core/tracing/volume/voxels/tracing_options.h"
 #include "core/tracing/volume/voxels/tracing_progress.h"
 
 #include <Eigen/Core>

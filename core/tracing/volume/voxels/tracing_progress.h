@@ -1,12 +1,21 @@
 #pragma once
 
-#include "core/tracing/volume/trace_vessels.h"
+#include "core/support/verdict.h"
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <string_view>
 
 namespace angiopose::core {
+
+struct TracingReport {
+    std::string_view stage;   ///< "blood", "vessels", "thinning", "branches"
+    double progress = 0.0;   ///< 0…1, never decreasing
+};
+
+/// Called on the calling thread, several times a second; its Stop ends the work within a second.
+using TracingObserver = std::function<Verdict(const TracingReport&)>;
 
 /// Carries progress out and the stop wish in, at most some twenty times a second. Once stopped, always stopped.
 class TracingProgress {

@@ -1,4 +1,5 @@
 #include "core/evaluation/trial/contestant.h"
+#include "core/registration/methods/method_info.h"
 
 #include <gtest/gtest.h>
 #include <set>

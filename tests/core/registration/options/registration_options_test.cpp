@@ -1,3 +1,4 @@
+#include "core/registration/methods/method_info.h"
 #include "core/registration/options/option_fields.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/registration/options/registration_options.h"
+#include "core/registration/methods/method_info.h"
 
 #include "core/messages/says.h"
 #include "core/registration/methods/method.h"
@@ -21,6 +21,18 @@ std::optional<Message> findProblem(const PoseLocks& locks, const Method& method)
 }
 
 }   // namespace
+
+std::span<const MethodInfo> methodInfos()
+{
+    static const std::vector<MethodInfo> infos = [] {
+        std::vector<MethodInfo> all;
+        for (const Method& method : methods()) {
+            all.push_back(method.info);
+        }
+        return all;
+    }();
+    return infos;
+}
 
 std::optional<Message> findProblem(const RegistrationOptions& options)
 {
