@@ -1,6 +1,6 @@
 #include "app/case_controller.h"
 
-#include "app/window_layout.h"
+#include "app/preferences/window_layout.h"
 #include "ui/words/spoken.h"
 
 namespace angiopose::app {

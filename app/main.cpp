@@ -1,7 +1,7 @@
-#include "app/key_choice.h"
-#include "app/language_choice.h"
-#include "app/renderer_choice.h"
-#include "app/theme_choice.h"
+#include "app/preferences/key_choice.h"
+#include "app/preferences/language_choice.h"
+#include "app/preferences/renderer_choice.h"
+#include "app/preferences/theme_choice.h"
 #include "app/window_host.h"
 
 #include <QApplication>

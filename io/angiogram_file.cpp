@@ -1,7 +1,7 @@
 #include "io/angiogram_file.h"
 
-#include "core/tracing/drawn_mask.h"
-#include "core/tracing/suggest_frame.h"
+#include "core/tracing/angiogram/frame/drawn_mask.h"
+#include "core/tracing/angiogram/run/suggest_frame.h"
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/open_dicom.h"
 #include "io/dicom/read_dicom.h"

@@ -1,6 +1,6 @@
 #include "io/centerline2d_file.h"
 
-#include "core/tracing/trace_angiogram.h"
+#include "core/tracing/angiogram/trace_angiogram.h"
 #include "core/vessel/polyline.h"
 #include "io/messages/says.h"
 #include "io/raster/read_raster.h"

@@ -1,6 +1,6 @@
 #include "io/result_file.h"
 
-#include "io/case/option_values.h"
+#include "io/case/fields/option_values.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/json_text.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/support/result.h"
-#include "core/tracing/subtract_run.h"
+#include "core/tracing/angiogram/run/subtract_run.h"
 
 #include <string>
 

@@ -1,6 +1,7 @@
 #include "io/vessel_input_file.h"
 
 #include "core/imaging/fill_surface.h"
+#include "core/tracing/volume/trace_vessels.h"
 #include "io/dicom/open_dicom.h"
 #include "io/dicom_series.h"
 #include "io/file_hash.h"

@@ -3,7 +3,7 @@
 #include "core/imaging/angiogram.h"
 #include "core/imaging/volume.h"
 #include "core/support/result.h"
-#include "core/vessel/vessel_input.h"
+#include "core/tracing/volume/vessel_input.h"
 #include "core/vessel/vessel_tree.h"
 #include "io/support/read_observer.h"
 

@@ -1,6 +1,6 @@
 #include "ui/main_window.h"
 
-#include "ui/panels/wheel_guard.h"
+#include "ui/controls/wheel_guard.h"
 #include "ui/places/view_frame.h"
 #include "ui/slices/corner_views.h"
 #include "ui/slices/slices_page.h"

@@ -2,7 +2,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/method_list.h"
-#include "core/registration/registration_options.h"
+#include "core/registration/options/option_fields.h"
 
 #include <memory>
 
@@ -14,11 +14,8 @@ std::string optionList()
     std::string text = "Options of --set, with their range:";
     for (const core::OptionField& field : core::optionFields()) {
         text += "\n  " + std::string(field.key);
-        if (!field.choices.empty()) {
-            text += "=";
-            for (const std::string_view choice : field.choices) {
-                text += (text.back() == '=' ? "" : "|") + std::string(choice);
-            }
+        for (const std::string_view& name : core::namesOf(field)) {
+            text += (&name == core::namesOf(field).data() ? "=" : "|") + std::string(name);
         }
         text += "  " + std::string(field.help);
     }

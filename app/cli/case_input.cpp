@@ -2,7 +2,7 @@
 
 #include "app/cli/console.h"
 #include "app/messages/says.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 
 namespace angiopose::app {
 

@@ -1,7 +1,7 @@
 #include "app/cli/file_commands.h"
 
 #include "app/cli/commands.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 
 #include <cstdio>
 #include <memory>

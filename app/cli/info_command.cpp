@@ -6,7 +6,7 @@
 #include "app/texts/number_text.h"
 #include "core/case/case.h"
 #include "io/angiogram_file.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/centerline2d_file.h"
 #include "io/pose_file.h"
 #include "io/series/dicom_segmentation.h"

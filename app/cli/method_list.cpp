@@ -1,6 +1,7 @@
 #include "app/cli/method_list.h"
 
-#include "core/registration/registration_options.h"
+#include "core/registration/methods/method_info.h"
+#include "core/registration/options/registration_options.h"
 
 namespace angiopose::app {
 

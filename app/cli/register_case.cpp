@@ -2,7 +2,8 @@
 
 #include "app/cli/console.h"
 #include "app/messages/says.h"
-#include "core/registration/option_text.h"
+#include "core/registration/methods/method_info.h"
+#include "core/registration/options/option_text.h"
 
 #include <utility>
 

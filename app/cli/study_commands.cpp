@@ -2,7 +2,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/method_list.h"
-#include "core/evaluation/protocol.h"
+#include "core/evaluation/protocols/protocol.h"
 
 #include <memory>
 

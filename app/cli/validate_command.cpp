@@ -1,6 +1,6 @@
 #include "app/cli/add_warnings.h"
 #include "app/cli/commands.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 
 #include <cstdio>
 #include <nlohmann/json.hpp>

@@ -2,8 +2,8 @@
 
 #include "app/editing/curve_controller.h"
 #include "app/editing/curve_tracing_controller.h"
+#include "app/editing/opacification_controller.h"
 #include "app/editing/subtraction_controller.h"
-#include "app/review/opacification_controller.h"
 
 namespace angiopose::app {
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/document/case_document.h"
-#include "app/notices.h"
 #include "app/registration/target_provider.h"
-#include "app/review/view_sync.h"
+#include "app/showing/notices.h"
+#include "app/showing/view_sync.h"
 
 namespace angiopose::app {
 

@@ -1,5 +1,6 @@
 #include "app/editing/auxiliary_controller.h"
 
+#include "core/registration/options/option_fields.h"
 #include "core/registration/pose/start_prior.h"
 #include "core/support/quantile.h"
 #include "ui/main_window.h"
@@ -34,10 +35,8 @@ QString nameOfStep(std::size_t step)
 
 bool alternates(const std::string& methodId)
 {
-    const auto& fields = core::optionFields();
-    const auto field = std::ranges::find(fields, std::string_view("auxiliary"), &core::OptionField::key);
-    return field != fields.end() &&
-           (field->methods.empty() || std::ranges::find(field->methods, methodId) != field->methods.end());
+    const core::OptionField* field = core::findOption("auxiliary");
+    return field != nullptr && core::isFor(*field, methodId);
 }
 
 double medianRadiusMm(const core::VesselBranch& branch)
@@ -210,7 +209,7 @@ void AuxiliaryController::start()
         return;
     }
     const core::Vector6d priorStd =
-        core::startPrior({}, current.options).std;   // what the solver believes of a start pose
+        core::startPrior({}, current.options).std();   // what the solver believes of a start pose
     job_.start([tree = current.vessels.tree, camera = camera.value(), pose = current.shown().cameraFromPatient,
                 excluded = current.vessels.excludedBranchIds, chosen = current.vessels.auxiliaryBranchIds,
                 priorStd](JobLink<double>&) -> core::Result<Advice> {
@@ -262,7 +261,7 @@ QString AuxiliaryController::previewWords() const
     if (!alternates(current.options.method)) {
         return tr("%1 The method chosen now does not alternate and takes all branches.").arg(chosen);
     }
-    const auto set = static_cast<core::AuxiliarySet>(std::lround(current.options.auxiliary));
+    const auto set = current.options.seed.auxiliary;
     return set == core::AuxiliarySet::Chosen
                ? chosen
                : tr("%1 The option “Auxiliary points” of the method overrules this.").arg(chosen);

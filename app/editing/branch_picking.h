@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/editing/branch_controller.h"
-#include "app/review/view_sync.h"
+#include "app/showing/view_sync.h"
 
 #include <QObject>
 

@@ -2,8 +2,8 @@
 
 #include "app/document/edit_case.h"
 #include "app/jobs/future_result.h"
-#include "core/tracing/drawing_ground.h"
-#include "core/tracing/suspect_curves.h"
+#include "core/tracing/angiogram/curves/suspect_curves.h"
+#include "core/tracing/angiogram/drawing/drawing_ground.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
 #include "ui/panels/curve_edit_bar.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/document/case_document.h"
-#include "ui/pose_axis.h"
+#include "ui/words/pose_axis.h"
 #include "ui/words/spoken.h"
 
 #include <QElapsedTimer>

@@ -1,7 +1,7 @@
 #include "app/editing/tracing_controller.h"
 
 #include "app/document/edit_case.h"
-#include "core/tracing/volume/blood_level.h"
+#include "core/tracing/volume/lumen/blood_level.h"
 #include "ui/main_window.h"
 #include "ui/slices/slices_page.h"
 #include "ui/words/language.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/imaging/angiogram.h"
-#include "core/tracing/subtract_run.h"
+#include "core/tracing/angiogram/run/subtract_run.h"
 
 #include <deque>
 #include <memory>

@@ -1,6 +1,6 @@
 #include "app/files/autosave.h"
 
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/vessel_tree_file.h"
 
 #include <QCoreApplication>

@@ -2,7 +2,7 @@
 
 #include "app/texts/overlay_picture.h"
 #include "core/support/quantile.h"
-#include "core/tracing/burned_in_text.h"
+#include "core/tracing/angiogram/frame/burned_in_text.h"
 #include "io/image_file.h"
 
 #include <QCryptographicHash>

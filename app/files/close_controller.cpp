@@ -1,6 +1,6 @@
 #include "app/files/close_controller.h"
 
-#include "app/window_layout.h"
+#include "app/preferences/window_layout.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
 

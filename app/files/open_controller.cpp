@@ -1,11 +1,11 @@
 #include "app/files/open_controller.h"
 
+#include "app/document/assemble_case.h"
 #include "app/document/edit_case.h"
-#include "app/files/assemble_case.h"
 #include "app/files/open_notes.h"
 #include "app/files/recent_cases.h"
 #include "app/files/view_from_inputs.h"
-#include "app/settings.h"
+#include "app/preferences/settings.h"
 #include "core/case/case_views.h"
 #include "ui/words/message_text.h"
 

@@ -3,7 +3,7 @@
 #include "app/files/sample_case.h"
 #include "app/files/series_rows.h"
 #include "app/jobs/input_kind.h"
-#include "app/settings.h"
+#include "app/preferences/settings.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/dialogs/missing_inputs.h"
 #include "ui/main_window.h"

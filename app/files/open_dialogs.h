@@ -4,7 +4,7 @@
 #include "app/files/open_controller.h"
 #include "app/files/save_controller.h"
 #include "app/jobs/file_queue.h"
-#include "app/notices.h"
+#include "app/showing/notices.h"
 
 #include <QObject>
 #include <QStringList>

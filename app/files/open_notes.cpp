@@ -1,6 +1,6 @@
 #include "app/files/open_notes.h"
 
-#include "app/files/assemble_case.h"
+#include "app/document/assemble_case.h"
 #include "core/imaging/patient_match.h"
 #include "ui/actions/key_hint.h"
 #include "ui/words/message_text.h"

@@ -1,7 +1,7 @@
 #include "app/files/recent_cases.h"
 
 #include "app/files/case_pictures.h"
-#include "app/settings.h"
+#include "app/preferences/settings.h"
 
 #include <QFileInfo>
 

@@ -3,7 +3,7 @@
 #include "core/case/case.h"
 #include "core/simulation/simulated_case.h"
 #include "io/angiogram_file.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/vessel_tree_file.h"
 
 #include <QDir>

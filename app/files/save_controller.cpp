@@ -2,9 +2,9 @@
 
 #include "app/files/case_pictures.h"
 #include "app/files/recent_cases.h"
-#include "app/files/save_folder.h"
-#include "app/settings.h"
-#include "io/case_file.h"
+#include "app/preferences/save_folder.h"
+#include "app/preferences/settings.h"
+#include "io/case/case_file.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/dialogs/recovery_dialog.h"
 #include "ui/words/language.h"

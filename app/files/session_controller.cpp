@@ -3,7 +3,7 @@
 #include "app/files/case_pictures.h"
 #include "app/files/recent_cases.h"
 #include "app/messages/says.h"
-#include "app/settings.h"
+#include "app/preferences/settings.h"
 #include "core/imaging/patient_match.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"

@@ -6,9 +6,9 @@
 #include "app/files/open_controller.h"
 #include "app/files/open_dialogs.h"
 #include "app/files/save_controller.h"
-#include "app/notices.h"
 #include "app/registration/registration_controller.h"
 #include "app/registration/target_provider.h"
+#include "app/showing/notices.h"
 
 #include <QObject>
 #include <QStringList>

@@ -1,6 +1,6 @@
 #include "app/files/view_from_inputs.h"
 
-#include "app/files/assemble_case.h"
+#include "app/document/assemble_case.h"
 #include "app/messages/says.h"
 
 namespace angiopose::app {

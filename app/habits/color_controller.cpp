@@ -1,6 +1,6 @@
 #include "app/habits/color_controller.h"
 
-#include "app/settings.h"
+#include "app/preferences/settings.h"
 #include "ui/main_window.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_view.h"

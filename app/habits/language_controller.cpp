@@ -1,7 +1,7 @@
 #include "app/habits/language_controller.h"
 
-#include "app/language_choice.h"
-#include "app/settings.h"
+#include "app/preferences/language_choice.h"
+#include "app/preferences/settings.h"
 #include "ui/main_window.h"
 #include "ui/words/spoken.h"
 

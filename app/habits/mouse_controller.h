@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/views/mouse_preset.h"
+#include "ui/actions/mouse_preset.h"
 
 #include <QObject>
 

@@ -1,6 +1,6 @@
 #include "app/habits/picture_controller.h"
 
-#include "app/files/save_folder.h"
+#include "app/preferences/save_folder.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
 

@@ -1,7 +1,7 @@
 #include "app/habits/shortcut_controller.h"
 
 #include "app/habits/mouse_controller.h"
-#include "app/key_choice.h"
+#include "app/preferences/key_choice.h"
 #include "ui/main_window.h"
 #include "ui/words/spoken.h"
 

@@ -1,7 +1,7 @@
 #include "app/help/help_controller.h"
 
 #include "app/help/fit_examples.h"
-#include "app/settings.h"
+#include "app/preferences/settings.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/help/help_page.h"
 #include "ui/help/tour.h"

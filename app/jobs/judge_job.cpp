@@ -1,6 +1,6 @@
 #include "app/jobs/judge_job.h"
 
-#include "core/evaluation/branch_distances.h"
+#include "core/evaluation/trial/branch_distances.h"
 
 #include <utility>
 

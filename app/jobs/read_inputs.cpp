@@ -3,7 +3,7 @@
 #include "app/jobs/input_kind.h"
 #include "app/messages/says.h"
 #include "io/angiogram_file.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/centerline2d_file.h"
 #include "io/file_hash.h"
 #include "io/messages/says.h"

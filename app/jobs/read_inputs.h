@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/case/case.h"
+#include "io/case/moved_inputs.h"
 #include "io/dicom_series.h"
-#include "io/moved_inputs.h"
 #include "io/support/read_observer.h"
 
 #include <QStringList>

@@ -3,7 +3,7 @@
 #include "app/jobs/job.h"
 #include "core/imaging/angiogram.h"
 #include "core/support/result.h"
-#include "core/tracing/trace_angiogram.h"
+#include "core/tracing/angiogram/trace_angiogram.h"
 #include "core/vessel/centerline2d.h"
 
 #include <QObject>

@@ -1,5 +1,6 @@
 #include "app/jobs/vessel_trace_job.h"
 
+#include "core/tracing/volume/trace_vessels.h"
 #include "io/vessel_input_file.h"
 
 namespace angiopose::app {

@@ -2,7 +2,7 @@
 
 #include "app/library/conversions.h"
 #include "app/library/relay.h"
-#include "core/tracing/suggest_frame.h"
+#include "core/tracing/angiogram/run/suggest_frame.h"
 #include "io/angiogram_file.h"
 
 namespace angiopose::library {

@@ -2,7 +2,7 @@
 #include "app/library/conversions.h"
 #include "app/library/relay.h"
 #include "io/angiogram_file.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/result_file.h"
 #include "io/subtraction_file.h"
 #include "io/vessel_input_file.h"

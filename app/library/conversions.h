@@ -12,10 +12,10 @@
 #include "core/imaging/image2d.h"
 #include "core/registration/register_views.h"
 #include "core/registration/registration.h"
-#include "core/tracing/trace_angiogram.h"
+#include "core/tracing/angiogram/trace_angiogram.h"
 #include "core/tracing/volume/trace_vessels.h"
+#include "core/tracing/volume/vessel_input.h"
 #include "core/vessel/centerline2d.h"
-#include "core/vessel/vessel_input.h"
 #include "core/vessel/vessel_tree.h"
 
 // Between the types that others see and those of core. There and back restores every number to the last bit. `toCore`

@@ -3,7 +3,8 @@
 #include "app/library/conversions.h"
 #include "app/library/relay.h"
 #include "core/geometry/pose_axis.h"
-#include "core/registration/option_text.h"
+#include "core/registration/methods/method_info.h"
+#include "core/registration/options/option_text.h"
 #include "io/support/numbers.h"
 
 #include <algorithm>
@@ -12,16 +13,15 @@
 namespace angiopose::library {
 namespace {
 
-std::string textOf(const core::OptionField& field, double value)
+std::string textOf(const core::OptionField& field, const core::OptionValue& value)
 {
-    return field.choices.empty() ? io::toText(value)
-                                 : std::string(field.choices[static_cast<std::size_t>(std::lround(value))]);
+    const auto* number = std::get_if<double>(&value);
+    return number != nullptr ? io::toText(*number) : std::string(core::nameOf(field, value));
 }
 
 void checkKey(const std::string& key)
 {
-    const auto& fields = core::optionFields();
-    if (std::ranges::find(fields, key, &core::OptionField::key) == fields.end()) {
+    if (core::findOption(key) == nullptr) {
         throw Error("library.no-option",
                     "There is no option '" + key + "'. `methods()` lists the options of every method.");
     }
@@ -29,18 +29,16 @@ void checkKey(const std::string& key)
 
 OptionInfo infoOf(const core::OptionField& field)
 {
+    const auto* number = std::get_if<core::NumberOption>(&field.type);
+    const core::OptionRange range = core::rangeOf(field);
+    const auto names = core::namesOf(field);
     return {std::string(field.key),
-            std::string(field.unit),
+            std::string(number != nullptr ? number->unit : ""),
             std::string(field.help),
-            field.min,
-            field.max,
-            {field.choices.begin(), field.choices.end()},
+            range.min,
+            range.max,
+            {names.begin(), names.end()},
             textOf(field, field.read({}))};
-}
-
-bool isFor(const core::OptionField& field, std::string_view method)
-{
-    return field.methods.empty() || std::ranges::find(field.methods, method) != field.methods.end();
 }
 
 }   // namespace
@@ -104,7 +102,7 @@ std::vector<MethodInfo> methods()
     for (const core::MethodInfo& method : core::methodInfos()) {
         MethodInfo info{std::string(method.id), std::string(method.label), std::string(method.summary), {}};
         for (const core::OptionField& field : core::optionFields()) {
-            if (library::isFor(field, method.id)) {
+            if (core::isFor(field, method.id)) {
                 info.options.push_back(library::infoOf(field));
             }
         }

@@ -1,7 +1,8 @@
 #include "app/registration/registration_controller.h"
 
 #include "app/document/edit_case.h"
-#include "app/review/snapshot_texts.h"
+#include "app/words/snapshot_texts.h"
+#include "core/registration/methods/method_info.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/words/message_text.h"
 

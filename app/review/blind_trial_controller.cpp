@@ -1,10 +1,10 @@
 #include "app/review/blind_trial_controller.h"
 
 #include "app/document/edit_case.h"
-#include "app/files/save_folder.h"
 #include "app/messages/says.h"
-#include "app/review/snapshot_texts.h"
-#include "app/settings.h"
+#include "app/preferences/save_folder.h"
+#include "app/preferences/settings.h"
+#include "app/words/snapshot_texts.h"
 #include "core/case/registration_input.h"
 #include "core/simulation/simulated_case.h"
 #include "core/support/random.h"

@@ -1,6 +1,6 @@
 #include "app/review/brightness_memory.h"
 
-#include "app/settings.h"
+#include "app/preferences/settings.h"
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
 

@@ -2,10 +2,10 @@
 
 #include "app/files/export_controller.h"
 #include "app/jobs/follow_job.h"
-#include "app/notices.h"
 #include "app/review/judgement_controller.h"
-#include "app/review/review_controller.h"
-#include "app/review/view_sync.h"
+#include "app/showing/notices.h"
+#include "app/showing/review_controller.h"
+#include "app/showing/view_sync.h"
 
 #include <QObject>
 

@@ -7,7 +7,7 @@
 #include "app/registration/target_provider.h"
 #include "app/review/look_controller.h"
 #include "app/review/replay_controller.h"
-#include "app/review/view_sync.h"
+#include "app/showing/view_sync.h"
 #include "ui/panels/result_panel.h"
 
 #include <QObject>

@@ -1,6 +1,6 @@
 #include "app/review/look_controller.h"
 
-#include "app/settings.h"
+#include "app/preferences/settings.h"
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/words/number.h"

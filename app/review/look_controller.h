@@ -2,7 +2,7 @@
 
 #include "app/document/case_document.h"
 #include "app/review/brightness_memory.h"
-#include "app/review/view_sync.h"
+#include "app/showing/view_sync.h"
 #include "core/imaging/display_range.h"
 #include "core/registration/registration.h"
 

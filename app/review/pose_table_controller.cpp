@@ -1,7 +1,7 @@
 #include "app/review/pose_table_controller.h"
 
 #include "app/document/edit_case.h"
-#include "app/review/snapshot_texts.h"
+#include "app/words/snapshot_texts.h"
 #include "core/case/registration_input.h"
 #include "io/snapshot_table.h"
 #include "ui/main_window.h"

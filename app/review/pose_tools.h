@@ -3,14 +3,14 @@
 #include "app/editing/auxiliary_controller.h"
 #include "app/files/plot_export.h"
 #include "app/files/session_controller.h"
-#include "app/notices.h"
 #include "app/review/blind_trial_controller.h"
 #include "app/review/judgement_controller.h"
 #include "app/review/pose_table_controller.h"
 #include "app/review/replay_controller.h"
-#include "app/review/review_controller.h"
 #include "app/review/snapshot_controller.h"
 #include "app/review/solution_controller.h"
+#include "app/showing/notices.h"
+#include "app/showing/review_controller.h"
 
 #include <QObject>
 

@@ -3,7 +3,7 @@
 #include "app/jobs/radiograph_job.h"
 #include "app/registration/target_provider.h"
 #include "app/review/look_controller.h"
-#include "app/review/view_sync.h"
+#include "app/showing/view_sync.h"
 
 #include <QObject>
 

@@ -3,7 +3,7 @@
 #include "ui/actions/key_hint.h"
 
 #include "app/document/edit_case.h"
-#include "app/settings.h"
+#include "app/preferences/settings.h"
 #include "core/registration/pose/centroid_pose.h"
 #include "ui/main_window.h"
 #include "ui/words/number.h"

@@ -1,6 +1,6 @@
 #include "app/review/slice_controller.h"
 
-#include "app/settings.h"
+#include "app/preferences/settings.h"
 #include "ui/main_window.h"
 #include "ui/slices/corner_views.h"
 #include "ui/slices/slices_page.h"

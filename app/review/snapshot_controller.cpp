@@ -1,7 +1,7 @@
 #include "app/review/snapshot_controller.h"
 
 #include "app/document/edit_case.h"
-#include "app/review/snapshot_texts.h"
+#include "app/words/snapshot_texts.h"
 #include "ui/main_window.h"
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"

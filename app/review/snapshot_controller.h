@@ -2,7 +2,7 @@
 
 #include "app/document/case_document.h"
 #include "app/jobs/judge_job.h"
-#include "app/review/view_sync.h"
+#include "app/showing/view_sync.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/words/spoken.h"
 

@@ -2,7 +2,7 @@
 
 #include "app/messages/says.h"
 #include "app/texts/number_text.h"
-#include "core/evaluation/branch_distances.h"
+#include "core/evaluation/trial/branch_distances.h"
 #include "core/imaging/display_range.h"
 #include "ui/scenes/overlay_scene.h"
 #include "ui/scenes/render_offscreen.h"

@@ -3,7 +3,7 @@
 #include "core/case/input_file.h"
 #include "core/imaging/angiogram.h"
 #include "core/imaging/volume.h"
-#include "core/vessel/vessel_input.h"
+#include "core/tracing/volume/vessel_input.h"
 #include "core/vessel/vessel_tree.h"
 
 #include <memory>

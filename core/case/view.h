@@ -6,8 +6,8 @@
 #include "core/imaging/angiogram.h"
 #include "core/registration/pose_snapshot.h"
 #include "core/registration/registration.h"
-#include "core/tracing/subtract_run.h"
-#include "core/tracing/trace_angiogram.h"
+#include "core/tracing/angiogram/run/subtract_run.h"
+#include "core/tracing/angiogram/trace_angiogram.h"
 #include "core/vessel/centerline2d.h"
 
 #include <memory>

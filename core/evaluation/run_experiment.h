@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/evaluation/contestant.h"
-#include "core/evaluation/protocol.h"
-#include "core/evaluation/run_record.h"
+#include "core/evaluation/protocols/protocol.h"
+#include "core/evaluation/trial/contestant.h"
+#include "core/evaluation/trial/run_record.h"
 
 namespace angiopose::core {
 

@@ -24,18 +24,6 @@ Eigen::Matrix3d leftJacobianSo3(const Eigen::Vector3d& omega)
            ((angle - std::sin(angle)) / (angle2 * angle)) * hat * hat;
 }
 
-Eigen::Matrix3d inverseLeftJacobianSo3(const Eigen::Vector3d& omega)
-{
-    const double angle = omega.norm();
-    const Eigen::Matrix3d hat = skew(omega);
-    if (angle < smallAngle) {
-        return Eigen::Matrix3d::Identity() - 0.5 * hat + hat * hat / 12.0;
-    }
-    const double half = 0.5 * angle;
-    const double factor = (1.0 - half * std::cos(half) / std::sin(half)) / (angle * angle);
-    return Eigen::Matrix3d::Identity() - 0.5 * hat + factor * hat * hat;
-}
-
 /// Coupling block Q of the left Jacobian of SE(3) (Barfoot, State Estimation for Robotics, eq. 7.86).
 Eigen::Matrix3d couplingBlock(const Eigen::Vector3d& omega, const Eigen::Vector3d& upsilon)
 {
@@ -110,6 +98,18 @@ Eigen::Vector3d logSo3(const Eigen::Matrix3d& rotation)
         return 2.0 * q.vec();
     }
     return (2.0 * std::atan2(sineOfHalf, q.w()) / sineOfHalf) * q.vec();
+}
+
+Eigen::Matrix3d inverseLeftJacobianSo3(const Eigen::Vector3d& omega)
+{
+    const double angle = omega.norm();
+    const Eigen::Matrix3d hat = skew(omega);
+    if (angle < smallAngle) {
+        return Eigen::Matrix3d::Identity() - 0.5 * hat + hat * hat / 12.0;
+    }
+    const double half = 0.5 * angle;
+    const double factor = (1.0 - half * std::cos(half) / std::sin(half)) / (angle * angle);
+    return Eigen::Matrix3d::Identity() - 0.5 * hat + factor * hat * hat;
 }
 
 RigidTransform expSe3(const Vector6d& twist)

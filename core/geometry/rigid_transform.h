@@ -32,6 +32,9 @@ Eigen::Matrix3d expSo3(const Eigen::Vector3d& omega);
 /// Rotation vector with |omega| ≤ π; inverse of expSo3, stable up to and including π.
 Eigen::Vector3d logSo3(const Eigen::Matrix3d& rotation);
 
+/// Inverse left Jacobian of SO(3): `log(exp(x) R) ≈ log(R) + Jl^-1(log R) x`.
+Eigen::Matrix3d inverseLeftJacobianSo3(const Eigen::Vector3d& omega);
+
 /// Exact exponential of a twist (omega rad, upsilon mm).
 RigidTransform expSe3(const Vector6d& twist);
 

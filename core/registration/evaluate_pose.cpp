@@ -1,3 +1,5 @@
+#include "core/registration/registration.h"
+
 #include "core/messages/says.h"
 #include "core/registration/judging/judge_pose.h"
 

@@ -1,4 +1,7 @@
+#include "core/registration/registration.h"
+
 #include "core/registration/judging/judge_pose.h"
+#include "core/registration/methods/method.h"
 #include "core/support/stopwatch.h"
 
 namespace angiopose::core {

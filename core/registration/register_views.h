@@ -26,7 +26,8 @@ struct MultiViewResult {
 /// Registers one tree to two or more views of the same moment (bi-plane), or to frames between which the gantry turned
 /// (ALGORITHMS §6.12). The start poses tell the geometry: startOfB ∘ startOfA⁻¹ leads from camera to camera, up to the
 /// small corrections that `multiView` allows. One view's depth is another's shift, so the depth becomes as certain as
-/// the shift. Fails like registerVessels, naming the view, and when the views show different trees.
+/// the shift. Reports tell whose pose they show; iterations and progress count all views. A stop keeps the best pose so
+/// far. Fails like registerVessels, naming the view, and when the views show different trees.
 Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
                                       const RegistrationOptions& options = {}, const MultiViewOptions& multiView = {},
                                       const IterationObserver& observe = {});

@@ -1,8 +1,8 @@
 #include "core/vessel/edit_tree.h"
 
 #include "core/messages/says.h"
-#include "core/tracing/smoothing_spline.h"
 #include "core/vessel/polyline.h"
+#include "core/vessel/smoothing_spline.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "io/case/case_document.h"
 
+#include "io/case/case_file.h"
 #include "io/case/fields/case_fields.h"
 #include "io/case/fields/view_fields.h"
 #include "io/messages/says.h"
@@ -25,6 +26,11 @@ void readUnknown(const Json& root, core::Case& values)
 }
 
 }   // namespace
+
+const std::string& caseSchema()
+{
+    return caseSchemaText();
+}
 
 CaseDocument parseCaseDocument(std::string_view json)
 {

@@ -1,31 +1,14 @@
 #pragma once
 
 #include "core/case/case.h"
+#include "io/case/fields/view_notes.h"
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace angiopose::io {
-
-/// What a case says about subtraction; the rest is as the image's header has it.
-struct SubtractionKeys {
-    std::optional<std::vector<int>> maskFrames;   ///< empty: chosen automatically
-    std::optional<core::MaskInterval> interval;
-    std::optional<Eigen::Vector2d> maskShiftPx;
-    bool isShiftAutomatic = false;
-    std::optional<core::PixelRelation> relation;
-};
-
-/// What a case says about a view beside its values, for when the image is read.
-struct ViewNotes {
-    bool hasFrame = false;
-    bool hasCurrentPose = false;
-    std::optional<SubtractionKeys> subtraction;
-    std::string sopInstanceUid;   ///< of the image, when noted
-};
 
 /// A case file's content before its inputs are loaded.
 struct CaseDocument {

@@ -1,6 +1,6 @@
 #include "io/case/case_schema.h"
 
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/messages/says.h"
 
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/evaluation/run_record.h"
+#include "core/evaluation/trial/run_record.h"
 #include "core/support/result.h"
 
 #include <string>

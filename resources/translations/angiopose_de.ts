@@ -2281,6 +2281,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>keine Verbesserung</translation>
     </message>
     <message>
+        <source>joint</source>
+        <translation>Gemeinsam</translation>
+    </message>
+    <message>
         <source>refine</source>
         <translation>Verfeinern</translation>
     </message>

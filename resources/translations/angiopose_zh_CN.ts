@@ -2281,6 +2281,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>不再改善</translation>
     </message>
     <message>
+        <source>joint</source>
+        <translation>联合</translation>
+    </message>
+    <message>
         <source>refine</source>
         <translation>精配准</translation>
     </message>

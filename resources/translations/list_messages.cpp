@@ -1,5 +1,6 @@
 #include "app/messages/catalogue.h"
 #include "core/messages/catalogue.h"
+#include "core/registration/options/option_fields.h"
 #include "core/registration/registration.h"
 #include "io/messages/catalogue.h"
 
@@ -42,10 +43,11 @@ std::string sentences()
 
 std::string terms()
 {
-    std::set<std::string> all{"search", "refine", "settle", "rotation", "auxiliary", "full", "affine"};   // stages
+    std::set<std::string> all{"search",    "refine", "settle", "rotation",
+                              "auxiliary", "full",   "affine", "joint"};   // stages
     for (const core::OptionField& field : core::optionFields()) {
         all.insert({std::string(field.label), std::string(field.help)});
-        for (const std::string_view key : field.choices) {
+        for (const std::string_view key : core::namesOf(field)) {
             std::string choice(key);
             std::ranges::replace(choice, '_', ' ');   // as the window shows it
             all.insert(choice);

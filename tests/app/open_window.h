@@ -2,7 +2,7 @@
 
 #include "app/case_controller.h"
 #include "app/files/sample_case.h"
-#include "app/settings.h"
+#include "app/preferences/settings.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"

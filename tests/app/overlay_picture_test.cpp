@@ -1,7 +1,7 @@
 #include "app/texts/overlay_picture.h"
 
 #include "app/files/sample_case.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 
 #include <gtest/gtest.h>
 #include <cstdlib>

@@ -1,6 +1,6 @@
-#include "app/files/save_folder.h"
+#include "app/preferences/save_folder.h"
 #include "app/files/sample_case.h"
-#include "app/settings.h"
+#include "app/preferences/settings.h"
 
 #include <gtest/gtest.h>
 #include <QDir>

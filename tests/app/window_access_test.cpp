@@ -1,6 +1,6 @@
 #include "tests/app/open_window.h"
 
-#include "ui/panels/section.h"
+#include "ui/controls/section.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>

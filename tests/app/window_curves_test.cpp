@@ -1,5 +1,5 @@
-#include "core/tracing/edit_centerline.h"
-#include "io/case_file.h"
+#include "core/tracing/angiogram/drawing/edit_centerline.h"
+#include "io/case/case_file.h"
 #include "tests/app/open_window.h"
 #include "tests/support/temporary_folder.h"
 #include "ui/panels/curve_edit_bar.h"

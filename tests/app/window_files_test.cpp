@@ -5,7 +5,7 @@
 #include "ui/words/language.h"
 
 #include "app/document/edit_case.h"
-#include "app/settings.h"
+#include "app/preferences/settings.h"
 
 #include <QDirIterator>
 #include <QSignalSpy>

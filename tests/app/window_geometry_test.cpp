@@ -2,7 +2,7 @@
 #include "tests/app/open_window.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
-#include "ui/panels/number_field.h"
+#include "ui/controls/number_field.h"
 
 #include <QListWidget>
 

@@ -1,6 +1,6 @@
 #include "tests/app/open_window.h"
 
-#include "app/settings.h"
+#include "app/preferences/settings.h"
 #include "ui/dialogs/key_sheet.h"
 
 #include <QClipboard>

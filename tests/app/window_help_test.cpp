@@ -1,9 +1,9 @@
 #include "tests/app/open_window.h"
 
 #include "app/help/fit_examples.h"
+#include "ui/controls/section.h"
 #include "ui/help/help_page.h"
 #include "ui/help/tour.h"
-#include "ui/panels/section.h"
 #include "ui/words/language.h"
 
 #include <QImage>

@@ -2,7 +2,7 @@
 #include "tests/io/series/ct_phantom.h"
 #include "tests/support/forked_vessel.h"
 
-#include "app/settings.h"
+#include "app/preferences/settings.h"
 #include "ui/panels/step_button.h"
 
 #include <QDialogButtonBox>

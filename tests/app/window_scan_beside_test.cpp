@@ -1,4 +1,4 @@
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/vessel_tree_file.h"
 #include "io/volume_file.h"
 #include "tests/app/open_window.h"

@@ -1,8 +1,8 @@
 #include "core/vessel/edit_tree.h"
 #include "core/vessel/tree_gaps.h"
 #include "tests/app/open_window.h"
+#include "ui/controls/number_field.h"
 #include "ui/dialogs/prune_dialog.h"
-#include "ui/panels/number_field.h"
 #include "ui/panels/result_sentences.h"
 
 #include <QComboBox>

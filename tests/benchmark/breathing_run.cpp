@@ -1,6 +1,6 @@
 #include "tests/benchmark/breathing_run.h"
 
-#include "core/evaluation/projection_error.h"
+#include "core/evaluation/trial/projection_error.h"
 #include "core/simulation/simulated_case.h"
 
 #include <cmath>

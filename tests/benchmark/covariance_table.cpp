@@ -1,7 +1,7 @@
 // Whether the reported covariance is honest however densely the tree is given: simulated trees of 500 … 200 000 points,
 // taken as they are, degraded targets, starts 2°/5 mm off. NEES is eᵀΣ⁻¹e, 6 in the mean when errors and Σ agree.
 
-#include "core/evaluation/projection_error.h"
+#include "core/evaluation/trial/projection_error.h"
 #include "core/registration/registration.h"
 #include "core/simulation/degrade_target.h"
 #include "core/simulation/phantom.h"
@@ -45,7 +45,7 @@ Outcome registerOnce(const core::Phantom& phantom, std::uint64_t trial)
         core::perturbedAboutCentroid(phantom.trueCameraFromPatient, centroid, 2.0, 5.0, random);
     input.target = core::degraded(phantom.exactTarget, phantom.camera, random);
     core::RegistrationOptions options;
-    options.resample = 0;
+    options.resample = false;
     const core::RegistrationResult result = core::registerVessels(input, options).value();
     const core::PosePair poses{result.cameraFromPatient, phantom.trueCameraFromPatient};
     return {core::projectionError(phantom.tree, phantom.camera, poses).meanMm, result.uncertainty.depthMm,

@@ -1,7 +1,7 @@
 // Registers the four real views of the coronary phantom with default options and automatic tracing. The views show one
 // rigid body, so the rotation between two registered views must agree with the angles in the DICOM headers.
 
-#include "core/registration/option_text.h"
+#include "core/registration/options/option_text.h"
 #include "core/support/format_number.h"
 #include "io/evaluation/table_text.h"
 #include "tests/benchmark/arguments.h"

@@ -2,7 +2,7 @@
 
 #include "core/case/registration_input.h"
 #include "core/support/quantile.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 
 #include <algorithm>
 #include <chrono>

@@ -2,8 +2,9 @@
 // solvers that are told the correspondences and against the other methods; and time of one frame when tracking, the new
 // target map excluded. Medians and their ratios from one run.
 
-#include "core/evaluation/contestant.h"
-#include "core/evaluation/protocol.h"
+#include "core/evaluation/protocols/protocol.h"
+#include "core/evaluation/trial/contestant.h"
+#include "core/registration/methods/method_info.h"
 #include "tests/benchmark/breathing_run.h"
 #include "tests/benchmark/known_partners.h"
 #include "tests/benchmark/median_reporter.h"

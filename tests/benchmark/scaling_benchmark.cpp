@@ -72,7 +72,7 @@ void run(benchmark::State& state, const std::string& method, const core::Registr
 {
     core::RegistrationOptions options;
     options.method = method;
-    options.resample = 0;
+    options.resample = false;
     StageSum stages;
     double iterations = 0.0;
     AllocationsByStep allocations;

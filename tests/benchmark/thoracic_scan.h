@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/imaging/volume.h"
-#include "core/tracing/volume/distance_map.h"
+#include "core/tracing/volume/voxels/distance_map.h"
 #include "core/vessel/vessel_tree.h"
 
 #include <Eigen/Core>

@@ -2,7 +2,7 @@
 // thoracic CTA, changed as other devices, exports and viewers would have left them, with one set of defaults.
 
 #include "core/support/format_number.h"
-#include "core/tracing/trace_angiogram.h"
+#include "core/tracing/angiogram/trace_angiogram.h"
 #include "core/tracing/volume/trace_vessels.h"
 #include "io/angiogram_file.h"
 #include "io/evaluation/table_text.h"

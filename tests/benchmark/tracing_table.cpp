@@ -3,7 +3,7 @@
 
 #include "core/imaging/image_filters.h"
 #include "core/support/format_number.h"
-#include "core/tracing/trace_angiogram.h"
+#include "core/tracing/angiogram/trace_angiogram.h"
 #include "io/angiogram_file.h"
 #include "io/evaluation/table_text.h"
 #include "tests/benchmark/arguments.h"

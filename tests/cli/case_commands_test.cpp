@@ -1,4 +1,4 @@
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/pose_file.h"
 #include "tests/cli/run_program.h"
 #include "tests/support/matchers.h"

@@ -1,4 +1,4 @@
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "tests/cli/run_program.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"

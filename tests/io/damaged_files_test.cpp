@@ -1,6 +1,6 @@
 #include "core/support/random.h"
 #include "io/angiogram_file.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/centerline2d_file.h"
 #include "io/image_file.h"
 #include "io/pose_file.h"

@@ -1,5 +1,5 @@
 #include "io/angiogram_file.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/centerline2d_file.h"
 #include "io/pose_file.h"
 #include "io/vessel_tree_file.h"

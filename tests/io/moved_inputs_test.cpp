@@ -1,7 +1,7 @@
-#include "io/moved_inputs.h"
+#include "io/case/moved_inputs.h"
 #include "io/messages/says.h"
 
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
 

@@ -1,5 +1,5 @@
-#include "core/tracing/suggest_frame.h"
-#include "core/tracing/trace_angiogram.h"
+#include "core/tracing/angiogram/run/suggest_frame.h"
+#include "core/tracing/angiogram/trace_angiogram.h"
 #include "io/angiogram_file.h"
 #include "tests/support/centerline_dice.h"
 #include "tests/support/test_data.h"

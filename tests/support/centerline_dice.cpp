@@ -1,6 +1,6 @@
 #include "tests/support/centerline_dice.h"
 
-#include "core/tracing/thin_mask.h"
+#include "core/tracing/angiogram/curves/thin_mask.h"
 
 #include <algorithm>
 #include <cmath>

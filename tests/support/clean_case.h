@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration/registration_problem.h"
+#include "core/registration/problem/registration_problem.h"
 #include "core/simulation/simulated_case.h"
 
 #include <cmath>

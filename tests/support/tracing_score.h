@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/simulation/simulated_case.h"
-#include "core/tracing/trace_angiogram.h"
+#include "core/tracing/angiogram/trace_angiogram.h"
 
 namespace angiopose::test {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/dialogs/key_sheet.h"
-#include "ui/views/mouse_preset.h"
+#include "ui/actions/key_line.h"
+#include "ui/actions/mouse_preset.h"
 
 #include <vector>
 

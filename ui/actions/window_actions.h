@@ -1,8 +1,8 @@
 #pragma once
 
 #include "ui/actions/command_table.h"
-#include "ui/dialogs/key_sheet.h"
-#include "ui/views/mouse_preset.h"
+#include "ui/actions/key_line.h"
+#include "ui/actions/mouse_preset.h"
 
 #include <QAction>
 #include <QObject>

@@ -1,8 +1,8 @@
 #include "ui/dialogs/auxiliary_dialog.h"
 
 #include "ui/actions/key_hint.h"
-#include "ui/panels/number_field.h"
-#include "ui/panels/section.h"
+#include "ui/controls/number_field.h"
+#include "ui/controls/section.h"
 #include "ui/words/number.h"
 
 #include <QGridLayout>

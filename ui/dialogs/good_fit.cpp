@@ -1,6 +1,6 @@
 #include "ui/dialogs/good_fit.h"
 
-#include "ui/panels/section.h"
+#include "ui/controls/section.h"
 
 #include <QGridLayout>
 #include <QImage>

@@ -1,6 +1,6 @@
 #include "ui/dialogs/key_sheet.h"
 
-#include "ui/panels/section.h"
+#include "ui/controls/section.h"
 
 #include <QAction>
 #include <QHBoxLayout>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/actions/key_line.h"
+
 #include <QDialog>
 #include <QKeySequence>
 
@@ -12,14 +14,6 @@ class QTreeWidget;
 class QTreeWidgetItem;
 
 namespace angiopose::ui {
-
-/// One line of the key sheet.
-struct KeyLine {
-    QString heading;   ///< where the key works
-    QString keys;
-    QString effect;
-    QAction* action = nullptr;   ///< whose key can be changed; null where it is fixed
-};
 
 /// All keys on one page; typing narrows them down, Enter on a line takes a new key for it. Knows which keys are taken,
 /// changes nothing itself. Deletes itself when closed.

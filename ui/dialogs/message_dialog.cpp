@@ -1,6 +1,6 @@
 #include "ui/dialogs/message_dialog.h"
 
-#include "ui/panels/section.h"
+#include "ui/controls/section.h"
 
 #include <QClipboard>
 #include <QGuiApplication>

@@ -1,6 +1,6 @@
 #include "ui/dialogs/missing_inputs.h"
 
-#include "ui/panels/section.h"
+#include "ui/controls/section.h"
 
 #include <QFileDialog>
 #include <QFileInfo>

@@ -1,5 +1,6 @@
 #include "ui/dialogs/pose_table.h"
 
+#include "core/registration/methods/method_info.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/theme/active_theme.h"
 #include "ui/words/number.h"

@@ -1,7 +1,7 @@
 #include "ui/dialogs/prune_dialog.h"
 
-#include "ui/panels/number_field.h"
-#include "ui/panels/section.h"
+#include "ui/controls/number_field.h"
+#include "ui/controls/section.h"
 #include "ui/words/number.h"
 
 #include <QFormLayout>

@@ -1,6 +1,6 @@
 #include "ui/dialogs/recovery_dialog.h"
 
-#include "ui/panels/section.h"
+#include "ui/controls/section.h"
 
 #include <QHeaderView>
 #include <QPushButton>

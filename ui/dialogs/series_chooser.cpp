@@ -1,6 +1,6 @@
 #include "ui/dialogs/series_chooser.h"
 
-#include "ui/panels/section.h"
+#include "ui/controls/section.h"
 #include "ui/words/language.h"
 
 #include <QHBoxLayout>

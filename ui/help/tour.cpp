@@ -1,6 +1,6 @@
 #include "ui/help/tour.h"
 
-#include "ui/panels/section.h"
+#include "ui/controls/section.h"
 #include "ui/theme/active_theme.h"
 
 #include <QHBoxLayout>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/tracing/subtract_run.h"
-#include "core/tracing/trace_angiogram.h"
-#include "ui/panels/number_field.h"
-#include "ui/panels/section.h"
+#include "core/tracing/angiogram/run/subtract_run.h"
+#include "core/tracing/angiogram/trace_angiogram.h"
+#include "ui/controls/number_field.h"
+#include "ui/controls/section.h"
 #include "ui/words/spoken.h"
 
 class QCheckBox;

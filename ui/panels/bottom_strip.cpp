@@ -1,6 +1,6 @@
 #include "ui/panels/bottom_strip.h"
 
-#include "ui/panels/section.h"
+#include "ui/controls/section.h"
 #include "ui/words/spoken.h"
 
 #include <QHBoxLayout>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/panels/elided_label.h"
+#include "ui/controls/elided_label.h"
 #include "ui/plots/frame_bars.h"
 
 #include <QWidget>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/vessel/vessel_tree.h"
-#include "ui/panels/section.h"
+#include "ui/controls/section.h"
 #include "ui/scenes/overlay_scene.h"
 
 #include <map>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ui/controls/section.h"
 #include "ui/panels/geometry_values.h"
-#include "ui/panels/section.h"
 #include "ui/words/spoken.h"
 
 #include <QPushButton>

@@ -3,7 +3,7 @@
 #include "core/geometry/c_arm.h"
 #include "core/geometry/gantry_header.h"
 #include "core/support/message.h"
-#include "ui/panels/number_field.h"
+#include "ui/controls/number_field.h"
 
 #include <QString>
 

@@ -1,6 +1,6 @@
 #include "ui/panels/header_bar.h"
 
-#include "ui/panels/section.h"
+#include "ui/controls/section.h"
 #include "ui/words/spoken.h"
 
 #include <QHBoxLayout>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/landmark.h"
-#include "ui/panels/section.h"
+#include "ui/controls/section.h"
 
 #include <QPushButton>
 

@@ -1,7 +1,7 @@
 #include "ui/panels/option_form.h"
 
-#include "ui/panels/number_field.h"
-#include "ui/panels/section.h"
+#include "ui/controls/number_field.h"
+#include "ui/controls/section.h"
 #include "ui/words/spoken.h"
 #include "ui/words/terms.h"
 
@@ -27,20 +27,10 @@ QString choiceText(std::string_view key)
     return termText(fromView(key).replace(QLatin1Char('_'), QLatin1Char(' ')));
 }
 
-bool appliesTo(const core::OptionField& field, const std::string& method)
-{
-    return field.methods.empty() || std::ranges::find(field.methods, method) != field.methods.end();
-}
-
-bool isSwitch(const core::OptionField& field)
-{
-    return field.choices.empty() && field.decimals == 0 && field.min == 0.0 && field.max == 1.0;
-}
-
 /// A step that feels right for the size of the range: 1, 0.1, …, never below the last shown digit.
-double stepOf(const core::OptionField& field)
+double stepOf(const core::NumberOption& number)
 {
-    return std::max(std::pow(10.0, -field.decimals), std::min(1.0, std::pow(10.0, 1 - field.decimals)));
+    return std::max(std::pow(10.0, -number.decimals), std::min(1.0, std::pow(10.0, 1 - number.decimals)));
 }
 
 }   // namespace
@@ -74,7 +64,7 @@ void OptionForm::rebuild()
         form_->removeRow(0);
     }
     for (const core::OptionField& field : core::optionFields()) {
-        if (!appliesTo(field, shownMethod_)) {
+        if (!core::isFor(field, shownMethod_)) {
             continue;
         }
         QWidget* editor = makeEditor(field);
@@ -90,32 +80,46 @@ void OptionForm::rebuild()
 
 QWidget* OptionForm::makeEditor(const core::OptionField& field)
 {
-    if (!field.choices.empty()) {
-        auto* box = new QComboBox;
-        speak(box, [box, &field] {
-            QStringList words;
-            for (const std::string_view choice : field.choices) {
-                words << choiceText(choice);
-            }
-            setWords(*box, words);
-        });
-        connect(box, &QComboBox::activated, this, [this, &field](int index) { write(field, index); });
-        refreshers_.emplace_back([this, &field, box] { box->setCurrentIndex(static_cast<int>(field.read(options_))); });
-        return box;
+    if (const auto* number = std::get_if<core::NumberOption>(&field.type)) {
+        return makeNumber(field, *number);
     }
-    if (isSwitch(field)) {
-        auto* box = new QCheckBox;
-        connect(box, &QCheckBox::clicked, this, [this, &field](bool on) { write(field, on ? 1.0 : 0.0); });
-        refreshers_.emplace_back([this, &field, box] { box->setChecked(field.read(options_) > 0.5); });
-        return box;
-    }
-    auto* box = new NumberField({field.min, field.max, field.decimals, fromView(field.unit), stepOf(field)});
-    connect(box, &NumberField::edited, this, [this, &field](double value) { write(field, value); });
-    refreshers_.emplace_back([this, &field, box] { box->showValue(field.read(options_)); });
+    return std::holds_alternative<core::SwitchOption>(field.type) ? makeSwitch(field) : makeChoice(field);
+}
+
+QWidget* OptionForm::makeSwitch(const core::OptionField& field)
+{
+    auto* box = new QCheckBox;
+    connect(box, &QCheckBox::clicked, this, [this, &field](bool on) { write(field, on); });
+    refreshers_.emplace_back([this, &field, box] { box->setChecked(std::get<bool>(field.read(options_))); });
     return box;
 }
 
-void OptionForm::write(const core::OptionField& field, double value)
+QWidget* OptionForm::makeChoice(const core::OptionField& field)
+{
+    auto* box = new QComboBox;
+    speak(box, [box, &field] {
+        QStringList words;
+        for (const std::string_view name : core::namesOf(field)) {
+            words << choiceText(name);
+        }
+        setWords(*box, words);
+    });
+    connect(box, &QComboBox::activated, this,
+            [this, &field](int index) { write(field, static_cast<std::size_t>(index)); });
+    refreshers_.emplace_back(
+        [this, &field, box] { box->setCurrentIndex(static_cast<int>(std::get<std::size_t>(field.read(options_)))); });
+    return box;
+}
+
+QWidget* OptionForm::makeNumber(const core::OptionField& field, const core::NumberOption& number)
+{
+    auto* box = new NumberField({number.min, number.max, number.decimals, fromView(number.unit), stepOf(number)});
+    connect(box, &NumberField::edited, this, [this, &field](double value) { write(field, value); });
+    refreshers_.emplace_back([this, &field, box] { box->showValue(std::get<double>(field.read(options_))); });
+    return box;
+}
+
+void OptionForm::write(const core::OptionField& field, const core::OptionValue& value)
 {
     field.write(options_, value);
     emit edited(options_, [&field] { return termText(field.label); });   // the table of options stays

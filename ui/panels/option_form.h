@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration/registration_options.h"
+#include "core/registration/options/option_fields.h"
 #include "ui/words/spoken.h"
 
 #include <QWidget>
@@ -26,7 +26,10 @@ signals:
 private:
     void rebuild();
     QWidget* makeEditor(const core::OptionField& field);
-    void write(const core::OptionField& field, double value);
+    QWidget* makeSwitch(const core::OptionField& field);
+    QWidget* makeChoice(const core::OptionField& field);
+    QWidget* makeNumber(const core::OptionField& field, const core::NumberOption& number);
+    void write(const core::OptionField& field, const core::OptionValue& value);
 
     core::RegistrationOptions options_;
     QFormLayout* form_;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ui/panels/number_field.h"
-#include "ui/panels/section.h"
-#include "ui/pose_axis.h"
+#include "ui/controls/number_field.h"
+#include "ui/controls/section.h"
+#include "ui/words/pose_axis.h"
 
 #include <QAbstractButton>
 

@@ -1,5 +1,6 @@
 #include "ui/panels/registration_panel.h"
 
+#include "core/registration/methods/method_info.h"
 #include "ui/actions/key_hint.h"
 #include "ui/help/help_page.h"
 #include "ui/panels/option_form.h"

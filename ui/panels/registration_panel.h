@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/registration/registration_options.h"
-#include "ui/panels/section.h"
+#include "core/registration/options/registration_options.h"
+#include "ui/controls/section.h"
 #include "ui/words/spoken.h"
 
 class QCheckBox;

@@ -2,7 +2,7 @@
 
 #include "core/registration/registration.h"
 #include "core/vessel/vessel_tree.h"
-#include "ui/panels/section.h"
+#include "ui/controls/section.h"
 #include "ui/panels/solution_strip.h"
 #include "ui/plots/motion_plot.h"
 

@@ -1,5 +1,6 @@
 #include "ui/panels/snapshot_panel.h"
 
+#include "core/registration/methods/method_info.h"
 #include "ui/actions/key_hint.h"
 #include "ui/theme/active_theme.h"
 #include "ui/words/language.h"

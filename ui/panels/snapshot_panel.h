@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/registration/pose_snapshot.h"
-#include "ui/panels/section.h"
+#include "ui/controls/section.h"
 
 #include <optional>
 #include <set>

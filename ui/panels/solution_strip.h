@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/imaging/image2d.h"
-#include "ui/panels/section.h"
+#include "ui/controls/section.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "ui/panels/trial_bar.h"
 
 #include "ui/actions/key_hint.h"
-#include "ui/panels/section.h"
+#include "ui/controls/section.h"
 #include "ui/words/spoken.h"
 
 #include <QHBoxLayout>

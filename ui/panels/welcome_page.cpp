@@ -1,7 +1,7 @@
 #include "ui/panels/welcome_page.h"
 
 #include "ui/actions/key_hint.h"
-#include "ui/panels/section.h"
+#include "ui/controls/section.h"
 #include "ui/theme/active_theme.h"
 #include "ui/words/spoken.h"
 

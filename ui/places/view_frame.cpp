@@ -1,6 +1,6 @@
 #include "ui/places/view_frame.h"
 
-#include "ui/panels/section.h"
+#include "ui/controls/section.h"
 #include "ui/places/view_window.h"
 #include "ui/words/spoken.h"
 

@@ -1,6 +1,6 @@
 #include "ui/slices/label_choice.h"
 
-#include "ui/panels/section.h"
+#include "ui/controls/section.h"
 #include "ui/theme/active_theme.h"
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"

@@ -1,6 +1,6 @@
 #include "ui/slices/tracing_panel.h"
 
-#include "ui/panels/number_field.h"
+#include "ui/controls/number_field.h"
 #include "ui/slices/label_choice.h"
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/vessel/vessel_input.h"
-#include "ui/panels/section.h"
+#include "core/tracing/volume/vessel_input.h"
+#include "ui/controls/section.h"
 
 #include <optional>
 

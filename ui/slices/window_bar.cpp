@@ -1,6 +1,6 @@
 #include "ui/slices/window_bar.h"
 
-#include "ui/panels/section.h"
+#include "ui/controls/section.h"
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
 

@@ -2,8 +2,8 @@
 
 #include "ui/views/angiogram_annotations.h"
 #include "ui/views/angiogram_view.h"
+#include "ui/views/image_tool.h"
 #include "ui/views/image_viewport.h"
-#include "ui/views/tools/image_tool.h"
 
 #include <QPointF>
 #include <QPointer>

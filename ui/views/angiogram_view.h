@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/imaging/display_range.h"
+#include "ui/actions/mouse_preset.h"
 #include "ui/scenes/overlay_painter.h"
 #include "ui/scenes/render_offscreen.h"
-#include "ui/views/mouse_preset.h"
 
 #include <QImage>
 #include <QWidget>

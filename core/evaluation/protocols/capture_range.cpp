@@ -1,8 +1,8 @@
 #include "core/evaluation/protocols/capture_range.h"
 
-#include "core/evaluation/projection_error.h"
 #include "core/evaluation/protocols/phantoms.h"
 #include "core/evaluation/protocols/protocol_rows.h"
+#include "core/evaluation/trial/projection_error.h"
 #include "core/geometry/angle_units.h"
 #include "core/support/format_number.h"
 

@@ -1,6 +1,6 @@
 #include "core/evaluation/protocols/phantoms.h"
 
-#include "core/evaluation/cramer_rao_bound.h"
+#include "core/evaluation/trial/cramer_rao_bound.h"
 #include "core/simulation/degrade_target.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/evaluation/protocol.h"
+#include "core/evaluation/protocols/protocol.h"
 
 namespace angiopose::core {
 

@@ -1,7 +1,7 @@
 #include "core/evaluation/protocols/traced_trial.h"
 
 #include "core/support/stopwatch.h"
-#include "core/tracing/trace_angiogram.h"
+#include "core/tracing/angiogram/trace_angiogram.h"
 
 namespace angiopose::core {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/evaluation/trial.h"
+#include "core/evaluation/trial/trial.h"
 #include "core/simulation/simulated_case.h"
 
 namespace angiopose::core {

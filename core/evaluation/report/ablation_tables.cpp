@@ -1,5 +1,6 @@
-#include "core/evaluation/contestant.h"
 #include "core/evaluation/report/table_parts.h"
+#include "core/evaluation/trial/contestant.h"
+#include "core/registration/options/option_fields.h"
 #include "core/support/format_number.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ constexpr std::size_t fewestSettings = 4;   // fewer are a comparison, no ablati
 /// A DynaWeightPnP contestant by its three settings.
 struct AblationSetting {
     std::string label;
-    int preset = 0;
+    PriorPreset preset = PriorPreset::SeedSum;
     bool rotationFirst = false;
     bool alternation = false;
 };
@@ -24,21 +25,15 @@ std::vector<AblationSetting> settingsOf(const RunGroups& groups)
         const auto contestant = contestantFrom(label);
         if (contestant && contestant.value().options.method == "dynaweight") {
             const RegistrationOptions& options = contestant.value().options;
-            settings.push_back(
-                {label, static_cast<int>(options.preset), options.rotationFirst != 0.0, options.alternation != 0.0});
+            settings.push_back({label, options.seed.preset, options.seed.rotationFirst, options.seed.alternation});
         }
     }
     return settings;
 }
 
-std::string presetName(int preset)
+std::string presetName(PriorPreset preset)
 {
-    for (const OptionField& field : optionFields()) {
-        if (field.key == "preset") {
-            return std::string(field.choices[static_cast<std::size_t>(preset)]);
-        }
-    }
-    return "";
+    return std::string(nameOf(*findOption("preset"), static_cast<std::size_t>(preset)));
 }
 
 std::string cellOf(const RunGroup& group)
@@ -56,7 +51,8 @@ ResultTable tableOf(const RunGroups& groups, const Condition& condition, const s
     table.id = std::string(groups.protocol().id) + "-" + condition.id + "-ablation";
     table.title = "Ablation of DynaWeightPnP: " + condition.title + " (GFR % / median PR px / angle ° / Dist mm)";
     table.columns = {"prior", "neither", "alternation", "rotation first", "both"};
-    for (int preset = 0; preset < 4; ++preset) {
+    for (const PriorPreset preset :
+         {PriorPreset::SeedSum, PriorPreset::SeedMean, PriorPreset::SeedMetric, PriorPreset::NoPrior}) {
         ResultTable::Row row{{presetName(preset), "–", "–", "–", "–"}, false};
         for (const AblationSetting& setting : settings) {
             if (setting.preset == preset) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/evaluation/run_record.h"
 #include "core/evaluation/statistics/proportion.h"
+#include "core/evaluation/trial/run_record.h"
 
 #include <Eigen/Core>
 #include <string>

@@ -1,6 +1,6 @@
 #include "core/evaluation/report/published_results.h"
 
-#include "core/evaluation/run_record.h"
+#include "core/evaluation/trial/run_record.h"
 
 #include <algorithm>
 #include <array>

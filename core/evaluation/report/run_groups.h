@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/evaluation/protocol.h"
-#include "core/evaluation/run_record.h"
+#include "core/evaluation/protocols/protocol.h"
+#include "core/evaluation/trial/run_record.h"
 
 #include <functional>
 #include <map>

@@ -44,19 +44,22 @@ struct Alignment::Match {
 Alignment::Alignment(std::vector<AlignmentPoint> points, const ProjectionCamera& camera, const TargetLines& target)
     : points_(std::move(points)), camera_(camera), target_(&target)
 {
+    double squares = 0.0;
     for (const AlignmentPoint& point : points_) {
         const auto branch = static_cast<std::size_t>(point.branchIndex);
         if (branch >= pointCount_.size()) {
             pointCount_.resize(branch + 1, 0.0);
         }
         pointCount_[branch] += 1.0;
+        squares += point.fromCentroid.squaredNorm();
     }
+    spreadMm_ = std::sqrt(squares / std::max(1.0, static_cast<double>(points_.size())));
     for (double& count : pointCount_) {
         count = std::max(count, 1.0);
     }
     visibility_.assign(pointCount_.size(), 1.0);
-    buffers_.current.branchWeight.reserve(pointCount_.size());
-    buffers_.trial.branchWeight.reserve(pointCount_.size());
+    buffers_.looks.here.branchWeight.reserve(pointCount_.size());
+    buffers_.looks.there.branchWeight.reserve(pointCount_.size());
     buffers_.residuals.reserve(points_.size());
 }
 

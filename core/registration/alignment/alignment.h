@@ -2,6 +2,7 @@
 
 #include "core/registration/alignment/projected_points.h"
 #include "core/registration/matching/target_lines.h"
+#include "core/registration/pose/damped_descent.h"
 #include "core/registration/pose/start_prior.h"
 
 #include <algorithm>
@@ -63,11 +64,11 @@ public:
     double medianDistancePx(const CentroidPose& pose, std::vector<double>& scratch) const;
 
     std::size_t size() const { return points_.size(); }
+    double spreadMm() const { return spreadMm_; }   ///< rms distance of the points from the centroid
 
     /// What a refinement writes to, made once: its steps allocate nothing.
     struct Buffers {
-        Agreement current;
-        Agreement trial;
+        LookPair<Agreement> looks;
         std::vector<double> residuals;
         ProjectedPoints projected;
     };
@@ -84,6 +85,7 @@ private:
     const TargetLines* target_;
     std::vector<double> visibility_;   ///< per branch, 0…1
     std::vector<double> pointCount_;   ///< per branch, at least 1
+    double spreadMm_ = 0.0;
     Buffers buffers_;
 };
 

@@ -2,7 +2,7 @@
 
 #include "core/registration/alignment/alignment.h"
 #include "core/registration/alignment/coarse_candidate.h"
-#include "core/registration/registration.h"
+#include "core/registration/problem/registration_result.h"
 
 #include <cstdint>
 #include <functional>

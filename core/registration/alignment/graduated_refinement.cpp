@@ -10,69 +10,20 @@ constexpr double settledRefinementMm = 1e-3;   // 0.003 px
 constexpr double noiseMattersPx = 5.0;   // above, the scale is wider than any noise
 constexpr double madToStd = 1.4826;
 
-/// One refinement under way.
-class Refinement {
+/// The alignment at one scale: its Welsch loss and the pull of the prior.
+class AlignmentAtScale {
 public:
-    Refinement(Alignment& alignment, const StartPrior& prior, const CentroidPose& start,
-               const RefinementSchedule& schedule)
-        : alignment_(alignment),
-          prior_(prior),
-          pose_(start),
-          scalePx_(schedule.startScalePx),
-          bothWays_(schedule.bothWays),
-          current_(alignment.buffers().current),
-          trial_(alignment.buffers().trial),
-          residuals_(alignment.buffers().residuals)
+    using Place = CentroidPose;
+    using Step = Vector6d;
+    using Look = Agreement;
+    using Equations = NormalEquations;
+
+    AlignmentAtScale(Alignment& alignment, const StartPrior& prior, const RefinementSchedule& schedule)
+        : alignment_(alignment), prior_(prior), scalePx_(schedule.startScalePx), bothWays_(schedule.bothWays)
     {
-        lookAt(pose_, current_);
     }
 
-    void setScale(double scalePx)
-    {
-        scalePx_ = scalePx;
-        alignment_.setVisibility(current_);
-        lookAt(pose_, current_);
-        damping_.reset();
-    }
-
-    /// Tries one step; the distance that the tree moved, mm.
-    double step(double spreadMm)
-    {
-        const Vector6d step = prior_.freedom.dampedStep(current_.equations, damping_.factor(), pose_);
-        const double promised = predictedDecrease(current_.equations, step);
-        const CentroidPose trial = prior_.freedom.moved(pose_, step);
-        lookAt(trial, trial_);
-        const double gained = current_.loss - trial_.loss;
-        const double lengthMm = spreadMm * step.head<3>().norm() + step.tail<3>().norm();
-        if (gained < 0.0 || !(promised > 0.0)) {
-            damping_.reject();
-            return gained < 0.0 ? lengthMm : 0.0;
-        }
-        damping_.accept(gained / promised);
-        pose_ = trial;
-        std::swap(current_, trial_);
-        return lengthMm;
-    }
-
-    const CentroidPose& pose() const { return pose_; }
-    double scalePx() const { return scalePx_; }
-
-    /// Robust standard deviation of the residuals of the points that agree.
-    double noisePx()
-    {
-        alignment_.collectResiduals(pose_, 2.0 * scalePx_, residuals_);
-        std::erase_if(residuals_, [](double residual) { return std::isnan(residual); });
-        if (residuals_.empty()) {
-            return scalePx_;
-        }
-        const auto middle = residuals_.begin() + static_cast<std::ptrdiff_t>(residuals_.size() / 2);
-        std::nth_element(residuals_.begin(), middle, residuals_.end(),
-                         [](double a, double b) { return std::abs(a) < std::abs(b); });
-        return madToStd * std::abs(*middle);
-    }
-
-private:
-    void lookAt(const CentroidPose& pose, Agreement& agreement) const
+    bool look(const CentroidPose& pose, Agreement& agreement) const
     {
         alignment_.look(pose, scalePx_, agreement);
         if (bothWays_) {
@@ -81,61 +32,115 @@ private:
         const double variance = noiseVariance(scalePx_);
         prior_.add(pose, variance, agreement.equations);
         agreement.loss += variance * prior_.cost(pose);
+        return true;
     }
 
+    const NormalEquations& equations(const CentroidPose&, const Agreement& agreement) const
+    {
+        return agreement.equations;
+    }
+
+    Vector6d step(const CentroidPose& pose, const NormalEquations& equations, double damping) const
+    {
+        return prior_.freedom.dampedStep(equations, damping, pose);
+    }
+
+    CentroidPose moved(const CentroidPose& pose, const Vector6d& step) const
+    {
+        return prior_.freedom.moved(pose, step);
+    }
+
+    std::optional<double> gained(const Agreement& here, const Agreement& there) const
+    {
+        return there.loss <= here.loss ? std::optional(here.loss - there.loss) : std::nullopt;
+    }
+
+    double lengthMm(const CentroidPose&, const Vector6d& step) const
+    {
+        return stepLengthMm(step, alignment_.spreadMm());
+    }
+
+    double scalePx() const { return scalePx_; }
+    void setScale(double scalePx) { scalePx_ = scalePx; }
+
+    /// Robust standard deviation of the residuals of the points that agree.
+    double noisePx(const CentroidPose& pose) const
+    {
+        std::vector<double>& residuals = alignment_.buffers().residuals;
+        alignment_.collectResiduals(pose, 2.0 * scalePx_, residuals);
+        std::erase_if(residuals, [](double residual) { return std::isnan(residual); });
+        if (residuals.empty()) {
+            return scalePx_;
+        }
+        const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
+        std::nth_element(residuals.begin(), middle, residuals.end(),
+                         [](double a, double b) { return std::abs(a) < std::abs(b); });
+        return madToStd * std::abs(*middle);
+    }
+
+private:
     Alignment& alignment_;
     const StartPrior& prior_;
-    CentroidPose pose_;
     double scalePx_;
     bool bothWays_;
-    Damping damping_;
-    Agreement& current_;
-    Agreement& trial_;
-    std::vector<double>& residuals_;
 };
+
+/// Steps that a schedule takes when none settles early.
+double expectedSteps(const RefinementSchedule& schedule)
+{
+    const double levels = std::log(schedule.endScalePx / schedule.startScalePx) / std::log(schedule.shrink);
+    return levels * schedule.stepsPerScale + schedule.lastSteps + 1.0;
+}
+
+/// The last scale, as far as the noise of the residuals is known by now.
+double endScaleOf(const RefinementSchedule& schedule, const AlignmentAtScale& problem, const CentroidPose& pose)
+{
+    const double ofNoisePx = std::min(problem.scalePx(), scalePerNoise * problem.noisePx(pose));
+    return std::max(schedule.endScalePx, ofNoisePx);
+}
 
 }   // namespace
 
 RefinementResult refine(Alignment& alignment, const StartPrior& prior, const CentroidPose& start,
                         const RefinementSchedule& schedule, const RefinementObserver& observe)
 {
-    constexpr double spreadMm = 50.0;
-    Refinement refinement(alignment, prior, start, schedule);
+    AlignmentAtScale problem(alignment, prior, schedule);
+    DampedDescent descent(problem, start, alignment.buffers().looks, {.settledMm = settledRefinementMm});
     RefinementResult result;
-    const double levels = std::log(schedule.endScalePx / schedule.startScalePx) / std::log(schedule.shrink);
-    const double expectedSteps = levels * schedule.stepsPerScale + schedule.lastSteps + 1.0;
+    const double wholeSteps = expectedSteps(schedule);
+    const auto report = [&](const StepOutcome&) {
+        ++result.steps;
+        return observe ? observe({descent.place(), problem.scalePx(), std::min(1.0, result.steps / wholeSteps)})
+                       : Verdict::Continue;
+    };
     const auto finish = [&](StopReason reason) {
-        result.pose = refinement.pose();
-        result.scalePx = refinement.scalePx();
+        result.pose = descent.place();
+        result.scalePx = problem.scalePx();
         result.stopReason = reason;
         return result;
     };
     double endScalePx = schedule.endScalePx;
     while (true) {
-        const bool isLast = refinement.scalePx() <= endScalePx;
+        const bool isLast = problem.scalePx() <= endScalePx;
         const int steps = isLast ? schedule.lastSteps : schedule.stepsPerScale;
-        for (int k = 0; k < steps; ++k) {
-            if (result.steps >= schedule.maxSteps) {
-                return finish(StopReason::IterationLimit);
-            }
-            const double movedMm = refinement.step(spreadMm);
-            ++result.steps;
-            if (observe && observe({refinement.pose(), refinement.scalePx(),
-                                    std::min(1.0, result.steps / expectedSteps)}) == Verdict::Stop) {
-                return finish(StopReason::StoppedByUser);
-            }
-            if (movedMm < settledRefinementMm) {
-                break;
-            }
+        const int left = schedule.maxSteps - result.steps;
+        const StepOutcome last = descent.descend(std::min(steps, left), report);
+        if (last.isStopped) {
+            return finish(StopReason::StoppedByUser);
+        }
+        if (steps > left && !last.isSettled) {
+            return finish(StopReason::IterationLimit);
         }
         if (isLast) {
             return finish(StopReason::Converged);
         }
-        if (refinement.scalePx() < noiseMattersPx) {
-            endScalePx =
-                std::max(schedule.endScalePx, std::min(refinement.scalePx(), scalePerNoise * refinement.noisePx()));
+        if (problem.scalePx() < noiseMattersPx) {
+            endScalePx = endScaleOf(schedule, problem, descent.place());
         }
-        refinement.setScale(std::max(endScalePx, schedule.shrink * refinement.scalePx()));
+        problem.setScale(std::max(endScalePx, schedule.shrink * problem.scalePx()));
+        alignment.setVisibility(descent.look());
+        descent.lookAgain();
+        descent.resetDamping();
     }
 }
 

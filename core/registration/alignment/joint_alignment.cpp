@@ -9,11 +9,11 @@ CentroidPose poseInView(const JointPose& joint, std::span<const ViewGeometry> ge
     return moved(carried, joint.corrections[view]);
 }
 
-JointEquations stacked(std::span<const NormalEquations> perView, const JointPose& joint,
-                       std::span<const ViewGeometry> geometry)
+StackedEquations stacked(std::span<const NormalEquations> perView, const JointPose& joint,
+                         std::span<const ViewGeometry> geometry)
 {
     const auto count = static_cast<Eigen::Index>(6 * perView.size());
-    JointEquations sum{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count)};
+    StackedEquations sum{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count)};
     for (std::size_t k = 0; k < perView.size(); ++k) {
         const Matrix6d H = perView[k].hessian.selfadjointView<Eigen::Lower>();
         const Eigen::Matrix3d& turn = geometry[k].cameraFromFirst.rotation;

@@ -26,12 +26,8 @@ CentroidPose poseInView(const JointPose& joint, std::span<const ViewGeometry> ge
 /// What every view tells about its own pose, put together: parameters are the step of the first pose, then the
 /// corrections of views 1, 2, …, 6 each. The correction of a view acts after the geometry, so a step of the first pose
 /// reaches the view turned by cameraFromFirst and the correction.
-struct JointEquations {
-    Eigen::MatrixXd hessian;
-    Eigen::VectorXd gradient;
-};
-JointEquations stacked(std::span<const NormalEquations> perView, const JointPose& joint,
-                       std::span<const ViewGeometry> geometry);
+StackedEquations stacked(std::span<const NormalEquations> perView, const JointPose& joint,
+                         std::span<const ViewGeometry> geometry);
 
 /// The joint pose after a step of all parameters.
 JointPose moved(const JointPose& joint, const Eigen::VectorXd& step);

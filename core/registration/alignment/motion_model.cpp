@@ -37,18 +37,19 @@ Vector6d MotionModel::alongBreathing(const Vector6d& step) const
 
 StartPrior MotionModel::predict() const
 {
-    StartPrior prior{pose_, {}};
+    CentroidPose predicted = pose_;
     Vector6d expected = Vector6d::Zero();
     if (isMoving_ && framesMissed_ == 0) {
         expected = alongBreathing(steps_.back());
-        prior.start = moved(pose_, expected.cwiseQuotient(inMm_));
+        predicted = moved(pose_, expected.cwiseQuotient(inMm_));
     }
     const double wider = std::sqrt(1.0 + framesMissed_);
     const double rotation = noise_.rotationDeg * std::numbers::pi / 180.0;
-    prior.std << rotation, rotation, rotation, noise_.shiftMm, noise_.shiftMm, noise_.shiftMm;
+    Vector6d std;
+    std << rotation, rotation, rotation, noise_.shiftMm, noise_.shiftMm, noise_.shiftMm;
     // Breathing turns round: the step may also be missing.
-    prior.std = wider * (prior.std.cwiseAbs2() + 0.25 * expected.cwiseQuotient(inMm_).cwiseAbs2()).cwiseSqrt();
-    return prior;
+    std = wider * (std.cwiseAbs2() + 0.25 * expected.cwiseQuotient(inMm_).cwiseAbs2()).cwiseSqrt();
+    return independentPrior(predicted, std);
 }
 
 void MotionModel::advance(const std::optional<CentroidPose>& pose)

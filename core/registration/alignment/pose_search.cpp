@@ -31,9 +31,9 @@ std::vector<CentroidPose> posesOf(const std::vector<CoarseCandidate>& candidates
 SearchReach within(SearchReach reach, const RegistrationOptions& options, const PoseFreedom& freedom)
 {
     reach.freedom = freedom;
-    reach.radiusMm = std::min(reach.radiusMm, options.searchRadiusMm);
-    reach.tiltDeg = std::min(reach.tiltDeg, options.searchTiltDeg);
-    reach.rollDeg = std::min(reach.rollDeg, options.searchRollDeg);
+    reach.radiusMm = std::min(reach.radiusMm, options.angiopose.searchRadiusMm);
+    reach.tiltDeg = std::min(reach.tiltDeg, options.angiopose.searchTiltDeg);
+    reach.rollDeg = std::min(reach.rollDeg, options.angiopose.searchRollDeg);
     return reach;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/registration/alignment/alignment.h"
-#include "core/registration/registration.h"
+#include "core/registration/problem/registration_result.h"
 
 #include <functional>
 

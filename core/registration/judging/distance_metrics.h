@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/registration/matching/grid_index.h"
-#include "core/registration/registration_problem.h"
+#include "core/registration/problem/registration_problem.h"
 
 namespace angiopose::core {
 

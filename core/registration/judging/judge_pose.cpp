@@ -5,6 +5,7 @@
 #include "core/registration/judging/pose_shift.h"
 #include "core/registration/judging/pose_uncertainty.h"
 #include "core/registration/judging/trust.h"
+#include "core/registration/matching/target_lines.h"
 
 #include <algorithm>
 
@@ -34,7 +35,7 @@ RegistrationResult judgePose(const RegistrationProblem& problem, const Registrat
                              ? *solution.agreement
                              : AgreementScore(problem, *lines).of(aboutCentroid(pose, problem.tree.centroid));
     evidence.settlingMm = solution.isSettled ? 0.0 : settlingShiftMm(problem, *lines, pose, options);
-    evidence.expectedErrorMm = expectedShiftMm(problem.tree, pose, result.uncertainty);
+    evidence.expectedErrorMm = expectedShiftMm(problem, pose, result.uncertainty);
     for (const Hypothesis& other : solution.alternatives) {
         evidence.rivalMm = std::max(evidence.rivalMm, meanShiftMm(problem.tree, pose, other.cameraFromPatient));
     }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/registration/method.h"
+#include "core/registration/problem/method_solution.h"
+#include "core/registration/problem/registration_problem.h"
 
 namespace angiopose::core {
 

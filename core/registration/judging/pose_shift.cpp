@@ -24,12 +24,14 @@ double meanShiftMm(const TreeSamples& tree, const RigidTransform& a, const Rigid
 
 /// The trace of J C Jᵀ over the points, J = [−[a]× | I] without its last row: quadratic in the arm a, so that the
 /// arms' first and second moments are enough.
-double expectedShiftMm(const TreeSamples& tree, const RigidTransform& pose, const PoseUncertainty& uncertainty)
+double expectedShiftMm(const RegistrationProblem& problem, const RigidTransform& pose,
+                       const PoseUncertainty& uncertainty)
 {
+    const TreeSamples& tree = problem.tree;
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
     for (const Eigen::Vector3d& point : tree.points) {
-        const Eigen::Vector3d arm = point - tree.centroid;
+        const Eigen::Vector3d arm = point - problem.wholeTreeCentroid;
         mean += arm;
         squares += arm * arm.transpose();
     }

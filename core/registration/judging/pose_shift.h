@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/registration/matching/target_lines.h"
-#include "core/registration/registration_problem.h"
+#include "core/registration/problem/registration_problem.h"
 
 namespace angiopose::core {
 
@@ -10,7 +10,8 @@ namespace angiopose::core {
 double meanShiftMm(const TreeSamples& tree, const RigidTransform& a, const RigidTransform& b);
 
 /// The same to be expected from a covariance: root mean square over the tree's points, 1-σ.
-double expectedShiftMm(const TreeSamples& tree, const RigidTransform& pose, const PoseUncertainty& uncertainty);
+double expectedShiftMm(const RegistrationProblem& problem, const RigidTransform& pose,
+                       const PoseUncertainty& uncertainty);
 
 /// How far the pose slides when it is refined where it is: large when the vessels fit better close by.
 double settlingShiftMm(const RegistrationProblem& problem, const TargetLines& target, const RigidTransform& pose,

@@ -22,11 +22,6 @@ Matrix6d imageInformation(const RegistrationProblem& problem, const TargetLines&
     return tolerantInformation(alignment, prior, pose).hessian;
 }
 
-Matrix6d informationOf(const StartPrior& prior)
-{
-    return Vector6d(prior.std.cwiseAbs2().cwiseInverse()).asDiagonal();
-}
-
 /// Inverse among the free steps, zero across them.
 Matrix6d inverseAmong(const StepBasis& free, const Matrix6d& information)
 {
@@ -35,26 +30,37 @@ Matrix6d inverseAmong(const StepBasis& free, const Matrix6d& information)
     return free * reduced.inverse() * free.transpose();
 }
 
+/// Carries steps about one place of the body to steps about another, `armInCamera` away.
+Matrix6d aboutOther(const Eigen::Vector3d& armInCamera)
+{
+    Matrix6d carry = Matrix6d::Identity();
+    carry.bottomLeftCorner<3, 3>() = -skew(armInCamera);
+    return carry;
+}
+
 }   // namespace
 
 PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const TargetLines& target,
                                 const RigidTransform& cameraFromPatient, const StartPrior& prior)
 {
     const CentroidPose pose = aboutCentroid(cameraFromPatient, problem.tree.centroid);
-    return poseUncertainty(imageInformation(problem, target, pose, prior), prior, pose, problem.tree.spreadMm);
+    return poseUncertainty(problem, imageInformation(problem, target, pose, prior), prior, pose);
 }
 
-PoseUncertainty poseUncertainty(const Matrix6d& imageInformation, const StartPrior& prior, const CentroidPose& pose,
-                                double spreadMm)
+PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const Matrix6d& imageInformation,
+                                const StartPrior& prior, const CentroidPose& pose)
 {
     const StepBasis free = prior.freedom.freeSteps(pose);
+    const Matrix6d priorInformation = prior.informationAt(pose);
+    const Vector6d priorStd = prior.std();
+    const Matrix6d carry = aboutOther(pose.rotation * (problem.wholeTreeCentroid - problem.tree.centroid));
     PoseUncertainty uncertainty;
-    uncertainty.covariance = inverseAmong(free, imageInformation + informationOf(prior));
+    uncertainty.covariance = carry * inverseAmong(free, imageInformation + priorInformation) * carry.transpose();
     // A hint of prior keeps the inverse finite where the image tells nothing.
-    const Matrix6d imageAlone = inverseAmong(free, imageInformation + 1e-6 * informationOf(prior));
+    const Matrix6d imageAlone = inverseAmong(free, imageInformation + 1e-6 * priorInformation);
     for (int k = 0; k < 6; ++k) {
         uncertainty.observed[static_cast<std::size_t>(k)] =
-            prior.freedom.isLocked(k) || std::sqrt(imageAlone(k, k)) < 0.5 * prior.std[k];
+            prior.freedom.isLocked(k) || std::sqrt(imageAlone(k, k)) < 0.5 * priorStd[k];
     }
     const Vector6d std = uncertainty.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
     uncertainty.rotationDeg = std.head<3>() * 180.0 / std::numbers::pi;
@@ -63,7 +69,7 @@ PoseUncertainty poseUncertainty(const Matrix6d& imageInformation, const StartPri
     uncertainty.depthMm = std[5];
 
     Vector6d inMm = Vector6d::Ones();
-    inMm.head<3>().setConstant(spreadMm);
+    inMm.head<3>().setConstant(problem.tree.spreadMm);
     const Eigen::SelfAdjointEigenSolver<Matrix6d> axes(inMm.asDiagonal() * uncertainty.covariance * inMm.asDiagonal());
     uncertainty.weakestDirection = axes.eigenvectors().col(5);
     return uncertainty;
@@ -72,7 +78,7 @@ PoseUncertainty poseUncertainty(const Matrix6d& imageInformation, const StartPri
 Matrix6d poseInformation(const RegistrationProblem& problem, const TargetLines& target, const CentroidPose& pose,
                          const StartPrior& prior)
 {
-    return imageInformation(problem, target, pose, prior) + informationOf(prior);
+    return imageInformation(problem, target, pose, prior) + prior.informationAt(pose);
 }
 
 }   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include "core/registration/matching/target_lines.h"
 #include "core/registration/pose/start_prior.h"
-#include "core/registration/registration_problem.h"
+#include "core/registration/problem/registration_problem.h"
 
 namespace angiopose::core {
 
@@ -11,12 +11,12 @@ namespace angiopose::core {
 PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const TargetLines& target,
                                 const RigidTransform& cameraFromPatient, const StartPrior& prior);
 
-/// The same from what images tell about a pose: information for steps (rad, mm) about the centroid in camera axes.
-/// Locked degrees of freedom are certain.
-PoseUncertainty poseUncertainty(const Matrix6d& imageInformation, const StartPrior& prior, const CentroidPose& pose,
-                                double spreadMm);
+/// The same from what images tell about a pose: information for steps (rad, mm) about the centroid of the used points
+/// in camera axes. Locked degrees of freedom are certain.
+PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const Matrix6d& imageInformation,
+                                const StartPrior& prior, const CentroidPose& pose);
 
-/// Inverse of the covariance that a pose without locks has.
+/// Inverse of the covariance that a pose without locks has, about the centroid of the used points.
 Matrix6d poseInformation(const RegistrationProblem& problem, const TargetLines& target, const CentroidPose& pose,
                          const StartPrior& prior);
 

@@ -6,13 +6,6 @@
 
 namespace angiopose::core {
 
-/// Which target points pull a tree point (Δ of the seed, ALGORITHMS §2, decision 18).
-enum class Neighbours {
-    Closest,
-    Five,   ///< the five nearest
-    Radius   ///< all within three kernel widths, the nearest 64 at most
-};
-
 /// Finds several near target points in the image.
 class NeighbourSearch {
 public:

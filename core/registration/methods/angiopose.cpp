@@ -1,4 +1,4 @@
-#include "core/registration/methods/angiopose.h"
+#include "core/registration/methods/methods.h"
 
 #include "core/registration/alignment/final_refinement.h"
 #include "core/registration/alignment/pose_ranking.h"
@@ -109,17 +109,17 @@ void AngioPose::tryStart()
 /// Looks around, farther and farther, until something explains the image.
 void AngioPose::searchFurther()
 {
-    if (options_.search != 0.0 && !ranking_.isConclusive()) {
+    if (options_.angiopose.search && !ranking_.isConclusive()) {
         search(&PoseSearch::nearby, start_, 0.05);
     }
-    if (options_.search != 0.0 && !ranking_.isPlausible()) {
+    if (options_.angiopose.search && !ranking_.isPlausible()) {
         search(&PoseSearch::wide, start_, 0.1);
     }
-    if (options_.search != 0.0 && ranking_.isLost()) {
+    if (options_.angiopose.search && ranking_.isLost()) {
         search(&PoseSearch::wide, search_.recentred(start_), 0.2);
     }
     for (const CentroidPose& middle : {start_, search_.recentred(start_)}) {
-        if (options_.search != 0.0 && ranking_.isLost()) {
+        if (options_.angiopose.search && ranking_.isLost()) {
             search(&PoseSearch::byJunctions, middle, 0.25);
         }
     }
@@ -152,7 +152,7 @@ void AngioPose::refineRoughly(const std::vector<CentroidPose>& hypotheses)
 std::vector<CentroidPose> AngioPose::auxiliaryHypotheses()
 {
     std::vector<CentroidPose> hypotheses;
-    if (problem_.auxiliaryIsChosen && options_.search != 0.0) {
+    if (problem_.auxiliaryIsChosen && options_.angiopose.search) {
         hypotheses = search_.ofAuxiliary(start_, [&](double done) {
             return report("search", 0.3 + 0.1 * done, PoseRanking::schedule.startScalePx);
         });

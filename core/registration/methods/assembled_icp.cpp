@@ -1,7 +1,7 @@
-#include "core/registration/methods/assembled_icp.h"
+#include "core/registration/methods/methods.h"
 
 #include "core/registration/pnp/alternating_search.h"
-#include "core/registration/pnp/sqpnp.h"
+#include "core/registration/pose/sqpnp.h"
 #include "core/support/stopwatch.h"
 
 #include <algorithm>
@@ -87,9 +87,9 @@ MethodSolution solveAssembledIcp(const RegistrationProblem& problem, const Regis
     Stopwatch stopwatch;
     const SeedProblem seed = makeSeedProblem(problem, options);
     const double targetMs = stopwatch.lapMs();
-    RepeatedPnp solver(options.icpIterations);
+    RepeatedPnp solver(options.icp.iterations);
     MethodSolution solution =
-        searchAlternating(problem, options, seed, solver, {false, options.alternate != 0.0}, progress);
+        searchAlternating(problem, options, seed, solver, {false, options.icp.alternate}, progress);
     solution.time.targetMs = targetMs;
     return solution;
 }

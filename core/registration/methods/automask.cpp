@@ -1,13 +1,13 @@
-#include "core/registration/methods/automask.h"
+#include "core/registration/methods/methods.h"
 
 #include "core/imaging/image_filters.h"
 #include "core/imaging/mask_morphology.h"
+#include "core/registration/methods/pose_trials.h"
 #include "core/registration/picture/radiograph.h"
 #include "core/registration/picture/rank_correlation.h"
 #include "core/registration/picture/vessel_picture.h"
 #include "core/registration/pose/minimise.h"
 #include "core/registration/pose/pose_parameters.h"
-#include "core/registration/pose/pose_trials.h"
 #include "core/support/random.h"
 #include "core/support/stopwatch.h"
 
@@ -83,8 +83,8 @@ void MaskedSimilarity::beginStage(double blurPx, const std::vector<RigidTransfor
         std::transform(covered.pixels.begin(), covered.pixels.end(), radiograph.pixels.begin(), covered.pixels.begin(),
                        [](float a, float b) { return a + b; });
     }
-    const std::vector<std::size_t> mask = around(covered, 0.5 * options_.automaskMarginPx + 2.0 * blurPx);
-    const double share = std::max(0.01 * options_.automaskSample,
+    const std::vector<std::size_t> mask = around(covered, 0.5 * options_.automask.marginPx + 2.0 * blurPx);
+    const double share = std::max(0.01 * options_.automask.sample,
                                   static_cast<double>(fewestPixels) / static_cast<double>(mask.size() + 1));
     pixels_.clear();
     // Whether a pixel is drawn depends on nothing but its number: growing the mask keeps the draw.
@@ -156,11 +156,11 @@ MethodSolution solveAutoMask(const RegistrationProblem& problem, const Registrat
     MaskedSimilarity similarity(problem, options);
     const double targetMs = stopwatch.lapMs();
 
-    PoseTrials search(problem, options.automaskEvaluations, progress);
+    PoseTrials search(problem, options.automask.evaluations, progress);
     bool isConverged = false;
     double firstStep = 1.0;
     for (const auto& [blurPx, depthHold, share] : maskStages) {
-        const int budget = std::max(1, static_cast<int>(share * options.automaskEvaluations));
+        const int budget = std::max(1, static_cast<int>(share * options.automask.evaluations));
         isConverged = descend(problem, similarity, {blurPx, depthHold, firstStep, budget}, search);
         firstStep *= 0.5;
     }

@@ -1,4 +1,4 @@
-#include "core/registration/methods/dt_icp.h"
+#include "core/registration/methods/methods.h"
 
 #include "core/registration/pnp/alternating_search.h"
 #include "core/registration/pnp/distance_descent.h"
@@ -13,10 +13,10 @@ MethodSolution solveDtIcp(const RegistrationProblem& problem, const Registration
     Stopwatch stopwatch;
     const SeedProblem seed = makeSeedProblem(problem, options);
     const double targetMs = stopwatch.lapMs();
-    DistanceDescent solver({static_cast<DescentSolver>(std::lround(options.icpSolver)), options.huberPx,
-                            options.icpIterations, options.icpModel != 0.0});
-    const bool alternates = options.alternate != 0.0;
-    const Alternation alternation{alternates && options.rotationFirst != 0.0, alternates};
+    DistanceDescent solver(
+        {options.icp.solver, options.icp.huberPx, options.icp.iterations, options.icp.model == IcpModel::Affine});
+    const bool alternates = options.icp.alternate;
+    const Alternation alternation{alternates && options.seed.rotationFirst, alternates};
     MethodSolution solution = searchAlternating(problem, options, seed, solver, alternation, progress);
     solution.time.targetMs = targetMs;
     return solution;

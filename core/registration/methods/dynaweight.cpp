@@ -1,4 +1,4 @@
-#include "core/registration/methods/dynaweight.h"
+#include "core/registration/methods/methods.h"
 
 #include "core/registration/pnp/alternating_search.h"
 #include "core/support/stopwatch.h"
@@ -40,7 +40,7 @@ MethodSolution solveDynaWeight(const RegistrationProblem& problem, const Registr
     const SeedProblem seed = makeSeedProblem(problem, options);
     const double targetMs = stopwatch.lapMs();
     KernelSolver solver(seed);
-    const Alternation alternation{options.rotationFirst != 0.0, options.alternation != 0.0};
+    const Alternation alternation{options.seed.rotationFirst, options.seed.alternation};
     MethodSolution solution = searchAlternating(problem, options, seed, solver, alternation, progress);
     solution.time.targetMs = targetMs;
     return solution;

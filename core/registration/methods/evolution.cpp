@@ -1,9 +1,9 @@
-#include "core/registration/methods/evolution.h"
+#include "core/registration/methods/methods.h"
 
+#include "core/registration/methods/pose_trials.h"
 #include "core/registration/picture/vessel_brightness.h"
 #include "core/registration/pose/evolution.h"
 #include "core/registration/pose/pose_parameters.h"
-#include "core/registration/pose/pose_trials.h"
 #include "core/support/stopwatch.h"
 
 #include <limits>
@@ -17,17 +17,18 @@ MethodSolution solveEvolution(const RegistrationProblem& problem, const Registra
     const VesselBrightness brightness(problem);
     const double targetMs = stopwatch.lapMs();
 
-    PoseTrials search(problem, options.evolutionEvaluations, progress);
+    PoseTrials search(problem, options.evolution.evaluations, progress);
     search.changeCost("evolution", 0.0, std::numeric_limits<double>::infinity());
     const PoseParameters parameters(search.start(), clinicalUnits(3.0, 3.0, 10.0, 20.0), problem.freedom);
     const auto cost = [&](const Eigen::VectorXd& x) {
         const CentroidPose pose = parameters.pose(x);
         return search.note(pose, -brightness.of(pose, 1.0));
     };
-    const EvolutionOptions evolution{options.evolutionPopulation, options.evolutionEvaluations, 1e-3,
-                                     static_cast<std::uint64_t>(options.randomSeed)};
+    const EvolveOptions evolution{options.evolution.population, options.evolution.evaluations, 1e-3,
+                                  static_cast<std::uint64_t>(options.randomSeed)};
     const auto isStopped = [&] { return search.isStopped(); };
-    const auto evolve = options.evolutionStrategy != 0.0 ? evolveOneByOne : evolveByCovariance;
+    const auto evolve =
+        options.evolution.strategy == EvolutionStrategy::OnePlusOne ? evolveOneByOne : evolveByCovariance;
     const bool isConverged = evolve(cost, parameters.count(), evolution, isStopped);
 
     MethodSolution solution = search.solution(isConverged ? StopReason::Converged : StopReason::IterationLimit);

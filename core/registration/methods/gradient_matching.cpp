@@ -1,10 +1,10 @@
-#include "core/registration/methods/gradient_matching.h"
+#include "core/registration/methods/methods.h"
 
 #include "core/imaging/image_filters.h"
+#include "core/registration/methods/pose_trials.h"
 #include "core/registration/picture/vessel_picture.h"
 #include "core/registration/pose/minimise.h"
 #include "core/registration/pose/pose_parameters.h"
-#include "core/registration/pose/pose_trials.h"
 #include "core/support/stopwatch.h"
 
 #include <algorithm>
@@ -79,12 +79,12 @@ MethodSolution solveGradientMatching(const RegistrationProblem& problem, const R
                                      ProgressLog& progress)
 {
     Stopwatch stopwatch;
-    const WallAgreement agreement(problem, options.gradientScalePx);
+    const WallAgreement agreement(problem, options.gradient.scalePx);
     const double targetMs = stopwatch.lapMs();
 
-    const int budget = evaluationsPerRound * options.powellRounds;
+    const int budget = evaluationsPerRound * options.gradient.powellRounds;
     PoseTrials search(problem, budget, progress);
-    search.changeCost("walls", options.gradientScalePx, std::numeric_limits<double>::infinity());
+    search.changeCost("walls", options.gradient.scalePx, std::numeric_limits<double>::infinity());
     const PoseParameters parameters(search.start(), clinicalUnits(1.0, 2.0, 2.0, 10.0), problem.freedom);
     MinimiseOptions powell;
     powell.minimiser = Minimiser::Powell;

@@ -1,4 +1,4 @@
-#include "core/registration/methods/iterative_pnp.h"
+#include "core/registration/methods/methods.h"
 
 #include "core/registration/pnp/seed_problem.h"
 #include "core/support/stopwatch.h"

@@ -1,9 +1,9 @@
-#include "core/registration/methods/nicp.h"
+#include "core/registration/methods/methods.h"
 
+#include "core/registration/methods/pose_trials.h"
 #include "core/registration/picture/vessel_brightness.h"
 #include "core/registration/pnp/alternating_search.h"
 #include "core/registration/pnp/kernel_ascent.h"
-#include "core/registration/pose/pose_trials.h"
 #include "core/support/stopwatch.h"
 
 #include <cmath>
@@ -14,11 +14,11 @@ namespace {
 AscentOptions ascentOptions(const RegistrationOptions& options, const SeedProblem& seed)
 {
     AscentOptions ascent;
-    ascent.startScalePx = std::max(options.nicpStartScalePx, options.nicpFinalScalePx);
-    ascent.finalScalePx = options.nicpFinalScalePx;
-    ascent.iterationsPerScale = options.nicpIterations;
-    ascent.metric = static_cast<StepMetric>(std::lround(options.nicpStep));
-    if (options.nicpPrior != 0.0) {
+    ascent.startScalePx = std::max(options.nicp.startScalePx, options.nicp.finalScalePx);
+    ascent.finalScalePx = options.nicp.finalScalePx;
+    ascent.iterationsPerScale = options.nicp.iterations;
+    ascent.metric = options.nicp.step;
+    if (options.nicp.prior) {
         ascent.prior = seed.prior;
     }
     return ascent;
@@ -80,11 +80,11 @@ MethodSolution climbBrightness(const RegistrationProblem& problem, const Registr
     Stopwatch stopwatch;
     const VesselBrightness brightness(problem);
     const double targetMs = stopwatch.lapMs();
-    PoseTrials search(problem, 2 * options.nicpIterations, progress);
+    PoseTrials search(problem, 2 * options.nicp.iterations, progress);
     bool isSettled = true;
     for (const double widening : widenings) {
         search.changeCost("brightness", 0.0, -brightness.of(search.best(), widening));
-        isSettled = settle(problem, brightness, widening, options.nicpIterations, search);
+        isSettled = settle(problem, brightness, widening, options.nicp.iterations, search);
     }
     MethodSolution solution = search.solution(isSettled ? StopReason::Converged : StopReason::IterationLimit);
     solution.time.targetMs = targetMs;
@@ -96,14 +96,14 @@ MethodSolution climbBrightness(const RegistrationProblem& problem, const Registr
 
 MethodSolution solveNicp(const RegistrationProblem& problem, const RegistrationOptions& options, ProgressLog& progress)
 {
-    return options.nicpImage != 0.0 ? climbBrightness(problem, options, progress)
-                                    : climb(problem, options, {}, progress);
+    return options.nicp.image == NicpImage::Brightness ? climbBrightness(problem, options, progress)
+                                                       : climb(problem, options, {}, progress);
 }
 
 MethodSolution solveNicpAlternating(const RegistrationProblem& problem, const RegistrationOptions& options,
                                     ProgressLog& progress)
 {
-    return climb(problem, options, {options.rotationFirst != 0.0, true}, progress);
+    return climb(problem, options, {options.seed.rotationFirst, true}, progress);
 }
 
 }   // namespace angiopose::core

@@ -1,9 +1,9 @@
-#include "core/registration/methods/ogmm.h"
+#include "core/registration/methods/methods.h"
 
+#include "core/registration/methods/pose_trials.h"
 #include "core/registration/pnp/oriented_mixture.h"
 #include "core/registration/pose/minimise.h"
 #include "core/registration/pose/pose_parameters.h"
-#include "core/registration/pose/pose_trials.h"
 #include "core/support/stopwatch.h"
 
 #include <algorithm>
@@ -24,9 +24,9 @@ MethodSolution solveOgmm(const RegistrationProblem& problem, const RegistrationO
 {
     Stopwatch stopwatch;
     PoseTrials search(problem, levels * evaluationsPerLevel, progress);
-    MixtureOptions mixtureOptions{std::max(options.ogmmStartScalePx, options.ogmmFinalScalePx), options.ogmmOrientation,
-                                  options.ogmmSelfWeight};
-    const double ratio = std::pow(options.ogmmFinalScalePx / mixtureOptions.scalePx, 1.0 / (levels - 1));
+    MixtureOptions mixtureOptions{std::max(options.ogmm.startScalePx, options.ogmm.finalScalePx),
+                                  options.ogmm.orientation, options.ogmm.selfWeight};
+    const double ratio = std::pow(options.ogmm.finalScalePx / mixtureOptions.scalePx, 1.0 / (levels - 1));
     MinimiseOptions lbfgs;
     lbfgs.minimiser = Minimiser::Lbfgs;
     lbfgs.tolerance = settledMixtureMm;

@@ -1,10 +1,10 @@
-#include "core/registration/methods/particle.h"
+#include "core/registration/methods/methods.h"
 
 #include "core/registration/matching/grid_index.h"
+#include "core/registration/methods/pose_trials.h"
 #include "core/registration/pnp/kernel_pnp.h"
 #include "core/registration/pnp/sparse_kernel.h"
 #include "core/registration/pose/pose_parameters.h"
-#include "core/registration/pose/pose_trials.h"
 #include "core/support/cell_index.h"
 #include "core/support/random.h"
 #include "core/support/stopwatch.h"
@@ -57,7 +57,9 @@ private:
     int budget() const
     {
         constexpr int across = 2 * cellsToEachSide + 1;
-        return options_.particleSearch != 0.0 ? across * across : options_.particles * options_.particleRounds;
+        return options_.particle.search == ParticleSearchKind::OutOfPlane
+                   ? across * across
+                   : options_.particle.count * options_.particle.rounds;
     }
     Scored scored(const CentroidPose& pose)
     {
@@ -79,9 +81,9 @@ std::vector<Scored> ParticleSearch::filterParticles()
 {
     CounterRandom random(static_cast<std::uint64_t>(options_.randomSeed));
     const Vector6d spread = clinicalUnits(1.5, 2.0, 4.0, 8.0);
-    std::vector<Scored> particles(static_cast<std::size_t>(options_.particles), scored(search_.start()));
+    std::vector<Scored> particles(static_cast<std::size_t>(options_.particle.count), scored(search_.start()));
     double width = 1.0;
-    for (int round = 0; round < options_.particleRounds && !search_.isStopped(); ++round, width *= spreadDecay) {
+    for (int round = 0; round < options_.particle.rounds && !search_.isStopped(); ++round, width *= spreadDecay) {
         for (Scored& particle : particles) {
             Vector6d step;
             for (double& value : step) {
@@ -219,7 +221,8 @@ MethodSolution solveParticle(const RegistrationProblem& problem, const Registrat
     Stopwatch stopwatch;
     ParticleSearch search(problem, options, progress);
     const double targetMs = stopwatch.lapMs();
-    search.refine(options.particleSearch != 0.0 ? search.walkOutOfPlane() : search.filterParticles());
+    search.refine(options.particle.search == ParticleSearchKind::OutOfPlane ? search.walkOutOfPlane()
+                                                                            : search.filterParticles());
     MethodSolution solution = search.solution();
     solution.time.targetMs = targetMs;
     solution.time.solveMs = stopwatch.lapMs();

@@ -1,8 +1,8 @@
-#include "core/registration/methods/rgbr.h"
+#include "core/registration/methods/methods.h"
 
+#include "core/registration/methods/pose_trials.h"
 #include "core/registration/picture/vessel_picture.h"
 #include "core/registration/picture/wall_sites.h"
-#include "core/registration/pose/pose_trials.h"
 #include "core/registration/pose/start_prior.h"
 #include "core/support/random.h"
 #include "core/support/stopwatch.h"
@@ -42,7 +42,7 @@ public:
           sites_(wallSites(problem.tree, mostSites)),
           fewSites_(wallSites(problem.tree, scoringSites)),
           random_(static_cast<std::uint64_t>(options.randomSeed)),
-          search_(problem, options.rgbrRounds * (1 + options.rgbrHypotheses), progress)
+          search_(problem, options.rgbr.rounds * (1 + options.rgbr.hypotheses), progress)
     {
     }
 
@@ -69,8 +69,8 @@ MethodSolution Rgbr::run()
     StopReason reason = StopReason::IterationLimit;
     CentroidPose pose = search_.start();
     search_.changeCost("walls", 0.0, -gradients_.score(sites_, pose));
-    double reachMm = options_.rgbrReachMm;
-    for (int round = 0; round < options_.rgbrRounds && !search_.isStopped(); ++round) {
+    double reachMm = options_.rgbr.reachMm;
+    for (int round = 0; round < options_.rgbr.rounds && !search_.isStopped(); ++round) {
         const std::vector<Correspondence> pairs = findEdges(pose, reachMm);
         if (pairs.size() < 6) {
             reason = StopReason::NoImprovement;
@@ -129,7 +129,7 @@ CentroidPose Rgbr::chooseByRansac(const std::vector<Correspondence>& pairs, cons
     };
     CentroidPose best = from;
     double bestScore = gradients_.score(fewSites_, from);
-    for (int h = 0; h < options_.rgbrHypotheses && !search_.isStopped(); ++h) {
+    for (int h = 0; h < options_.rgbr.hypotheses && !search_.isStopped(); ++h) {
         search_.tick();
         std::array<Correspondence, 3> three;
         for (Correspondence& pair : three) {
@@ -154,8 +154,9 @@ CentroidPose Rgbr::chooseByRansac(const std::vector<Correspondence>& pairs, cons
 /// Least distances to the edges' rays, held to where it comes from as far as one view leaves the pose open.
 CentroidPose Rgbr::fit(std::span<const Correspondence> pairs, const CentroidPose& from) const
 {
-    StartPrior prior{from, {}, freedom_};
-    prior.std << rotationStd, rotationStd, rotationStd, lateralStdMm, lateralStdMm, gradientDepthStdMm;
+    Vector6d std;
+    std << rotationStd, rotationStd, rotationStd, lateralStdMm, lateralStdMm, gradientDepthStdMm;
+    const StartPrior prior = independentPrior(from, std, freedom_);
     CentroidPose pose = from;
     for (int step = 0; step < fitSteps; ++step) {
         NormalEquations equations;

@@ -3,8 +3,8 @@
 #include "core/imaging/grey_statistics.h"
 #include "core/imaging/image_filters.h"
 #include "core/registration/picture/tube_picture.h"
-#include "core/tracing/field_mask.h"
-#include "core/tracing/flatten_background.h"
+#include "core/tracing/angiogram/frame/field_mask.h"
+#include "core/tracing/angiogram/frame/flatten_background.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/imaging/image2d.h"
-#include "core/registration/registration_problem.h"
+#include "core/registration/problem/registration_problem.h"
 
 #include <Eigen/Core>
 

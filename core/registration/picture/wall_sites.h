@@ -2,7 +2,7 @@
 
 #include "core/imaging/image2d.h"
 #include "core/registration/pose/centroid_pose.h"
-#include "core/registration/registration_problem.h"
+#include "core/registration/problem/registration_problem.h"
 
 namespace angiopose::core {
 

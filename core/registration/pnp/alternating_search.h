@@ -1,8 +1,9 @@
 #pragma once
 
-#include "core/registration/method.h"
 #include "core/registration/pnp/point_solver.h"
 #include "core/registration/pnp/seed_problem.h"
+#include "core/registration/problem/method_solution.h"
+#include "core/registration/problem/progress_log.h"
 
 namespace angiopose::core {
 

@@ -1,6 +1,8 @@
 #include "core/registration/pnp/distance_descent.h"
 
 #include "core/registration/pnp/affine_icp.h"
+#include "core/registration/pnp/source_steps.h"
+#include "core/registration/pose/damped_descent.h"
 #include "core/registration/pose/minimise.h"
 #include "core/registration/pose/pose_parameters.h"
 
@@ -15,61 +17,42 @@ constexpr int descentTriesPerStep = 8;
 constexpr double settledDescentShare = 1e-6;   // of the cost, §3.6
 constexpr double wholeSquares = 1e9;   // px: Huber's loss that never turns linear
 
-/// Damped Gauss–Newton on one loss, matches fresh at every look.
-class SmoothDescent {
-public:
-    SmoothDescent(const KernelProblem& problem, double huberPx, Freedom freedom, const RigidTransform& start)
-        : problem_(problem), huberPx_(huberPx), freedom_(freedom), pose_(start)
-    {
-        measure(problem_, pose_, current_);
-        loss_ = huberLoss(problem_, current_, huberPx_);
-    }
-
-    /// Share of the loss that a step took away; 0 when none lowers it.
-    double step()
-    {
-        const NormalEquations equations = huberEquations(problem_, current_, huberPx_);
-        for (int attempt = 0; attempt < descentTriesPerStep; ++attempt) {
-            const Vector6d step = problem_.freedom.dampedStep(equations, damping_.factor(), pose_, freedom_);
-            const RigidTransform candidate = problem_.freedom.moved(pose_, step);
-            measure(problem_, candidate, trial_);
-            const double loss = huberLoss(problem_, trial_, huberPx_);
-            if (loss < loss_) {
-                const double promised = predictedDecrease(equations, step);
-                damping_.accept(promised > 0.0 ? (loss_ - loss) / promised : 0.0);
-                const double share = (loss_ - loss) / loss_;
-                pose_ = candidate;
-                loss_ = loss;
-                std::swap(current_, trial_);
-                return share;
-            }
-            damping_.reject();
-        }
-        return 0.0;
-    }
-
-    const RigidTransform& pose() const { return pose_; }
-    const KernelDistances& distances() const { return current_; }
-
-private:
-    const KernelProblem& problem_;
-    double huberPx_;
-    Freedom freedom_;
-    RigidTransform pose_;
-    double loss_ = 0.0;
-    Damping damping_;
-    KernelDistances current_;
-    KernelDistances trial_;
+/// The points under one pose.
+struct HuberLook {
+    KernelDistances distances;
+    double loss = 0.0;
 };
 
-Eigen::Vector3d meanOf(std::span<const Eigen::Vector3d> points)
-{
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& point : points) {
-        sum += point;
+/// Huber's loss of the nearest distances, matches fresh at every look.
+class HuberSquares : public SourceSteps {
+public:
+    using Look = HuberLook;
+
+    HuberSquares(const KernelProblem& problem, Freedom freedom, double huberPx)
+        : SourceSteps(problem, freedom), huberPx_(huberPx)
+    {
     }
-    return sum / static_cast<double>(points.size());
-}
+
+    bool look(const RigidTransform& pose, HuberLook& look) const
+    {
+        measure(problem(), pose, look.distances);
+        look.loss = huberLoss(problem(), look.distances, huberPx_);
+        return true;
+    }
+
+    NormalEquations equations(const RigidTransform&, const HuberLook& look) const
+    {
+        return huberEquations(problem(), look.distances, huberPx_);
+    }
+
+    std::optional<double> gained(const HuberLook& here, const HuberLook& there) const
+    {
+        return there.loss < here.loss ? std::optional(here.loss - there.loss) : std::nullopt;
+    }
+
+private:
+    double huberPx_;
+};
 
 double spreadOf(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d& mean)
 {
@@ -113,25 +96,28 @@ int DistanceDescent::maxIterations(SearchStage stage) const
 KernelPnpResult DistanceDescent::descend(const KernelProblem& problem, Freedom freedom, const RigidTransform& start,
                                          const KernelObserver& observe) const
 {
-    SmoothDescent descent(problem, options_.huberPx, freedom, start);
+    HuberSquares squares(problem, freedom, options_.huberPx);
+    LookPair<HuberLook> looks;
+    DampedDescent descent(squares, start, looks, {.triesPerStep = descentTriesPerStep});
     KernelPnpResult result;
     result.scalePx = options_.huberPx;
     while (result.iterations < options_.maxIterations) {
-        const double share = descent.step();
-        if (share > 0.0) {
+        const double before = descent.look().loss;
+        const bool isTaken = descent.step().isTaken;
+        if (isTaken) {
             ++result.iterations;
-            const KernelIteration step{result.iterations, options_.huberPx, descent.pose(), &descent.distances()};
+            const KernelIteration step{result.iterations, options_.huberPx, descent.place(), &descent.look().distances};
             if (observe && observe(step) == Verdict::Stop) {
                 result.stopReason = StopReason::StoppedByUser;
                 break;
             }
         }
-        if (share < settledDescentShare) {
+        if (!isTaken || before - descent.look().loss < settledDescentShare * before) {
             result.stopReason = StopReason::Converged;
             break;
         }
     }
-    result.pose = descent.pose();
+    result.pose = descent.place();
     result.pose.rotation = nearestRotation(result.pose.rotation);
     return result;
 }

@@ -4,8 +4,6 @@
 
 namespace angiopose::core {
 
-enum class DescentSolver { DampedSteps, Lbfgs };
-
 struct DescentOptions {
     DescentSolver solver = DescentSolver::DampedSteps;
     double huberPx = 5.0;

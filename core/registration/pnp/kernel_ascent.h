@@ -4,10 +4,6 @@
 
 namespace angiopose::core {
 
-/// How the gradient becomes a step: rotations scaled by the depth, so that both move the image alike, or raw radians
-/// beside millimetres, where rotation takes it all (ALGORITHMS §3.3).
-enum class StepMetric { Balanced, Literal };
-
 struct AscentOptions {
     double startScalePx = 20.0;
     double finalScalePx = 3.0;

@@ -3,6 +3,7 @@
 #include "core/geometry/projection_camera.h"
 #include "core/registration/matching/neighbour_search.h"
 #include "core/registration/matching/point_index.h"
+#include "core/registration/options/registration_options.h"
 #include "core/registration/pnp/source_freedom.h"
 
 #include <span>

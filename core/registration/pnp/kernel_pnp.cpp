@@ -1,7 +1,9 @@
 #include "core/registration/pnp/kernel_pnp.h"
 
+#include "core/registration/pnp/source_steps.h"
+#include "core/registration/pose/damped_descent.h"
+
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace angiopose::core {
@@ -11,114 +13,116 @@ constexpr int kernelTriesPerStep = 7;   // the first, and six with more damping
 constexpr double settledKernelMm = 1e-5;
 constexpr double kernelReachInScales = 3.0;
 
-}   // namespace
+/// The points under one pose.
+struct KernelLook {
+    KernelDistances distances;
+    double loss = 0.0;   ///< N − E_data at the present ℓ
+    double pull = 0.0;   ///< of the prior
+    bool isInDepth = false;   ///< the pose keeps to the depth guard
+};
 
-KernelPnp::KernelPnp(const KernelProblem& problem, const PosePrior& prior, const KernelSchedule& schedule)
-    : problem_(problem),
-      prior_(prior),
-      schedule_(schedule),
-      centroid_(Eigen::Vector3d::Zero()),
-      annealing_(schedule.decay, schedule.finalScalePx, schedule.finalScalePx)
-{
-    assert(!problem.points.empty());
-    for (const Eigen::Vector3d& point : problem.points) {
-        centroid_ += point;
+/// Kernel-weighted squares at one ℓ, and the prior's. A step is taken unless E_data falls, whatever the prior says.
+class KernelAtScale : public SourceSteps {
+public:
+    using Look = KernelLook;
+
+    KernelAtScale(const KernelProblem& problem, const PosePrior& prior, const KernelSchedule& schedule)
+        : SourceSteps(problem, schedule.freedom), prior_(prior), schedule_(schedule)
+    {
     }
-    centroid_ /= static_cast<double>(problem.points.size());
+
+    bool look(const RigidTransform& pose, KernelLook& look) const
+    {
+        measure(problem(), pose, look.distances, scalePx_);
+        look.loss = kernelLoss(look.distances, scalePx_);
+        look.pull = priorCost(prior_, pose);
+        look.isInDepth = depthMm(pose) > schedule_.nearestMm && depthMm(pose) < schedule_.farthestMm;
+        return true;
+    }
+
+    NormalEquations equations(const RigidTransform& pose, const KernelLook& look) const
+    {
+        NormalEquations equations = kernelEquations(problem(), look.distances, scalePx_);
+        addPrior(prior_, pose, equations);
+        return equations;
+    }
+
+    std::optional<double> gained(const KernelLook& here, const KernelLook& there) const
+    {
+        if (!there.isInDepth || !(there.loss <= here.loss)) {
+            return {};
+        }
+        // 2ℓ²(1 − exp(−d²/2ℓ²)) is the loss that the weighted squares majorise.
+        return 2.0 * scalePx_ * scalePx_ * (here.loss - there.loss) + here.pull - there.pull;
+    }
+
+    double scalePx() const { return scalePx_; }
+    void setScale(double scalePx) { scalePx_ = scalePx; }
+
+private:
+    const PosePrior& prior_;
+    const KernelSchedule& schedule_;
+    double scalePx_ = 0.0;   ///< ℓ; 0: only the nearest partners are looked for
+};
+
+/// ℓ at first: the largest distance, see StartScale.
+double startScalePx(const KernelProblem& problem, const KernelSchedule& schedule, const KernelDistances& distances)
+{
+    const double largestPx = largestDistancePx(distances);
+    const double halfDiagonalPx = 0.5 * std::hypot(problem.camera.width, problem.camera.height);
+    return schedule.startScale == StartScale::Largest ? std::min(largestPx, halfDiagonalPx) : largestPx * largestPx;
 }
+
+}   // namespace
 
 KernelPnpResult KernelPnp::solve(const RigidTransform& start, const KernelObserver& observe)
 {
-    begin(start);
+    KernelAtScale atScale(problem_, prior_, schedule_);
+    LookPair<KernelLook> looks;
+    DampedDescent descent(atScale, start, looks, {kernelTriesPerStep, settledKernelMm});
+    const auto setScale = [&](double scalePx) {
+        if (scalePx == atScale.scalePx()) {
+            return;
+        }
+        atScale.setScale(scalePx);
+        if (problem_.neighbours == Neighbours::Radius) {
+            descent.lookAgain();
+        } else {   // the same partners, weighed otherwise
+            descent.look().loss = kernelLoss(descent.look().distances, scalePx);
+            descent.relinearise();
+        }
+    };
+    ScaleAnnealing annealing(schedule_.decay, startScalePx(problem_, schedule_, looks.here.distances),
+                             schedule_.finalScalePx);
+    setScale(annealing.scalePx());
+
     KernelPnpResult result;
     result.stopReason = StopReason::IterationLimit;
     while (result.iterations < schedule_.maxIterations) {
-        const Outcome outcome = improve();
-        if (outcome != Outcome::Moved) {
-            if (annealing_.sharpen()) {
-                damping_.reset();
+        const StepOutcome outcome = descent.step();
+        if (outcome.isSettled || !outcome.isTaken) {
+            if (annealing.sharpen()) {
+                setScale(annealing.scalePx());
+                descent.resetDamping();
                 continue;
             }
-            result.stopReason = outcome == Outcome::Settled ? StopReason::Converged : StopReason::NoImprovement;
+            result.stopReason = outcome.isSettled ? StopReason::Converged : StopReason::NoImprovement;
             break;
         }
         ++result.iterations;
-        if (observe && observe({result.iterations, annealing_.scalePx(), pose_, &current_}) == Verdict::Stop) {
+        const KernelDistances& distances = descent.look().distances;
+        if (observe &&
+            observe({result.iterations, annealing.scalePx(), descent.place(), &distances}) == Verdict::Stop) {
             result.stopReason = StopReason::StoppedByUser;
             break;
         }
-        annealing_.noteStep(countWithin(current_, kernelReachInScales * annealing_.scalePx()));
+        annealing.noteStep(countWithin(distances, kernelReachInScales * annealing.scalePx()));
+        setScale(annealing.scalePx());
     }
-    pose_.rotation = nearestRotation(pose_.rotation);
-    result.pose = pose_;
-    result.scalePx = annealing_.scalePx();
+    result.pose = descent.place();
+    result.pose.rotation = nearestRotation(result.pose.rotation);
+    result.scalePx = annealing.scalePx();
     return result;
-}
-
-void KernelPnp::begin(const RigidTransform& start)
-{
-    pose_ = start;
-    damping_.reset();
-    measure(problem_, pose_, current_);
-    measuredAtPx_ = 0.0;
-    const double largestPx = largestDistancePx(current_);
-    const double halfDiagonalPx = 0.5 * std::hypot(problem_.camera.width, problem_.camera.height);
-    const double startPx =
-        schedule_.startScale == StartScale::Largest ? std::min(largestPx, halfDiagonalPx) : largestPx * largestPx;
-    annealing_ = ScaleAnnealing(schedule_.decay, startPx, schedule_.finalScalePx);
-}
-
-/// One damped step, accepted only if E_data at the present ℓ does not fall (fresh matches). A step too small to see
-/// settles this ℓ.
-KernelPnp::Outcome KernelPnp::improve()
-{
-    const double scalePx = annealing_.scalePx();
-    if (problem_.neighbours == Neighbours::Radius && scalePx != measuredAtPx_) {
-        measure(problem_, pose_, current_, scalePx);
-        measuredAtPx_ = scalePx;
-    }
-    NormalEquations equations = kernelEquations(problem_, current_, scalePx);
-    addPrior(prior_, pose_, equations);
-    const double loss = kernelLoss(current_, scalePx);
-    const double pull = priorCost(prior_, pose_);
-
-    for (int attempt = 0; attempt < kernelTriesPerStep; ++attempt) {
-        const Vector6d step = problem_.freedom.dampedStep(equations, damping_.factor(), pose_, schedule_.freedom);
-        const RigidTransform candidate = problem_.freedom.moved(pose_, step);
-        const bool isTiny = stepLengthMm(step) < settledKernelMm;
-        if (isAllowed(candidate)) {
-            measure(problem_, candidate, trial_, scalePx);
-            const double trialLoss = kernelLoss(trial_, scalePx);
-            if (trialLoss <= loss) {
-                // 2ℓ²(1 − exp(−d²/2ℓ²)) is the loss that the weighted squares majorise.
-                const double actual =
-                    2.0 * scalePx * scalePx * (loss - trialLoss) + pull - priorCost(prior_, candidate);
-                const double predicted = predictedDecrease(equations, step);
-                damping_.accept(predicted > 0.0 ? actual / predicted : 0.0);
-                pose_ = candidate;
-                std::swap(current_, trial_);
-                return isTiny ? Outcome::Settled : Outcome::Moved;
-            }
-        }
-        if (isTiny) {
-            return Outcome::Settled;
-        }
-        damping_.reject();
-    }
-    return Outcome::Stuck;
-}
-
-bool KernelPnp::isAllowed(const RigidTransform& pose) const
-{
-    const double depthMm = (pose * centroid_).z();
-    return depthMm > schedule_.nearestMm && depthMm < schedule_.farthestMm;
-}
-
-/// Rotation counted as the shift it causes at the depth of the points.
-double KernelPnp::stepLengthMm(const Vector6d& step) const
-{
-    const double depthMm = (pose_ * centroid_).z();
-    return std::hypot(depthMm * step.head<3>().norm(), step.tail<3>().norm());
 }
 
 }   // namespace angiopose::core

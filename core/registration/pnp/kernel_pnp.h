@@ -3,16 +3,12 @@
 #include "core/registration/pnp/kernel_distances.h"
 #include "core/registration/pnp/scale_annealing.h"
 #include "core/registration/pose/pose_prior.h"
-#include "core/registration/registration.h"
+#include "core/registration/problem/registration_result.h"
 
 #include <functional>
 #include <limits>
 
 namespace angiopose::core {
-
-/// Where ℓ starts: at the largest distance d (at most half the image diagonal), or, as the paper prints it, at d²
-/// (ALGORITHMS §2, decision 14).
-enum class StartScale { Largest, LargestSquared };
 
 /// How one kernel PnP run goes (ALGORITHMS §3.1).
 struct KernelSchedule {
@@ -46,29 +42,17 @@ struct KernelPnpResult {
 /// ℓ annealed from the largest distance. A step that lowers E_data at its ℓ is never taken. ALGORITHMS §3.1.
 class KernelPnp {
 public:
-    KernelPnp(const KernelProblem& problem, const PosePrior& prior, const KernelSchedule& schedule);
+    KernelPnp(const KernelProblem& problem, const PosePrior& prior, const KernelSchedule& schedule)
+        : problem_(problem), prior_(prior), schedule_(schedule)
+    {
+    }
 
     KernelPnpResult solve(const RigidTransform& start, const KernelObserver& observe = {});
 
 private:
-    enum class Outcome { Moved, Settled, Stuck };
-
-    void begin(const RigidTransform& start);
-    Outcome improve();
-    bool isAllowed(const RigidTransform& pose) const;
-    double stepLengthMm(const Vector6d& step) const;
-
     KernelProblem problem_;
     PosePrior prior_;
     KernelSchedule schedule_;
-    Eigen::Vector3d centroid_;
-
-    RigidTransform pose_;
-    ScaleAnnealing annealing_;
-    Damping damping_;
-    KernelDistances current_;
-    double measuredAtPx_ = 0.0;   ///< kernel width that `current_` was measured for; 0: nearest partners only
-    KernelDistances trial_;
 };
 
 }   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 #include "core/registration/matching/bin_grid.h"
 #include "core/registration/pose/centroid_pose.h"
-#include "core/registration/registration_problem.h"
+#include "core/registration/problem/registration_problem.h"
 
 namespace angiopose::core {
 

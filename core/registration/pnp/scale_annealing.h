@@ -1,12 +1,8 @@
 #pragma once
 
-namespace angiopose::core {
+#include "core/registration/options/registration_options.h"
 
-/// When the kernel width ℓ shrinks (ALGORITHMS §3.1).
-enum class Decay {
-    Halving,   ///< ÷2 every five accepted steps: the seed
-    Stagnation   ///< ×0.7 after at least ten steps, once no further point comes within reach: RKHS-BA
-};
+namespace angiopose::core {
 
 /// Kernel width ℓ from coarse to fine; never below its floor.
 class ScaleAnnealing {

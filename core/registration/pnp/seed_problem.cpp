@@ -37,15 +37,15 @@ double rmsSpread(const std::vector<Eigen::Vector3d>& points)
 PosePrior priorOf(const RegistrationOptions& options, double depthMm, double pointCount)
 {
     PosePrior prior;
-    switch (static_cast<PriorPreset>(std::lround(options.preset))) {
+    switch (options.seed.preset) {
         case PriorPreset::SeedSum:
-            prior.strength = options.priorWeight;
+            prior.strength = options.seed.priorWeight;
             break;
         case PriorPreset::SeedMean:
-            prior.strength = options.priorWeight * pointCount;
+            prior.strength = options.seed.priorWeight * pointCount;
             break;
         case PriorPreset::SeedMetric:
-            prior.strength = options.priorWeight * pointCount;
+            prior.strength = options.seed.priorWeight * pointCount;
             prior.weights.tail<3>().setConstant(1.0 / depthMm);
             break;
         case PriorPreset::NoPrior:
@@ -85,14 +85,14 @@ SeedProblem makeSeedProblem(const RegistrationProblem& problem, const Registrati
     seed.prior = priorOf(options, depthMm, static_cast<double>(seed.points.size()));
     seed.schedule.maxIterations = options.maxIterations;
     seed.schedule.finalScalePx = options.finalScalePx;
-    seed.schedule.startScale = static_cast<StartScale>(std::lround(options.startScale));
-    seed.schedule.decay = static_cast<Decay>(std::lround(options.decay));
+    seed.schedule.startScale = options.seed.startScale;
+    seed.schedule.decay = options.seed.decay;
     if (seed.prior.strength == 0.0) {
         seed.schedule.nearestMm = seed.nearestMm;
         seed.schedule.farthestMm = seed.farthestMm;
     }
-    seed.target = makeIndex(static_cast<IndexKind>(std::lround(options.index)), problem);
-    seed.neighbours = static_cast<Neighbours>(std::lround(options.neighbours));
+    seed.target = makeIndex(options.seed.index, problem);
+    seed.neighbours = options.seed.neighbours;
     if (seed.neighbours != Neighbours::Closest) {
         seed.search = makeNeighbourSearch(problem.target.points);
     }

@@ -1,18 +1,14 @@
 #pragma once
 
 #include "core/registration/pnp/kernel_pnp.h"
-#include "core/registration/progress_log.h"
-#include "core/registration/registration_problem.h"
+#include "core/registration/problem/progress_log.h"
+#include "core/registration/problem/registration_problem.h"
 
 #include <memory>
 #include <string_view>
 #include <vector>
 
 namespace angiopose::core {
-
-/// How the methods of the seed find nearest points: exactly by tree (the reproduction mode) or by buckets, or from a
-/// table that is right to within its cells.
-enum class IndexKind { KdTree, Grid, Map };
 
 /// What the methods that match points start from. Points live in the start camera's frame and the pose is the motion
 /// cameraFromStart, identity at first: only there do the rad² + mm² of the prior mean what they mean in the seed

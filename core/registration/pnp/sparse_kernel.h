@@ -2,7 +2,7 @@
 
 #include "core/registration/matching/feature_map.h"
 #include "core/registration/pnp/kernel_distances.h"
-#include "core/registration/registration_problem.h"
+#include "core/registration/problem/registration_problem.h"
 
 namespace angiopose::core {
 

@@ -24,4 +24,9 @@ Vector6d stepBetween(const CentroidPose& from, const CentroidPose& to)
     return step;
 }
 
+double stepLengthMm(const Vector6d& step, double spreadMm)
+{
+    return spreadMm * step.head<3>().norm() + step.tail<3>().norm();
+}
+
 }   // namespace angiopose::core

@@ -21,4 +21,7 @@ CentroidPose moved(const CentroidPose& pose, const Vector6d& step);
 /// Step that leads from one pose to the other; inverse of moved.
 Vector6d stepBetween(const CentroidPose& from, const CentroidPose& to);
 
+/// How far a step moves points that are `spreadMm` from the centroid, at most.
+double stepLengthMm(const Vector6d& step, double spreadMm);
+
 }   // namespace angiopose::core

@@ -50,6 +50,16 @@ Vector6d dampedStep(const NormalEquations& equations, double damping, const Step
     return basis * solveScaled<Matrix, Vector>(hessian, basis.transpose() * equations.gradient, damping);
 }
 
+Eigen::VectorXd dampedStep(const StackedEquations& equations, double damping)
+{
+    return solveScaled<Eigen::MatrixXd, Eigen::VectorXd>(equations.hessian, equations.gradient, damping);
+}
+
+double predictedDecrease(const StackedEquations& equations, const Eigen::VectorXd& step)
+{
+    return -2.0 * equations.gradient.dot(step) - step.dot(equations.hessian * step);
+}
+
 double predictedDecrease(const NormalEquations& equations, const Vector6d& step)
 {
     return -2.0 * equations.gradient.dot(step) - step.dot(equations.hessian.selfadjointView<Eigen::Lower>() * step);

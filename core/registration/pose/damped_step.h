@@ -11,6 +11,12 @@ struct NormalEquations {
     Vector6d gradient = Vector6d::Zero();
 };
 
+/// The same of any number of parameters; both triangles of the Hessian are filled.
+struct StackedEquations {
+    Eigen::MatrixXd hessian;
+    Eigen::VectorXd gradient;
+};
+
 /// Which parameters may move: all six, or the first three (rotation).
 enum class Freedom { Rotation, Full };
 
@@ -24,8 +30,12 @@ using StepBasis = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 6
 /// The same among the combinations of the columns of `basis`, which are independent.
 Vector6d dampedStep(const NormalEquations& equations, double damping, const StepBasis& basis);
 
+/// The same of any number of parameters.
+Eigen::VectorXd dampedStep(const StackedEquations& equations, double damping);
+
 /// What the undamped model promises for a step; positive when it lowers the cost.
 double predictedDecrease(const NormalEquations& equations, const Vector6d& step);
+double predictedDecrease(const StackedEquations& equations, const Eigen::VectorXd& step);
 
 /// Nielsen's damping schedule (ALGORITHMS §1; Madsen, Nielsen, Tingleff 2004).
 class Damping {

@@ -112,7 +112,7 @@ void CovarianceSearch::adapt(std::vector<Child>& children)
 
 }   // namespace
 
-bool evolveByCovariance(const EvolutionCost& cost, Eigen::Index dimensions, const EvolutionOptions& options,
+bool evolveByCovariance(const EvolutionCost& cost, Eigen::Index dimensions, const EvolveOptions& options,
                         const StopCheck& isStopped)
 {
     CovarianceSearch search(dimensions, options.population);
@@ -137,7 +137,7 @@ bool evolveByCovariance(const EvolutionCost& cost, Eigen::Index dimensions, cons
     return false;
 }
 
-bool evolveOneByOne(const EvolutionCost& cost, Eigen::Index dimensions, const EvolutionOptions& options,
+bool evolveOneByOne(const EvolutionCost& cost, Eigen::Index dimensions, const EvolveOptions& options,
                     const StopCheck& isStopped)
 {
     constexpr double growth = 1.05;

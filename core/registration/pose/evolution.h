@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-struct EvolutionOptions {
+struct EvolveOptions {
     int population = 16;
     int maxEvaluations = 3000;
     double settledStep = 1e-3;   ///< ends when the search is narrower than this, in units of x
@@ -21,12 +21,12 @@ using StopCheck = std::function<bool()>;
 /// ran out of evaluations or was stopped. Of the libraries that have it, Debian 12 packages pagmo2 alone (neither
 /// libcmaes nor ensmallen; NLopt has none): for these hundred lines in one method of comparison it would bring TBB,
 /// Boost.Serialization and problems that must be bounded, and it cannot be stopped within a generation.
-bool evolveByCovariance(const EvolutionCost& cost, Eigen::Index dimensions, const EvolutionOptions& options,
+bool evolveByCovariance(const EvolutionCost& cost, Eigen::Index dimensions, const EvolveOptions& options,
                         const StopCheck& isStopped);
 
 /// One parent, one child: success widens the search by 1.05, failure narrows it by its fourth root, both along the step
 /// taken (Styner et al. 2000).
-bool evolveOneByOne(const EvolutionCost& cost, Eigen::Index dimensions, const EvolutionOptions& options,
+bool evolveOneByOne(const EvolutionCost& cost, Eigen::Index dimensions, const EvolveOptions& options,
                     const StopCheck& isStopped);
 
 }   // namespace angiopose::core

@@ -2,8 +2,9 @@
 
 #include "core/geometry/angle_units.h"
 #include "core/messages/says.h"
-#include "core/registration/pnp/sqpnp.h"
 #include "core/registration/pose/centroid_pose.h"
+#include "core/registration/pose/damped_descent.h"
+#include "core/registration/pose/sqpnp.h"
 #include "core/registration/pose/start_prior.h"
 
 #include <Eigen/Cholesky>
@@ -18,7 +19,7 @@ constexpr double clickStdPx = 2.0;
 constexpr double leastSpreadMm = 1.0;   // rms off a line: below, the turn about it is open
 constexpr double leastSpreadPx = 3.0;
 constexpr int maxLandmarkSteps = 60;
-constexpr double settledCost = 1e-12;   // of the cost
+constexpr double settledLandmarksMm = 1e-7;
 constexpr double asGood = 1.5;   // costs within this factor, or within a click, tell nothing
 
 // What few pairs leave open stays as it was: turning out of the image costs more than rolling, rolling more than
@@ -28,43 +29,69 @@ constexpr double priorRollDeg = 60.0;
 constexpr double priorShiftMm = 1000.0;
 constexpr double priorDepthMm = 30.0;
 
-/// Cost of a pose about the landmarks' centroid: squared pixels, and where few pairs need it the pose before.
-class LandmarkCost {
+/// What is known of a pose: squared pixels in clicks, and where few pairs need it the pose before.
+struct LandmarkLook {
+    double cost = std::numeric_limits<double>::infinity();
+    NormalEquations equations;
+};
+
+/// Poses about the landmarks' centroid.
+class LandmarkSquares {
 public:
-    LandmarkCost(std::span<const Landmark> landmarks, const ProjectionCamera& camera,
-                 const std::optional<StartPrior>& prior)
+    using Place = CentroidPose;
+    using Step = Vector6d;
+    using Look = LandmarkLook;
+    using Equations = NormalEquations;
+
+    LandmarkSquares(std::span<const Landmark> landmarks, const ProjectionCamera& camera,
+                    const std::optional<StartPrior>& prior)
         : landmarks_(landmarks), camera_(camera), prior_(prior), centroid_(Eigen::Vector3d::Zero())
     {
         for (const Landmark& landmark : landmarks) {
             centroid_ += landmark.pointInPatient / static_cast<double>(landmarks.size());
         }
+        for (const Landmark& landmark : landmarks) {
+            spreadMm_ = std::max(spreadMm_, (landmark.pointInPatient - centroid_).norm());
+        }
     }
     const Eigen::Vector3d& centroid() const { return centroid_; }
 
-    /// Nothing where a landmark is not in front of the source.
-    std::optional<double> at(const CentroidPose& pose, NormalEquations* equations = nullptr) const
+    /// False where a landmark is not in front of the source.
+    bool look(const CentroidPose& pose, LandmarkLook& look) const
     {
-        double sum = 0.0;
+        look = {0.0, {}};
         for (const Landmark& landmark : landmarks_) {
             const Eigen::Vector3d turned = pose.rotation * (landmark.pointInPatient - centroid_);
             const auto pixel = project(camera_, turned + pose.centroidInCamera);
             if (!pixel) {
-                return std::nullopt;
+                return false;
             }
             const Eigen::Vector2d residual = (*pixel - landmark.pixel) / clickStdPx;
-            sum += residual.squaredNorm();
-            if (equations) {
-                add(turned, turned + pose.centroidInCamera, residual, *equations);
-            }
+            look.cost += residual.squaredNorm();
+            add(turned, turned + pose.centroidInCamera, residual, look.equations);
         }
         if (prior_) {
-            sum += prior_->cost(pose);
-            if (equations) {
-                prior_->add(pose, 1.0, *equations);
-            }
+            look.cost += prior_->cost(pose);
+            prior_->add(pose, 1.0, look.equations);
         }
-        return sum;
+        return true;
     }
+
+    const NormalEquations& equations(const CentroidPose&, const LandmarkLook& look) const { return look.equations; }
+
+    Vector6d step(const CentroidPose&, const NormalEquations& equations, double damping) const
+    {
+        return dampedStep(equations, damping);
+    }
+
+    CentroidPose moved(const CentroidPose& pose, const Vector6d& step) const { return core::moved(pose, step); }
+
+    std::optional<double> gained(const LandmarkLook& here, const LandmarkLook& there) const
+    {
+        return there.cost <= here.cost ? std::optional(here.cost - there.cost) : std::nullopt;
+    }
+
+    double lengthMm(const CentroidPose&, const Vector6d& step) const { return stepLengthMm(step, spreadMm_); }
 
 private:
     void add(const Eigen::Vector3d& turned, const Eigen::Vector3d& inCamera, const Eigen::Vector2d& residual,
@@ -81,6 +108,7 @@ private:
     const ProjectionCamera& camera_;
     std::optional<StartPrior> prior_;
     Eigen::Vector3d centroid_;
+    double spreadMm_ = 0.0;   ///< of the landmark farthest from the centroid
 };
 
 struct Fit {
@@ -88,33 +116,15 @@ struct Fit {
     double cost = std::numeric_limits<double>::infinity();
 };
 
-Fit refined(const LandmarkCost& cost, const CentroidPose& start)
+Fit refined(LandmarkSquares& squares, const CentroidPose& start)
 {
-    Fit fit{start};
-    const auto first = cost.at(start);
-    if (!first) {
-        return fit;
+    LookPair<LandmarkLook> looks;
+    DampedDescent descent(squares, start, looks, {.settledMm = settledLandmarksMm});
+    if (!descent.isStanding()) {
+        return {start};
     }
-    fit.cost = *first;
-    Damping damping;
-    for (int k = 0; k < maxLandmarkSteps; ++k) {
-        NormalEquations equations;
-        cost.at(fit.pose, &equations);
-        const Vector6d step = dampedStep(equations, damping.factor());
-        const double promised = predictedDecrease(equations, step);
-        if (!(promised > settledCost * (1.0 + fit.cost))) {
-            break;
-        }
-        const CentroidPose trial = moved(fit.pose, step);
-        const auto there = cost.at(trial);
-        if (!there || *there > fit.cost) {
-            damping.reject();
-            continue;
-        }
-        damping.accept((fit.cost - *there) / promised);
-        fit = {trial, *there};
-    }
-    return fit;
+    descent.descend(maxLandmarkSteps, [](const StepOutcome&) { return Verdict::Continue; });
+    return {descent.place(), descent.look().cost};
 }
 
 /// How far points lie from their common line (second singular value), or from their centre (first), rms.
@@ -156,11 +166,10 @@ std::optional<Message> findDegeneracy(std::span<const Landmark> landmarks, bool 
 
 StartPrior priorAt(const CentroidPose& before)
 {
-    StartPrior prior;
-    prior.start = before;
     const double turn = priorTurnDeg / degreesPerRadian;
-    prior.std << turn, turn, priorRollDeg / degreesPerRadian, priorShiftMm, priorShiftMm, priorDepthMm;
-    return prior;
+    Vector6d std;
+    std << turn, turn, priorRollDeg / degreesPerRadian, priorShiftMm, priorShiftMm, priorDepthMm;
+    return independentPrior(before, std);
 }
 
 /// The best of the fits; where `near` is about as good, that.
@@ -170,20 +179,20 @@ const Fit& chosen(const Fit& near, const Fit& other)
     return near.cost <= tellsNothing ? near : other;
 }
 
-LandmarkPose judged(const LandmarkCost& cost, const Fit& fit, std::span<const Landmark> landmarks,
+LandmarkPose judged(const LandmarkSquares& squares, const Fit& fit, std::span<const Landmark> landmarks,
                     const ProjectionCamera& camera)
 {
     LandmarkPose result;
-    result.cameraFromPatient = cameraFromPatient(fit.pose, cost.centroid());
+    result.cameraFromPatient = cameraFromPatient(fit.pose, squares.centroid());
     result.errorPx = landmarkErrorsPx(landmarks, camera, result.cameraFromPatient);
     double sum = 0.0;
     for (const double error : result.errorPx) {
         sum += error * error / static_cast<double>(result.errorPx.size());
     }
     result.rmsPx = std::sqrt(sum);
-    NormalEquations equations;
-    cost.at(fit.pose, &equations);
-    const Matrix6d full = equations.hessian.selfadjointView<Eigen::Lower>();
+    LandmarkLook look;
+    squares.look(fit.pose, look);
+    const Matrix6d full = look.equations.hessian.selfadjointView<Eigen::Lower>();
     const Matrix6d covariance = full.ldlt().solve(Matrix6d::Identity());
     result.depthStdMm = std::sqrt(std::max(0.0, covariance(5, 5)));
     result.rotationStdDeg = degreesPerRadian * std::sqrt(std::max(0.0, covariance.diagonal().head<3>().maxCoeff()));
@@ -221,18 +230,18 @@ Result<LandmarkPose> poseFromLandmarks(std::span<const Landmark> landmarks, cons
         return Error(*degeneracy);
     }
     const bool isEnough = landmarks.size() >= enoughLandmarks;
-    const Eigen::Vector3d centroid = LandmarkCost(landmarks, camera, std::nullopt).centroid();
+    const Eigen::Vector3d centroid = LandmarkSquares(landmarks, camera, std::nullopt).centroid();
     const auto start = before ? std::optional(aboutCentroid(*before, centroid)) : std::nullopt;
-    const LandmarkCost cost(landmarks, camera, isEnough ? std::nullopt : std::optional(priorAt(*start)));
+    LandmarkSquares squares(landmarks, camera, isEnough ? std::nullopt : std::optional(priorAt(*start)));
 
-    const Fit near = start ? refined(cost, *start) : Fit{};
+    const Fit near = start ? refined(squares, *start) : Fit{};
     const auto alone = isEnough ? solvedAlone(landmarks, camera) : std::nullopt;
-    const Fit other = alone ? refined(cost, aboutCentroid(*alone, centroid)) : Fit{};
+    const Fit other = alone ? refined(squares, aboutCentroid(*alone, centroid)) : Fit{};
     const Fit& best = chosen(near, other);
     if (!std::isfinite(best.cost)) {
         return Error(says::landmarksWithoutPose());
     }
-    LandmarkPose result = judged(cost, best, landmarks, camera);
+    LandmarkPose result = judged(squares, best, landmarks, camera);
     result.leansOnPrior = !isEnough;
     return result;
 }

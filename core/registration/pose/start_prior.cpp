@@ -1,28 +1,59 @@
 #include "core/registration/pose/start_prior.h"
 
+#include <Eigen/LU>
 #include <numbers>
 
 namespace angiopose::core {
+namespace {
+
+/// d stepBetween(start, moved(pose, x)) / dx at x = 0, for the step that leads to the pose.
+Matrix6d growthOf(const Vector6d& step)
+{
+    Matrix6d growth = Matrix6d::Identity();
+    growth.topLeftCorner<3, 3>() = inverseLeftJacobianSo3(step.head<3>());
+    return growth;
+}
+
+}   // namespace
+
+Vector6d StartPrior::std() const
+{
+    return information.inverse().diagonal().cwiseSqrt();
+}
 
 double StartPrior::cost(const CentroidPose& pose) const
 {
-    return stepBetween(start, pose).cwiseQuotient(std).squaredNorm();
+    const Vector6d step = stepBetween(start, pose);
+    return step.dot(information * step);
 }
 
 void StartPrior::add(const CentroidPose& pose, double variance, NormalEquations& equations) const
 {
-    // All three angles share one σ, so the gradient of |log R|² needs no Jacobian: J_lᵀ⁻¹(θ) θ = θ.
-    const Vector6d weight = variance * std.cwiseAbs2().cwiseInverse();
-    equations.hessian.diagonal() += weight;
-    equations.gradient += weight.cwiseProduct(stepBetween(start, pose));
+    const Vector6d step = stepBetween(start, pose);
+    const Matrix6d growth = growthOf(step);
+    const Matrix6d weighted = variance * growth.transpose() * information;
+    equations.hessian += weighted * growth;
+    equations.gradient += weighted * step;
+}
+
+Matrix6d StartPrior::informationAt(const CentroidPose& pose) const
+{
+    const Matrix6d growth = growthOf(stepBetween(start, pose));
+    return growth.transpose() * information * growth;
+}
+
+StartPrior independentPrior(const CentroidPose& start, const Vector6d& std, const PoseFreedom& freedom)
+{
+    return {start, Vector6d(std.cwiseAbs2().cwiseInverse()).asDiagonal(), freedom};
 }
 
 StartPrior startPrior(const CentroidPose& start, const RegistrationOptions& options, const PoseFreedom& freedom)
 {
-    const double rotation = options.priorRotationDeg * std::numbers::pi / 180.0;
-    StartPrior prior{start, {}, freedom};
-    prior.std << rotation, rotation, rotation, options.priorLateralMm, options.priorLateralMm, options.priorDepthMm;
-    return prior;
+    const double rotation = options.angiopose.priorRotationDeg * std::numbers::pi / 180.0;
+    Vector6d std;
+    std << rotation, rotation, rotation, options.angiopose.priorLateralMm, options.angiopose.priorLateralMm,
+        options.angiopose.priorDepthMm;
+    return independentPrior(start, std, freedom);
 }
 
 }   // namespace angiopose::core

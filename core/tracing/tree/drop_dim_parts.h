@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/tracing/tree/cross_section.h"
 #include "core/tracing/tree/vessel_graph.h"
+#include "core/tracing/volume/voxels/cross_section.h"
 
 #include <Eigen/Core>
 #include <vector>

@@ -8,9 +8,9 @@
 #include "core/tracing/tree/prune_spurs.h"
 #include "core/tracing/tree/vessel_curve.h"
 #include "core/tracing/tree/vessel_graph.h"
-#include "core/tracing/volume/beyond_rim.h"
-#include "core/tracing/volume/distance_map.h"
-#include "core/tracing/volume/thin_volume.h"
+#include "core/tracing/volume/voxels/beyond_rim.h"
+#include "core/tracing/volume/voxels/distance_map.h"
+#include "core/tracing/volume/voxels/thin_volume.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,10 @@
 #pragma once
 
 #include "core/imaging/volume.h"
-#include "core/tracing/tree/cross_section.h"
-#include "core/tracing/volume/trace_vessels.h"
-#include "core/tracing/volume/tracing_progress.h"
+#include "core/tracing/volume/voxels/cross_section.h"
+#include "core/tracing/volume/voxels/tracing_options.h"
+#include "core/tracing/volume/voxels/tracing_progress.h"
+#include "core/vessel/vessel_tree.h"
 
 namespace angiopose::core {
 

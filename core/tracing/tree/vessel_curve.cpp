@@ -1,8 +1,8 @@
 #include "core/tracing/tree/vessel_curve.h"
 
 #include "core/support/quantile.h"
-#include "core/tracing/smoothing_spline.h"
 #include "core/vessel/polyline.h"
+#include "core/vessel/smoothing_spline.h"
 
 #include <algorithm>
 #include <cmath>

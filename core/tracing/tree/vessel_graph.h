@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/tracing/volume/distance_map.h"
+#include "core/tracing/volume/voxels/distance_map.h"
 
 #include <Eigen/Core>
 #include <cstddef>

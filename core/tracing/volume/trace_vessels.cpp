@@ -4,15 +4,15 @@
 #include "core/support/parallel_for.h"
 #include "core/support/quantile.h"
 #include "core/tracing/tree/lumen_tree.h"
-#include "core/tracing/volume/axis_order.h"
-#include "core/tracing/volume/blood_level.h"
-#include "core/tracing/volume/chosen_lumen.h"
-#include "core/tracing/volume/fill_cavities.h"
-#include "core/tracing/volume/find_great_vessels.h"
-#include "core/tracing/volume/other_lumen.h"
-#include "core/tracing/volume/segment_lumen.h"
-#include "core/tracing/volume/tracing_progress.h"
+#include "core/tracing/volume/chosen/chosen_lumen.h"
+#include "core/tracing/volume/chosen/fill_cavities.h"
+#include "core/tracing/volume/chosen/other_lumen.h"
+#include "core/tracing/volume/great_vessels/find_great_vessels.h"
+#include "core/tracing/volume/lumen/blood_level.h"
+#include "core/tracing/volume/lumen/segment_lumen.h"
 #include "core/tracing/volume/tracing_warnings.h"
+#include "core/tracing/volume/voxels/axis_order.h"
+#include "core/tracing/volume/voxels/tracing_progress.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,43 +2,16 @@
 
 #include "core/imaging/volume.h"
 #include "core/support/result.h"
-#include "core/support/verdict.h"
+#include "core/tracing/volume/voxels/tracing_options.h"
+#include "core/tracing/volume/voxels/tracing_progress.h"
 #include "core/vessel/vessel_tree.h"
 
 #include <Eigen/Core>
-#include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace angiopose::core {
-
-/// One set of defaults for every scan.
-struct VesselTracingOptions {
-    std::optional<double> threshold =
-        std::nullopt;   ///< lumen begins at this value (HU for CT); absent: found from the blood
-    std::vector<Eigen::Vector3d> seedsInPatient =
-        {};   ///< LPS mm; only vessels connected to one of them; none: those of the great vessel that is found
-    std::vector<Eigen::Vector3d> avoidInPatient = {};   ///< LPS mm; what is reached from these on wider ways than from
-                                                        ///< the seeds is no vessel: heart, vein, bone
-    std::optional<Eigen::Vector3d> rootInPatient =
-        std::nullopt;   ///< LPS mm; the end nearest to it is the root; absent: the thickest
-    double minBranchLengthMm = 4.0;   ///< branches that leave their parent's wall by less are removed
-    double minBranchRadiusMm = 0.0;   ///< branches that are thinner on average are removed
-    double pointSpacingMm = 1.0;   ///< along the branches
-    int threads = 0;   ///< 0: as many as the processor has; the result is the same for any number
-
-    bool operator==(const VesselTracingOptions&) const = default;
-};
-
-struct TracingReport {
-    std::string_view stage;   ///< "blood", "vessels", "thinning", "branches"
-    double progress = 0.0;   ///< 0…1, never decreasing
-};
-
-/// Called on the calling thread, several times a second; its Stop ends the work within a second.
-using TracingObserver = std::function<Verdict(const TracingReport&)>;
 
 /// A vessel tree with what was seen on the way to it.
 struct TracedVessels {

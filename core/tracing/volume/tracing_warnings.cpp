@@ -1,7 +1,7 @@
 #include "core/tracing/volume/tracing_warnings.h"
 
 #include "core/messages/says.h"
-#include "core/tracing/volume/chosen_pieces.h"
+#include "core/tracing/volume/voxels/chosen_pieces.h"
 
 namespace angiopose::core {
 

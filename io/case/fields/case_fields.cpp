@@ -1,11 +1,11 @@
 #include "io/case/fields/case_fields.h"
 
+#include "core/registration/methods/method_info.h"
 #include "io/case/fields/file_fields.h"
+#include "io/case/fields/option_values.h"
 #include "io/case/fields/vessel_fields.h"
 #include "io/case/fields/vessel_key.h"
 #include "io/case/fields/view_fields.h"
-#include "io/case/option_values.h"
-#include "io/case_file.h"
 #include "io/messages/says.h"
 #include "io/support/json_text.h"
 
@@ -183,7 +183,7 @@ const StoredFields<Case>& caseFields()
     return fields;
 }
 
-const std::string& caseSchema()
+const std::string& caseSchemaText()
 {
     static const std::string schema = prettyJson(schemaOfRows().dump());
     return schema;

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "io/case/case_document.h"
+#include "core/case/case.h"
 #include "io/case/fields/schema_words.h"
+#include "io/case/fields/view_notes.h"
 #include "io/support/json_text.h"
 
 #include <filesystem>

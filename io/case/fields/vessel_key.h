@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/vessel/vessel_input.h"
+#include "core/tracing/volume/vessel_input.h"
 
 #include <array>
 

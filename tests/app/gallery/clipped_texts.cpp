@@ -1,6 +1,6 @@
 #include "tests/app/gallery/clipped_texts.h"
 
-#include "ui/panels/elided_label.h"
+#include "ui/controls/elided_label.h"
 
 #include <QAbstractButton>
 #include <QAbstractScrollArea>

@@ -1,4 +1,4 @@
-#include "app/settings.h"
+#include "app/preferences/settings.h"
 #include "tests/app/gallery/clipped_texts.h"
 #include "tests/app/gallery/gallery.h"
 #include "ui/words/language.h"

@@ -1,5 +1,5 @@
 #include "app/files/autosave.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "tests/app/session/habit.h"
 #include "ui/views/angiogram_view.h"
 

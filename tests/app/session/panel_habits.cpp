@@ -1,5 +1,5 @@
 #include "tests/app/session/habit.h"
-#include "ui/panels/number_field.h"
+#include "ui/controls/number_field.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>

@@ -1,7 +1,7 @@
 #include "tests/app/session/random_user.h"
 
 #include "app/files/autosave.h"
-#include "app/settings.h"
+#include "app/preferences/settings.h"
 #include "ui/views/angiogram_view.h"
 
 #include <QApplication>

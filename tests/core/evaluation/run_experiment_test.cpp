@@ -176,7 +176,7 @@ TEST(TablesOf, LaysOutTheAblation)
     RunSet runs{"simulation", 1, {}};
     const std::vector<Contestant> ablation = contestantsFrom("ablation").value();
     for (const Contestant& contestant : ablation) {
-        const bool isBoth = contestant.options.rotationFirst != 0.0 && contestant.options.alternation != 0.0;
+        const bool isBoth = contestant.options.seed.rotationFirst && contestant.options.seed.alternation;
         runs.runs.push_back(runWith(contestant.label, 0, isBoth ? 0.1 : 9.0));
     }
     for (const ResultTable& table : tablesOf(runs)) {

@@ -45,11 +45,11 @@ RegistrationOptions locking(std::string_view method, std::initializer_list<PoseA
 {
     RegistrationOptions options;
     options.method = method;
-    options.resample = 0.0;
-    options.preset = static_cast<double>(PriorPreset::NoPrior);
-    options.evolutionEvaluations = 600;
-    options.particles = 60;
-    options.rgbrHypotheses = 60;
+    options.resample = false;
+    options.seed.preset = PriorPreset::NoPrior;
+    options.evolution.evaluations = 600;
+    options.particle.count = 60;
+    options.rgbr.hypotheses = 60;
     for (const PoseAxis axis : axes) {
         options.locks[static_cast<std::size_t>(axis)] = true;
     }

@@ -1,4 +1,4 @@
-#include "core/evaluation/projection_error.h"
+#include "core/evaluation/trial/projection_error.h"
 #include "core/registration/registration.h"
 #include "tests/support/clean_case.h"
 

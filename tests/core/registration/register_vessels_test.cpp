@@ -1,6 +1,6 @@
 #include "core/registration/registration.h"
 
-#include "core/evaluation/projection_error.h"
+#include "core/evaluation/trial/projection_error.h"
 #include "core/registration/alignment/alignment.h"
 #include "tests/support/clean_case.h"
 #include "tests/support/matchers.h"

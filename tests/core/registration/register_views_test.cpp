@@ -1,7 +1,7 @@
 #include "core/registration/register_views.h"
 
-#include "core/evaluation/projection_error.h"
-#include "core/registration/alignment/joint_alignment.h"
+#include "core/evaluation/trial/projection_error.h"
+#include "core/registration/alignment/joint_solve.h"
 #include "tests/support/clean_case.h"
 
 #include <gtest/gtest.h>
@@ -93,7 +93,7 @@ TEST(JointAlignment, StackedGradientIsThatOfTheSum)
     };
     std::vector<NormalEquations> perView;
     costAt(joint, perView);
-    const JointEquations sum = stacked(perView, joint, geometry);
+    const StackedEquations sum = stacked(perView, joint, geometry);
     std::vector<NormalEquations> ignored;
     for (int i = 0; i < 12; ++i) {
         Eigen::VectorXd step = Eigen::VectorXd::Zero(12);
@@ -147,6 +147,49 @@ TEST(RegisterViews, DoubtsViewsThatCannotBelongTogether)
     ASSERT_TRUE(result);
     EXPECT_FALSE(result.value().trustworthy);
     EXPECT_FALSE(result.value().warnings.empty());
+}
+
+TEST(RegisterViews, ReportsTellTheirViewAndNeverFallBack)
+{
+    TwoViews two;
+    two.startOff(typicalStep());
+    IterationReport last;
+    const auto result = registerViews(two.inputs, {}, {}, [&](const IterationReport& report) {
+        EXPECT_GE(report.progress, last.progress);
+        EXPECT_LE(report.progress, 1.0);
+        EXPECT_EQ(report.iteration, last.iteration + 1);
+        EXPECT_LT(two.error(report.cameraFromPatient, report.view).angleDeg, 30.0) << report.stage << report.iteration;
+        last = report;
+        return Verdict::Continue;
+    });
+    ASSERT_TRUE(result);
+    EXPECT_EQ(last.stage, "joint");
+    EXPECT_GT(last.progress, 0.99);
+}
+
+TEST(RegisterViews, AStopEndsTheJointRefinementAtOnce)
+{
+    TwoViews two;
+    two.startOff(typicalStep());
+    int reportsAfter = -1;
+    const auto result = registerViews(two.inputs, {}, {}, [&](const IterationReport& report) {
+        if (reportsAfter >= 0 || report.stage == "joint") {
+            ++reportsAfter;
+            return Verdict::Stop;
+        }
+        return Verdict::Continue;
+    });
+    ASSERT_TRUE(result);
+    EXPECT_EQ(reportsAfter, 0);
+    EXPECT_EQ(result.value().views.front().stopReason, StopReason::StoppedByUser);
+}
+
+// A step is as long as what it moves, in whichever view: a refused turn is not a step that has settled.
+TEST(JointSolve, CountsTurnsAsMotion)
+{
+    for (const Eigen::Index parameter : {1, 7, 9}) {
+        EXPECT_GE(jointStepLengthMm(0.1 * Eigen::VectorXd::Unit(12, parameter), 40.0), 0.1) << parameter;
+    }
 }
 
 TEST(RegisterViews, NamesWhatIsWrong)

@@ -1,5 +1,5 @@
 // The toy square of ALGORITHMS §4.1: point-to-point methods lock one tooth off on its evenly spaced points.
-#include "core/evaluation/projection_error.h"
+#include "core/evaluation/trial/projection_error.h"
 #include "core/registration/registration.h"
 #include "core/simulation/simulated_case.h"
 

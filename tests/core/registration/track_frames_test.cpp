@@ -1,6 +1,6 @@
 #include "core/registration/track_frames.h"
 
-#include "core/evaluation/projection_error.h"
+#include "core/evaluation/trial/projection_error.h"
 #include "tests/support/clean_case.h"
 
 #include <gtest/gtest.h>
@@ -127,10 +127,10 @@ TEST(MotionModel, LearnsTheAxisOfTheMotion)
         model.advance(pose);
     }
     EXPECT_LT((stepBetween(pose, model.predict().start) - step).norm(), 1e-9);
-    const double before = model.predict().std[3];
+    const double before = model.predict().std()[3];
     model.advance({});
     EXPECT_LT(stepBetween(pose, model.predict().start).norm(), 1e-9);
-    EXPECT_GT(model.predict().std[3], before);
+    EXPECT_GT(model.predict().std()[3], before);
 }
 
 }   // namespace

@@ -1,4 +1,4 @@
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 
 #include "tests/io/case/small_case.h"
 

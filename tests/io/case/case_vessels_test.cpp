@@ -1,4 +1,4 @@
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 
 #include "io/file_hash.h"
 #include "io/volume_file.h"

@@ -1,5 +1,5 @@
 #include "core/case/case_views.h"
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 
 #include "tests/io/case/small_case.h"
 

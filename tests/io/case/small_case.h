@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/case_file.h"
+#include "io/case/case_file.h"
 #include "io/image_file.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"

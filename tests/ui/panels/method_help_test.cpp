@@ -1,6 +1,7 @@
 #include "ui/help/help_page.h"
 
-#include "core/registration/registration_options.h"
+#include "core/registration/methods/method_info.h"
+#include "core/registration/options/option_fields.h"
 #include "ui/panels/registration_panel.h"
 
 #include <gtest/gtest.h>
@@ -45,9 +46,7 @@ TEST(MethodHelp, PagesNameSettingsAsTheWindowDoes)
         for (qsizetype i = 1; i < parts.size(); i += 2) {
             bool isThere = false;
             for (const core::OptionField& field : core::optionFields()) {
-                const bool applies = field.methods.empty() || std::find(field.methods.begin(), field.methods.end(),
-                                                                        info.id) != field.methods.end();
-                isThere = isThere || (applies && text(field.label) == parts[i]);
+                isThere = isThere || (core::isFor(field, info.id) && text(field.label) == parts[i]);
             }
             EXPECT_TRUE(isThere) << info.id << ": " << parts[i].toStdString();
         }

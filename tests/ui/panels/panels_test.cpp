@@ -1,3 +1,4 @@
+#include "core/registration/options/option_fields.h"
 #include "ui/panels/geometry_panel.h"
 #include "ui/panels/lock_dot.h"
 #include "ui/panels/option_form.h"
@@ -51,8 +52,7 @@ TEST(RegistrationPanel, ShowsTheOptionsOfTheChosenMethodSilently)
     panel.showOptions(options);
     EXPECT_EQ(edited.count(), 0);
     for (const core::OptionField& field : core::optionFields()) {
-        const bool applies =
-            field.methods.empty() || std::ranges::find(field.methods, "dynaweight") != field.methods.end();
+        const bool applies = core::isFor(field, "dynaweight");
         EXPECT_EQ(panel.findChild<QWidget*>(QString::fromUtf8(field.key.data(), static_cast<int>(field.key.size()))) !=
                       nullptr,
                   applies)

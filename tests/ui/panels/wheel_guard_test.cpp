@@ -1,4 +1,4 @@
-#include "ui/panels/wheel_guard.h"
+#include "ui/controls/wheel_guard.h"
 
 #include <QtTest/qtestspontaneevent.h>
 #include <gtest/gtest.h>

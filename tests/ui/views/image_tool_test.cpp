@@ -1,4 +1,4 @@
-#include "ui/views/tools/image_tool.h"
+#include "ui/views/image_tool.h"
 
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/bind_tool.h"

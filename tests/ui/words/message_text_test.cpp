@@ -6,6 +6,8 @@
 #include "ui/words/language.h"
 #include "ui/words/terms.h"
 
+#include "core/registration/options/option_fields.h"
+
 #include <gtest/gtest.h>
 
 namespace angiopose::ui {

@@ -1,7 +1,7 @@
 #include "ui/views/tools/bind_tool.h"
 
 #include "ui/views/angiogram_view.h"
-#include "ui/views/tools/image_tool.h"
+#include "ui/views/image_tool.h"
 
 #include <QAction>
 

@@ -1,5 +1,5 @@
 // What EditCurvesTool draws: curves, brush, region, path under way.
-#include "core/tracing/edit_centerline.h"
+#include "core/tracing/angiogram/drawing/edit_centerline.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/edit_curves_tool.h"

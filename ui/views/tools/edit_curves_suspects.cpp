@@ -1,5 +1,5 @@
 // Curves that may be catheters: a tick and a cross beside each to click, and keys to go through them and decide.
-#include "core/tracing/edit_centerline.h"
+#include "core/tracing/angiogram/drawing/edit_centerline.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/edit_curves_tool.h"

@@ -1,6 +1,6 @@
 #include "ui/views/tools/edit_curves_tool.h"
 
-#include "core/tracing/edit_centerline.h"
+#include "core/tracing/angiogram/drawing/edit_centerline.h"
 #include "ui/views/angiogram_view.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/tracing/live_wire.h"
+#include "core/tracing/angiogram/drawing/live_wire.h"
 #include "core/vessel/centerline2d.h"
 #include "ui/scenes/stroke_mesh.h"
-#include "ui/views/tools/image_tool.h"
+#include "ui/views/image_tool.h"
 #include "ui/views/tools/wire_path.h"
 #include "ui/words/spoken.h"
 

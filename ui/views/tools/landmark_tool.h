@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/landmark.h"
-#include "ui/views/tools/image_tool.h"
+#include "ui/views/image_tool.h"
 
 #include <vector>
 

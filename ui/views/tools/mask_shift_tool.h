@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/views/tools/image_tool.h"
+#include "ui/views/image_tool.h"
 
 namespace angiopose::ui {
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/geometry/pose_offset.h"
-#include "ui/pose_axis.h"
-#include "ui/views/tools/image_tool.h"
+#include "ui/views/image_tool.h"
 #include "ui/views/tools/nudge_drag.h"
+#include "ui/words/pose_axis.h"
 
 namespace angiopose::ui {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/vessel/vessel_tree.h"
-#include "ui/views/tools/image_tool.h"
+#include "ui/views/image_tool.h"
 
 #include <memory>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/tracing/live_wire.h"
+#include "core/tracing/angiogram/drawing/live_wire.h"
 
 #include <vector>
 

@@ -73,8 +73,8 @@ TEST_F(PoseSearchTest, JunctionsFindStartsTurnedAndDisplacedFar)
 TEST_F(PoseSearchTest, JunctionsKeepWhatIsLockedAndWithinReach)
 {
     options.locks[static_cast<std::size_t>(PoseAxis::Roll)] = true;
-    options.searchRadiusMm = 50.0;
-    options.searchTiltDeg = 20.0;
+    options.angiopose.searchRadiusMm = 50.0;
+    options.angiopose.searchTiltDeg = 20.0;
     problem = makeProblem(clean.from(clean.truth), options).value();
     const PoseSearch search(problem, target, options);
     const auto found = search.byJunctions(truth, [](double) { return Verdict::Continue; });

@@ -17,7 +17,7 @@ struct PoseShiftTest : ::testing::Test {
 
     RigidTransform truthMovedBy(const Vector6d& step) const
     {
-        const Eigen::Vector3d& centroid = problem.tree.centroid;
+        const Eigen::Vector3d& centroid = problem.wholeTreeCentroid;
         return cameraFromPatient(moved(aboutCentroid(clean.truth, centroid), step), centroid);
     }
 };
@@ -52,7 +52,7 @@ TEST_F(PoseShiftTest, ExpectationIsTheSpreadOfDrawnPoses)
                        static_cast<double>(draws * problem.tree.size());
         }
     }
-    const double expected = expectedShiftMm(problem.tree, clean.truth, uncertainty);
+    const double expected = expectedShiftMm(problem, clean.truth, uncertainty);
     EXPECT_NEAR(expected, std::sqrt(squares), 0.1 * expected);
 }
 

@@ -4,6 +4,8 @@
 #include "core/simulation/phantom.h"
 
 #include <gtest/gtest.h>
+#include <Eigen/LU>
+#include <cmath>
 
 namespace angiopose::core {
 namespace {
@@ -14,7 +16,7 @@ double depthStdWith(int points)
     constexpr std::uint64_t images = 6;
     const Phantom shown = makePhantom(1000, 2000);
     RegistrationOptions options;
-    options.resample = 0;
+    options.resample = false;
     RegistrationInput input;
     input.tree = makePhantom(1000, points).tree;
     input.camera = shown.camera;
@@ -36,6 +38,37 @@ TEST(PoseUncertainty, DoesNotShrinkWithPointsThatTellNothingNew)
 {
     const double usual = depthStdWith(2000);
     EXPECT_NEAR(depthStdWith(100000), usual, 0.15 * usual);
+}
+
+// What result.json calls the centroid of the vessel tree is that of all of it, whatever the registration uses.
+TEST(PoseUncertainty, IsAboutTheCentroidOfTheWholeTree)
+{
+    const Phantom shown = makePhantom(1000, 2000);
+    RegistrationInput input;
+    input.tree = shown.tree;
+    input.target = degraded(shown.exactTarget, shown.camera, CounterRandom(3));
+    input.camera = shown.camera;
+    input.initialCameraFromPatient = shown.trueCameraFromPatient;
+    const auto branchCount = static_cast<int>(shown.tree.branches.size());
+    for (int k = branchCount / 2; k < branchCount; ++k) {
+        input.excludedBranchIds.push_back(shown.tree.branches[static_cast<std::size_t>(k)].id);
+    }
+    const RegistrationProblem problem = makeProblem(input, {}).value();
+    const Eigen::Vector3d arm = problem.start.rotation * (centroidInPatient(shown.tree) - problem.tree.centroid);
+    ASSERT_GT(arm.norm(), 1.0);
+
+    const TargetLines lines(problem.target, problem.camera);
+    const CentroidPose pose = aboutCentroid(problem.start, problem.tree.centroid);
+    const StartPrior prior = startPrior(pose, {});
+    const Matrix6d aboutUsed = poseInformation(problem, lines, pose, prior).inverse();
+    Eigen::Matrix<double, 3, 6> motion;   // of the whole tree's centroid for steps about that of the used points
+    motion << -skew(arm), Eigen::Matrix3d::Identity();
+    const Eigen::Matrix3d expected = motion * aboutUsed * motion.transpose();
+    const PoseUncertainty told = poseUncertainty(problem, lines, problem.start, prior);
+    EXPECT_LT((told.covariance.bottomRightCorner<3, 3>() - expected).norm(), 1e-6 * expected.norm());
+    EXPECT_NEAR(told.depthMm, std::sqrt(expected(2, 2)), 1e-6);
+    const Matrix6d difference = told.covariance - aboutUsed;   // turns are the same about any place
+    EXPECT_LT((difference.topLeftCorner<3, 3>().norm()), (1e-6 * aboutUsed.topLeftCorner<3, 3>().norm()));
 }
 
 }   // namespace

@@ -1,4 +1,4 @@
-#include "core/evaluation/projection_error.h"
+#include "core/evaluation/trial/projection_error.h"
 #include "core/registration/registration.h"
 #include "core/simulation/simulated_case.h"
 
@@ -41,8 +41,8 @@ RegistrationOptions optionsFor(std::string_view method)
 {
     RegistrationOptions options;
     options.method = method;
-    options.resample = 0.0;
-    options.preset = static_cast<double>(PriorPreset::NoPrior);
+    options.resample = false;
+    options.seed.preset = PriorPreset::NoPrior;
     return options;
 }
 

@@ -1,6 +1,6 @@
-#include "core/evaluation/projection_error.h"
+#include "core/evaluation/trial/projection_error.h"
 #include "core/imaging/volume.h"
-#include "core/registration/method.h"
+#include "core/registration/methods/method.h"
 #include "core/registration/picture/radiograph.h"
 #include "core/registration/picture/rank_correlation.h"
 #include "core/registration/picture/tube_picture.h"
@@ -70,7 +70,7 @@ RegistrationOptions optionsFor(std::string_view method)
 {
     RegistrationOptions options;
     options.method = method;
-    options.nicpImage = 1.0;
+    options.nicp.image = NicpImage::Brightness;
     return options;
 }
 

@@ -1,8 +1,8 @@
-#include "core/evaluation/projection_error.h"
-#include "core/registration/matching/auxiliary_points.h"
-#include "core/registration/method.h"
+#include "core/evaluation/trial/projection_error.h"
+#include "core/registration/methods/method.h"
 #include "core/registration/pnp/distance_descent.h"
 #include "core/registration/pnp/seed_problem.h"
+#include "core/registration/problem/auxiliary_points.h"
 #include "tests/support/clean_case.h"
 
 #include <gtest/gtest.h>
@@ -19,8 +19,8 @@ RegistrationOptions exactSamples(std::string_view method)
 {
     RegistrationOptions options;
     options.method = method;
-    options.resample = 0.0;
-    options.preset = static_cast<double>(PriorPreset::NoPrior);
+    options.resample = false;
+    options.seed.preset = PriorPreset::NoPrior;
     return options;
 }
 
@@ -51,9 +51,9 @@ TEST(DtIcp, BothSolversAndTheAffineStageFindTheExactPose)
     const RegistrationInput input = clean.from(clean.nearbyStart(random));
     RegistrationOptions options = exactSamples("dt-icp");
     EXPECT_LT(meanPx(clean, poseOf(input, options)), 0.01);
-    options.icpModel = 1.0;
+    options.icp.model = IcpModel::Affine;
     EXPECT_LT(meanPx(clean, poseOf(input, options)), 0.01);
-    options.icpSolver = 1.0;
+    options.icp.solver = DescentSolver::Lbfgs;
     EXPECT_LT(meanPx(clean, poseOf(input, options)), 0.1);
 }
 
@@ -98,8 +98,8 @@ TEST(Nicp, LiteralStepsHardlyShift)
     const RigidTransform start =
         RigidTransform{Eigen::Matrix3d::Identity(), Eigen::Vector3d(3.0, 4.0, 0.0)} * clean.truth;
     RegistrationOptions options = exactSamples("nicp");
-    options.nicpIterations = 60;
-    options.nicpStep = 1.0;
+    options.nicp.iterations = 60;
+    options.nicp.step = StepMetric::Literal;
     const RigidTransform motion = poseOf(clean.from(start), options) * start.inverse();
     EXPECT_LT(motion.translation.norm(), 0.05);
     EXPECT_GT(angleBetween(motion.rotation, Eigen::Matrix3d::Identity()) * 800.0, 1.0);
@@ -111,10 +111,10 @@ TEST(Nicp, ThePriorHoldsItBack)
     CounterRandom random(3);
     const RegistrationInput input = clean.from(clean.nearbyStart(random));
     RegistrationOptions options = exactSamples("nicp");
-    options.nicpIterations = 60;
-    options.preset = static_cast<double>(PriorPreset::SeedMean);
+    options.nicp.iterations = 60;
+    options.seed.preset = PriorPreset::SeedMean;
     const RigidTransform free = poseOf(input, options);
-    options.nicpPrior = 1.0;
+    options.nicp.prior = true;
     const RigidTransform held = poseOf(input, options);
     const auto movedMm = [&](const RigidTransform& pose) {
         return (pose * input.initialCameraFromPatient.inverse()).translation.norm();
@@ -129,8 +129,8 @@ TEST(Nicp, ThePriorLeavesTheTurnToIt)
     Vector6d twist;
     twist << 0.010, -0.012, 0.008, 3.0, 4.0, 0.0;
     RegistrationOptions options = exactSamples("nicp");
-    options.preset = static_cast<double>(PriorPreset::SeedMean);
-    options.nicpPrior = 1.0;
+    options.seed.preset = PriorPreset::SeedMean;
+    options.nicp.prior = true;
     const RigidTransform start = expSe3(twist) * clean.truth;
     const RigidTransform pose = poseOf(clean.from(start), options);
     EXPECT_LT(meanPx(clean, pose), 1.5);
@@ -144,7 +144,7 @@ TEST(Alternation, TakesAnyMethodOfPoints)
     const RegistrationInput input = clean.from(clean.nearbyStart(random));
     for (const std::string_view method : {"dt-icp", "assembled-icp"}) {
         RegistrationOptions options = exactSamples(method);
-        options.alternate = 1.0;
+        options.icp.alternate = true;
         EXPECT_LT(meanPx(clean, poseOf(input, options)), 0.01) << method;
     }
 }
@@ -156,8 +156,8 @@ TEST(Neighbours, MoreOfThemStillLeadToThePose)
     const RegistrationInput input = clean.from(clean.nearbyStart(random));
     for (const Neighbours rule : {Neighbours::Closest, Neighbours::Five, Neighbours::Radius}) {
         RegistrationOptions options = exactSamples("iterative-pnp");
-        options.neighbours = static_cast<double>(rule);
-        EXPECT_LT(meanPx(clean, poseOf(input, options)), 0.5) << options.neighbours;
+        options.seed.neighbours = rule;
+        EXPECT_LT(meanPx(clean, poseOf(input, options)), 0.5) << static_cast<int>(rule);
     }
 }
 
@@ -166,7 +166,7 @@ TEST(Neighbours, GradientOfTheirKernelSumMatchesDifferences)
     const CleanCase clean(2);
     CounterRandom random(8);
     RegistrationOptions options = exactSamples("iterative-pnp");
-    options.neighbours = static_cast<double>(Neighbours::Five);
+    options.seed.neighbours = Neighbours::Five;
     const auto problem = makeProblem(clean.from(clean.nearbyStart(random)), options);
     const SeedProblem seed = makeSeedProblem(problem.value(), options);
     const KernelProblem full = seed.full(clean.camera);
@@ -192,7 +192,7 @@ TEST(AuxiliaryPoints, FollowTheOption)
     const CleanCase clean(5);
     RegistrationOptions options = exactSamples("dynaweight");
     const auto choose = [&](AuxiliarySet set, std::vector<int> branchIds) {
-        options.auxiliary = static_cast<double>(set);
+        options.seed.auxiliary = set;
         RegistrationInput input = clean.from(clean.truth);
         input.auxiliaryBranchIds = std::move(branchIds);
         return makeProblem(input, options).value();
@@ -206,7 +206,7 @@ TEST(AuxiliaryPoints, FollowTheOption)
     EXPECT_GE(main.auxiliary.size(), main.tree.size() / 3);
     EXPECT_LT(main.auxiliary.size(), 2 * main.tree.size() / 3);
 
-    options.auxiliaryCount = 25;
+    options.seed.auxiliaryCount = 25;
     const RegistrationProblem random = choose(AuxiliarySet::Random, {});
     EXPECT_EQ(random.auxiliary.size(), 25U);
     EXPECT_TRUE(std::is_sorted(random.auxiliary.begin(), random.auxiliary.end()));

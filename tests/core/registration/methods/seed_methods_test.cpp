@@ -1,6 +1,5 @@
-#include "core/evaluation/projection_error.h"
-#include "core/registration/methods/dynaweight.h"
-#include "core/registration/methods/iterative_pnp.h"
+#include "core/evaluation/trial/projection_error.h"
+#include "core/registration/methods/methods.h"
 #include "core/registration/pnp/kernel_pnp.h"
 #include "core/registration/pnp/seed_problem.h"
 #include "tests/support/clean_case.h"
@@ -20,8 +19,8 @@ using test::CleanCase;
 RegistrationOptions exactSamples(PriorPreset preset)
 {
     RegistrationOptions options;
-    options.resample = 0.0;
-    options.preset = static_cast<double>(preset);
+    options.resample = false;
+    options.seed.preset = preset;
     return options;
 }
 
@@ -30,7 +29,7 @@ struct Outcome {
     std::vector<IterationReport> reports;
 };
 
-Outcome run(MethodFunction method, const RegistrationInput& input, const RegistrationOptions& options,
+Outcome run(MethodSolver* method, const RegistrationInput& input, const RegistrationOptions& options,
             const IterationObserver& observe = {})
 {
     const Result<RegistrationProblem> problem = makeProblem(input, options);
@@ -86,7 +85,7 @@ TEST(SeedMethods, WithoutPriorFindTheExactPoseFromNearbyStarts)
         CounterRandom random(seed);
         for (int trial = 0; trial < 3; ++trial) {
             const RegistrationInput input = clean.from(clean.nearbyStart(random));
-            for (const MethodFunction method : {solveDynaWeight, solveIterativePnp}) {
+            for (MethodSolver* const method : {solveDynaWeight, solveIterativePnp}) {
                 const Outcome exact = run(method, input, exactSamples(PriorPreset::NoPrior));
                 EXPECT_LT(meanPx(clean, exact), 1e-6) << "tree " << seed << " trial " << trial;
                 EXPECT_EQ(exact.solution.stopReason, StopReason::Converged);
@@ -109,7 +108,7 @@ TEST(SeedMethods, AlternationFreesTheShiftThatThePriorHolds)
     const RegistrationInput input = clean.from(valleyStart(clean));
     RegistrationOptions options = exactSamples(PriorPreset::SeedMean);
     const Outcome alternating = run(solveDynaWeight, input, options);
-    options.alternation = 0.0;
+    options.seed.alternation = false;
     const Outcome plain = run(solveDynaWeight, input, options);
     EXPECT_NEAR(seedDistanceMm(clean, plain), 5.0, 0.01);
     EXPECT_LT(seedDistanceMm(clean, alternating), 2.5);
@@ -124,7 +123,7 @@ TEST(SeedMethods, MetricPriorPullsLessThanMillimetresBesideRadians)
 }
 
 /// Of eight starts 2° and 5 mm off about the source: about 50 px in the image.
-int lostStarts(MethodFunction method, StartScale startScale)
+int lostStarts(MethodSolver* method, StartScale startScale)
 {
     int lost = 0;
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
@@ -137,7 +136,7 @@ int lostStarts(MethodFunction method, StartScale startScale)
         twist.head<3>() *= 2.0 * std::numbers::pi / 180.0 / twist.head<3>().norm();
         twist.tail<3>() *= 5.0 / twist.tail<3>().norm();
         RegistrationOptions options = exactSamples(PriorPreset::SeedMean);
-        options.startScale = static_cast<double>(startScale);
+        options.seed.startScale = startScale;
         lost += meanPx(clean, run(method, clean.from(expSe3(twist) * clean.truth), options)) > 5.0 ? 1 : 0;
     }
     return lost;
@@ -163,8 +162,8 @@ TEST(DynaWeight, RunsItsStagesInOrder)
     EXPECT_GE(countStages(all.reports, "auxiliary"), 1);
     EXPECT_EQ(countStages(all.reports, "auxiliary"), countStages(all.reports, "refine"));
 
-    options.rotationFirst = 0.0;
-    options.alternation = 0.0;
+    options.seed.rotationFirst = false;
+    options.seed.alternation = false;
     const Outcome plain = run(solveDynaWeight, input, options);
     EXPECT_EQ(countStages(plain.reports, "rotation") + countStages(plain.reports, "auxiliary"), 0);
     EXPECT_EQ(countStages(plain.reports, "refine"), 1);
@@ -220,7 +219,7 @@ TEST(SeedMethods, AStopAtAnyTimeReturnsTheReportedPose)
     const CleanCase clean(2);
     CounterRandom random(21);
     const RegistrationInput input = clean.from(clean.nearbyStart(random));
-    for (const MethodFunction method : {solveDynaWeight, solveIterativePnp}) {
+    for (MethodSolver* const method : {solveDynaWeight, solveIterativePnp}) {
         for (const int stopAt : {1, 4, 33, 40}) {
             const RegistrationOptions options = exactSamples(PriorPreset::SeedMean);
             const Outcome stopped = run(method, input, options, [stopAt](const IterationReport& report) {
@@ -244,7 +243,7 @@ TEST(SeedMethods, ProgressRisesToTheEnd)
     const CleanCase clean(5);
     CounterRandom random(2);
     const RegistrationInput input = clean.from(clean.nearbyStart(random));
-    for (const MethodFunction method : {solveDynaWeight, solveIterativePnp}) {
+    for (MethodSolver* const method : {solveDynaWeight, solveIterativePnp}) {
         const Outcome done = run(method, input, exactSamples(PriorPreset::SeedMean));
         for (std::size_t i = 1; i < done.reports.size(); ++i) {
             EXPECT_GE(done.reports[i].progress, done.reports[i - 1].progress);
@@ -260,9 +259,9 @@ TEST(SeedMethods, EveryIndexLeadsToThePose)
     CounterRandom random(31);
     const RegistrationInput input = clean.from(clean.nearbyStart(random));
     RegistrationOptions options = exactSamples(PriorPreset::NoPrior);
-    for (const MethodFunction method : {solveDynaWeight, solveIterativePnp}) {
+    for (MethodSolver* const method : {solveDynaWeight, solveIterativePnp}) {
         for (const IndexKind kind : {IndexKind::KdTree, IndexKind::Grid, IndexKind::Map}) {
-            options.index = static_cast<double>(kind);
+            options.seed.index = kind;
             EXPECT_LT(meanPx(clean, run(method, input, options)), kind == IndexKind::Map ? 1.0 : 1e-6);
         }
     }
@@ -273,7 +272,7 @@ TEST(SeedMethods, RepeatBitForBit)
     const CleanCase clean(6);
     CounterRandom random(5);
     const RegistrationInput input = clean.from(clean.nearbyStart(random));
-    for (const MethodFunction method : {solveDynaWeight, solveIterativePnp}) {
+    for (MethodSolver* const method : {solveDynaWeight, solveIterativePnp}) {
         const Outcome first = run(method, input, exactSamples(PriorPreset::SeedSum));
         const Outcome again = run(method, input, exactSamples(PriorPreset::SeedSum));
         EXPECT_EQ(first.solution.cameraFromPatient.matrix(), again.solution.cameraFromPatient.matrix());
@@ -291,7 +290,7 @@ TEST(SeedMethods, TheDepthGuardHoldsWithoutAPrior)
         }
     }
     const Eigen::Vector3d centroid = centroidInPatient(clean.tree);
-    for (const MethodFunction method : {solveDynaWeight, solveIterativePnp}) {
+    for (MethodSolver* const method : {solveDynaWeight, solveIterativePnp}) {
         const Outcome guarded = run(method, clean.from(clean.truth), exactSamples(PriorPreset::NoPrior));
         EXPECT_LT(std::abs((guarded.solution.cameraFromPatient * centroid - clean.truth * centroid).z()), 102.0);
     }

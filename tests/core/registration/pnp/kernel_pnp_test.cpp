@@ -1,6 +1,6 @@
 #include "core/registration/pnp/kernel_pnp.h"
 
-#include "core/evaluation/projection_error.h"
+#include "core/evaluation/trial/projection_error.h"
 #include "core/registration/matching/kd_tree_index.h"
 #include "core/simulation/simulated_case.h"
 

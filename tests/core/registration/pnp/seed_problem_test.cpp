@@ -14,7 +14,7 @@ using test::CleanCase;
 SeedProblem seedProblem(const CleanCase& clean, PriorPreset preset)
 {
     RegistrationOptions options;
-    options.preset = static_cast<double>(preset);
+    options.seed.preset = preset;
     return makeSeedProblem(makeProblem(clean.from(clean.truth), options).value(), options);
 }
 
@@ -48,7 +48,7 @@ TEST(SeedProblem, PointsStandWhereTheStartPosePutsThem)
 {
     const CleanCase clean(2);
     RegistrationOptions options;
-    options.resample = 0.0;
+    options.resample = false;
     const RegistrationProblem problem = makeProblem(clean.from(clean.truth), options).value();
     const SeedProblem seed = makeSeedProblem(problem, options);
     ASSERT_EQ(seed.points.size(), clean.tree.pointCount());

@@ -29,7 +29,11 @@ TEST(CentroidPose, StepBetweenUndoesMoved)
 
 TEST(StartPrior, GradientMatchesDifferencesOfItsCost)
 {
-    const StartPrior prior = startPrior(somePose(), {});
+    Vector6d std;
+    std << 0.14, 0.2, 1.05, 30.0, 20.0, 60.0;
+    StartPrior prior = independentPrior(somePose(), std);
+    const Vector6d shared = 0.7 / 20.0 * Vector6d::Unit(4) + 0.7 / 0.14 * Vector6d::Unit(0);
+    prior.information += shared * shared.transpose();
     Vector6d away;
     away << 0.2, -0.15, 0.3, 10.0, -4.0, 25.0;
     const CentroidPose pose = moved(somePose(), away);
@@ -41,6 +45,18 @@ TEST(StartPrior, GradientMatchesDifferencesOfItsCost)
         const double slope = (prior.cost(moved(pose, step)) - prior.cost(moved(pose, -step))) / (2.0 * h);
         EXPECT_NEAR(2.0 * equations.gradient[k], slope, 1e-5 * std::max(1.0, std::abs(slope)));
     }
+}
+
+TEST(StartPrior, InformationIsTheCurvatureOfItsCost)
+{
+    const StartPrior prior = startPrior(somePose(), {});
+    Vector6d away;
+    away << 0.2, -0.15, 0.3, 10.0, -4.0, 25.0;
+    NormalEquations equations;
+    prior.add(moved(somePose(), away), 1.0, equations);
+    EXPECT_LT((equations.hessian - prior.informationAt(moved(somePose(), away))).norm(), 1e-9);
+    EXPECT_LT((prior.std() - independentPrior(somePose(), prior.std()).std()).norm(), 1e-9);
+    EXPECT_DOUBLE_EQ(prior.std()[5], RegistrationOptions().angiopose.priorDepthMm);
 }
 
 }   // namespace

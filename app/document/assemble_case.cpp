@@ -1,0 +1,128 @@
+#include "app/document/assemble_case.h"
+
+#include <filesystem>
+
+namespace angiopose::app {
+namespace {
+
+/// The scan of the case stays beside vessels that come from elsewhere but lie in it.
+void putScan(core::Vessels& vessels, const LoadedInputs& inputs)
+{
+    if (!inputs.volume && vessels.scan && liesIn(vessels.scan->geometry, *inputs.tree)) {
+        if (vessels.input.kind == core::VesselInputKind::Volume) {
+            vessels.scanFile = vessels.file;
+            vessels.scanSeriesId = vessels.input.seriesId;
+        }
+        return;
+    }
+    vessels.scan = inputs.volume;
+    vessels.scanIdentity = inputs.scanIdentity;
+    vessels.scanFile = {};
+    vessels.scanSeriesId.clear();
+}
+
+void putTree(core::Vessels& vessels, const LoadedInputs& inputs)
+{
+    putScan(vessels, inputs);
+    vessels.tree = inputs.tree;
+    vessels.file = inputs.centerlineFile;
+    vessels.input = inputs.vesselInput;
+    vessels.lumen = inputs.lumen;
+    vessels.isTreeEdited = false;
+    vessels.hiddenBranchIds.clear();
+    vessels.pickedPivotInPatient.reset();
+    vessels.auxiliaryBranchIds.clear();
+    vessels.excludedBranchIds.clear();
+}
+
+void putImage(core::View& view, const LoadedInputs& inputs)
+{
+    view.angiogram = inputs.angiogram;
+    view.imageFile = inputs.imageFile;
+    view.frame = inputs.angiogram->suggestedFrame;
+    view.geometry = {inputs.angiogram->cArm, std::nullopt};
+    view.storedRun.reset();
+    view.headerPlan = inputs.headerPlan;
+    view.treatment = {.plan = inputs.headerPlan};
+    view.target = {};
+}
+
+void goToStart(core::Case& target)
+{
+    if (const auto start = core::startPoseOf(target)) {
+        target.shown().cameraFromPatient = start.value();
+    }
+}
+
+bool isSamePose(const core::RigidTransform& a, const core::RigidTransform& b)
+{
+    return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() < 1e-9;
+}
+
+}   // namespace
+
+bool liesIn(const core::VolumeGeometry& scan, const core::VesselTree& tree)
+{
+    const Eigen::Affine3d voxelFromPatient = scan.patientFromVoxel().inverse();
+    std::size_t inside = 0;
+    for (const core::VesselBranch& branch : tree.branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            inside += scan.contains((voxelFromPatient * point).array().round().cast<int>()) ? 1 : 0;
+        }
+    }
+    return 2 * inside > tree.pointCount();
+}
+
+core::Case withInputs(core::Case base, const LoadedInputs& inputs)
+{
+    core::Vessels& vessels = base.vessels;
+    core::View& view = base.shown();
+    if (inputs.tree) {
+        putTree(vessels, inputs);
+    }
+    if (inputs.volume && !inputs.tree) {
+        vessels.scan = inputs.volume;
+        vessels.scanIdentity = inputs.scanIdentity;
+        vessels.scanFile = inputs.scanFile;
+        vessels.scanSeriesId = inputs.scanSeriesId;
+    }
+    if (inputs.angiogram) {
+        putImage(view, inputs);
+    }
+    if (inputs.target) {
+        view.target = {inputs.targetFile, inputs.target, std::nullopt, {}};
+    }
+    if (inputs.tree || inputs.angiogram) {
+        view.result.reset();
+        view.initialCameraFromPatient.reset();
+        view.landmarks.clear();   // of other vessels, or in another image
+        goToStart(base);
+    }
+    if (base.title.empty()) {
+        const std::string& path = view.angiogram ? view.imageFile.path
+                                  : vessels.tree ? vessels.file.path
+                                                 : vessels.scanFile.path;
+        base.title = std::filesystem::path(path).stem().string();
+    }
+    return base;
+}
+
+bool makesNewCase(const LoadedInputs& inputs)
+{
+    return inputs.tree && inputs.angiogram;
+}
+
+core::Case withGeometry(core::Case base, const core::CArm& cArm)
+{
+    const auto before = core::startPoseOf(base);
+    core::View& view = base.shown();
+    view.geometry.cArm = cArm;
+    const bool wasAtStart = !before || isSamePose(before.value(), view.cameraFromPatient);
+    if (wasAtStart) {
+        goToStart(base);
+    }
+    view.result.reset();
+    return base;
+}
+
+}   // namespace angiopose::app

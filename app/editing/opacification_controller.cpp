@@ -1,0 +1,56 @@
+#include "app/editing/opacification_controller.h"
+
+#include "ui/main_window.h"
+#include "ui/plots/opacification_plot.h"
+
+#include <QDialog>
+#include <QVBoxLayout>
+
+namespace angiopose::app {
+
+OpacificationController::OpacificationController(const AngiogramParts& parts, QObject* parent)
+    : QObject(parent), document_(parts.document), sync_(parts.sync), window_(parts.window)
+{
+    connect(window_.actions()[ui::Command::Opacification], &QAction::triggered, this, &OpacificationController::open);
+    connect(&window_.strip(), &ui::BottomStrip::plotRequested, this, &OpacificationController::open);
+    connect(&document_, &CaseDocument::changed, this, &OpacificationController::show);
+    connect(&sync_, &ViewSync::runMeasured, this, &OpacificationController::show);
+    connect(&sync_, &ViewSync::frameShown, this, [this](int frame) {
+        if (plot_) {
+            plot_->showCurrent(frame);
+        }
+    });
+}
+
+void OpacificationController::open()
+{
+    if (plot_) {
+        plot_->window()->raise();
+        return;
+    }
+    auto* dialog = new QDialog(&window_);
+    dialog->setObjectName(QStringLiteral("opacificationDialog"));
+    dialog->setWindowTitle(tr("Opacification over time"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    plot_ = new ui::OpacificationPlot;
+    auto* layout = new QVBoxLayout(dialog);
+    layout->addWidget(plot_);
+    connect(plot_, &ui::OpacificationPlot::frameRequested, &window_.strip(), &ui::BottomStrip::frameRequested);
+    show();
+    dialog->show();   // beside the window: frames go on being chosen in both
+}
+
+void OpacificationController::show()
+{
+    if (!plot_) {
+        return;
+    }
+    const core::SubtractionPlan& plan = document_.current().shown().treatment.plan;
+    plot_->showFrames(sync_.frameCurve());
+    plot_->showMasks(plan.interval             ? std::vector<int>()
+                     : plan.maskFrames.empty() ? sync_.suggestedMasks()
+                                               : plan.maskFrames);
+    plot_->showCurrent(sync_.shownFrame());
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "app/editing/pose_controller.h"
+#include "app/review/judgement_controller.h"
+#include "app/showing/notices.h"
+#include "app/showing/review_controller.h"
+#include "app/showing/view_sync.h"
+#include "ui/views/tools/nudge_tool.h"
+
+#include <QObject>
+
+namespace angiopose::ui {
+class MainWindow;
+}
+
+namespace angiopose::app {
+
+/// Moving the tree by hand: the pose panel, nudge mode with keys and drags, and the live preview in all views.
+class PoseGestures : public QObject {
+    Q_OBJECT
+public:
+    /// What is moved, and who shows it.
+    struct Parts {
+        const CaseDocument& document;
+        PoseController& pose;
+        ReviewController& review;
+        JudgementController& judgement;
+        ViewSync& sync;
+        Notices& notices;
+        ui::MainWindow& window;
+    };
+    explicit PoseGestures(const Parts& parts, QObject* parent = nullptr);
+
+    void show();   ///< offsets and locks of the case
+
+private:
+    void connectPanel();
+    void connectTool();
+    void showNudgeMode(bool on);
+    void preview(const core::RigidTransform& pose);
+    void endPreview();
+    void copyMatrix();
+
+    Parts on_;
+    ui::NudgeTool* tool_;   ///< owned by the view
+};
+
+}   // namespace angiopose::app

@@ -1,0 +1,109 @@
+#include "app/run_controller.h"
+
+#include "app/document/edit_case.h"
+#include "ui/main_window.h"
+#include "ui/words/number.h"
+#include "ui/words/terms.h"
+
+namespace angiopose::app {
+
+RunController::RunController(const Parts& parts, QObject* parent) : QObject(parent), on_(parts)
+{
+    connectCommands();
+    connectRun();
+}
+
+void RunController::show()
+{
+    on_.window.registration().showOptions(on_.document.current().options);
+    on_.window.registration().showReady(on_.registration.whyNotReady());
+}
+
+void RunController::connectCommands()
+{
+    const ui::RegistrationPanel& panel = on_.window.registration();
+    const ui::WindowActions& actions = on_.window.actions();
+    connect(&panel, &ui::RegistrationPanel::registerRequested, &on_.registration, &RegistrationController::start);
+    connect(&panel, &ui::RegistrationPanel::stopRequested, &on_.registration, &RegistrationController::stop);
+    connect(&panel, &ui::RegistrationPanel::optionsEdited, this, &RunController::changeOptions);
+    connect(&panel, &ui::RegistrationPanel::allViewsToggled, &on_.registration, &RegistrationController::setAllViews);
+    connect(actions[ui::Command::Register], &QAction::triggered, this, &RunController::start);
+    connect(actions[ui::Command::Stop], &QAction::triggered, &on_.registration, &RegistrationController::stop);
+    connect(&on_.window.strip(), &ui::BottomStrip::stopRequested, this, &RunController::stop);
+}
+
+void RunController::connectRun()
+{
+    const RegistrationController& run = on_.registration;
+    connect(&run, &RegistrationController::runningChanged, this, &RunController::showRunning);
+    connect(&run, &RegistrationController::tracingStarted, this,
+            [this] { on_.window.strip().showBusy(tr("Tracing the vessels of this frame …")); });
+    connect(&run, &RegistrationController::advanced, this, &RunController::showProgress);
+    connect(&run, &RegistrationController::finished, this, &RunController::showFinished);
+    connect(&run, &RegistrationController::failed, this,
+            [this](const QString& reason) { on_.notices.showProblem(tr("Registration cannot run"), reason); });
+}
+
+void RunController::start()
+{
+    if (!on_.registration.isRunning()) {
+        on_.review.stopMotion();
+        on_.registration.start();
+    }
+}
+
+/// The strip's Stop ends whatever it shows: a run, or the loading of files.
+void RunController::stop()
+{
+    on_.registration.stop();
+    on_.session.abandonLoading();
+}
+
+void RunController::changeOptions(const core::RegistrationOptions& options, const ui::Words& label)
+{
+    on_.document.push(std::make_unique<ChangeOptions>(on_.document, ChangeOptions::Values{options},
+                                                      [label] { return tr("Change option “%1”").arg(label()); }));
+}
+
+void RunController::showRunning(bool running)
+{
+    on_.review.stopMotion();
+    on_.window.registration().setRunning(running);
+    on_.window.pose().setEnabled(!running);
+    on_.window.geometryPanel().setEnabled(!running);
+    if (running) {
+        on_.window.result().startRun();
+        on_.sync.showJudgement(nullptr);
+    } else {
+        on_.sync.endPreview();
+        on_.window.strip().showIdle(tr("Ready"));
+        on_.judgement.show();
+    }
+}
+
+void RunController::showProgress(const RunReport& report)
+{
+    if (!on_.registration.isRunning()) {
+        return;   // a report that was still on its way when the run ended
+    }
+    const core::IterationReport& step = report.iteration;
+    if (report.isOfShownView) {
+        on_.sync.showPreview(step.cameraFromPatient, ResidualColors::Kept);
+        on_.window.result().showProgress(step);
+    }
+    on_.window.strip().showProgress(tr("Registering: %1 · %2 % · %3 px")
+                                        .arg(ui::termText(step.stage))
+                                        .arg(ui::numberText(100.0 * step.progress, 0))
+                                        .arg(ui::numberText(step.medianDistancePx, 1)),
+                                    step.progress);
+}
+
+void RunController::showFinished(const core::RegistrationResult& result)
+{
+    on_.window.steps().showCurrent(ui::Step::Review);
+    on_.notices.showNote(result.stopReason == core::StopReason::StoppedByUser
+                             ? tr("Stopped: the best pose so far is kept, undo takes it back")
+                             : tr("Registered: median %1 mm").arg(ui::numberText(result.metrics.medianMm, 2)));
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,178 @@
+#include "app/showing/review_controller.h"
+
+#include "app/document/edit_case.h"
+#include "app/preferences/settings.h"
+#include "app/preferences/theme_choice.h"
+#include "ui/main_window.h"
+#include "ui/theme/active_theme.h"
+#include "ui/views/angiogram_view.h"
+#include "ui/views/tree_view.h"
+
+#include <QDateTime>
+
+#include <algorithm>
+#include <array>
+#include <climits>
+
+namespace angiopose::app {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double usualFrameMs = 1000.0 / 15.0;   ///< where the run does not say
+constexpr int frameBursts = 1 << 20;   ///< keeps burst numbers of frames apart from those of poses
+constexpr qint64 reviewBurstPauseMs = 1500;
+
+}   // namespace
+
+ReviewController::ReviewController(CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent)
+    : QObject(parent), document_(document), sync_(sync), window_(window)
+{
+    connectMotion();
+    connectWindow();
+}
+
+void ReviewController::connectMotion()
+{
+    ui::WindowActions& actions = window_.actions();
+    flickerTimer_.setInterval(600ms);
+    connect(&flickerTimer_, &QTimer::timeout, this, &ReviewController::flick);
+    connect(actions[ui::Command::Flicker], &QAction::toggled, this, &ReviewController::setFlickering);
+    connect(&cineTimer_, &QTimer::timeout, this, [this] {
+        const int count =
+            document_.current().shown().angiogram ? document_.current().shown().angiogram->frameCount() : 0;
+        if (count > 1) {
+            sync_.showFrame((sync_.shownFrame() + 1) % count);
+        }
+    });
+    connect(actions[ui::Command::Cine], &QAction::toggled, this, &ReviewController::setPlaying);
+    const std::array motions{ui::Command::Flicker, ui::Command::Cine, ui::Command::Replay, ui::Command::Swing};
+    for (const ui::Command motion : motions) {
+        connect(actions[motion], &QAction::triggered, this, [&actions, motion, motions](bool on) {
+            for (const ui::Command other : motions) {
+                if (on && other != motion) {
+                    actions[other]->setChecked(false);   // one motion at a time
+                }
+            }
+        });
+    }
+    QAction* reduce = actions[ui::Command::ReduceMotion];
+    reduce->setChecked(settings::reduceMotion.read());
+    connect(reduce, &QAction::toggled, this, [](bool on) { settings::reduceMotion.write(on); });
+}
+
+void ReviewController::connectWindow()
+{
+    ui::WindowActions& actions = window_.actions();
+    connect(&window_.angiogramView(), &ui::AngiogramView::frameStepRequested, this, &ReviewController::stepFrame);
+    connect(&window_.strip(), &ui::BottomStrip::frameRequested, this, &ReviewController::showFrame);
+    connect(actions[ui::Command::ResetTreeView], &QAction::triggered, &window_.treeView(), &ui::TreeView::nextView);
+    connect(actions[ui::Command::FullScreen], &QAction::toggled, this,
+            [this](bool on) { window_.setWindowState(window_.windowState().setFlag(Qt::WindowFullScreen, on)); });
+    const std::array themes{std::pair{ui::Command::ThemeDark, "dark"}, std::pair{ui::Command::ThemeLight, "light"},
+                            std::pair{ui::Command::ThemeSystem, "system"}};
+    for (const auto& [command, name] : themes) {
+        const QString stored = QString::fromLatin1(name);
+        actions[command]->setChecked(settings::theme.read() == stored);
+        connect(actions[command], &QAction::triggered, this, [this, stored] { applyTheme(stored); });
+    }
+    window_.treeView().setTheme(ui::activeTheme());
+}
+
+void ReviewController::stepFrame(int step)
+{
+    const auto& angiogram = document_.current().shown().angiogram;
+    if (!angiogram) {
+        return;
+    }
+    const int last = angiogram->frameCount() - 1;
+    if (step == INT_MIN || step == INT_MAX) {
+        showFrame(step == INT_MIN ? 0 : last);
+    } else {
+        showFrame(std::clamp(sync_.shownFrame() + step, 0, last));
+    }
+}
+
+void ReviewController::showFrame(int frame)
+{
+    window_.actions()[ui::Command::Cine]->setChecked(false);
+    if (frame == document_.current().shown().frame) {
+        sync_.showFrame(frame);
+        return;
+    }
+    const qint64 now = QDateTime::currentMSecsSinceEpoch();
+    if (now - lastFrameMs_ > reviewBurstPauseMs) {
+        ++frameBurst_;
+    }
+    lastFrameMs_ = now;
+    core::View turned = core::withFrame(document_.current().shown(), document_.current().vessels, frame);
+    if (const auto followed = poseOfFrame_ ? poseOfFrame_(frame) : std::nullopt) {
+        turned.cameraFromPatient = *followed;
+        turned.result.reset();
+    }
+    document_.push(std::make_unique<ShowFrame>(
+        document_, ShowFrame::Values{frame, turned.initialCameraFromPatient, turned.cameraFromPatient, turned.result},
+        [] { return tr("Choose another frame"); }, frameBursts + frameBurst_));
+}
+
+void ReviewController::setFlickering(bool on)
+{
+    if (!on) {
+        flickerTimer_.stop();
+        showsStart_ = false;
+        sync_.endPreview();
+        return;
+    }
+    flick();
+    if (!settings::reduceMotion.read()) {
+        flickerTimer_.start();   // otherwise each press of F switches once
+    }
+}
+
+void ReviewController::flick()
+{
+    const auto start = core::startPoseOf(document_.current());
+    if (!start || document_.isLocked()) {
+        stopMotion();
+        return;
+    }
+    showsStart_ = !showsStart_;
+    if (showsStart_) {
+        sync_.showPreview(start.value(), ResidualColors::Hidden);
+    } else {
+        sync_.endPreview();
+    }
+    window_.strip().showStatus(showsStart_ ? tr("Before: start pose") : tr("After: pose as it is"));
+}
+
+void ReviewController::setPlaying(bool on)
+{
+    const auto& angiogram = document_.current().shown().angiogram;
+    if (on && angiogram && angiogram->frameCount() > 1) {
+        const double frameMs = angiogram->frameTimeMs > 1.0 ? angiogram->frameTimeMs : usualFrameMs;
+        cineTimer_.start(static_cast<int>(frameMs));
+        return;
+    }
+    cineTimer_.stop();
+    sync_.showFrame(document_.current().shown().frame);
+    if (on) {
+        window_.actions()[ui::Command::Cine]->setChecked(false);
+    }
+}
+
+void ReviewController::stopMotion()
+{
+    for (const ui::Command motion :
+         {ui::Command::Flicker, ui::Command::Cine, ui::Command::Replay, ui::Command::Swing}) {
+        window_.actions()[motion]->setChecked(false);
+    }
+}
+
+void ReviewController::applyTheme(const QString& name)
+{
+    settings::theme.write(name);
+    applyChosenTheme(*qApp);
+    window_.treeView().setTheme(ui::activeTheme());
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/showing/view_sync.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <functional>
+#include <optional>
+#include <utility>
+
+namespace angiopose::ui {
+class MainWindow;
+}
+
+namespace angiopose::app {
+
+/// How the user looks at the case: flicker, frames, theme. Nothing here changes the case but the frame.
+class ReviewController : public QObject {
+    Q_OBJECT
+public:
+    /// The pose of a frame, where following the vessels through the run has found it.
+    using PoseOfFrame = std::function<std::optional<core::RigidTransform>(int frame)>;
+
+    ReviewController(CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent = nullptr);
+
+    void stepFrame(int step);   ///< as AngiogramView::frameStepRequested
+    void showFrame(int frame);
+    void setFramePoses(PoseOfFrame poseOfFrame) { poseOfFrame_ = std::move(poseOfFrame); }
+    void stopMotion();   ///< ends whatever moves by itself
+
+private:
+    void connectMotion();
+    void connectWindow();
+    void setFlickering(bool on);
+    void flick();
+    void setPlaying(bool on);
+    void applyTheme(const QString& name);
+
+    CaseDocument& document_;
+    ViewSync& sync_;
+    ui::MainWindow& window_;
+    PoseOfFrame poseOfFrame_;
+    QTimer flickerTimer_;
+    QTimer cineTimer_;
+    bool showsStart_ = false;
+    int frameBurst_ = 0;
+    qint64 lastFrameMs_ = 0;
+};
+
+}   // namespace angiopose::app

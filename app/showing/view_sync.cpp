@@ -1,0 +1,287 @@
+#include "app/showing/view_sync.h"
+
+#include "ui/actions/key_hint.h"
+
+#include "app/texts/overlay_picture.h"
+#include "app/words/corner_words.h"
+#include "core/tracing/angiogram/run/subtract_run.h"
+#include "core/tracing/angiogram/run/suggest_frame.h"
+#include "ui/main_window.h"
+#include "ui/views/angiogram_view.h"
+#include "ui/views/tree_view.h"
+#include "ui/words/spoken.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace angiopose::app {
+namespace {
+
+double sourceToDetectorMm(const core::Case& current)
+{
+    // Only the drawing of the detector hangs on this: a usual C-arm where nobody says.
+    return current.shown().geometry.cArm.sourceToDetectorMm.value.value_or(1000.0);
+}
+
+double depthOfTreeMm(const core::Case& current)
+{
+    const double depth = (current.shown().cameraFromPatient * core::centroidInPatient(*current.vessels.tree)).z();
+    return std::max(depth, core::minProjectableDepthMm);
+}
+
+/// Whether the tree's coordinates are the patient's. A case brings its own start pose with whatever axes its tree has:
+/// believed only while it agrees with the angles of the C-arm, which are the patient's.
+bool isOrientationKnown(const core::Case& current)
+{
+    constexpr double farthestDeg = 45.0;
+    core::View byAngles = current.shown();
+    byAngles.initialCameraFromPatient.reset();
+    const auto expected = core::startPoseOf(byAngles, current.vessels);
+    if (!expected) {
+        return false;
+    }
+    const Eigen::AngleAxisd turn(
+        Eigen::Matrix3d(expected.value().rotation * current.shown().cameraFromPatient.rotation.transpose()));
+    return std::abs(turn.angle()) < farthestDeg * std::numbers::pi / 180.0;
+}
+
+/// Bar heights: the fullest frame fills its cell.
+std::vector<double> relativeToFullest(std::vector<double> shares)
+{
+    const double fullest = shares.empty() ? 0.0 : *std::ranges::max_element(shares);
+    for (double& share : shares) {
+        share = fullest > 0.0 ? share / fullest : 0.0;
+    }
+    return shares;
+}
+
+}   // namespace
+
+ViewSync::ViewSync(ui::MainWindow& window, const CaseDocument& document, QObject* parent)
+    : QObject(parent),
+      window_(window),
+      document_(document),
+      opacification_([this](const Measured& measured) { takeMeasured(measured); })
+{
+    ui::speak(this, [this] {
+        showFrameNote();
+        showCornerTexts();
+    });
+}
+
+void ViewSync::refresh()
+{
+    const core::Case& current = document_.current();
+    if (current.shown().angiogram != shownAngiogram_) {
+        showAngiogram();
+    }
+    if (current.vessels.tree != shownTree_ || current.vessels.hiddenBranchIds != shownHidden_) {
+        showTree();
+    }
+    showCamera();
+    if (current.shown().frame != shownFrame_) {
+        showFrame(current.shown().frame);
+    }
+    if (!previewing_) {
+        showPose(current.shown().cameraFromPatient);
+    }
+    window_.angiogramView().setOrientationKnown(shownCamera_ && isOrientationKnown(current));
+    showCornerTexts();
+    if (document_.isEmpty() && !current.vessels.scan) {
+        window_.showWelcomePage();
+    } else {
+        window_.showImagePage();
+    }
+}
+
+void ViewSync::showTree()
+{
+    shownTree_ = document_.current().vessels.tree;
+    shownHidden_ = document_.current().vessels.hiddenBranchIds;
+    const core::VesselTree tree = shownTree_ ? *shownTree_ : core::VesselTree{};
+    const core::VesselTree drawn = core::without(tree, shownHidden_);
+    ui::AngiogramView& view = window_.angiogramView();
+    view.scene().clearResiduals();
+    view.scene().setTree(drawn);
+    view.setPivot(shownTree_ ? core::centroidInPatient(tree) : Eigen::Vector3d::Zero());
+    window_.treeView().scene().setTree(drawn);
+    window_.branches().showTree(tree);
+}
+
+void ViewSync::showAngiogram()
+{
+    shownAngiogram_ = document_.current().shown().angiogram;
+    shownFrame_ = -1;
+    if (measuredRun_ == core::storedRunOf(document_.current().shown())) {
+        isGreyNew_ = shownAngiogram_ != nullptr;   // the same run, subtracted or native
+    } else {
+        measureOpacification();   // of what is stored: it does not change with the subtraction
+    }
+}
+
+void ViewSync::showCamera()
+{
+    const auto camera = core::cameraOf(document_.current().shown());
+    const std::optional<core::ProjectionCamera> known = camera ? std::optional(camera.value()) : std::nullopt;
+    if (known == shownCamera_ && known) {
+        return;
+    }
+    shownCamera_ = known;
+    if (known) {
+        window_.angiogramView().setCamera(*known);
+        window_.treeView().scene().setCamera(*known, sourceToDetectorMm(document_.current()));
+    }
+}
+
+void ViewSync::showFrame(int frame)
+{
+    shownFrame_ = frame;
+    if (shownAngiogram_ && frame >= 0 && frame < shownAngiogram_->frameCount()) {
+        const core::ImageF& image = shownAngiogram_->frames[static_cast<std::size_t>(frame)];
+        window_.angiogramView().setFrame(image);
+        if (std::exchange(isGreyNew_, false)) {
+            window_.angiogramView().autoWindowLevel();
+        }
+        window_.angiogramView().setFramePosition(frame, shownAngiogram_->frameCount());
+        window_.treeView().scene().setFrame(image);
+        window_.treeView().requestRender();
+    }
+    window_.strip().showCurrentFrame(frame);
+    showFrameNote();
+    emit frameShown(frame);
+}
+
+void ViewSync::showPose(const core::RigidTransform& cameraFromPatient)
+{
+    window_.angiogramView().setPose(cameraFromPatient);
+    window_.treeView().scene().setPose(cameraFromPatient);
+    window_.angiogramView().update();
+    window_.treeView().requestRender();
+    emit poseShown(cameraFromPatient);
+}
+
+void ViewSync::showPreview(const core::RigidTransform& cameraFromPatient, ResidualColors colors)
+{
+    previewing_ = true;
+    const bool areHidden = colors == ResidualColors::Hidden;
+    if (std::exchange(colorsHidden_, areHidden) != areHidden) {
+        showResidualColors();
+    }
+    showPose(cameraFromPatient);
+}
+
+void ViewSync::endPreview()
+{
+    previewing_ = false;
+    if (std::exchange(colorsHidden_, false)) {
+        showResidualColors();
+    }
+    showPose(document_.current().shown().cameraFromPatient);
+}
+
+void ViewSync::showMarks(const ui::BranchMarks& marks)
+{
+    window_.angiogramView().scene().setMarks(marks);
+    window_.angiogramView().update();
+    window_.treeView().scene().setMarks(marks);
+    window_.treeView().requestRender();
+    window_.branches().showMarks(marks);
+    window_.slices().setMarks(marks);
+    window_.registration().showAuxiliary(static_cast<int>(marks.auxiliary.size()));
+}
+
+void ViewSync::showTarget(const SharedCenterline& target)
+{
+    window_.angiogramView().scene().setTracedCenterline(target ? *target : core::Centerline2d{});
+    window_.angiogramView().update();
+}
+
+void ViewSync::showJudgement(const SharedJudgement& judgement)
+{
+    judgement_ = judgement;
+    showResidualColors();
+    const core::Case& current = document_.current();
+    if (!judgement_ || !shownCamera_ || !current.vessels.tree) {
+        window_.branches().showResiduals({}, 0.0);
+        return;
+    }
+    const double depthMm = depthOfTreeMm(current);
+    const double mmPerPx = core::millimetresPerPixel(*shownCamera_, depthMm);
+    std::map<int, double> residualMm;
+    for (const core::BranchResidual& branch : judgement_->result.branches) {
+        residualMm[branch.branchId] = branch.medianPx * mmPerPx;
+    }
+    window_.branches().showResiduals(residualMm, residualScaleMaximumPx(*shownCamera_, depthMm) * mmPerPx);
+}
+
+void ViewSync::showResidualColors()
+{
+    ui::AngiogramView& view = window_.angiogramView();
+    const core::Case& current = document_.current();
+    if (!judgement_ || !shownCamera_ || !current.vessels.tree || colorsHidden_) {
+        view.scene().clearResiduals();
+        view.setResidualScale(0.0, 0.0);
+    } else {
+        const double depthMm = depthOfTreeMm(current);
+        const double scalePx = residualScaleMaximumPx(*shownCamera_, depthMm);
+        view.scene().setResiduals(judgement_->residualPx, scalePx);
+        view.setResidualScale(scalePx, scalePx * core::millimetresPerPixel(*shownCamera_, depthMm));
+    }
+    view.update();
+}
+
+void ViewSync::setIdentityHidden(bool hidden)
+{
+    identityHidden_ = hidden;
+    showCornerTexts();
+}
+
+void ViewSync::showCornerTexts()
+{
+    const Identity identity = identityHidden_ ? Identity::Hidden : Identity::Shown;
+    window_.angiogramView().setCornerTexts(windowTexts(cornerLines(document_.current(), identity)));
+}
+
+void ViewSync::showFrameNote()
+{
+    if (!shownAngiogram_) {
+        window_.strip().showFrameNote({});
+        return;
+    }
+    const int count = shownAngiogram_->frameCount();
+    window_.strip().showFrameNote(count > 1 ? tr("Opacification by frame · frame %1 of 0–%2 · fullest: %3 · play %4")
+                                                  .arg(shownFrame_)
+                                                  .arg(count - 1)
+                                                  .arg(shownAngiogram_->suggestedFrame)
+                                                  .arg(ui::keyOf(ui::Command::Cine))
+                                            : tr("Single frame"));
+}
+
+void ViewSync::measureOpacification()
+{
+    measuredRun_ = core::storedRunOf(document_.current().shown());
+    frameCurve_ = {};
+    suggestedMasks_.clear();
+    window_.strip().showFrames(frameCurve_);
+    opacification_.drop();
+    if (measuredRun_ && measuredRun_->frameCount() > 1) {
+        opacification_.start([run = measuredRun_](JobLink<double>&) -> core::Result<Measured> {
+            return Measured{core::opacificationCurve(run->frames, run->polarity),
+                            core::suggestMaskFrames(run->frames, run->polarity)};
+        });
+    }
+    emit runMeasured();
+}
+
+void ViewSync::takeMeasured(const Measured& measured)
+{
+    frameCurve_ = {relativeToFullest(measured.opacification), measuredRun_->suggestedFrame, measuredRun_->frameTimeMs};
+    suggestedMasks_ = measured.masks;
+    window_.strip().showFrames(frameCurve_);
+    emit runMeasured();
+}
+
+}   // namespace angiopose::app

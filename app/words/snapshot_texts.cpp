@@ -1,0 +1,36 @@
+#include "app/words/snapshot_texts.h"
+
+#include "app/preferences/settings.h"
+#include "ui/panels/snapshot_panel.h"
+
+#include <QDateTime>
+
+namespace angiopose::app {
+
+QString observerName()
+{
+    const QString set = settings::observer.read();
+    return set.isEmpty() ? qEnvironmentVariable("USER") : set;
+}
+
+std::string timeNow()
+{
+    return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+}
+
+core::PoseSnapshot snapshotOfRun(const core::RegistrationResult& result, int frame)
+{
+    core::PoseSnapshot snapshot;
+    snapshot.kind = core::SnapshotKind::Run;
+    snapshot.time = timeNow();
+    snapshot.method = result.method;
+    snapshot.author = observerName().toStdString();
+    snapshot.name = (ui::methodWords(result.method) + QLatin1Char(' ') + ui::shortTime(snapshot.time)).toStdString();
+    snapshot.frame = frame;
+    snapshot.cameraFromPatient = result.cameraFromPatient;
+    snapshot.metrics = core::metricsOf(result);
+    snapshot.runMs = result.time.totalMs;
+    return snapshot;
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,128 @@
+#include "core/evaluation/trial/contestant.h"
+
+#include "core/messages/says.h"
+#include "core/registration/methods/method_info.h"
+#include "core/registration/options/option_text.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace angiopose::core {
+namespace {
+
+const std::string ownMethod = "angiopose";
+
+std::vector<std::string> split(const std::string& text, char separator)
+{
+    std::istringstream stream(text);
+    std::vector<std::string> parts;
+    for (std::string part; std::getline(stream, part, separator);) {
+        parts.push_back(part);
+    }
+    return parts;
+}
+
+/// "preset=seed_mean" for "seed_mean": the one option of the method with a choice of this name. "on" is none.
+Result<std::string> assignmentOf(const std::string& setting, const std::string& method)
+{
+    std::vector<std::string> found;
+    for (const OptionField& field : optionFields()) {
+        if (isFor(field, method) && std::holds_alternative<ChoiceOption>(field.type) && valueFrom(field, setting)) {
+            found.push_back(std::string(field.key) + "=" + setting);
+        }
+    }
+    if (found.size() == 1) {
+        return found.front();
+    }
+    return Error(found.empty() ? says::noSuchChoice(method, setting) : says::choiceOfSeveral(method, setting));
+}
+
+std::vector<std::string> allMethods()
+{
+    std::vector<std::string> requests;
+    for (const MethodInfo& info : methodInfos()) {
+        requests.emplace_back(info.id);
+    }
+    return requests;
+}
+
+std::vector<std::string> ablation()
+{
+    std::vector<std::string> requests;
+    for (const std::string preset : {"seed_sum", "seed_mean", "seed_metric", "seed_noprior"}) {
+        for (const std::string rotationFirst : {"off", "on"}) {
+            for (const std::string alternation : {"off", "on"}) {
+                requests.push_back("dynaweight:" + preset + ":rotationFirst=" + rotationFirst +
+                                   ":alternation=" + alternation);
+            }
+        }
+    }
+    return requests;
+}
+
+std::vector<std::string> expanded(const std::string& request)
+{
+    if (request == "all") {
+        return allMethods();
+    }
+    return request == "ablation" ? ablation() : std::vector<std::string>{request};
+}
+
+}   // namespace
+
+Result<Contestant> contestantFrom(const std::string& request)
+{
+    const std::vector<std::string> parts = split(request, ':');
+    Contestant contestant{request, {}, false};
+    contestant.options.method = parts.empty() ? "" : parts.front();
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+        std::string assignment = parts[i];
+        if (assignment.find('=') == std::string::npos) {
+            const auto named = assignmentOf(assignment, contestant.options.method);
+            if (!named) {
+                return named.error();
+            }
+            assignment = named.value();
+        }
+        if (const auto status = setOption(contestant.options, assignment); !status) {
+            return status.error();
+        }
+        contestant.choosesSpacing |= assignment.starts_with("resample=");
+    }
+    if (const auto problem = findProblem(contestant.options)) {
+        return Error(*problem);
+    }
+    return contestant;
+}
+
+Result<std::vector<Contestant>> contestantsFrom(const std::string& requests)
+{
+    std::vector<Contestant> contestants;
+    for (const std::string& group : split(requests, ',')) {
+        for (const std::string& request : expanded(group)) {
+            auto contestant = contestantFrom(request);
+            if (!contestant) {
+                return contestant.error();
+            }
+            const auto isSame = [&](const Contestant& other) { return other.label == request; };
+            if (std::none_of(contestants.begin(), contestants.end(), isSame)) {
+                contestants.push_back(std::move(contestant).value());
+            }
+        }
+    }
+    if (contestants.empty()) {
+        return Error(says::noMethodNamed());
+    }
+    return contestants;
+}
+
+RegistrationOptions optionsFor(const Contestant& contestant, bool targetIsExact)
+{
+    RegistrationOptions options = contestant.options;
+    if (targetIsExact && !contestant.choosesSpacing && options.method != ownMethod) {
+        options.resample = false;
+    }
+    return options;
+}
+
+}   // namespace angiopose::core

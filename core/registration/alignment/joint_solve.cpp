@@ -1,0 +1,212 @@
+#include "core/registration/alignment/joint_solve.h"
+
+#include "core/registration/alignment/shape_tolerance.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double jointStartScalePx = 12.0;
+constexpr double jointEndScalePx = 1.0;
+constexpr double jointShrink = 0.7;
+constexpr int jointStepsPerScale = 2;
+constexpr int jointLastSteps = 20;
+constexpr double settledJointMm = 1e-3;
+constexpr double implausibleSigmas = 4.0;   // of a correction, in any direction
+
+double mmPerPx(const RegistrationProblem& problem)
+{
+    const double depthMm = std::max(minProjectableDepthMm, (problem.start * problem.tree.centroid).z());
+    return millimetresPerPixel(problem.camera, depthMm);
+}
+
+/// What all images tell at one pose.
+struct JointLook {
+    double loss = 0.0;
+    StackedEquations equations;
+};
+
+/// All images at one scale, the prior of the first pose and those of the corrections.
+class JointAtScale {
+public:
+    using Place = JointPose;
+    using Step = Eigen::VectorXd;
+    using Look = JointLook;
+    using Equations = StackedEquations;
+
+    JointAtScale(const JointSolve::Views& views, const std::vector<ViewGeometry>& geometry, const StartPrior& prior,
+                 const Vector6d& correctionStd)
+        : views_(views),
+          geometry_(geometry),
+          prior_(prior),
+          correctionInformation_(correctionStd.cwiseAbs2().cwiseInverse())
+    {
+    }
+
+    bool look(const JointPose& joint, JointLook& look) const
+    {
+        std::vector<NormalEquations> perView;
+        look.loss = 0.0;
+        for (std::size_t k = 0; k < views_.size(); ++k) {
+            const Agreement agreement = views_[k]->alignment.look(poseInView(joint, geometry_, k), scalePx_);
+            look.loss += agreement.loss;
+            perView.push_back(agreement.equations);
+        }
+        look.equations = stacked(perView, joint, geometry_);
+        addPriors(joint, look);
+        return true;
+    }
+
+    const StackedEquations& equations(const JointPose&, const JointLook& look) const { return look.equations; }
+
+    Eigen::VectorXd step(const JointPose&, const StackedEquations& equations, double damping) const
+    {
+        return dampedStep(equations, damping);
+    }
+
+    JointPose moved(const JointPose& joint, const Eigen::VectorXd& step) const { return core::moved(joint, step); }
+
+    std::optional<double> gained(const JointLook& here, const JointLook& there) const
+    {
+        return there.loss <= here.loss ? std::optional(here.loss - there.loss) : std::nullopt;
+    }
+
+    double lengthMm(const JointPose&, const Eigen::VectorXd& step) const
+    {
+        return jointStepLengthMm(step, views_.front()->problem.tree.spreadMm);
+    }
+
+    double scalePx() const { return scalePx_; }
+    void setScale(double scalePx) { scalePx_ = scalePx; }
+
+private:
+    void addPriors(const JointPose& joint, JointLook& look) const;
+
+    const JointSolve::Views& views_;
+    const std::vector<ViewGeometry>& geometry_;
+    const StartPrior& prior_;
+    Vector6d correctionInformation_;
+    double scalePx_ = jointStartScalePx;
+};
+
+void JointAtScale::addPriors(const JointPose& joint, JointLook& look) const
+{
+    const double variance = noiseVariance(scalePx_);
+    NormalEquations start;
+    prior_.add(joint.first, variance, start);
+    look.equations.hessian.topLeftCorner<6, 6>() += Matrix6d(start.hessian.selfadjointView<Eigen::Lower>());
+    look.equations.gradient.head<6>() += start.gradient;
+    look.loss += variance * prior_.cost(joint.first);
+    const Vector6d weight = variance * correctionInformation_;
+    for (std::size_t k = 1; k < views_.size(); ++k) {
+        const auto at = static_cast<Eigen::Index>(6 * k);
+        look.equations.hessian.block<6, 6>(at, at).diagonal() += weight;
+        look.equations.gradient.segment<6>(at) += weight.cwiseProduct(joint.corrections[k]);
+        look.loss += joint.corrections[k].dot(weight.cwiseProduct(joint.corrections[k]));
+    }
+}
+
+/// Scales from the widest to the last.
+std::vector<double> jointScalesPx()
+{
+    std::vector<double> scalesPx{jointStartScalePx};
+    while (scalesPx.back() > jointEndScalePx) {
+        scalesPx.push_back(std::max(jointEndScalePx, jointShrink * scalesPx.back()));
+    }
+    return scalesPx;
+}
+
+}   // namespace
+
+JointView::JointView(RegistrationProblem given)
+    : problem(std::move(given)),
+      lines(problem.target, problem.camera),
+      alignment(tellingPoints(problem.tree, mmPerPx(problem)), problem.camera, lines),
+      score(problem, lines)
+{
+}
+
+JointSolve::JointSolve(const Views& views, const StartPrior& prior, const Vector6d& correctionStd)
+    : views_(views), prior_(prior), correctionStd_(correctionStd)
+{
+    const RigidTransform firstInverse = views.front()->problem.start.inverse();
+    for (const auto& view : views) {
+        geometry_.push_back({view->problem.start * firstInverse, view->problem.camera});
+    }
+}
+
+CentroidPose JointSolve::inFirst(const RigidTransform& pose, std::size_t view) const
+{
+    return aboutCentroid(geometry_[view].cameraFromFirst.inverse() * pose, views_.front()->problem.tree.centroid);
+}
+
+JointPose JointSolve::refine(const CentroidPose& first, const JointObserver& observe)
+{
+    for (const auto& view : views_) {
+        view->alignment.resetVisibility();
+    }
+    JointAtScale problem(views_, geometry_, prior_, correctionStd_);
+    LookPair<JointLook> looks;
+    const JointPose start{first, std::vector<Vector6d>(views_.size(), Vector6d::Zero())};
+    DampedDescent descent(problem, start, looks, {.settledMm = settledJointMm});
+    const std::vector<double> scalesPx = jointScalesPx();
+    for (std::size_t level = 0; level < scalesPx.size(); ++level) {
+        problem.setScale(scalesPx[level]);
+        descent.lookAgain();
+        descent.resetDamping();
+        const bool isLast = level + 1 == scalesPx.size();
+        const StepOutcome last = descent.descend(isLast ? jointLastSteps : jointStepsPerScale, [&](const StepOutcome&) {
+            const double done = static_cast<double>(level + 1) / static_cast<double>(scalesPx.size());
+            return observe ? observe(descent.place(), problem.scalePx(), done) : Verdict::Continue;
+        });
+        if (last.isStopped) {
+            break;
+        }
+    }
+    return descent.place();
+}
+
+double JointSolve::scoreOf(const JointPose& joint) const
+{
+    double sum = 0.0;
+    for (std::size_t k = 0; k < views_.size(); ++k) {
+        sum += views_[k]->score.of(inView(joint, k)) / static_cast<double>(views_.size());
+    }
+    return sum;
+}
+
+Matrix6d JointSolve::information(const JointPose& joint) const
+{
+    std::vector<NormalEquations> perView;
+    for (std::size_t k = 0; k < views_.size(); ++k) {
+        const CentroidPose pose = inView(joint, k);
+        StartPrior prior = prior_;
+        prior.start = pose;
+        perView.push_back(tolerantInformation(views_[k]->alignment, prior, pose));
+    }
+    Eigen::MatrixXd H = stacked(perView, joint, geometry_).hessian;
+    const auto others = static_cast<Eigen::Index>(6 * (views_.size() - 1));
+    for (Eigen::Index at = 6; at < H.rows(); at += 6) {
+        H.block<6, 6>(at, at).diagonal() += correctionStd_.cwiseAbs2().cwiseInverse();
+    }
+    const Eigen::MatrixXd towards = H.bottomLeftCorner(others, 6);
+    return H.topLeftCorner<6, 6>() - towards.transpose() * H.bottomRightCorner(others, others).ldlt().solve(towards);
+}
+
+bool JointSolve::isPlausible(const Vector6d& correction) const
+{
+    return correction.cwiseQuotient(correctionStd_).cwiseAbs().maxCoeff() < implausibleSigmas;
+}
+
+double jointStepLengthMm(const Eigen::VectorXd& step, double spreadMm)
+{
+    double farthestMm = 0.0;
+    for (Eigen::Index at = 0; at < step.size(); at += 6) {
+        farthestMm = std::max(farthestMm, stepLengthMm(step.segment<6>(at), spreadMm));
+    }
+    return farthestMm;
+}
+
+}   // namespace angiopose::core

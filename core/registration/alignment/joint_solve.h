@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/registration/alignment/agreement_score.h"
+#include "core/registration/alignment/joint_alignment.h"
+#include "core/registration/pose/damped_descent.h"
+
+#include <functional>
+#include <memory>
+
+namespace angiopose::core {
+
+/// One view as the joint solve needs it.
+struct JointView {
+    explicit JointView(RegistrationProblem given);
+
+    RegistrationProblem problem;
+    TargetLines lines;
+    Alignment alignment;
+    AgreementScore score;
+};
+
+/// Told the pose so far, the scale in px and the share done, 0…1; Stop ends the refinement with what it has.
+using JointObserver = std::function<Verdict(const JointPose& joint, double scalePx, double progress)>;
+
+/// Registers one tree to all views at once, from poses found in single views (ALGORITHMS §6.12).
+class JointSolve {
+public:
+    using Views = std::vector<std::unique_ptr<JointView>>;
+
+    /// Geometry between the views from their start poses, off by `correctionStd` (rad, mm) at 1-σ.
+    JointSolve(const Views& views, const StartPrior& prior, const Vector6d& correctionStd);
+
+    /// Pose in the first view that a pose found in view `view` means.
+    CentroidPose inFirst(const RigidTransform& pose, std::size_t view) const;
+
+    JointPose refine(const CentroidPose& first, const JointObserver& observe);
+
+    /// Mean agreement of the views, 0…1.
+    double scoreOf(const JointPose& joint) const;
+
+    CentroidPose inView(const JointPose& joint, std::size_t view) const { return poseInView(joint, geometry_, view); }
+
+    /// Of all images about the first pose, the corrections of the geometry being unknown within their spread.
+    Matrix6d information(const JointPose& joint) const;
+
+    /// In no direction farther than 4 σ.
+    bool isPlausible(const Vector6d& correction) const;
+
+    const StartPrior& prior() const { return prior_; }
+
+private:
+    const Views& views_;
+    std::vector<ViewGeometry> geometry_;
+    StartPrior prior_;
+    Vector6d correctionStd_;
+};
+
+/// What a step of all parameters moves, mm: the tree in the first view, or what a correction adds in another,
+/// whichever is farther.
+double jointStepLengthMm(const Eigen::VectorXd& step, double spreadMm);
+
+}   // namespace angiopose::core

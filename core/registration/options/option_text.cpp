@@ -1,0 +1,43 @@
+#include "core/registration/options/option_text.h"
+
+#include "core/messages/says.h"
+
+#include <charconv>
+
+namespace angiopose::core {
+
+Result<OptionValue> optionValue(const OptionField& field, const std::string& text)
+{
+    if (const auto named = valueFrom(field, text)) {
+        return *named;
+    }
+    double number = 0.0;
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size()) {
+        return Error(says::optionNeedsValue(field.key, text));
+    }
+    if (const auto value = valueFrom(field, number)) {
+        return *value;
+    }
+    const OptionRange range = rangeOf(field);
+    return Error(says::optionValueOutOfRange(field.key, Quantity{range.min, Quantity::asNeeded},
+                                             Quantity{range.max, Quantity::asNeeded}, text));
+}
+
+Status setOption(RegistrationOptions& options, const std::string& assignment)
+{
+    const std::size_t equals = assignment.find('=');
+    const std::string key = assignment.substr(0, equals);
+    const OptionField* field = findOption(key);
+    if (field == nullptr) {
+        return Error(says::noSuchOption(key));
+    }
+    const auto value = optionValue(*field, equals == std::string::npos ? "" : assignment.substr(equals + 1));
+    if (!value) {
+        return value.error();
+    }
+    field->write(options, value.value());
+    return Done{};
+}
+
+}   // namespace angiopose::core

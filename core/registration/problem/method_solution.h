@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/registration/problem/registration_result.h"
+
+#include <memory>
+
+namespace angiopose::core {
+
+class TargetLines;
+
+/// What a method hands back; registerVessels judges the pose.
+struct MethodSolution {
+    RigidTransform cameraFromPatient;   ///< the best pose found, also after a stop
+    StopReason stopReason = StopReason::IterationLimit;
+    int iterations = 0;
+    std::vector<Hypothesis> alternatives;   ///< best first, without the solution; empty when the method seeks none
+    Messages warnings;   ///< what only the method can know
+    StageTimes time;   ///< totalMs stays 0
+    std::shared_ptr<const TargetLines> targetLines;   ///< if the method built them, for judging
+    std::optional<double> agreement;   ///< of the pose, see AgreementScore; if the method found it, for judging
+    bool isSettled = false;   ///< refined by the residuals that judge it: it cannot slide to a better place close by
+};
+
+}   // namespace angiopose::core

@@ -1,0 +1,29 @@
+#include "core/registration/problem/progress_log.h"
+
+#include <algorithm>
+
+namespace angiopose::core {
+namespace {
+
+constexpr std::size_t usualReports = 256;
+
+}   // namespace
+
+Verdict ProgressLog::report(IterationReport report)
+{
+    progress_ = std::clamp(report.progress, progress_, 1.0);
+    report.progress = progress_;
+    report.iteration = iterations() + 1;
+    report.stepMm = shift_.rmsMm(last_, report.cameraFromPatient);
+    last_ = report.cameraFromPatient;
+    if (history_.empty()) {
+        history_.reserve(usualReports);
+    }
+    history_.push_back(report);
+    if (observe_ && observe_(report) == Verdict::Stop) {
+        isStopped_ = true;
+    }
+    return isStopped_ ? Verdict::Stop : Verdict::Continue;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,196 @@
+#include "core/registration/problem/registration_problem.h"
+
+#include "core/messages/says.h"
+#include "core/registration/problem/auxiliary_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace angiopose::core {
+namespace {
+
+// Skeletons step from pixel to pixel: directions settle only over several points.
+constexpr int targetTangentReach = 3;
+
+void reserve(TreeSamples& samples, std::size_t count)
+{
+    samples.points.reserve(count);
+    samples.tangents.reserve(count);
+    samples.radiusMm.reserve(count);
+    samples.branchIndex.reserve(count);
+}
+
+TreeSamples samplesOf(const VesselTree& tree)
+{
+    TreeSamples samples;
+    reserve(samples, tree.pointCount());
+    for (const VesselBranch& branch : tree.branches) {
+        const std::vector<Eigen::Vector3d> tangents = tangentsOf(branch.pointsInPatient);
+        const std::size_t count = branch.pointsInPatient.size();
+        samples.points.insert(samples.points.end(), branch.pointsInPatient.begin(), branch.pointsInPatient.end());
+        samples.tangents.insert(samples.tangents.end(), tangents.begin(), tangents.end());
+        samples.radiusMm.insert(samples.radiusMm.end(), branch.radiusMm.begin(), branch.radiusMm.end());
+        samples.radiusMm.resize(samples.points.size(), 0.0);
+        samples.branchIndex.insert(samples.branchIndex.end(), count, static_cast<int>(samples.branchIds.size()));
+        samples.branchIds.push_back(branch.id);
+    }
+    for (const Eigen::Vector3d& point : samples.points) {
+        samples.centroid += point / static_cast<double>(samples.size());
+    }
+    double squares = 0.0;
+    for (const Eigen::Vector3d& point : samples.points) {
+        squares += (point - samples.centroid).squaredNorm();
+    }
+    samples.spreadMm = std::max(1e-6, std::sqrt(squares / static_cast<double>(samples.size())));
+    return samples;
+}
+
+/// Marks the sample nearest to every node, among those of one branch that meets there.
+void markNodes(const VesselTree& tree, TreeSamples& samples)
+{
+    samples.isNode.assign(samples.size(), 0);
+    for (const VesselNode& node : findNodes(tree)) {
+        const auto branch = std::find(samples.branchIds.begin(), samples.branchIds.end(), node.branchIds.front());
+        const auto index = static_cast<int>(branch - samples.branchIds.begin());
+        const auto [from, to] = std::equal_range(samples.branchIndex.begin(), samples.branchIndex.end(), index);
+        double nearestSquared = std::numeric_limits<double>::infinity();
+        std::size_t nearest = 0;
+        for (auto i = static_cast<std::size_t>(from - samples.branchIndex.begin());
+             i < static_cast<std::size_t>(to - samples.branchIndex.begin()); ++i) {
+            const double squared = (samples.points[i] - node.pointInPatient).squaredNorm();
+            if (squared < nearestSquared) {
+                nearestSquared = squared;
+                nearest = i;
+            }
+        }
+        samples.isNode[nearest] = 1;
+    }
+}
+
+TargetSamples samplesOf(const Centerline2d& target)
+{
+    TargetSamples samples;
+    int curveIndex = 0;
+    for (const Curve2d& curve : target.curves) {
+        const std::vector<Eigen::Vector2d> tangents = tangentsOf(curve.pointsPx, targetTangentReach);
+        samples.points.insert(samples.points.end(), curve.pointsPx.begin(), curve.pointsPx.end());
+        samples.tangents.insert(samples.tangents.end(), tangents.begin(), tangents.end());
+        samples.radiusPx.insert(samples.radiusPx.end(), curve.radiusPx.begin(), curve.radiusPx.end());
+        samples.radiusPx.resize(samples.points.size(), 0.0);
+        samples.curveIndex.insert(samples.curveIndex.end(), curve.pointsPx.size(), curveIndex++);
+    }
+    return samples;
+}
+
+std::optional<Message> findUnknownBranch(const VesselTree& tree, const std::vector<int>& branchIds,
+                                         const MessageKind<0>& role)
+{
+    for (const int id : branchIds) {
+        if (tree.find(id) == nullptr) {
+            return says::chosenBranchMissing(id, role());
+        }
+    }
+    return {};
+}
+
+bool isWhollyBehindSource(const VesselTree& tree, const RigidTransform& cameraFromPatient)
+{
+    for (const VesselBranch& branch : tree.branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            if ((cameraFromPatient * point).z() >= minProjectableDepthMm) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+std::optional<Message> findProblem(const RegistrationInput& input, const VesselTree& usedTree)
+{
+    std::optional<Message> problem = findProblem(input.tree);
+    if (!problem) {
+        problem = findProblem(input.target);
+    }
+    if (!problem) {
+        problem = findProblem(input.camera);
+    }
+    if (!problem) {
+        problem = findUnknownBranch(input.tree, input.auxiliaryBranchIds, says::roleAuxiliary);
+    }
+    if (!problem) {
+        problem = findUnknownBranch(input.tree, input.excludedBranchIds, says::roleExcluded);
+    }
+    if (problem) {
+        return problem;
+    }
+    if (usedTree.branches.empty()) {
+        return says::allBranchesExcluded();
+    }
+    if (input.image && (input.image->width != input.camera.width || input.image->height != input.camera.height)) {
+        return says::imageNotOfCamera();
+    }
+    if (!isRigid(input.initialCameraFromPatient)) {
+        return says::startPoseNotRigid();
+    }
+    if (isWhollyBehindSource(usedTree, input.initialCameraFromPatient)) {
+        return says::startPoseBehindSource();
+    }
+    return {};
+}
+
+/// Locked shifts hold for the pivot that users see: picked, or the centroid of the whole tree, whatever is excluded.
+PoseFreedom freedomOf(const RegistrationInput& input, const PoseLocks& locks, const RegistrationProblem& problem)
+{
+    const PoseFreedom::Frame frame{
+        input.lockReference.value_or(problem.start).rotation,
+        input.lockPivotInPatient.value_or(problem.wholeTreeCentroid) - problem.tree.centroid};
+    return {locks, frame, aboutCentroid(problem.start, problem.tree.centroid)};
+}
+
+}   // namespace
+
+bool TreeSamples::hasRadius() const
+{
+    return std::any_of(radiusMm.begin(), radiusMm.end(), [](double radius) { return radius > 0.0; });
+}
+
+Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const RegistrationOptions& options)
+{
+    const bool usesAll = input.excludedBranchIds.empty();
+    const VesselTree remaining = usesAll ? VesselTree() : without(input.tree, input.excludedBranchIds);
+    const VesselTree& tree = usesAll ? input.tree : remaining;
+    if (const auto problem = findProblem(input, tree)) {
+        return Error(*problem);
+    }
+    RegistrationProblem problem;
+    problem.camera = input.camera;
+    problem.start = {nearestRotation(input.initialCameraFromPatient.rotation),
+                     input.initialCameraFromPatient.translation};
+    const bool isEven = options.resample;
+    problem.tree = samplesOf(isEven ? resampled(tree, options.pointSpacingMm) : tree);
+    problem.wholeTreeCentroid = centroidInPatient(input.tree);
+    markNodes(tree, problem.tree);
+    problem.target = sampledTarget(input.target, options);
+    for (const VesselBranch& branch : tree.branches) {
+        const auto& points = branch.pointsInPatient;
+        problem.givenTreePoints.insert(problem.givenTreePoints.end(), points.begin(), points.end());
+    }
+    for (const Curve2d& curve : input.target.curves) {
+        problem.givenTargetPoints.insert(problem.givenTargetPoints.end(), curve.pointsPx.begin(), curve.pointsPx.end());
+    }
+    problem.freedom = freedomOf(input, options.locks, problem);
+    problem.auxiliary = auxiliaryPoints(problem.tree, input.auxiliaryBranchIds, options);
+    problem.auxiliaryIsChosen = !input.auxiliaryBranchIds.empty();
+    problem.image = input.image;
+    problem.polarity = input.polarity;
+    problem.volume = input.volume;
+    return problem;
+}
+
+TargetSamples sampledTarget(const Centerline2d& target, const RegistrationOptions& options)
+{
+    return samplesOf(options.resample ? resampled(target, options.targetSpacingPx) : target);
+}
+
+}   // namespace angiopose::core

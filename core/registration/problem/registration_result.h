@@ -1,0 +1,112 @@
+#pragma once
+
+#include "core/geometry/projection_camera.h"
+#include "core/geometry/rigid_transform.h"
+#include "core/imaging/angiogram.h"
+#include "core/registration/options/registration_options.h"
+#include "core/support/result.h"
+#include "core/support/verdict.h"
+#include "core/vessel/centerline2d.h"
+#include "core/vessel/vessel_tree.h"
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace angiopose::core {
+
+struct Volume;
+
+/// Everything one registration needs, by value: a snapshot that no one else writes to. The large ones are shared.
+struct RegistrationInput {
+    VesselTree tree;
+    Centerline2d target;
+    ProjectionCamera camera;
+    RigidTransform initialCameraFromPatient;
+    std::optional<RigidTransform> lockReference{};   ///< what locked angles are counted from; nothing: the start
+    std::optional<Eigen::Vector3d> lockPivotInPatient{};   ///< whose place locked shifts keep; nothing: the centroid
+    std::vector<int> auxiliaryBranchIds{};   ///< {p'}; empty means the nodes
+    std::vector<int> excludedBranchIds{};   ///< not used at all
+    std::shared_ptr<const ImageF> image{};   ///< the frame that shows the target; null: image methods draw the target
+    Polarity polarity = Polarity::VesselsDark;   ///< of `image`
+    std::shared_ptr<const Volume> volume{};   ///< the CTA that shows the tree; null: radiographs are made of tubes
+};
+
+enum class StopReason { Converged, IterationLimit, NoImprovement, StoppedByUser };
+
+/// One step of a running registration, for progress, the live overlay and the convergence plot.
+struct IterationReport {
+    int iteration = 0;
+    std::string_view stage;   ///< "search", "refine", "rotation", "auxiliary", …
+    double progress = 0.0;   ///< 0…1, never decreasing
+    double scalePx = 0.0;   ///< current kernel width
+    double medianDistancePx = 0.0;   ///< tree points to their nearest target point
+    double stepMm = 0.0;   ///< rms shift of the tree's points since the report before, or since the start
+    RigidTransform cameraFromPatient;   ///< best pose so far
+    std::size_t view = 0;   ///< whose pose: place among the views that are registered together
+};
+
+using IterationObserver = std::function<Verdict(const IterationReport&)>;
+
+/// How one branch agrees with the image.
+struct BranchResidual {
+    int branchId = 0;
+    int pointCount = 0;
+    double medianPx = 0.0;
+    double p95Px = 0.0;
+    double agreement = 0.0;   ///< share of its points within 3 px of the traced vessels, 0…1
+};
+
+/// Closest-point distances over all used tree points, and the reverse direction (ALGORITHMS §4.5).
+struct DistanceMetrics {
+    double meanPx = 0.0, medianPx = 0.0, p75Px = 0.0, p95Px = 0.0;
+    double meanMm = 0.0, medianMm = 0.0, p75Mm = 0.0, p95Mm = 0.0;   ///< at the depth of the tree's centroid
+    double coverage = 0.0;   ///< share of target points within 3 px of the projected tree
+    double reverseMeanPx = 0.0, reverseMeanMm = 0.0;
+};
+
+/// Pose covariance about the tree's centroid (centroidInPatient of the whole tree, whatever is excluded) in camera axes
+/// (ALGORITHMS §6.10).
+/// Order: rotation x, y, z (rad), translation x, y, z (mm); x right, y down on the detector up to sign, z along the
+/// ray.
+struct PoseUncertainty {
+    Matrix6d covariance = Matrix6d::Zero();
+    Eigen::Vector3d rotationDeg = Eigen::Vector3d::Zero();   ///< 1-σ about camera x, y, z
+    double inPlaneMm = 0.0;   ///< 1-σ, the larger lateral direction
+    double depthMm = 0.0;   ///< 1-σ along the ray
+    std::array<bool, 6> observed{};   ///< false: the image cannot tell this degree of freedom
+    Vector6d weakestDirection = Vector6d::Zero();   ///< unit, same order, in (ρ·rad, mm)
+};
+
+struct StageTimes {
+    double targetMs = 0.0;
+    double searchMs = 0.0;
+    double solveMs = 0.0;
+    double totalMs = 0.0;
+};
+
+/// Another pose that explains the image nearly as well.
+struct Hypothesis {
+    RigidTransform cameraFromPatient;
+    double score = 0.0;   ///< 0…1, higher is better, comparable within one result
+};
+
+struct RegistrationResult {
+    std::string method;
+    RigidTransform cameraFromPatient;
+    StopReason stopReason = StopReason::IterationLimit;
+    int iterations = 0;
+    DistanceMetrics metrics;
+    PoseUncertainty uncertainty;
+    std::vector<BranchResidual> branches;   ///< used branches, in the tree's order
+    std::vector<Hypothesis> alternatives;   ///< best first, without the result itself
+    std::vector<IterationReport> history;   ///< for the convergence plot
+    bool trustworthy = false;
+    Messages warnings;   ///< why it is not trustworthy, or what one view cannot tell
+    StageTimes time;
+};
+
+}   // namespace angiopose::core

@@ -1,0 +1,43 @@
+#include "core/tracing/angiogram/curves/bend_of_path.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+/// Points about their mean, one per row.
+Eigen::MatrixX2d centred(const std::vector<Eigen::Vector2d>& points)
+{
+    Eigen::MatrixX2d rows(points.size(), 2);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        rows.row(static_cast<Eigen::Index>(i)) = points[i];
+    }
+    rows.rowwise() -= rows.colwise().mean().eval();
+    return rows;
+}
+
+}   // namespace
+
+double deviationFromLine(const std::vector<Eigen::Vector2d>& pointsPx)
+{
+    const Eigen::MatrixX2d points = centred(pointsPx);
+    const Eigen::Matrix2d spread = points.transpose() * points / static_cast<double>(points.rows());
+    return std::sqrt(std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvalues()[0]));
+}
+
+double deviationFromArc(const std::vector<Eigen::Vector2d>& pointsPx)
+{
+    const Eigen::MatrixX2d points = centred(pointsPx);
+    Eigen::MatrixX3d system(points.rows(), 3);
+    system << points, Eigen::VectorXd::Ones(points.rows());
+    const Eigen::VectorXd squares = points.rowwise().squaredNorm();
+    const Eigen::Vector3d solution = system.colPivHouseholderQr().solve(squares);
+    const Eigen::Vector2d centre = 0.5 * solution.head<2>();
+    const double radius = std::sqrt(std::max(0.0, solution[2] + centre.squaredNorm()));
+    const Eigen::ArrayXd distances = (points.rowwise() - centre.transpose()).rowwise().norm().array();
+    return std::sqrt((distances - radius).square().mean());
+}
+
+}   // namespace angiopose::core

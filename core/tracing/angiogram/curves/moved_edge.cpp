@@ -1,0 +1,52 @@
+#include "core/tracing/angiogram/curves/moved_edge.h"
+
+#include "core/imaging/image_filters.h"
+
+#include <algorithm>
+
+namespace angiopose::core {
+namespace {
+
+constexpr std::size_t leastPointsOfEdge = 10;   // of shorter ones noise decides
+constexpr double nearestSidePx = 2.0;
+constexpr double farthestSidePx = 4.0;   // patients move more, but then the two sides look like lines of their own
+constexpr std::size_t edgeTangentReach = 4;
+
+/// To the right of the path.
+std::vector<Eigen::Vector2d> normalsAlong(const std::vector<Eigen::Vector2d>& path)
+{
+    std::vector<Eigen::Vector2d> normals(path.size());
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const Eigen::Vector2d way = path[std::min(path.size() - 1, i + edgeTangentReach)] -
+                                    path[i < edgeTangentReach ? 0 : i - edgeTangentReach];
+        normals[i] = Eigen::Vector2d(-way.y(), way.x()).normalized();
+    }
+    return normals;
+}
+
+}   // namespace
+
+bool isMovedEdge(const std::vector<Eigen::Vector2d>& pathPx, const ImageF& opacity)
+{
+    if (pathPx.size() < leastPointsOfEdge) {
+        return false;
+    }
+    const std::vector<Eigen::Vector2d> normals = normalsAlong(pathPx);
+    const auto meanAt = [&](double sidePx) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < pathPx.size(); ++i) {
+            const Eigen::Vector2d point = pathPx[i] + sidePx * normals[i];
+            sum += sampled(opacity, point.x(), point.y());
+        }
+        return sum / static_cast<double>(pathPx.size());
+    };
+    const double dark = meanAt(0.0);
+    for (double sidePx = nearestSidePx; sidePx <= farthestSidePx; sidePx += 1.0) {
+        if (std::min(meanAt(sidePx), meanAt(-sidePx)) < -dark) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}   // namespace angiopose::core

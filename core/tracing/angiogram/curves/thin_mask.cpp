@@ -1,0 +1,135 @@
+#include "core/tracing/angiogram/curves/thin_mask.h"
+
+#include "core/support/cell_index.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace angiopose::core {
+namespace {
+
+/// For each 3×3 neighbourhood (bit k: neighbour k is set, counter-clockwise from east): may the centre go?
+std::array<bool, 256> makeDeletableTable()
+{
+    std::array<bool, 256> table{};
+    for (unsigned bits = 0; bits < 256; ++bits) {
+        const auto clear = [bits](unsigned k) { return (bits >> (k % 8) & 1U) == 0U ? 1 : 0; };
+        int crossings = 0;   // Yokoi's number for 8-connected objects
+        for (unsigned k = 0; k < 8; k += 2) {
+            crossings += clear(k) - clear(k) * clear(k + 1) * clear(k + 2);
+        }
+        table[bits] = crossings == 1 && std::popcount(bits) >= 2;
+    }
+    return table;
+}
+
+/// The mask with a clear rim, so that every pixel has eight neighbours, and the pixels still to be looked at.
+class PixelPeeler {
+public:
+    explicit PixelPeeler(const Mask2d& mask)
+        : mask_(mask),
+          stride_(mask.width + 2),
+          set_(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(mask.height + 2)),
+          queued_(set_.size()),
+          neighbours_{1, 1 - stride_, -stride_, -1 - stride_, -1, stride_ - 1, stride_, stride_ + 1}
+    {
+        for (int y = 0; y < mask.height; ++y) {
+            for (int x = 0; x < mask.width; ++x) {
+                set_[rimmed(x, y)] = mask.at(x, y) != 0;
+            }
+        }
+    }
+
+    Mask2d run()
+    {
+        std::vector<std::size_t> border = borderPixels();
+        while (!border.empty()) {
+            std::vector<std::size_t> next;
+            for (const std::size_t side : {2, 6, 4, 0}) {   // north, south, west, east
+                peel(border, side, next);
+            }
+            for (const std::size_t p : next) {
+                queued_[p] = 0;
+            }
+            border = std::move(next);
+        }
+        return result();
+    }
+
+private:
+    std::size_t rimmed(int x, int y) const { return cellIndex(y + 1, stride_, x + 1); }
+    std::size_t neighbour(std::size_t p, std::size_t k) const { return p + static_cast<std::size_t>(neighbours_[k]); }
+
+    bool isDeletable(std::size_t p) const
+    {
+        static const std::array<bool, 256> table = makeDeletableTable();
+        unsigned bits = 0;
+        for (std::size_t k = 0; k < 8; ++k) {
+            bits |= static_cast<unsigned>(set_[neighbour(p, k)]) << k;
+        }
+        return table[bits];
+    }
+
+    std::vector<std::size_t> borderPixels() const
+    {
+        std::vector<std::size_t> border;
+        for (std::size_t p = 0; p < set_.size(); ++p) {
+            if (set_[p] != 0 && (set_[p + 1] & set_[p - 1] & set_[neighbour(p, 2)] & set_[neighbour(p, 6)]) == 0) {
+                border.push_back(p);
+            }
+        }
+        return border;
+    }
+
+    /// Deletes what is open to one side; first all candidates are fixed, then each is checked again when its turn
+    /// comes, so that no two neighbours vanish together that may only go singly.
+    void peel(const std::vector<std::size_t>& border, std::size_t side, std::vector<std::size_t>& next)
+    {
+        std::vector<std::size_t> candidates;
+        for (const std::size_t p : border) {
+            if (set_[p] != 0 && set_[neighbour(p, side)] == 0 && isDeletable(p)) {
+                candidates.push_back(p);
+            }
+        }
+        for (const std::size_t p : candidates) {
+            if (!isDeletable(p)) {
+                continue;
+            }
+            set_[p] = 0;
+            for (std::size_t k = 0; k < 8; ++k) {
+                const std::size_t q = neighbour(p, k);
+                if (set_[q] != 0 && queued_[q] == 0) {
+                    queued_[q] = 1;
+                    next.push_back(q);
+                }
+            }
+        }
+    }
+
+    Mask2d result() const
+    {
+        Mask2d skeleton(mask_.width, mask_.height);
+        for (int y = 0; y < mask_.height; ++y) {
+            for (int x = 0; x < mask_.width; ++x) {
+                skeleton.at(x, y) = set_[rimmed(x, y)] != 0 ? 255 : 0;
+            }
+        }
+        return skeleton;
+    }
+
+    const Mask2d& mask_;
+    int stride_;
+    std::vector<std::uint8_t> set_;
+    std::vector<std::uint8_t> queued_;
+    std::array<int, 8> neighbours_;
+};
+
+}   // namespace
+
+Mask2d thinned(const Mask2d& mask)
+{
+    return mask.isEmpty() ? mask : PixelPeeler(mask).run();
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,89 @@
+#include "core/tracing/angiogram/curves/vessel_branches.h"
+
+#include "core/imaging/grey_statistics.h"
+#include "core/imaging/image_filters.h"
+#include "core/imaging/mask_morphology.h"
+#include "core/tracing/angiogram/curves/moved_edge.h"
+#include "core/tracing/angiogram/curves/prune_graph.h"
+#include "core/tracing/angiogram/curves/thin_mask.h"
+#include "core/vessel/polyline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+// A side branch must be long or strong: √length times what its weak parts have above half of the evidence.
+constexpr double leastBranchEvidence = 0.5;
+constexpr double leastWorth = 4.5;
+constexpr double weakPart = 0.2;
+constexpr double leastWorthOfPiece = 11.0;   // which stands alone and so needs more
+// Filters see half of the picture there: what mostly keeps this close to the rim of the field is an artefact of it.
+constexpr int branchRimPx = 6;
+constexpr double mostAlongRim = 0.6;
+
+double lengthOf(const SkeletonEdge& edge)
+{
+    return polylineLength(edge.pointsPx);
+}
+
+std::vector<float> evidenceAlong(const SkeletonEdge& edge, const ImageF& evidence)
+{
+    std::vector<float> along;
+    for (const Eigen::Vector2d& point : edge.pointsPx) {
+        along.push_back(sampled(evidence, point.x(), point.y()));
+    }
+    return along;
+}
+
+/// The field with everything beyond the image counted as outside, less its rim.
+Mask2d insideOfRim(const Mask2d& field)
+{
+    Mask2d inside = eroded(field, branchRimPx);
+    for (int y = 0; y < inside.height; ++y) {
+        for (int x = 0; x < inside.width; ++x) {
+            const int toEdge = std::min(std::min(x, inside.width - 1 - x), std::min(y, inside.height - 1 - y));
+            inside.at(x, y) = toEdge < branchRimPx ? 0 : inside.at(x, y);
+        }
+    }
+    return inside;
+}
+
+bool runsAlongRim(const SkeletonEdge& edge, const Mask2d& inside)
+{
+    const auto outside = std::count_if(edge.pointsPx.begin(), edge.pointsPx.end(), [&](const Eigen::Vector2d& point) {
+        return inside.at(static_cast<int>(std::lround(point.x())), static_cast<int>(std::lround(point.y()))) == 0;
+    });
+    return static_cast<double>(outside) > mostAlongRim * static_cast<double>(edge.pointsPx.size());
+}
+
+}   // namespace
+
+SkeletonGraph vesselBranches(const Mask2d& vessels, const ImageF& evidence, const ImageF& opacity, const Mask2d& field,
+                             const TraceOptions& options)
+{
+    const auto worth = [&](const SkeletonEdge& edge) {
+        const double length = lengthOf(edge);
+        const double weak = ranked(evidenceAlong(edge, evidence), weakPart);
+        return length < options.minBranchLengthPx ? 0.0 : std::sqrt(length) * (weak - leastBranchEvidence);
+    };
+    const Mask2d inside = insideOfRim(field);
+    SkeletonGraph graph = skeletonGraph(thinned(vessels));
+    std::erase_if(graph.edges, [&](const SkeletonEdge& edge) {
+        return runsAlongRim(edge, inside) || isMovedEdge(edge.pointsPx, opacity);
+    });
+    graph = withoutSpurs(std::move(graph), lengthOf, options.minBranchLengthPx);
+    graph = withoutSpurs(std::move(graph), worth, leastWorth);
+    graph = withoutSmallPieces(std::move(graph), lengthOf, options.minComponentLengthPx);
+    return withoutSmallPieces(std::move(graph), worth, leastWorthOfPiece);
+}
+
+SkeletonGraph drawnBranches(const Mask2d& vessels, const TraceOptions& options)
+{
+    SkeletonGraph graph = skeletonGraph(thinned(vessels));
+    graph = withoutSpurs(std::move(graph), lengthOf, options.minBranchLengthPx);
+    return withoutSmallPieces(std::move(graph), lengthOf, options.minComponentLengthPx);
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,168 @@
+#include "core/tracing/angiogram/drawing/edit_centerline.h"
+
+#include "core/tracing/angiogram/curves/curve_refinement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+namespace angiopose::core {
+namespace {
+
+using KeepsPoint = std::function<bool(const Eigen::Vector2d&)>;
+
+int freeId(const Centerline2d& centerline)
+{
+    int id = 1;
+    for (const Curve2d& curve : centerline.curves) {
+        id = std::max(id, curve.id + 1);
+    }
+    return id;
+}
+
+/// Points `first` to before `end` as a curve of their own.
+Curve2d partOf(const Curve2d& curve, std::size_t first, std::size_t end)
+{
+    const auto slice = [&](const auto& values) {
+        using Values = std::decay_t<decltype(values)>;
+        return values.size() == curve.pointsPx.size() ? Values(values.begin() + static_cast<std::ptrdiff_t>(first),
+                                                               values.begin() + static_cast<std::ptrdiff_t>(end))
+                                                      : Values{};
+    };
+    return {curve.id, slice(curve.pointsPx), slice(curve.radiusPx)};
+}
+
+/// The runs of points that are kept.
+std::vector<Curve2d> keptParts(const Curve2d& curve, const KeepsPoint& keeps)
+{
+    std::vector<Curve2d> parts;
+    std::size_t first = 0;
+    for (std::size_t i = 0; i <= curve.pointsPx.size(); ++i) {
+        if (i < curve.pointsPx.size() && keeps(curve.pointsPx[i])) {
+            continue;
+        }
+        if (i - first >= 2) {
+            parts.push_back(partOf(curve, first, i));
+        }
+        first = i + 1;
+    }
+    return parts;
+}
+
+Centerline2d kept(const Centerline2d& centerline, const KeepsPoint& keeps)
+{
+    Centerline2d result;
+    int nextId = freeId(centerline);
+    for (const Curve2d& curve : centerline.curves) {
+        std::vector<Curve2d> parts = keptParts(curve, keeps);
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            parts[i].id = i == 0 ? curve.id : nextId++;
+            result.curves.push_back(std::move(parts[i]));
+        }
+    }
+    return result;
+}
+
+bool isInside(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& point)
+{
+    bool inside = false;
+    for (std::size_t i = 0, last = polygon.size() - 1; i < polygon.size(); last = i++) {
+        const Eigen::Vector2d& a = polygon[i];
+        const Eigen::Vector2d& b = polygon[last];
+        const bool crosses = (a.y() > point.y()) != (b.y() > point.y());
+        if (crosses && point.x() < a.x() + (b.x() - a.x()) * (point.y() - a.y()) / (b.y() - a.y())) {
+            inside = !inside;
+        }
+    }
+    return inside;
+}
+
+struct CurvePlace {
+    std::size_t curve = 0;
+    std::size_t point = 0;
+};
+
+std::optional<CurvePlace> nearestPlace(const Centerline2d& centerline, const Eigen::Vector2d& pointPx, double reachPx)
+{
+    std::optional<CurvePlace> nearest;
+    double nearestPx = reachPx;
+    for (std::size_t c = 0; c < centerline.curves.size(); ++c) {
+        for (std::size_t i = 0; i < centerline.curves[c].pointsPx.size(); ++i) {
+            const double distance = (centerline.curves[c].pointsPx[i] - pointPx).norm();
+            if (distance <= nearestPx) {
+                nearestPx = distance;
+                nearest = CurvePlace{c, i};
+            }
+        }
+    }
+    return nearest;
+}
+
+}   // namespace
+
+Centerline2d erased(const Centerline2d& centerline, const Eigen::Vector2d& centrePx, double radiusPx)
+{
+    return kept(centerline, [&](const Eigen::Vector2d& point) { return (point - centrePx).norm() > radiusPx; });
+}
+
+Centerline2d restrictedTo(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& polygonPx)
+{
+    if (polygonPx.size() < 3) {
+        return centerline;
+    }
+    return kept(centerline, [&](const Eigen::Vector2d& point) { return isInside(polygonPx, point); });
+}
+
+Centerline2d withoutRegion(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& polygonPx)
+{
+    if (polygonPx.size() < 3) {
+        return centerline;
+    }
+    return kept(centerline, [&](const Eigen::Vector2d& point) { return !isInside(polygonPx, point); });
+}
+
+Centerline2d cutAt(const Centerline2d& centerline, const Eigen::Vector2d& pointPx, double reachPx)
+{
+    const std::optional<CurvePlace> place = nearestPlace(centerline, pointPx, reachPx);
+    if (!place) {
+        return centerline;
+    }
+    const Curve2d& curve = centerline.curves[place->curve];
+    if (place->point < 1 || place->point + 2 > curve.pointsPx.size() - 1) {
+        return centerline;
+    }
+    Centerline2d result = centerline;
+    result.curves[place->curve] = partOf(curve, 0, place->point + 1);
+    Curve2d rest = partOf(curve, place->point + 1, curve.pointsPx.size());
+    rest.id = freeId(centerline);
+    result.curves.push_back(std::move(rest));
+    return result;
+}
+
+Centerline2d withoutCurve(const Centerline2d& centerline, int id)
+{
+    Centerline2d result = centerline;
+    std::erase_if(result.curves, [id](const Curve2d& curve) { return curve.id == id; });
+    return result;
+}
+
+Centerline2d withDrawn(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& pathPx,
+                       const ImageF& opacity, double maxRadiusPx)
+{
+    Centerline2d result = centerline;
+    if (pathPx.size() >= 2) {
+        const int id = freeId(centerline);
+        result.curves.push_back(opacity.isEmpty() ? smoothCurve(pathPx, id)
+                                                  : centredCurve(pathPx, id, opacity, maxRadiusPx));
+    }
+    return result;
+}
+
+int curveAt(const Centerline2d& centerline, const Eigen::Vector2d& pointPx, double reachPx)
+{
+    const std::optional<CurvePlace> place = nearestPlace(centerline, pointPx, reachPx);
+    return place ? centerline.curves[place->curve].id : -1;
+}
+
+}   // namespace angiopose::core

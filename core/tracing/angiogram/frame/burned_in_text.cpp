@@ -1,0 +1,138 @@
+#include "core/tracing/angiogram/frame/burned_in_text.h"
+
+#include "core/imaging/mask_morphology.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double extremeShare = 0.02;   // of the range: as good as the extreme value, after lossy compression
+constexpr double hardEdge = 0.3;   // of the range, from a shape to what surrounds it
+constexpr double leastHardShare = 0.8;   // of a shape's border
+constexpr int leastPixelsOfLetter = 4;
+constexpr int leastHeightPx = 5;
+constexpr double greatestHeightShare = 0.06;   // of the image's longer side
+constexpr std::size_t leastInRow = 3;
+constexpr int textMarginPx = 3;
+
+/// One connected shape.
+struct Glyph {
+    int left, right, top, bottom;
+    int height() const { return bottom - top + 1; }
+    int width() const { return right - left + 1; }
+};
+
+Glyph boundsOf(const std::vector<std::size_t>& pixels, int imageWidth)
+{
+    Glyph glyph{imageWidth, -1, 1 << 30, -1};
+    for (const std::size_t p : pixels) {
+        const int x = static_cast<int>(p % static_cast<std::size_t>(imageWidth));
+        const int y = static_cast<int>(p / static_cast<std::size_t>(imageWidth));
+        glyph = {std::min(glyph.left, x), std::max(glyph.right, x), std::min(glyph.top, y), std::max(glyph.bottom, y)};
+    }
+    return glyph;
+}
+
+/// Share of the neighbours outside the shape that differ from `value` by at least `step`, two pixels away: the border
+/// itself may be smoothed.
+double hardShare(const ImageF& frame, const Mask2d& drawn, const std::vector<std::size_t>& pixels, float value,
+                 double step)
+{
+    int hard = 0;
+    int all = 0;
+    for (const std::size_t p : pixels) {
+        const int x = static_cast<int>(p % static_cast<std::size_t>(frame.width));
+        const int y = static_cast<int>(p / static_cast<std::size_t>(frame.width));
+        for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+            const bool isBorder = frame.contains(x + 2 * dx, y + 2 * dy) && drawn.at(x + dx, y + dy) == 0 &&
+                                  drawn.at(x + 2 * dx, y + 2 * dy) == 0;
+            all += isBorder ? 1 : 0;
+            hard += isBorder && std::abs(frame.at(x + 2 * dx, y + 2 * dy) - value) >= step ? 1 : 0;
+        }
+    }
+    return all > 0 ? static_cast<double>(hard) / all : 0.0;
+}
+
+std::vector<Glyph> glyphsOf(const ImageF& frame, float value, float range)
+{
+    Mask2d drawn(frame.width, frame.height);
+    for (std::size_t i = 0; i < drawn.pixels.size(); ++i) {
+        drawn.pixels[i] = std::abs(frame.pixels[i] - value) <= extremeShare * range ? 255 : 0;
+    }
+    const double greatest = greatestHeightShare * std::max(frame.width, frame.height);
+    std::vector<Glyph> glyphs;
+    for (const std::vector<std::size_t>& pixels : componentsOf(drawn)) {
+        const Glyph glyph = boundsOf(pixels, frame.width);
+        const bool isSmall = glyph.height() <= greatest && glyph.width() <= 2.0 * greatest;
+        if (pixels.size() >= leastPixelsOfLetter && isSmall && glyph.height() >= leastHeightPx &&
+            hardShare(frame, drawn, pixels, value, hardEdge * range) >= leastHardShare) {
+            glyphs.push_back(glyph);
+        }
+    }
+    return glyphs;
+}
+
+/// Side by side in one line: of about one height, on one level, not farther apart than two letters.
+bool areNeighbours(const Glyph& a, const Glyph& b)
+{
+    const int height = std::max(a.height(), b.height());
+    const int gap = std::max(a.left, b.left) - std::min(a.right, b.right);
+    return std::min(a.height(), b.height()) >= 0.6 * height && std::abs(a.bottom - b.bottom) <= 0.4 * height &&
+           gap > 0 && gap <= 2 * height;
+}
+
+/// The glyphs that form one row with the first of `waiting`, taken out of it.
+std::vector<Glyph> takeRow(std::vector<Glyph>& waiting)
+{
+    std::vector<Glyph> row{waiting.back()};
+    waiting.pop_back();
+    for (std::size_t next = 0; next < row.size(); ++next) {
+        const auto rest = std::stable_partition(waiting.begin(), waiting.end(),
+                                                [&](const Glyph& glyph) { return !areNeighbours(row[next], glyph); });
+        row.insert(row.end(), rest, waiting.end());
+        waiting.erase(rest, waiting.end());
+    }
+    return row;
+}
+
+void blank(Mask2d& text, const std::vector<Glyph>& row)
+{
+    Glyph box = row.front();
+    for (const Glyph& glyph : row) {
+        box = {std::min(box.left, glyph.left), std::max(box.right, glyph.right), std::min(box.top, glyph.top),
+               std::max(box.bottom, glyph.bottom)};
+    }
+    const int margin = textMarginPx + box.height() / 2;   // accents, tails and small signs between
+    for (int y = std::max(0, box.top - margin); y <= std::min(text.height - 1, box.bottom + margin); ++y) {
+        for (int x = std::max(0, box.left - margin); x <= std::min(text.width - 1, box.right + margin); ++x) {
+            text.at(x, y) = 255;
+        }
+    }
+}
+
+}   // namespace
+
+Mask2d burnedInText(const ImageF& frame)
+{
+    Mask2d text(frame.width, frame.height);
+    if (frame.isEmpty()) {
+        return text;
+    }
+    const auto [least, greatest] = std::minmax_element(frame.pixels.begin(), frame.pixels.end());
+    const float range = *greatest - *least;
+    for (const float value : {*least, *greatest}) {
+        std::vector<Glyph> waiting = range > 0.0F ? glyphsOf(frame, value, range) : std::vector<Glyph>{};
+        while (!waiting.empty()) {
+            const std::vector<Glyph> row = takeRow(waiting);
+            if (row.size() >= leastInRow) {
+                blank(text, row);
+            }
+        }
+    }
+    return text;
+}
+
+}   // namespace angiopose::core

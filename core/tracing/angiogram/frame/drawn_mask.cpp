@@ -1,0 +1,37 @@
+#include "core/tracing/angiogram/frame/drawn_mask.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+constexpr float edgeShare = 0.1F;   // of the range: this near to one of the levels
+constexpr double leastOfLevels = 0.97;   // of the pixels; the rest are edges smoothed on drawing or scaling
+
+}   // namespace
+
+std::optional<Mask2d> drawnMask(const ImageF& picture)
+{
+    const auto [low, high] = std::minmax_element(picture.pixels.begin(), picture.pixels.end());
+    if (picture.pixels.empty() || !std::isfinite(*low) || !std::isfinite(*high) || *low == *high) {
+        return std::nullopt;
+    }
+    const float margin = edgeShare * (*high - *low);
+    const float middle = 0.5F * (*low + *high);
+    std::size_t black = 0, white = 0;
+    for (const float value : picture.pixels) {
+        black += value <= *low + margin ? 1 : 0;
+        white += value >= *high - margin ? 1 : 0;
+    }
+    const auto count = static_cast<double>(picture.pixels.size());
+    if (white >= black || static_cast<double>(black + white) < leastOfLevels * count) {
+        return std::nullopt;
+    }
+    Mask2d mask(picture.width, picture.height);
+    std::ranges::transform(picture.pixels, mask.pixels.begin(),
+                           [middle](float value) { return static_cast<std::uint8_t>(value > middle ? 255 : 0); });
+    return mask;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,101 @@
+#include "core/tracing/angiogram/frame/flatten_background.h"
+
+#include "core/imaging/grey_statistics.h"
+#include "core/imaging/image_filters.h"
+#include "core/support/at_once.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+// The same contrast agent darkens by a share of the background (Beer-Lambert), of which display curves leave a part: 0
+// would be a fixed difference, 1 a fixed share.
+constexpr double contrastPower = 0.65;
+constexpr float vesselWeight = 0.05F;
+constexpr float darkestShare = 0.3F;   // of the middle background; below, noise would be raised
+
+/// Weighted Gaussian mean, sum(w v)/sum(w), on a coarser grid still: only what varies slower than `sigmaPx` is wanted.
+ImageF slowMean(const ImageF& values, const ImageF& weights, double sigmaPx)
+{
+    ImageF weighted = values;
+    for (std::size_t i = 0; i < weighted.pixels.size(); ++i) {
+        weighted.pixels[i] *= weights.pixels[i];
+    }
+    ImageF mass = weights;
+    int factor = 1;
+    while (sigmaPx / factor > 4.0 && std::min(mass.width, mass.height) > 1) {
+        weighted = halved(weighted);
+        mass = halved(mass);
+        factor *= 2;
+    }
+    atOnce([&] { weighted = blurred(weighted, sigmaPx / factor); }, [&] { mass = blurred(mass, sigmaPx / factor); });
+    for (std::size_t i = 0; i < weighted.pixels.size(); ++i) {
+        weighted.pixels[i] = mass.pixels[i] > 1e-6F ? weighted.pixels[i] / mass.pixels[i] : 0.0F;
+    }
+    return enlarged(weighted, factor, values.width, values.height);
+}
+
+/// The background without what is darker than it by more than the spread: vessels must not darken it.
+ImageF backgroundOf(const ImageF& image, const ImageF& exposed, double sigmaPx)
+{
+    const ImageF first = slowMean(image, exposed, sigmaPx);
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        const double difference = first.pixels[i] - image.pixels[i];
+        sum += exposed.pixels[i] * difference * difference;
+        count += exposed.pixels[i];
+    }
+    const double spread = count > 0.0 ? std::sqrt(sum / count) : 0.0;
+    ImageF weights = exposed;
+    for (std::size_t i = 0; i < weights.pixels.size(); ++i) {
+        weights.pixels[i] *= first.pixels[i] - image.pixels[i] > spread ? vesselWeight : 1.0F;
+    }
+    return slowMean(image, weights, sigmaPx);
+}
+
+/// Factors that bring differences from the background to what they would be at the middle background.
+ImageF contrastGain(const ImageF& background, const ImageF& exposed, float black)
+{
+    std::vector<float> levels;
+    for (std::size_t i = 0; i < exposed.pixels.size(); ++i) {
+        if (exposed.pixels[i] > 0.0F) {
+            levels.push_back(background.pixels[i] - black);
+        }
+    }
+    ImageF gain(background.width, background.height, 1.0F);
+    const float middle = levels.empty() ? 0.0F : ranked(std::move(levels), 0.5);
+    if (middle > 0.0F) {
+        for (std::size_t i = 0; i < gain.pixels.size(); ++i) {
+            const float level = std::max(darkestShare, (background.pixels[i] - black) / middle);
+            gain.pixels[i] = std::pow(level, static_cast<float>(-contrastPower));
+        }
+    }
+    return gain;
+}
+
+}   // namespace
+
+ImageF flattenBackground(const ImageF& vesselsDark, const Mask2d& field, double reachPx)
+{
+    ImageF exposed(vesselsDark.width, vesselsDark.height);
+    for (std::size_t i = 0; i < exposed.pixels.size(); ++i) {
+        exposed.pixels[i] = field.pixels[i] != 0 ? 1.0F : 0.0F;
+    }
+    const ImageF coarseExposed = halved(exposed);
+    const ImageF coarse = backgroundOf(halved(vesselsDark), coarseExposed, 0.5 * reachPx);
+    const float black = *std::min_element(vesselsDark.pixels.begin(), vesselsDark.pixels.end());
+    ImageF background;
+    ImageF gain;
+    atOnce([&] { gain = enlarged(contrastGain(coarse, coarseExposed, black), 2, field.width, field.height); },
+           [&] { background = enlarged(coarse, 2, field.width, field.height); });
+    ImageF opacity(vesselsDark.width, vesselsDark.height);
+    for (std::size_t i = 0; i < opacity.pixels.size(); ++i) {
+        opacity.pixels[i] = exposed.pixels[i] * gain.pixels[i] * (background.pixels[i] - vesselsDark.pixels[i]);
+    }
+    return opacity;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,135 @@
+#include "core/tracing/angiogram/frame/steady_frame.h"
+
+#include "core/imaging/grey_statistics.h"
+#include "core/imaging/image_filters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace angiopose::core {
+namespace {
+
+constexpr int reachFrames = 4;
+constexpr int smallestSteadySide = 8;
+constexpr double steadySmoothingPx = 1.5;   // of the halved frame
+// Times what white noise leaves after smoothing; detector noise is not quite white, which takes up about one of them.
+constexpr double changedMultiple = 4.0;
+constexpr double mostChanged = 0.01;
+constexpr double medianPerSigma = 0.6745;   // of |x| for normal x
+constexpr std::size_t steadySamples = 20000;
+
+bool hasFinitePixels(const ImageF& image)
+{
+    return std::all_of(image.pixels.begin(), image.pixels.end(), [](float value) { return std::isfinite(value); });
+}
+
+struct Difference {
+    ImageF coarse;   ///< the halved other frame less the halved frame, less `brighterBy`
+    float brighterBy = 0.0F;   ///< the whole of the other frame
+};
+
+Difference differenceOf(const ImageF& coarse, const ImageF& other)
+{
+    ImageF difference = halved(other);
+    for (std::size_t i = 0; i < difference.pixels.size(); ++i) {
+        difference.pixels[i] -= coarse.pixels[i];
+    }
+    const float middle = ranked(evenSample(difference.pixels, steadySamples), 0.5);
+    for (float& value : difference.pixels) {
+        value -= middle;
+    }
+    return {std::move(difference), middle};
+}
+
+/// Standard deviation of the noise, from the Laplacian (Immerkær 1996), of which vessels and organs leave little.
+double noiseOf(const ImageF& image)
+{
+    std::vector<float> laplacian;
+    for (int y = 1; y + 1 < image.height; y += 3) {
+        for (int x = 1; x + 1 < image.width; ++x) {
+            laplacian.push_back(std::fabs(4.0F * image.at(x, y) - image.at(x - 1, y) - image.at(x + 1, y) -
+                                          image.at(x, y - 1) - image.at(x, y + 1)));
+        }
+    }
+    return ranked(std::move(laplacian), 0.5) / (medianPerSigma * std::sqrt(20.0));
+}
+
+/// Where the difference is noise (255), on the halved grid; nothing when too much has changed.
+std::optional<Mask2d> unchangedPixels(const ImageF& difference)
+{
+    const double smoothNoise = noiseOf(difference) / (2.0 * std::sqrt(std::numbers::pi) * steadySmoothingPx);
+    const auto limit = static_cast<float>(changedMultiple * smoothNoise);
+    const ImageF smooth = blurred(difference, steadySmoothingPx);
+    Mask2d unchanged(smooth.width, smooth.height);
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < smooth.pixels.size(); ++i) {
+        const bool isNoise = std::fabs(smooth.pixels[i]) <= limit;
+        unchanged.pixels[i] = isNoise ? 255 : 0;
+        changed += isNoise ? 0 : 1;
+    }
+    if (static_cast<double>(changed) > mostChanged * static_cast<double>(smooth.pixels.size())) {
+        return std::nullopt;
+    }
+    return unchanged;
+}
+
+struct Sum {
+    ImageF values;
+    ImageF counts;
+};
+
+void add(Sum& sum, const ImageF& frame, const Mask2d& unchanged, float brighterBy)
+{
+    for (int y = 0; y < frame.height; ++y) {
+        for (int x = 0; x < frame.width; ++x) {
+            if (unchanged.at(x / 2, y / 2) != 0) {
+                sum.values.at(x, y) += frame.at(x, y) - brighterBy;
+                sum.counts.at(x, y) += 1.0F;
+            }
+        }
+    }
+}
+
+/// Adds what is unchanged of the frames to one side (`step` ±1), up to the first that has changed.
+void addSide(Sum& sum, const std::vector<ImageF>& frames, int index, int step, const ImageF& coarse)
+{
+    for (int k = 1; k <= reachFrames; ++k) {
+        const int other = index + k * step;
+        if (other < 0 || other >= static_cast<int>(frames.size())) {
+            return;
+        }
+        const ImageF& frame = frames[static_cast<std::size_t>(other)];
+        if (frame.width != sum.values.width || frame.height != sum.values.height || !hasFinitePixels(frame)) {
+            return;
+        }
+        const Difference difference = differenceOf(coarse, frame);
+        const auto unchanged = unchangedPixels(difference.coarse);
+        if (!unchanged) {
+            return;
+        }
+        add(sum, frame, *unchanged, difference.brighterBy);
+    }
+}
+
+}   // namespace
+
+ImageF steadyFrame(const std::vector<ImageF>& frames, int index)
+{
+    const ImageF& frame = frames[static_cast<std::size_t>(index)];
+    if (frames.size() < 2 || std::min(frame.width, frame.height) < smallestSteadySide || !hasFinitePixels(frame)) {
+        return frame;
+    }
+    const ImageF coarse = halved(frame);
+    Sum sum{frame, ImageF(frame.width, frame.height, 1.0F)};
+    for (const int step : {-1, 1}) {
+        addSide(sum, frames, index, step, coarse);
+    }
+    for (std::size_t i = 0; i < sum.values.pixels.size(); ++i) {
+        sum.values.pixels[i] /= sum.counts.pixels[i];
+    }
+    return std::move(sum.values);
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,131 @@
+#include "core/tracing/angiogram/ridges/clutter_level.h"
+
+#include "core/imaging/grey_statistics.h"
+#include "core/imaging/mask_morphology.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double rank = 0.9;   // above most noise, below what the flanks of vessels add to the far tail
+constexpr double tailRank = 0.98;
+// Of the values at these ranks, where structures are about; in mere noise it is less.
+constexpr double tailRatio = 1.75;
+constexpr double leastWeight = 0.5;   // fine vessels shall be found in some noise too
+constexpr int clutterRimPx = 6;   // where filters see the edge of the field
+constexpr double clearMultiple = 4.0;
+constexpr int flankPx = 10;
+constexpr std::size_t leastShareLeft = 10;   // one part in so many, else all of the field counts
+constexpr int mostBands = 4;
+constexpr int leastBands = 2;
+constexpr int bandRows = 40;
+constexpr int enoughPixels = 82000;   // for the statistics
+constexpr int marginRows = 12;   // on either side, as filters reach
+
+struct Band {
+    int firstRow = 0;
+    int rowCount = 0;
+};
+
+/// The whole image, or in larger ones some evenly spread bands.
+std::vector<Band> bandsOf(int width, int height)
+{
+    const int bandCount = std::clamp(enoughPixels / (bandRows * std::max(1, width)), leastBands, mostBands);
+    if (height < 2 * mostBands * (bandRows + 2 * marginRows)) {
+        return {{0, height}};
+    }
+    std::vector<Band> bands;
+    bands.reserve(static_cast<std::size_t>(bandCount));
+    for (int k = 0; k < bandCount; ++k) {
+        bands.push_back({(2 * k + 1) * height / (2 * bandCount) - bandRows / 2, bandRows});
+    }
+    return bands;
+}
+
+/// The band with its margins as an image of its own, bright for dark.
+ImageF invertedBand(const ImageF& opacity, const Band& band, int firstRow)
+{
+    const int endRow = std::min(opacity.height, band.firstRow + band.rowCount + marginRows);
+    ImageF inverted(opacity.width, endRow - firstRow);
+    const auto begin = opacity.pixels.begin() + static_cast<std::ptrdiff_t>(opacity.index(0, firstRow));
+    std::transform(begin, begin + static_cast<std::ptrdiff_t>(inverted.pixels.size()), inverted.pixels.begin(),
+                   [](float value) { return -value; });
+    return inverted;
+}
+
+/// Ridges of the other sign in all bands; -1 elsewhere.
+ImageF invertedRidges(const ImageF& opacity, const RidgeScale& scale)
+{
+    ImageF inverted(opacity.width, opacity.height, -1.0F);
+    for (const Band& band : bandsOf(opacity.width, opacity.height)) {
+        const int firstRow = std::max(0, band.firstRow - marginRows);
+        const ImageF ridges = ridgeStrength(invertedBand(opacity, band, firstRow), {scale});
+        const auto begin =
+            ridges.pixels.begin() + static_cast<std::ptrdiff_t>(ridges.index(0, band.firstRow - firstRow));
+        std::copy_n(begin, ridges.index(0, band.rowCount),
+                    inverted.pixels.begin() + static_cast<std::ptrdiff_t>(inverted.index(0, band.firstRow)));
+    }
+    return inverted;
+}
+
+std::vector<float> measuredWhere(const Mask2d& inside, const ImageF& inverted)
+{
+    std::vector<float> values;
+    for (std::size_t i = 0; i < inverted.pixels.size(); ++i) {
+        if (inside.pixels[i] != 0 && inverted.pixels[i] >= 0.0F) {
+            values.push_back(inverted.pixels[i]);
+        }
+    }
+    return values;
+}
+
+Mask2d awayFromVessels(Mask2d inside, const ImageF& ridges, double clearRidge)
+{
+    Mask2d vessels(ridges.width, ridges.height);
+    for (std::size_t i = 0; i < vessels.pixels.size(); ++i) {
+        vessels.pixels[i] = ridges.pixels[i] > clearRidge ? 255 : 0;
+    }
+    vessels = dilated(vessels, flankPx);
+    for (std::size_t i = 0; i < inside.pixels.size(); ++i) {
+        inside.pixels[i] = vessels.pixels[i] != 0 ? 0 : inside.pixels[i];
+    }
+    return inside;
+}
+
+}   // namespace
+
+Clutter::Clutter(const ImageF& opacity, const Mask2d& field, std::vector<RidgeScale> scales)
+    : inside_(eroded(field, clutterRimPx)), scales_(std::move(scales)), inverted_(opacity.width, opacity.height, -1.0F)
+{
+    double coarsest = 0.0;
+    for (auto scale = scales_.rbegin(); scale != scales_.rend(); ++scale) {
+        const ImageF inverted = invertedRidges(opacity, *scale);
+        std::vector<float> measured = measuredWhere(inside_, inverted);
+        const double level = measured.empty() ? 0.0 : ranked(std::move(measured), rank);
+        coarsest = scale == scales_.rbegin() ? level : coarsest;
+        scale->weight = level > coarsest ? std::max(leastWeight, coarsest / level) : 1.0;
+        const auto weight = static_cast<float>(scale->weight);
+        std::transform(inverted_.pixels.begin(), inverted_.pixels.end(), inverted.pixels.begin(),
+                       inverted_.pixels.begin(), [weight](float a, float b) { return std::max(a, weight * b); });
+    }
+}
+
+double Clutter::level(const ImageF& ridges) const
+{
+    std::vector<float> everywhere = measuredWhere(inside_, inverted_);
+    if (everywhere.empty()) {
+        return 0.0;
+    }
+    const std::size_t enough = everywhere.size() / leastShareLeft;
+    const double first = ranked(std::move(everywhere), rank);
+    std::vector<float> away = measuredWhere(awayFromVessels(inside_, ridges, clearMultiple * first), inverted_);
+    if (away.size() <= enough) {
+        return first;
+    }
+    const std::vector<float> levels = rankedAt(std::move(away), {rank, tailRank});
+    return std::min<double>(levels[0], levels[1] / tailRatio);
+}
+
+}   // namespace angiopose::core

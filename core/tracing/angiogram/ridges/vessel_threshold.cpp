@@ -1,0 +1,83 @@
+#include "core/tracing/angiogram/ridges/vessel_threshold.h"
+
+#include "core/imaging/grey_statistics.h"
+#include "core/imaging/image_filters.h"
+#include "core/imaging/mask_morphology.h"
+
+#include <algorithm>
+
+namespace angiopose::core {
+namespace {
+
+constexpr float lowEvidence = 0.9F;
+constexpr float highEvidence = 1.9F;
+constexpr int flankReachPx = 3;
+constexpr float flankShare = 0.35F;
+// Around the ends of strong vessels filters still see a little of them.
+constexpr int haloReachPx = 12;
+constexpr float haloShare = 0.15F;
+constexpr double opacitySigmaPx = 2.0;
+constexpr float leastOpacityPerRidge = 0.3F;   // a round vessel's opacity is a few times its ridge
+constexpr std::size_t thresholdSamples = 200000;
+constexpr double noiseMultiple = 4.0;
+constexpr double clutterMultiple = 1.9;
+// In pictures without noise: below this share of the strongest ridges there are only traces of the filters.
+constexpr double leastShareOfFrame = 0.02;
+constexpr double strongestRank = 0.999;
+
+}   // namespace
+
+double ridgeNoiseLimit(const std::vector<float>& ridges)
+{
+    return ridges.empty() ? 0.0 : noiseMultiple * ranked(ridges, 0.5);
+}
+
+double clearRidge(const ImageF& ridges, double clutter, double sensitivity)
+{
+    const double strongest = ranked(evenSample(ridges.pixels, thresholdSamples), strongestRank);
+    return std::max(clutterMultiple * clutter, leastShareOfFrame * strongest) / sensitivity;
+}
+
+ImageF vesselEvidence(const ImageF& ridges, const Mask2d& field, double clearRidge)
+{
+    ImageF evidence(ridges.width, ridges.height);
+    if (!(clearRidge > 0.0)) {
+        return evidence;
+    }
+    const auto unit = static_cast<float>(clearRidge);
+    for (std::size_t i = 0; i < ridges.pixels.size(); ++i) {
+        evidence.pixels[i] = field.pixels[i] != 0 ? ridges.pixels[i] / unit : 0.0F;
+    }
+    return evidence;
+}
+
+ImageF withoutStars(ImageF ridges, const ImageF& opacity)
+{
+    const ImageF smooth = blurred(opacity, opacitySigmaPx);
+    for (std::size_t i = 0; i < ridges.pixels.size(); ++i) {
+        ridges.pixels[i] = smooth.pixels[i] < leastOpacityPerRidge * ridges.pixels[i] ? 0.0F : ridges.pixels[i];
+    }
+    return ridges;
+}
+
+Mask2d vesselPixels(const ImageF& evidence)
+{
+    const ImageF strongest = largestAround(evidence, flankReachPx);
+    const ImageF strongAround = largestAround(evidence, haloReachPx);
+    Mask2d vessels(evidence.width, evidence.height);
+    for (std::size_t i = 0; i < evidence.pixels.size(); ++i) {
+        const float least =
+            std::max({lowEvidence, flankShare * strongest.pixels[i], haloShare * strongAround.pixels[i]});
+        vessels.pixels[i] = evidence.pixels[i] > least ? 255 : 0;
+    }
+    for (const std::vector<std::size_t>& component : componentsOf(vessels)) {
+        const bool isSure = std::any_of(component.begin(), component.end(),
+                                        [&](std::size_t p) { return evidence.pixels[p] > highEvidence; });
+        for (const std::size_t p : component) {
+            vessels.pixels[p] = isSure ? 255 : 0;
+        }
+    }
+    return vessels;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,180 @@
+#include "core/tracing/angiogram/run/subtract_run.h"
+
+#include "core/messages/says.h"
+#include "core/support/parallel_for.h"
+#include "core/tracing/angiogram/run/suggest_frame.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace angiopose::core {
+namespace {
+
+constexpr std::size_t mostMaskFrames = 8;
+constexpr double emptyShare = 0.15;   // of the rise from the emptiest to the fullest frame
+constexpr double leastRise = 1.5;   // fullest to first frame, or the run begins with contrast
+
+std::optional<Message> problemWith(const std::vector<ImageF>& frames, const SubtractionPlan& plan)
+{
+    if (frames.size() < 2) {
+        return says::subtractionOneFrame();
+    }
+    const auto differs = [&](const ImageF& frame) {
+        return frame.width != frames.front().width || frame.height != frames.front().height;
+    };
+    if (std::any_of(frames.begin(), frames.end(), differs)) {
+        return says::subtractionSizesDiffer();
+    }
+    for (const int index : plan.maskFrames) {
+        if (index < 0 || index >= static_cast<int>(frames.size())) {
+            return says::subtractionMaskMissing(index, frames.size() - 1);
+        }
+    }
+    return {};
+}
+
+/// A frame that could not be decoded, or one that shows nothing: no mask for others, and nothing to subtract from.
+bool isBlank(const ImageF& frame)
+{
+    return std::ranges::all_of(frame.pixels, [&](float value) { return value == frame.pixels.front(); });
+}
+
+/// Blank frames are no masks where others are.
+void leaveOutBlank(const std::vector<ImageF>& frames, std::vector<int>& maskFrames)
+{
+    std::vector<int> shown = maskFrames;
+    std::erase_if(shown, [&](int index) { return isBlank(frames[static_cast<std::size_t>(index)]); });
+    if (!shown.empty()) {
+        maskFrames = std::move(shown);
+    }
+}
+
+/// The plan with its mask frames chosen.
+Result<SubtractionPlan> settledPlan(const std::vector<ImageF>& frames, Polarity polarity, SubtractionPlan plan)
+{
+    if (const auto problem = problemWith(frames, plan)) {
+        return Error(*problem);
+    }
+    if (plan.interval) {
+        plan.maskFrames.clear();
+        return plan;
+    }
+    if (plan.maskFrames.empty()) {
+        plan.maskFrames = suggestMaskFrames(frames, polarity);
+    }
+    if (plan.maskFrames.empty()) {
+        return Error(says::subtractionNoMask());
+    }
+    leaveOutBlank(frames, plan.maskFrames);
+    return plan;
+}
+
+/// Index of the one mask of a frame; nothing where it lies outside the run.
+std::optional<std::size_t> intervalMask(const MaskInterval& interval, int frame, int frameCount)
+{
+    const int first = interval.reversedFrom.value_or(0);
+    const int index = interval.reversedFrom ? 2 * first - interval.offset - frame : frame - interval.offset;
+    const bool exists = index >= 0 && index < frameCount && index != frame && frame >= first;
+    return exists ? std::optional(static_cast<std::size_t>(index)) : std::nullopt;
+}
+
+SubtractedFrame subtractedFrame(const ImageF& frame, const ImageF& mask, const SubtractionPlan& plan)
+{
+    if (isBlank(frame) && !isBlank(mask)) {
+        return {frame};
+    }
+    const Eigen::Vector2d shift = plan.maskShiftPx ? *plan.maskShiftPx : maskShift(mask, frame, plan.relation);
+    return {subtracted(frame, mask, shift, plan.relation), shift};
+}
+
+/// `averaged` is the mean of the mask frames, unless masks follow the frames.
+SubtractedFrame subtractedFrame(const std::vector<ImageF>& frames, std::size_t index, const ImageF& averaged,
+                                const SubtractionPlan& plan)
+{
+    if (!plan.interval) {
+        return subtractedFrame(frames[index], averaged, plan);
+    }
+    const auto mask = intervalMask(*plan.interval, static_cast<int>(index), static_cast<int>(frames.size()));
+    return mask ? subtractedFrame(frames[index], frames[*mask], plan) : SubtractedFrame{frames[index]};
+}
+
+}   // namespace
+
+std::vector<int> suggestMaskFrames(const std::vector<ImageF>& frames, Polarity polarity)
+{
+    const std::vector<double> curve = opacificationCurve(frames, polarity);
+    std::vector<int> shown;
+    for (int k = 0; k < static_cast<int>(frames.size()); ++k) {
+        if (!isBlank(frames[static_cast<std::size_t>(k)])) {
+            shown.push_back(k);
+        }
+    }
+    if (shown.size() < 2) {
+        return {};
+    }
+    const auto opacity = [&](int frame) { return curve[static_cast<std::size_t>(frame)]; };
+    const double least = opacity(std::ranges::min(shown, {}, opacity));
+    const double most = opacity(std::ranges::max(shown, {}, opacity));
+    if (most < leastRise * opacity(shown.front()) || !(most > 0.0)) {
+        return {};
+    }
+    const double limit = least + emptyShare * (most - least);
+    const auto firstFilled = std::ranges::find_if(shown, [&](int frame) { return opacity(frame) > limit; });
+    shown.erase(firstFilled, shown.end());
+    shown.resize(std::min(mostMaskFrames, shown.size()));
+    return shown;
+}
+
+Result<SubtractedRun> subtractRun(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,
+                                  const StopCheck& isStopWished)
+{
+    const auto chosen = settledPlan(frames, polarity, plan);
+    if (!chosen) {
+        return chosen.error();
+    }
+    const ImageF mask = meanFrame(frames, chosen.value().maskFrames);
+    SubtractedRun run;
+    run.maskFrames = chosen.value().maskFrames;
+    run.frames.resize(frames.size());
+    run.maskShiftsPx.resize(frames.size());
+    const bool isWhole = parallelFor(
+        frames.size(), threadCount(0),
+        [&](std::size_t i) {
+            SubtractedFrame result = subtractedFrame(frames, i, mask, chosen.value());
+            run.frames[i] = std::move(result.frame);
+            run.maskShiftsPx[i] = result.maskShiftPx;
+        },
+        [&](double) { return !isStopWished || !isStopWished(); });
+    return isWhole ? Result<SubtractedRun>(std::move(run)) : Stopped{says::subtractionStopped()};
+}
+
+Result<SubtractedFrame> subtractFrame(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,
+                                      int frame)
+{
+    const auto chosen = settledPlan(frames, polarity, plan);
+    if (!chosen) {
+        return chosen.error();
+    }
+    const ImageF mask = meanFrame(frames, chosen.value().maskFrames);
+    return subtractedFrame(frames, static_cast<std::size_t>(frame), mask, chosen.value());
+}
+
+Result<Angiogram> treatedRun(const Angiogram& stored, const RunTreatment& treatment, const StopCheck& isStopWished)
+{
+    Angiogram run = stored;
+    run.polarity = treatment.polarity.value_or(stored.polarity);
+    if (treatment.isSubtracted) {
+        auto subtracted = subtractRun(stored.frames, run.polarity, treatment.plan, isStopWished);
+        if (!subtracted) {
+            return subtracted.error();
+        }
+        run.frames = std::move(subtracted).value().frames;
+    }
+    if (treatment.isComposite) {
+        run.frames.assign(run.frames.size(), opacifiedComposite(run.frames, run.polarity));
+    }
+    return run;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,229 @@
+#include "core/tracing/angiogram/trace_angiogram.h"
+
+#include "core/imaging/grey_statistics.h"
+#include "core/imaging/mask_morphology.h"
+#include "core/messages/says.h"
+#include "core/support/at_once.h"
+#include "core/support/parallel_for.h"
+#include "core/tracing/angiogram/curves/bridge_gaps.h"
+#include "core/tracing/angiogram/curves/curve_refinement.h"
+#include "core/tracing/angiogram/curves/lines_across.h"
+#include "core/tracing/angiogram/curves/skeleton_graph.h"
+#include "core/tracing/angiogram/curves/suspect_curves.h"
+#include "core/tracing/angiogram/curves/vessel_branches.h"
+#include "core/tracing/angiogram/frame/burned_in_text.h"
+#include "core/tracing/angiogram/frame/drawn_mask.h"
+#include "core/tracing/angiogram/frame/field_mask.h"
+#include "core/tracing/angiogram/frame/flatten_background.h"
+#include "core/tracing/angiogram/frame/steady_frame.h"
+#include "core/tracing/angiogram/frame/working_size.h"
+#include "core/tracing/angiogram/ridges/clutter_level.h"
+#include "core/tracing/angiogram/ridges/part_neighbours.h"
+#include "core/tracing/angiogram/ridges/vessel_threshold.h"
+#include "core/tracing/angiogram/ridges/vesselness.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double surroundingsInRadii = 3.0;
+// Thinning splits the crossing of two vessels into two junctions about as far apart as they are wide.
+constexpr double crossingInRadii = 2.0;
+constexpr std::size_t frameSamples = 200000;
+// Faint branches are lost beside a strong vessel, in the halo that filters see around it: bridges reach across that,
+// where there is nearly enough evidence of a vessel all the way.
+constexpr double gapReachPx = 14.0;
+constexpr double leastEvidenceInGap = 0.75;
+constexpr int mostTracingThreads = 2;   // more wait for memory
+
+bool isFinite(const ImageF& frame)
+{
+    constexpr std::uint32_t sign = 0x80000000U;
+    constexpr std::uint32_t infinite = 0x7f800000U;
+    std::uint32_t largest = 0;   // compared as bits, which is four times as fast
+    for (const float value : frame.pixels) {
+        largest = std::max(largest, std::bit_cast<std::uint32_t>(value) & ~sign);
+    }
+    return largest < infinite;
+}
+
+std::optional<Message> problemWith(const ImageF& frame)
+{
+    if (frame.isEmpty()) {
+        return says::frameEmpty();
+    }
+    if (!isFinite(frame)) {
+        return says::frameNotFinite();
+    }
+    const float first = frame.pixels.front();
+    if (std::all_of(frame.pixels.begin(), frame.pixels.end(), [first](float value) { return value == first; })) {
+        return says::frameOfOneColour();
+    }
+    return {};
+}
+
+ImageF withVesselsDark(const ImageF& frame, Polarity polarity)
+{
+    ImageF dark = frame;
+    if (polarity == Polarity::VesselsBright) {
+        for (float& value : dark.pixels) {
+            value = -value;
+        }
+    }
+    return dark;
+}
+
+Mask2d without(Mask2d mask, const Mask2d& part)
+{
+    for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
+        mask.pixels[i] = part.pixels[i] != 0 ? 0 : mask.pixels[i];
+    }
+    return mask;
+}
+
+/// Without shutters, borders and letters.
+Mask2d tracedField(const ImageF& vesselsDark, const TraceOptions& options)
+{
+    Mask2d field;
+    Mask2d text;
+    atOnce([&] { field = findField(vesselsDark, 2.0 * options.maxVesselRadiusPx); },
+           [&] { text = burnedInText(vesselsDark); });
+    return without(std::move(field), text);
+}
+
+/// 0…1: the strongest 0.1 % count as 1.
+ImageF normalised(ImageF ridges)
+{
+    const float top = std::max(ranked(evenSample(ridges.pixels, frameSamples), 0.999), 1e-12F);
+    for (float& value : ridges.pixels) {
+        value = std::min(1.0F, value / top);
+    }
+    return ridges;
+}
+
+/// The vessel pixels with short gaps closed, and with holes filled that are smaller than any loop of vessels and no
+/// ground between two of them. Bridges make such holes too.
+Mask2d wholeVessels(const Mask2d& vessels, const Mask2d& ground, const ImageF& evidence, int smallestLoopPx)
+{
+    const Mask2d bridged = withGapsBridged(without(vessels, ground), evidence, gapReachPx, leastEvidenceInGap);
+    return without(withHolesFilled(bridged, smallestLoopPx), ground);
+}
+
+std::vector<Curve2d> centredCurves(std::vector<std::vector<Eigen::Vector2d>> paths, const ImageF& opacity,
+                                   const Mask2d& field, double maxRadiusPx)
+{
+    std::erase_if(paths, [&](const auto& path) { return runsStraightAcross(path, field); });
+    std::vector<Curve2d> curves(paths.size());
+    parallelFor(
+        paths.size(), std::min(mostTracingThreads, threadCount(0)),
+        [&](std::size_t k) { curves[k] = centredCurve(paths[k], static_cast<int>(k) + 1, opacity, maxRadiusPx); },
+        [](double) { return true; });
+    return curves;
+}
+
+/// What is found in a frame of usual size.
+struct SeenVessels {
+    Mask2d fieldMask;
+    Mask2d vesselMask;
+    ImageF vesselness;
+    ImageF opacity;
+    std::vector<std::vector<Eigen::Vector2d>> paths;   ///< along the middles of the mask
+};
+
+SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options)
+{
+    SeenVessels seen;
+    seen.fieldMask = tracedField(vesselsDark, options);
+    seen.opacity = flattenBackground(vesselsDark, seen.fieldMask, surroundingsInRadii * options.maxVesselRadiusPx);
+    const Clutter clutter(seen.opacity, seen.fieldMask,
+                          ridgeScales(options.minVesselRadiusPx, options.maxVesselRadiusPx));
+    const ImageF ridges = ridgeStrength(seen.opacity, clutter.scales());
+    double clutterLevel = 0.0;
+    ImageF clear;
+    atOnce([&] { clear = withoutStars(ridges, seen.opacity); }, [&] { clutterLevel = clutter.level(ridges); });
+    const double unit = clearRidge(clear, clutterLevel, options.sensitivity);
+    const ImageF evidence = vesselEvidence(clear, seen.fieldMask, unit);
+    const int smallestLoopPx = static_cast<int>(options.maxVesselRadiusPx * options.maxVesselRadiusPx);
+    const Mask2d vessels = withHolesFilled(vesselPixels(evidence), smallestLoopPx);
+    const Mask2d ground = groundBetweenNeighbours(vessels, evidence, seen.opacity, clutter.scales(), unit);
+    atOnce([&] { seen.vesselMask = wholeVessels(vessels, ground, evidence, smallestLoopPx); },
+           [&] { seen.vesselness = normalised(std::move(clear)); });
+    seen.paths = orderedCurves(vesselBranches(seen.vesselMask, evidence, seen.opacity, seen.fieldMask, options),
+                               crossingInRadii * options.maxVesselRadiusPx);
+    return seen;
+}
+
+/// What was drawn is taken as it is drawn, as label images are.
+Result<AngiogramTrace> traceDrawn(Mask2d drawn, const TraceOptions& options)
+{
+    auto curves = traceMask(drawn, options);
+    if (!curves) {
+        return curves.error();
+    }
+    AngiogramTrace trace;
+    trace.centerline = std::move(curves).value();
+    trace.fieldMask = Mask2d(drawn.width, drawn.height, 255);
+    trace.vesselness = ImageF(drawn.width, drawn.height);
+    std::ranges::transform(drawn.pixels, trace.vesselness.pixels.begin(),
+                           [](std::uint8_t value) { return value != 0 ? 1.0F : 0.0F; });
+    trace.vesselMask = std::move(drawn);
+    return trace;
+}
+
+}   // namespace
+
+Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& options)
+{
+    if (const auto problem = problemWith(frame)) {
+        return Error(*problem);
+    }
+    if (auto drawn = drawnMask(frame)) {
+        return traceDrawn(std::move(*drawn), options);
+    }
+    const ImageF vesselsDark = withVesselsDark(frame, polarity);
+    const WorkingSize size = workingSizeOf(frame);
+    auto seen = seenVessels(toWorkingSize(vesselsDark, size), options);
+    AngiogramTrace trace;
+    trace.fieldMask = fromWorkingSize(seen.fieldMask, size, frame.width, frame.height);
+    trace.vesselMask = fromWorkingSize(seen.vesselMask, size, frame.width, frame.height);
+    trace.vesselness = fromWorkingSize(seen.vesselness, size, frame.width, frame.height);
+    const double maxRadiusPx = options.maxVesselRadiusPx / size.factor();
+    const ImageF opacity = size.halvings == 0
+                               ? std::move(seen.opacity)
+                               : flattenBackground(vesselsDark, trace.fieldMask, surroundingsInRadii * maxRadiusPx);
+    for (auto& path : seen.paths) {
+        path = fromWorkingSize(std::move(path), size);
+    }
+    trace.centerline.curves = centredCurves(std::move(seen.paths), opacity, trace.fieldMask, maxRadiusPx);
+    if (trace.centerline.curves.empty()) {
+        return Error(says::frameWithoutVessels());
+    }
+    trace.suspectCurves = suspectCurves(trace.centerline, std::max(frame.width, frame.height));
+    return trace;
+}
+
+Result<AngiogramTrace> traceFrame(const Angiogram& run, int frame, const TraceOptions& options)
+{
+    if (frame < 0 || frame >= run.frameCount()) {
+        return Error(says::frameMissing(frame, run.frameCount() - 1));
+    }
+    return traceAngiogram(steadyFrame(run.frames, frame), run.polarity, options);
+}
+
+Result<Centerline2d> traceMask(const Mask2d& mask, const TraceOptions& options)
+{
+    Centerline2d centerline;
+    const SkeletonGraph branches = drawnBranches(mask, options);
+    for (const auto& path : orderedCurves(branches, crossingInRadii * options.maxVesselRadiusPx)) {
+        centerline.curves.push_back(smoothCurve(path, static_cast<int>(centerline.curves.size()) + 1));
+    }
+    if (centerline.curves.empty()) {
+        return Error(says::maskWithoutVessels(Quantity{static_cast<double>(options.minComponentLengthPx), 0, "px"}));
+    }
+    return centerline;
+}
+
+}   // namespace angiopose::core

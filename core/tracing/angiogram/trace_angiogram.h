@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/imaging/angiogram.h"
+#include "core/imaging/image2d.h"
+#include "core/support/result.h"
+#include "core/tracing/angiogram/frame/trace_options.h"
+#include "core/vessel/centerline2d.h"
+
+#include <string>
+#include <vector>
+
+namespace angiopose::core {
+
+/// What tracing found in one frame, with what it saw on the way.
+struct AngiogramTrace {
+    Centerline2d centerline;
+    std::vector<int> suspectCurves;   ///< ids of curves that may be catheters, wires or edges of bones
+    ImageF vesselness;   ///< 0…1
+    Mask2d vesselMask;
+    Mask2d fieldMask;   ///< where the image is exposed: inside shutter and border, without burned-in text
+};
+
+/// Vesselness → threshold above the frame's own clutter → thinning → ordered, smoothed curves with width (ALGORITHMS
+/// §8). A mask of two levels (see `drawnMask`) is taken as it is drawn. Fails when the frame is empty, flat, not
+/// finite, or shows nothing vessel-like.
+Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& options = {});
+
+/// The same for one frame of a run, with less noise where the run stands still (see `steadyFrame`).
+Result<AngiogramTrace> traceFrame(const Angiogram& run, int frame, const TraceOptions& options = {});
+
+/// Curves of a drawn mask (e.g. a PNG): thinning and ordering only.
+Result<Centerline2d> traceMask(const Mask2d& mask, const TraceOptions& options = {});
+
+}   // namespace angiopose::core

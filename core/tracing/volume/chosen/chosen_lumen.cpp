@@ -1,0 +1,89 @@
+#include "core/tracing/volume/chosen/chosen_lumen.h"
+
+#include "core/messages/says.h"
+#include "core/tracing/volume/chosen/split_by_seeds.h"
+#include "core/tracing/volume/voxels/chosen_pieces.h"
+#include "core/tracing/volume/voxels/voxel_pieces.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace angiopose::core {
+namespace {
+
+VoxelMask croppedMask(const VoxelMask& mask, const VoxelBox& box)
+{
+    VoxelMask part(cropped(mask.geometry, box));
+    for (int k = 0; k < part.geometry.size.z(); ++k) {
+        for (int j = 0; j < part.geometry.size.y(); ++j) {
+            const auto row = mask.voxels.begin() + static_cast<std::ptrdiff_t>(mask.geometry.index(
+                                                       box.low.x(), j + box.low.y(), k + box.low.z()));
+            std::copy_n(row, part.geometry.size.x(),
+                        part.voxels.begin() + static_cast<std::ptrdiff_t>(part.geometry.index(0, j, k)));
+        }
+    }
+    return part;
+}
+
+/// Points of the axes that lie in the lumen.
+std::vector<Eigen::Vector3d> placesIn(const VoxelMask& lumen, const GreatVessel& great)
+{
+    std::vector<Eigen::Vector3d> places;
+    for (const Trunk& trunk : great.trunks) {
+        std::copy_if(trunk.pointsInPatient.begin(), trunk.pointsInPatient.end(), std::back_inserter(places),
+                     [&](const Eigen::Vector3d& point) { return voxelNear(lumen, point).has_value(); });
+    }
+    return places;
+}
+
+}   // namespace
+
+Result<ChosenLumen> chosenLumen(VoxelMask whole, VesselTracingOptions options, const VoxelFill& fill,
+                                const std::vector<GreatVessel>& greatVessels, TracingProgress& progress)
+{
+    if (!options.avoidInPatient.empty() && options.seedsInPatient.empty()) {
+        return Error(says::avoidWithoutSeed());
+    }
+    const auto seeds = seedsInLumen(whole, options.seedsInPatient);
+    if (!seeds) {
+        return seeds.error();
+    }
+    options.seedsInPatient = seeds.value().inPatient;
+    const std::vector<Eigen::Vector3d> found = options.seedsInPatient.empty() && !greatVessels.empty()
+                                                   ? placesIn(whole, greatVessels.front())
+                                                   : std::vector<Eigen::Vector3d>();
+    auto leftOut = keepChosenPieces(whole, found.empty() ? options.seedsInPatient : found);
+    if (!leftOut) {
+        return leftOut.error();
+    }
+    if (!progress.advance(0.0)) {
+        return stoppedTracing();
+    }
+    ChosenLumen chosen;
+    chosen.warnings = seeds.value().warnings;
+    if (leftOut.value()) {
+        chosen.warnings.push_back(*leftOut.value());
+    }
+    chosen.box = grown(boxOf(whole), 1, whole.geometry);
+    progress.advance(chosenShare);
+    chosen.lumen = croppedMask(whole, chosen.box);
+    whole = {};
+    if (!found.empty() || !options.seedsInPatient.empty()) {
+        chosen.startsInPatient = splitBySeeds(chosen.lumen, options, fill ? movedBy(fill, chosen.box.low) : VoxelFill(),
+                                              greatVessels, progress);
+    }
+    return chosen;
+}
+
+VoxelFill movedBy(const VoxelFill& fill, const Eigen::Vector3i& low)
+{
+    return [&fill, low](int i, int j, int k) { return fill(i + low.x(), j + low.y(), k + low.z()); };
+}
+
+Stopped stoppedTracing()
+{
+    return {says::tracingStopped()};
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,153 @@
+#include "core/tracing/volume/great_vessels/coarse_blood.h"
+
+#include "core/imaging/interpolate_grid.h"
+#include "core/support/parallel_for.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double blockMm = 1.5;
+constexpr double full = 200.0;
+constexpr double mostFillOfCoarse = 1.2;
+
+/// Of one block along one axis: the voxels that it holds parts of, or lies between where voxels are longer than blocks.
+struct Extent {
+    int first = 0;
+    std::vector<double> weights;   ///< of the voxels from `first` on; their sum is 1
+};
+
+/// A voxel of the index n is weighed by `weightOf(n)`; those beyond the scan do not count.
+template <class WeightOf>
+Extent extentOf(double low, double high, int size, const WeightOf& weightOf)
+{
+    Extent extent{std::clamp(static_cast<int>(std::floor(low)), 0, size - 1), {}};
+    const int last = std::clamp(static_cast<int>(std::ceil(high)), extent.first, size - 1);
+    double sum = 0.0;
+    for (int n = extent.first; n <= last; ++n) {
+        extent.weights.push_back(std::max(0.0, weightOf(n)));
+        sum += extent.weights.back();
+    }
+    for (double& weight : extent.weights) {
+        weight /= std::max(sum, 1e-12);
+    }
+    return extent;
+}
+
+std::vector<Extent> extentsAlong(int size, double spacingMm)
+{
+    const double ratio = blockMm / spacingMm;
+    std::vector<Extent> extents;
+    for (double low = 0.0; low < size - 1e-6; low += ratio) {
+        const double middle = std::min(low + 0.5 * ratio - 0.5, size - 1.0);   // in voxel indices
+        const auto held = [&](int n) {
+            return std::min(n + 0.5, middle + 0.5 * ratio) - std::max(n - 0.5, middle - 0.5 * ratio);
+        };
+        const auto between = [&](int n) { return 1.0 - std::abs(n - middle); };
+        extents.push_back(ratio >= 1.0 ? extentOf(low, low + ratio, size, held)
+                                       : extentOf(middle, middle, size, between));
+    }
+    return extents;
+}
+
+/// Means over blocks of one size, whatever the voxels of the scan.
+class BlockMeans {
+public:
+    BlockMeans(const VoxelMask& lumen, const VoxelFill& fill) : lumen_(lumen), fill_(fill)
+    {
+        for (int axis = 0; axis < 3; ++axis) {
+            extents_.push_back(extentsAlong(lumen.geometry.size[axis], lumen.geometry.spacingMm[axis]));
+        }
+    }
+
+    VolumeGeometry grid() const
+    {
+        VolumeGeometry grid = lumen_.geometry;
+        grid.spacingMm.setConstant(blockMm);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            grid.size[static_cast<int>(axis)] = static_cast<int>(extents_[axis].size());
+        }
+        grid.originInPatient =
+            lumen_.geometry.patientFromVoxel() * (0.5 * (blockMm / lumen_.geometry.spacingMm.array() - 1.0)).matrix();
+        return grid;
+    }
+
+    /// Of one slice of blocks, i fastest.
+    std::vector<double> slice(std::size_t k) const
+    {
+        std::vector<double> means;
+        means.reserve(extents_[0].size() * extents_[1].size());
+        std::vector<double> along(
+            static_cast<std::size_t>(lumen_.geometry.size.x()));   // means over the block's z and y
+        for (const Extent& y : extents_[1]) {
+            std::fill(along.begin(), along.end(), 0.0);
+            addRows(y, extents_[2][k], along);
+            for (const Extent& x : extents_[0]) {
+                double mean = 0.0;
+                for (std::size_t n = 0; n < x.weights.size(); ++n) {
+                    mean += x.weights[n] * along[static_cast<std::size_t>(x.first) + n];
+                }
+                means.push_back(mean);
+            }
+        }
+        return means;
+    }
+
+private:
+    void addRows(const Extent& y, const Extent& z, std::vector<double>& along) const
+    {
+        for (std::size_t c = 0; c < z.weights.size(); ++c) {
+            for (std::size_t b = 0; b < y.weights.size(); ++b) {
+                const double weight = y.weights[b] * z.weights[c];
+                for (std::size_t i = 0; i < along.size(); ++i) {
+                    along[i] += weight * shareAt(static_cast<int>(i), y.first + static_cast<int>(b),
+                                                 z.first + static_cast<int>(c));
+                }
+            }
+        }
+    }
+
+    double shareAt(int i, int j, int k) const
+    {
+        const double share = fill_(i, j, k);
+        return share >= 0.5 && lumen_.at(i, j, k) == 0 ? 0.0 : std::clamp(share, 0.0, mostFillOfCoarse);
+    }
+
+    const VoxelMask& lumen_;
+    const VoxelFill& fill_;
+    std::vector<std::vector<Extent>> extents_;
+};
+
+}   // namespace
+
+BloodFill CoarseBlood::fill() const
+{
+    return [this](const Eigen::Vector3d& pointMm) {
+        return interpolated(shares.geometry, pointMm,
+                            [this](const Eigen::Vector3i& at) { return shares.at(at.x(), at.y(), at.z()) / full; });
+    };
+}
+
+CoarseBlood coarseBlood(const VoxelMask& lumen, const VoxelFill& fill, int threads, TracingProgress& progress)
+{
+    const BlockMeans means(lumen, fill);
+    const VolumeGeometry grid = means.grid();
+    CoarseBlood blood{VoxelGrid<std::uint8_t>(grid), VoxelMask(grid),
+                      std::max(blockMm, lumen.geometry.spacingMm.minCoeff())};
+    const auto fillSlice = [&](std::size_t k) {
+        std::size_t voxel = grid.index(0, 0, static_cast<int>(k));
+        for (const double share : means.slice(k)) {
+            blood.shares.voxels[voxel] = static_cast<std::uint8_t>(std::lround(full * share));
+            blood.lumen.voxels[voxel] = share >= 0.5 ? 1 : 0;
+            ++voxel;
+        }
+    };
+    parallelFor(static_cast<std::size_t>(grid.size.z()), threads, fillSlice,
+                [&](double) { return progress.advance(0.0); });
+    return blood;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,153 @@
+#include "core/tracing/volume/great_vessels/find_trunks.h"
+
+#include "core/support/quantile.h"
+#include "core/tracing/volume/great_vessels/walk_tube.h"
+#include "core/vessel/polyline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double leastRadiusInBlocks = 1.3;   ///< or in voxels, if these are longer; thinner vessels are not seen
+constexpr double leastSlendernessOfPiece = 3.0;   ///< a single chamber of the heart has 2
+constexpr double usualRadiusMm = 15.0;   ///< of the widest arteries; more counts no more, chambers have it
+constexpr double mostSlenderness = 20.0;   ///< that counts: else thin vessels would win
+constexpr std::size_t leastPointsOfTrunk = 6;
+constexpr std::uint8_t inTube = 1;
+constexpr std::uint8_t inTrunk = 2;
+
+/// Middles of the lumen, the widest first.
+std::vector<std::uint32_t> middlesOf(const DistanceMap& distances, double leastMm)
+{
+    const VolumeGeometry& grid = distances.geometry;
+    std::vector<std::uint32_t> middles;
+    for (int k = 1; k + 1 < grid.size.z(); ++k) {
+        for (int j = 1; j + 1 < grid.size.y(); ++j) {
+            for (int i = 1; i + 1 < grid.size.x(); ++i) {
+                const std::size_t at = grid.index(i, j, k);
+                if (distances.mm(at) < leastMm) {
+                    continue;
+                }
+                const auto row = static_cast<std::size_t>(grid.size.x());
+                const std::size_t slice = row * static_cast<std::size_t>(grid.size.y());
+                const std::uint16_t here = distances.units[at];
+                int sides = 0;   // axes along which it is the middle
+                for (const std::size_t step : {std::size_t{1}, row, slice}) {
+                    sides += here >= distances.units[at - step] && here >= distances.units[at + step] ? 1 : 0;
+                }
+                if (sides >= 2) {
+                    middles.push_back(static_cast<std::uint32_t>(at));
+                }
+            }
+        }
+    }
+    std::stable_sort(middles.begin(), middles.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return distances.units[a] > distances.units[b]; });
+    return middles;
+}
+
+/// Marks what lies within the tube: walks from there would only repeat it.
+void mark(VoxelMask& seen, const Tube& tube, std::uint8_t value)
+{
+    const VolumeGeometry& grid = seen.geometry;
+    for (std::size_t n = 0; n < tube.pointsMm.size(); ++n) {
+        const Eigen::Array3d middle = tube.pointsMm[n].cwiseQuotient(grid.spacingMm);
+        const Eigen::Array3d reach = tube.radiusMm[n] / grid.spacingMm.array();
+        const Eigen::Array3i low = (middle - reach).ceil().max(0.0).cast<int>();
+        const Eigen::Array3i high = (middle + reach).floor().min(grid.size.cast<double>().array() - 1.0).cast<int>();
+        for (int k = low.z(); k <= high.z(); ++k) {
+            for (int j = low.y(); j <= high.y(); ++j) {
+                for (int i = low.x(); i <= high.x(); ++i) {
+                    if ((grid.spacingMm.cwiseProduct(Eigen::Vector3d(i, j, k)) - tube.pointsMm[n]).norm() <=
+                        tube.radiusMm[n]) {
+                        seen.at(i, j, k) = std::max(seen.at(i, j, k), value);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Mostly within trunks that were found before.
+bool isRepeated(const Tube& tube, const VoxelMask& seen)
+{
+    const VolumeGeometry& grid = seen.geometry;
+    const auto inSeen = std::count_if(tube.pointsMm.begin(), tube.pointsMm.end(), [&](const Eigen::Vector3d& point) {
+        const Eigen::Vector3i at = point.cwiseQuotient(grid.spacingMm).array().round().cast<int>();
+        return grid.contains(at) && seen.at(at.x(), at.y(), at.z()) == inTrunk;
+    });
+    return 2 * inSeen > static_cast<std::ptrdiff_t>(tube.pointsMm.size());
+}
+
+/// The wider, the more slender it must be: two chambers of the heart in a row are wider than arteries and slender by 4.
+bool isTrunk(const Trunk& trunk)
+{
+    const double unusual = std::max(1.0, trunk.medianRadiusMm() / usualRadiusMm);
+    return trunk.radiusMm.size() >= leastPointsOfTrunk &&
+           trunk.slenderness() >= leastSlendernessOfPiece * unusual * unusual;
+}
+
+}   // namespace
+
+double Trunk::medianRadiusMm() const
+{
+    return medianOf(radiusMm);
+}
+
+double Trunk::slenderness() const
+{
+    return polylineLength<3>(pointsInPatient) / *std::max_element(radiusMm.begin(), radiusMm.end());
+}
+
+double Trunk::worth() const
+{
+    double sideAreaMm2 = 0.0;
+    double lowMm = pointsInPatient.front().z();
+    double highMm = lowMm;
+    for (std::size_t n = 1; n < pointsInPatient.size(); ++n) {
+        sideAreaMm2 += std::min(radiusMm[n], usualRadiusMm) * (pointsInPatient[n] - pointsInPatient[n - 1]).norm();
+        lowMm = std::min(lowMm, pointsInPatient[n].z());
+        highMm = std::max(highMm, pointsInPatient[n].z());
+    }
+    const double widest = *std::max_element(radiusMm.begin(), radiusMm.end());
+    return sideAreaMm2 * std::min((highMm - lowMm) / widest, mostSlenderness) * std::pow(std::min(fill, 1.0), 2);
+}
+
+std::vector<Trunk> findTrunks(const CoarseBlood& blood, const DistanceMap& distances, TracingProgress& progress)
+{
+    const VolumeGeometry& grid = distances.geometry;
+    const TubeGround ground{blood.fill(), blood.finestMm,
+                            grid.spacingMm.cwiseProduct((grid.size.array() - 1).cast<double>().matrix())};
+    VoxelMask seen(grid);
+    std::vector<Trunk> trunks;
+    const std::vector<std::uint32_t> middles = progress.isStopped()
+                                                   ? std::vector<std::uint32_t>()
+                                                   : middlesOf(distances, leastRadiusInBlocks * blood.finestMm);
+    for (const std::uint32_t middle : middles) {
+        if (seen.voxels[middle] != 0) {
+            continue;
+        }
+        if (!progress.advance(0.0)) {
+            break;
+        }
+        const Tube tube =
+            walkTube(grid.spacingMm.cwiseProduct(grid.voxelAt(middle).cast<double>()), distances.mm(middle), ground);
+        Trunk trunk{{}, tube.radiusMm, 0.0};
+        for (const Eigen::Vector3d& point : tube.pointsMm) {
+            trunk.fill += ground.fill(point) / static_cast<double>(tube.pointsMm.size());
+            trunk.pointsInPatient.emplace_back(grid.originInPatient + grid.direction * point);
+        }
+        const bool isFound = isTrunk(trunk) && !isRepeated(tube, seen);
+        mark(seen, tube, isFound ? inTrunk : inTube);
+        if (isFound) {
+            trunks.push_back(std::move(trunk));
+        }
+    }
+    std::stable_sort(trunks.begin(), trunks.end(),
+                     [](const Trunk& a, const Trunk& b) { return a.worth() > b.worth(); });
+    return trunks;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,206 @@
+#include "core/tracing/volume/great_vessels/great_vessels.h"
+
+#include "core/support/quantile.h"
+#include "core/tracing/volume/great_vessels/necks.h"
+#include "core/vessel/polyline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double mostGapInRadii = 2.0;   ///< of both radii together, from a trunk's end to the axis of the next
+constexpr double mostGapOfSameBlood = 2.5;
+constexpr double leastSlendernessOfTrunks =
+    5.0;   ///< of one of the trunks; two chambers of the heart in a row reach 4.5
+constexpr double leastLengthMm = 40.0;   ///< of that trunk: marrow, ureters and dense gut are seen in shorter stretches
+constexpr double leastNeckBetween =
+    0.45;   ///< of the thinner one's radius, on the way between; those that touch have 0.3
+constexpr double mostBeyondSection = 1.3;   ///< largest ball over section: else it lies in something that touches
+constexpr double mostFillStep = 0.2;   ///< between blood of the same artery; of veins and of organs it is other
+constexpr double mostStepOfSameBlood = 0.1;   ///< as much as it changes along a whole aorta
+constexpr double leastOfOther = 0.5;   ///< thinner over wider radius: else one leaves the other
+constexpr double leastOfFirst = 0.01;   ///< of the first trunk's worth: stumps of branches lead from one to the next
+
+/// Decides whether trunks continue one another.
+class Joiner {
+public:
+    explicit Joiner(const DistanceMap& distances)
+        : distances_(distances), gridFromPatient_(distances.geometry.patientFromVoxel().inverse())
+    {
+    }
+
+    bool isContinued(const Trunk& trunk, const Trunk& other) const
+    {
+        const Blood blood = bloodOf(trunk, other);
+        return blood != Blood::Other &&
+               (isJoinedAt(trunk, 0, other, blood) || isJoinedAt(trunk, trunk.radiusMm.size() - 1, other, blood));
+    }
+
+private:
+    enum class Blood { Same, Alike, Other };
+
+    /// Chambers of the heart hold the same blood as arteries, too.
+    static Blood bloodOf(const Trunk& trunk, const Trunk& other)
+    {
+        const double step = std::abs(trunk.fill - other.fill);
+        const bool isSlender = std::max(trunk.slenderness(), other.slenderness()) >= leastSlendernessOfTrunks;
+        return step > mostFillStep                        ? Blood::Other
+               : step > mostStepOfSameBlood || !isSlender ? Blood::Alike
+                                                          : Blood::Same;
+    }
+
+    /// Where the blood is the same, the way between is narrow only if it is so beside the balls that fit into the
+    /// lumen: torn aortas are flattened, and their sections wider than any ball.
+    bool isJoinedAt(const Trunk& trunk, std::size_t end, const Trunk& other, Blood blood) const
+    {
+        const Eigen::Vector3d& tip = trunk.pointsInPatient[end];
+        const std::size_t nearest = nearestTo(tip, other);
+        const double radius = trunk.radiusMm[end];
+        const double otherRadius = other.radiusMm[nearest];
+        double thinner = std::min(radius, otherRadius);
+        const double mostGap = blood == Blood::Same ? mostGapOfSameBlood : mostGapInRadii;
+        if ((other.pointsInPatient[nearest] - tip).norm() > mostGap * (radius + otherRadius) ||
+            thinner < leastOfOther * std::max(radius, otherRadius)) {
+            return false;
+        }
+        const std::size_t last = nearestOutside(end, trunk, other);
+        const std::size_t first = nearestOutside(nearest, other, trunk);
+        const Eigen::Vector3i from = middleAt(trunk.pointsInPatient[last], trunk.radiusMm[last]);
+        const Eigen::Vector3i to = middleAt(other.pointsInPatient[first], other.radiusMm[first]);
+        double thinnerTrunk = std::min(trunk.medianRadiusMm(), other.medianRadiusMm());
+        if (blood == Blood::Same) {
+            thinner = std::min({thinner, ballMm(from), ballMm(to)});
+            thinnerTrunk = std::min({thinnerTrunk, medianBallMm(trunk), medianBallMm(other)});
+        }
+        return neckMm(distances_, from, to, std::max(radius, otherRadius)) >=
+               leastNeckBetween * std::max(thinner, thinnerTrunk);
+    }
+
+    static std::size_t nearestTo(const Eigen::Vector3d& place, const Trunk& trunk)
+    {
+        const auto& points = trunk.pointsInPatient;
+        const auto nearest = std::min_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+            return (a - place).squaredNorm() < (b - place).squaredNorm();
+        });
+        return static_cast<std::size_t>(nearest - points.begin());
+    }
+
+    static bool isSurrounded(const Eigen::Vector3d& place, const Trunk& by)
+    {
+        const std::size_t beside = nearestTo(place, by);
+        return (by.pointsInPatient[beside] - place).norm() <= by.radiusMm[beside];
+    }
+
+    /// Along the trunk the point nearest to one of its points that the other does not surround: walks may lead through
+    /// a wall into what touches, where no neck is seen any more. That point itself where there is none.
+    static std::size_t nearestOutside(std::size_t from, const Trunk& trunk, const Trunk& other)
+    {
+        const std::size_t count = trunk.pointsInPatient.size();
+        for (std::size_t away = 0; away < count; ++away) {
+            for (const std::size_t at : {from - std::min(from, away), std::min(from + away, count - 1)}) {
+                if (!isSurrounded(trunk.pointsInPatient[at], other)) {
+                    return at;
+                }
+            }
+        }
+        return from;
+    }
+
+    double ballMm(const Eigen::Vector3i& voxel) const
+    {
+        return distances_.mm(distances_.geometry.index(voxel.x(), voxel.y(), voxel.z()));
+    }
+
+    double medianBallMm(const Trunk& trunk) const
+    {
+        std::vector<double> balls;
+        for (std::size_t n = 0; n < trunk.radiusMm.size(); ++n) {
+            balls.push_back(ballMm(middleAt(trunk.pointsInPatient[n], trunk.radiusMm[n])));
+        }
+        return medianOf(std::move(balls));
+    }
+
+    /// Of the vessel around: the last section of a walk need not lie in its middle.
+    Eigen::Vector3i middleAt(const Eigen::Vector3d& inPatient, double radiusMm) const
+    {
+        const VolumeGeometry& grid = distances_.geometry;
+        const Eigen::Vector3i at =
+            (gridFromPatient_ * inPatient).array().round().cast<int>().max(0).min(grid.size.array() - 1);
+        const auto voxel = static_cast<std::uint32_t>(grid.index(at.x(), at.y(), at.z()));
+        const std::uint32_t middle = wayToMiddle(voxel, distances_).back();
+        return grid.voxelAt(distances_.mm(middle) <= mostBeyondSection * radiusMm ? middle : voxel);
+    }
+
+    const DistanceMap& distances_;
+    Eigen::Affine3d gridFromPatient_;
+};
+
+}   // namespace
+
+Eigen::Vector3d GreatVessel::middleInPatient() const
+{
+    const std::vector<Eigen::Vector3d>& points = trunks.front().pointsInPatient;
+    return points[points.size() / 2];
+}
+
+double GreatVessel::worth() const
+{
+    double worth = 0.0;   // many small branches make no great vessel
+    for (const Trunk& trunk : trunks) {
+        worth = std::hypot(worth, trunk.worth());
+    }
+    return worth;
+}
+
+bool GreatVessel::surrounds(const Eigen::Vector3d& placeInPatient) const
+{
+    return std::any_of(trunks.begin(), trunks.end(), [&](const Trunk& trunk) {
+        for (std::size_t n = 0; n < trunk.radiusMm.size(); ++n) {
+            if ((trunk.pointsInPatient[n] - placeInPatient).norm() < trunk.radiusMm[n]) {
+                return true;
+            }
+        }
+        return false;
+    });
+}
+
+std::vector<GreatVessel> greatVessels(const CoarseBlood& blood, int threads, TracingProgress& progress)
+{
+    const DistanceMap distances = distanceMap(blood.lumen, threads, progress);
+    std::vector<Trunk> left = findTrunks(blood, distances, progress);
+    const Joiner joiner(distances);
+    std::vector<GreatVessel> vessels;
+    while (!left.empty()) {
+        GreatVessel vessel{{left.front()}};
+        left.erase(left.begin());
+        for (std::size_t t = 0; t < left.size() && progress.advance(0.0);) {
+            const bool isWorthIt = left[t].worth() >= leastOfFirst * vessel.trunks.front().worth();
+            const bool isJoined =
+                isWorthIt && std::any_of(vessel.trunks.begin(), vessel.trunks.end(), [&](const Trunk& trunk) {
+                    return joiner.isContinued(left[t], trunk) || joiner.isContinued(trunk, left[t]);
+                });
+            if (isJoined) {
+                vessel.trunks.push_back(left[t]);
+                left.erase(left.begin() + static_cast<std::ptrdiff_t>(t));
+                t = 0;   // those passed over may continue this one
+            } else {
+                ++t;
+            }
+        }
+        vessels.push_back(std::move(vessel));
+    }
+    std::erase_if(vessels, [](const GreatVessel& vessel) {
+        return std::none_of(vessel.trunks.begin(), vessel.trunks.end(), [](const Trunk& trunk) {
+            return trunk.slenderness() >= leastSlendernessOfTrunks &&
+                   polylineLength<3>(trunk.pointsInPatient) >= leastLengthMm;
+        });
+    });
+    std::stable_sort(vessels.begin(), vessels.end(),
+                     [](const GreatVessel& a, const GreatVessel& b) { return a.worth() > b.worth(); });
+    return vessels;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,118 @@
+#include "core/tracing/volume/great_vessels/necks.h"
+
+#include "core/tracing/volume/voxels/chosen_pieces.h"
+
+#include <algorithm>
+#include <queue>
+
+namespace angiopose::core {
+namespace {
+
+template <class Visit>
+void eachNeighbour(const VolumeGeometry& grid, std::uint32_t voxel, const Visit& visit)
+{
+    const Eigen::Vector3i place = grid.voxelAt(voxel);
+    for (int z = -1; z <= 1; ++z) {
+        for (int y = -1; y <= 1; ++y) {
+            for (int x = -1; x <= 1; ++x) {
+                const Eigen::Vector3i next = place + Eigen::Vector3i(x, y, z);
+                if (grid.contains(next)) {
+                    visit(static_cast<std::uint32_t>(grid.index(next.x(), next.y(), next.z())));
+                }
+            }
+        }
+    }
+}
+
+std::vector<std::uint16_t> necksFrom(const std::vector<std::uint32_t>& seeds, const DistanceMap& distances,
+                                     TracingProgress& progress)
+{
+    struct Shore {
+        std::uint16_t neck = 0;
+        std::uint32_t voxel = 0;
+
+        bool operator<(const Shore& wider) const { return neck < wider.neck; }
+    };
+    std::vector<std::uint16_t> neck(distances.units.size(), 0);
+    std::priority_queue<Shore> shores;
+    const auto reach = [&](std::uint32_t voxel, std::uint16_t width) {
+        if (width > neck[voxel]) {
+            neck[voxel] = width;
+            shores.push({width, voxel});
+        }
+    };
+    for (const std::uint32_t seed : seeds) {
+        reach(seed, distances.units[seed]);
+    }
+    for (std::uint32_t turn = 0; !shores.empty(); ++turn) {
+        const Shore shore = shores.top();
+        shores.pop();
+        if ((turn & 0xFFFU) == 0 && !progress.advance(0.0)) {
+            break;
+        }
+        if (shore.neck == neck[shore.voxel]) {
+            eachNeighbour(distances.geometry, shore.voxel,
+                          [&](std::uint32_t next) { reach(next, std::min(shore.neck, distances.units[next])); });
+        }
+    }
+    return neck;
+}
+
+}   // namespace
+
+std::vector<std::uint32_t> wayToMiddle(std::uint32_t voxel, const DistanceMap& distances)
+{
+    for (std::vector<std::uint32_t> way{voxel};;) {
+        std::uint32_t best = way.back();
+        eachNeighbour(distances.geometry, way.back(), [&](std::uint32_t next) {
+            if (distances.units[next] > distances.units[best]) {
+                best = next;
+            }
+        });
+        if (best == way.back()) {
+            return way;
+        }
+        way.push_back(best);
+    }
+}
+
+Necks necksOf(const VoxelMask& mask, const DistanceMap& distances, const std::vector<Eigen::Vector3d>& seedsInPatient,
+              TracingProgress& progress)
+{
+    std::vector<std::uint32_t> seeds;
+    Necks necks;
+    for (const Eigen::Vector3d& seed : seedsInPatient) {
+        if (const auto voxel = voxelNear(mask, seed)) {
+            seeds.push_back(wayToMiddle(*voxel, distances).back());
+            necks.seedRadiusMm = std::max(necks.seedRadiusMm, distances.mm(seeds.back()));
+        }
+    }
+    necks.units = necksFrom(seeds, distances, progress);
+    return necks;
+}
+
+double neckMm(const DistanceMap& distances, const Eigen::Vector3i& from, const Eigen::Vector3i& to, double aroundMm)
+{
+    const VolumeGeometry& grid = distances.geometry;
+    const Eigen::Array3i around = (aroundMm / grid.spacingMm.array()).ceil().cast<int>();
+    const Eigen::Array3i low = (from.cwiseMin(to).array() - around).max(0);
+    const Eigen::Array3i high = (from.cwiseMax(to).array() + around + 1).min(grid.size.array());
+    DistanceMap part{{}, distances.unitMm, {}};
+    part.geometry.size = high - low;
+    part.units.reserve(part.geometry.voxelCount());
+    for (int k = low.z(); k < high.z(); ++k) {
+        for (int j = low.y(); j < high.y(); ++j) {
+            for (int i = low.x(); i < high.x(); ++i) {
+                part.units.push_back(distances.units[grid.index(i, j, k)]);
+            }
+        }
+    }
+    const auto within = [&](const Eigen::Vector3i& voxel) {
+        const Eigen::Vector3i at = voxel.array() - low;
+        return static_cast<std::uint32_t>(part.geometry.index(at.x(), at.y(), at.z()));
+    };
+    TracingProgress unheard({});
+    return part.unitMm * necksFrom({within(from)}, part, unheard)[within(to)];
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,101 @@
+#include "core/tracing/volume/great_vessels/walk_tube.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double leastTrustInWall = 0.5;   ///< a sixth of the rays may miss the wall: branches leave there
+constexpr double leastFlatTrust = 0.1;   ///< of a section that is closed: the true lumen of a torn aorta
+constexpr double leastClosed = 0.95;
+constexpr double mostWidening = 1.3;   ///< from one section to the next
+constexpr double mostAside = 0.5;   ///< of the radius, from the way expected to the section's centre
+constexpr double stepInRadii = 0.5;
+constexpr int mostMissed = 3;   ///< sections in a row: a wide branch leaves over one diameter or two
+constexpr int mostSteps = 1000;
+
+/// Where the walk stands.
+struct Walker {
+    Eigen::Vector3d pointMm;
+    Eigen::Vector3d direction;
+    double radiusMm;
+};
+
+/// Round, or flattened but with walls on all sides.
+bool isTube(const CrossSection& section)
+{
+    return section.trust >= leastTrustInWall || (section.trust >= leastFlatTrust && section.closed >= leastClosed);
+}
+
+bool isLike(const CrossSection& section, const Eigen::Vector3d& expected, double radiusMm)
+{
+    return isTube(section) && section.radiusMm <= mostWidening * radiusMm &&
+           radiusMm <= mostWidening * section.radiusMm && (section.centreMm - expected).norm() <= mostAside * radiusMm;
+}
+
+/// Across the vessel: of the round sections in 13 directions the least.
+std::optional<Walker> startAt(const Eigen::Vector3d& startMm, double radiusMm, const TubeGround& ground)
+{
+    std::optional<Walker> best;
+    for (int n = 14; n < 27; ++n) {   // one of each two opposite neighbours
+        const Eigen::Vector3i neighbour(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+        const Eigen::Vector3d direction = neighbour.cast<double>().normalized();
+        const CrossSection section = crossSection({startMm, direction, radiusMm, ground.voxelMm}, ground.fill);
+        if (section.trust >= leastTrustInWall && (!best || section.radiusMm < best->radiusMm)) {
+            best = Walker{section.centreMm, direction, section.radiusMm};
+        }
+    }
+    return best;
+}
+
+/// From the start on, without it.
+Tube walkOneWay(Walker walker, const TubeGround& ground)
+{
+    Tube tube;
+    Eigen::Vector3d last = walker.pointMm;
+    int missed = 0;
+    for (int step = 0; step < mostSteps && missed <= mostMissed; ++step) {
+        const Eigen::Vector3d expected =
+            walker.pointMm + std::max(ground.voxelMm, stepInRadii * walker.radiusMm) * walker.direction;
+        if ((expected.array() < 0.0).any() || (expected.array() > ground.highMm.array()).any()) {
+            break;
+        }
+        const CrossSection section =
+            crossSection({expected, walker.direction, walker.radiusMm, ground.voxelMm}, ground.fill);
+        if (!isLike(section, expected, walker.radiusMm)) {
+            ++missed;
+            walker.pointMm = expected;
+            continue;
+        }
+        missed = 0;
+        const Eigen::Vector3d way = (section.centreMm - last).normalized();
+        walker = {section.centreMm, (walker.direction + way).normalized(), 0.5 * (walker.radiusMm + section.radiusMm)};
+        last = section.centreMm;
+        tube.pointsMm.push_back(section.centreMm);
+        tube.radiusMm.push_back(section.radiusMm);
+    }
+    return tube;
+}
+
+}   // namespace
+
+Tube walkTube(const Eigen::Vector3d& startMm, double radiusMm, const TubeGround& ground)
+{
+    const auto start = startAt(startMm, radiusMm, ground);
+    if (!start) {
+        return {{startMm}, {radiusMm}};
+    }
+    Tube tube = walkOneWay({start->pointMm, -start->direction, start->radiusMm}, ground);
+    std::reverse(tube.pointsMm.begin(), tube.pointsMm.end());
+    std::reverse(tube.radiusMm.begin(), tube.radiusMm.end());
+    tube.pointsMm.push_back(start->pointMm);
+    tube.radiusMm.push_back(start->radiusMm);
+    const Tube ahead = walkOneWay(*start, ground);
+    tube.pointsMm.insert(tube.pointsMm.end(), ahead.pointsMm.begin(), ahead.pointsMm.end());
+    tube.radiusMm.insert(tube.radiusMm.end(), ahead.radiusMm.begin(), ahead.radiusMm.end());
+    return tube;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,280 @@
+#include "core/tracing/volume/lumen/blood_level.h"
+
+#include "core/messages/says.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace angiopose::core {
+namespace {
+
+constexpr std::size_t levelBins = 300;
+constexpr int coarseStep = 3;   ///< voxels between two looked at, along each axis
+constexpr double mostAirHu = -500.0;   ///< values below this: a CT in HU
+constexpr double wholeAirHu = -1000.0;
+constexpr double darkHu = -20.0;   ///< fat lies below; counts from 0 have nothing there but noise around air
+constexpr double darkShare = 0.001;   ///< of the voxels
+constexpr double denseHu = 800.0;   ///< bone and metal; of HU moved by some 1000 so that air is 0, the whole body
+constexpr double mostDenseShare = 0.2;   ///< of the voxels
+constexpr double leastContrastHu = 150.0;   ///< of blood to tissue in CT; less is an organ or the marrow of bone
+constexpr double leastContrastShare = 0.15;   ///< without HU: of the way from tissue to dense bone, some 1000 HU
+constexpr double leastBloodMl = 0.03;
+constexpr double shareOfGreatest = 0.01;   ///< of the mass of the heaviest peak, to be a peak at all
+constexpr double airShare = 0.05;   ///< of the range of values, from the lowest: air
+constexpr double leastBodyShare = 0.05;   ///< of the air's volume; vessels alone fill less
+constexpr double leastMuscleShare = 0.2;   ///< of the largest peak of the body, which may be fat
+constexpr double unchanged = 0.04;   ///< of the range of values: around a voxel "nothing changes"
+
+/// Smoothed histogram of the voxels around which nothing changes.
+struct Histogram {
+    double low = 0.0;
+    double binWidth = 1.0;
+    std::vector<double> ml = std::vector<double>(levelBins, 0.0);
+
+    double valueOf(std::size_t bin) const { return low + binWidth * (static_cast<double>(bin) + 0.5); }
+};
+
+/// Reads values at places of the patient's axis order.
+class Reader {
+public:
+    Reader(const Volume& volume, const AxisOrder& order) : volume_(volume), order_(order) {}
+
+    double at(int i, int j, int k) const { return volume_.value(order_.stored(i, j, k)); }
+
+    /// Over a voxel and its six neighbours: less noise.
+    double mean(int i, int j, int k) const
+    {
+        return (at(i, j, k) + at(i - 1, j, k) + at(i + 1, j, k) + at(i, j - 1, k) + at(i, j + 1, k) + at(i, j, k - 1) +
+                at(i, j, k + 1)) /
+               7.0;
+    }
+
+    /// The greatest difference to the surroundings two voxels away.
+    double change(int i, int j, int k, double centre) const
+    {
+        double greatest = 0.0;
+        for (const int step : {-2, 2}) {
+            greatest = std::max({greatest, std::abs(mean(i + step, j, k) - centre),
+                                 std::abs(mean(i, j + step, k) - centre), std::abs(mean(i, j, k + step) - centre)});
+        }
+        return greatest;
+    }
+
+    template <class Visit>
+    void visit(int rim, int step, const Visit& visitor) const
+    {
+        const Eigen::Vector3i& size = order_.geometry.size;
+        for (int k = rim; k < size.z() - rim; k += step) {
+            for (int j = rim; j < size.y() - rim; j += step) {
+                for (int i = rim; i < size.x() - rim; i += step) {
+                    visitor(i, j, k);
+                }
+            }
+        }
+    }
+
+    double voxelMl() const { return order_.geometry.spacingMm.prod() / 1000.0; }
+
+private:
+    const Volume& volume_;
+    const AxisOrder& order_;
+};
+
+struct Range {
+    double low = 0.0;   ///< in HU that of air, also where none was left in the scan
+    double high = 0.0;   ///< all but a few per thousand lie below
+    bool isHu = false;
+};
+
+/// Whether the values are Hounsfield units: there is air, or in a scan cropped without any there is fat, and little is
+/// as dense as all of the body would be if the values were HU moved above 0.
+bool showsHu(std::vector<float>& values, double low)
+{
+    const auto dark = values.begin() + static_cast<std::ptrdiff_t>(darkShare * static_cast<double>(values.size()));
+    std::nth_element(values.begin(), dark, values.end());
+    const auto dense = std::count_if(values.begin(), values.end(), [](float value) { return value > denseHu; });
+    return low < mostAirHu ||
+           (*dark < darkHu && static_cast<double>(dense) < mostDenseShare * static_cast<double>(values.size()));
+}
+
+Range rangeOf(const Reader& reader)
+{
+    std::vector<float> values;
+    reader.visit(0, coarseStep, [&](int i, int j, int k) { values.push_back(static_cast<float>(reader.at(i, j, k))); });
+    if (values.empty()) {
+        return {};
+    }
+    const auto top = values.begin() + static_cast<std::ptrdiff_t>(0.998 * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), top, values.end());
+    const double high = *top;
+    const double low = *std::min_element(values.begin(), values.end());
+    const bool isHu = showsHu(values, low);
+    return {isHu ? std::min(low, wholeAirHu) : low, high, isHu};
+}
+
+/// Of the voxels above a value, with every `step`-th along each axis.
+Histogram histogramOf(const Reader& reader, const Range& range, double above, int step)
+{
+    Histogram histogram;
+    histogram.low = range.low;
+    histogram.binWidth = (1.5 * (range.high - range.low)) / levelBins;   // blood may be rare: look beyond
+    reader.visit(3, step, [&](int i, int j, int k) {
+        if (reader.at(i, j, k) <= above) {
+            return;
+        }
+        const double centre = reader.mean(i, j, k);
+        const double bin = (centre - histogram.low) / histogram.binWidth;
+        if (bin >= 0.0 && bin < levelBins && reader.change(i, j, k, centre) < unchanged * (range.high - range.low)) {
+            histogram.ml[static_cast<std::size_t>(bin)] += reader.voxelMl() * step * step * step;
+        }
+    });
+    for (int round = 0; round < 3; ++round) {   // nearly a Gaussian of 2.4 bins
+        std::vector<double> smooth(levelBins, 0.0);
+        for (std::size_t b = 0; b < levelBins; ++b) {
+            for (std::size_t n = b < 2 ? 0 : b - 2; n <= std::min(levelBins - 1, b + 2); ++n) {
+                smooth[b] += histogram.ml[n] / 5.0;
+            }
+        }
+        histogram.ml = std::move(smooth);
+    }
+    return histogram;
+}
+
+struct Peak {
+    std::size_t bin = 0;
+    double ml = 0.0;   ///< between the valleys on both sides
+};
+
+std::vector<Peak> peaksOf(const Histogram& histogram, double above)
+{
+    std::vector<Peak> peaks;
+    for (std::size_t b = 3; b + 3 < levelBins; ++b) {
+        const auto around = histogram.ml.begin() + static_cast<std::ptrdiff_t>(b);
+        const bool isPeak = *around > 0.0 && *around >= *std::max_element(around - 3, around + 4);
+        if (!isPeak || histogram.valueOf(b) < above || (!peaks.empty() && peaks.back().bin + 3 >= b)) {
+            continue;
+        }
+        Peak peak{b, histogram.ml[b]};
+        for (std::size_t n = b; n-- > 0 && histogram.ml[n] <= histogram.ml[n + 1];) {
+            peak.ml += histogram.ml[n];
+        }
+        for (std::size_t n = b + 1; n < levelBins && histogram.ml[n] <= histogram.ml[n - 1]; ++n) {
+            peak.ml += histogram.ml[n];
+        }
+        peaks.push_back(peak);
+    }
+    return peaks;
+}
+
+std::size_t highestBin(const Histogram& histogram, double above, double below)
+{
+    std::size_t best = 0;
+    for (std::size_t b = 0; b < levelBins; ++b) {
+        const bool isCandidate = histogram.valueOf(b) > above && histogram.valueOf(b) < below;
+        if (isCandidate && (histogram.ml[b] > histogram.ml[best] || best == 0)) {
+            best = b;
+        }
+    }
+    return best;
+}
+
+/// Without Hounsfield units the highest peak of all. Where that is the air around the patient, the brightest of those
+/// that are large enough for muscle and organs: fat is darker, blood and bone are less.
+double tissueWithoutHu(const Histogram& histogram, const Range& range)
+{
+    const std::size_t highest = highestBin(histogram, range.low - 1.0, std::numeric_limits<double>::max());
+    const double mostAir = range.low + airShare * (range.high - range.low);
+    if (histogram.valueOf(highest) > mostAir) {
+        return histogram.valueOf(highest);
+    }
+    double airMl = 0.0;
+    for (std::size_t b = 0; b < levelBins && histogram.valueOf(b) <= mostAir; ++b) {
+        airMl += histogram.ml[b];
+    }
+    const std::vector<Peak> peaks = peaksOf(histogram, mostAir);
+    double leastMl = leastBodyShare * airMl;
+    for (const Peak& peak : peaks) {
+        leastMl = std::max(leastMl, leastMuscleShare * peak.ml);
+    }
+    const auto muscle =
+        std::find_if(peaks.rbegin(), peaks.rend(), [&](const Peak& peak) { return peak.ml >= leastMl; });
+    const bool isBelowBlood = muscle != peaks.rend() && muscle != peaks.rbegin();
+    return histogram.valueOf(isBelowBlood ? muscle->bin : highest);
+}
+
+/// In CT the highest peak of muscle and organs.
+double tissueValue(const Histogram& histogram, const Range& range, bool isHu)
+{
+    return isHu ? histogram.valueOf(highestBin(histogram, 0.0, 130.0)) : tissueWithoutHu(histogram, range);
+}
+
+/// Median of what lies above the threshold.
+double typicalAbove(const Reader& reader, double threshold)
+{
+    std::vector<float> values;
+    reader.visit(0, coarseStep, [&](int i, int j, int k) {
+        if (const double value = reader.at(i, j, k); value > threshold) {
+            values.push_back(static_cast<float>(value));
+        }
+    });
+    if (values.empty()) {
+        return threshold;
+    }
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+Quantity scanValue(double value, bool isHu)
+{
+    return {value, 0, isHu ? "HU" : ""};
+}
+
+}   // namespace
+
+Error noVesselsFound(const BloodLevel& level)
+{
+    return says::brightestIsNoVessel(scanValue(level.blood, level.isHu), scanValue(level.tissue, level.isHu));
+}
+
+Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, std::optional<double> threshold)
+{
+    const Reader reader(volume, order);
+    const Range range = rangeOf(reader);
+    if (!(range.high > range.low)) {
+        return Error(says::volumeOfOneValue());
+    }
+    const bool isHu = range.isHu;
+    BloodLevel level;
+    level.isHu = isHu;
+    level.tissue = tissueValue(histogramOf(reader, range, range.low - 1.0, coarseStep), range, isHu);
+    const double leastBlood =
+        threshold ? *threshold
+                  : level.tissue + (isHu ? leastContrastHu : leastContrastShare * (range.high - level.tissue));
+    // Blood may be rare, so that every voxel counts.
+    const Histogram histogram = histogramOf(reader, range, leastBlood, 1);
+    const std::vector<Peak> peaks = peaksOf(histogram, leastBlood);
+    double greatest = leastBloodMl;
+    for (const Peak& peak : peaks) {
+        greatest = std::max(greatest, peak.ml);
+    }
+    const auto found = std::find_if(peaks.rbegin(), peaks.rend(), [&](const Peak& peak) {
+        return peak.ml >= std::max(leastBloodMl, shareOfGreatest * greatest);
+    });
+    if (found == peaks.rend() && !threshold) {
+        return Error(says::noContrast(scanValue(level.tissue, isHu)));
+    }
+    level.blood = found != peaks.rend() ? histogram.valueOf(found->bin) : typicalAbove(reader, *threshold);
+    level.threshold = threshold ? *threshold : 0.5 * (level.tissue + level.blood);
+    if (threshold) {
+        level.blood = std::max(level.blood, *threshold + 1e-6);
+        level.tissue = 2.0 * *threshold - level.blood;
+    }
+    return level;
+}
+
+}   // namespace angiopose::core

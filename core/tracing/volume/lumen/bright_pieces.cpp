@@ -1,0 +1,75 @@
+#include "core/tracing/volume/lumen/bright_pieces.h"
+
+#include "core/tracing/volume/voxels/voxel_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double joinMm = 1.25;   ///< half of what may lie between the voxels of one piece
+constexpr std::uint8_t betweenPieces = 1;
+constexpr std::uint8_t bright = 2;
+
+/// Sets to `between` what lies near anything bright.
+void widen(VoxelMask& mask)
+{
+    const Eigen::Vector3i& size = mask.geometry.size;
+    const Eigen::Array3i reach = (joinMm / mask.geometry.spacingMm.array()).floor().cast<int>();
+    if ((reach == 0).all()) {
+        return;
+    }
+    const auto markAround = [&](const Eigen::Array3i& voxel) {
+        const Eigen::Array3i low = (voxel - reach).max(0);
+        const Eigen::Array3i high = (voxel + reach).min(size.array() - 1);
+        for (int k = low.z(); k <= high.z(); ++k) {
+            for (int j = low.y(); j <= high.y(); ++j) {
+                std::uint8_t* row = &mask.at(0, j, k);
+                for (int i = low.x(); i <= high.x(); ++i) {
+                    row[i] = std::max(row[i], betweenPieces);
+                }
+            }
+        }
+    };
+    for (int k = 0; k < size.z(); ++k) {
+        for (int j = 0; j < size.y(); ++j) {
+            for (int i = 0; i < size.x(); ++i) {
+                if (mask.at(i, j, k) == bright) {
+                    markAround({i, j, k});
+                }
+            }
+        }
+    }
+}
+
+}   // namespace
+
+void markBrightPieces(VoxelMask& mask, double leastLargeMl, const BrightMarks& marks, const MetalOf& metalOf)
+{
+    for (std::uint8_t& voxel : mask.voxels) {
+        voxel = voxel != 0 ? bright : 0;
+    }
+    widen(mask);
+    const double voxelMl = mask.geometry.spacingMm.prod() / 1000.0;
+    const auto leastVoxels = static_cast<std::size_t>(std::ceil(leastLargeMl / voxelMl));
+    const auto isBright = [&mask](std::uint32_t voxel) { return mask.voxels[voxel] == bright; };
+    std::vector<VoxelPiece> large = piecesOf(mask, leastVoxels);
+    for (VoxelPiece& piece : large) {
+        std::erase_if(piece, [&](std::uint32_t voxel) { return !isBright(voxel); });
+    }
+    std::erase_if(large, [&](const VoxelPiece& piece) { return piece.size() < leastVoxels; });
+    for (std::uint8_t& voxel : mask.voxels) {
+        voxel = voxel == bright ? marks.small : std::uint8_t{0};
+    }
+    for (const VoxelPiece& piece : large) {
+        for (const std::uint32_t voxel : piece) {
+            mask.voxels[voxel] = marks.large;
+        }
+        for (const std::uint32_t voxel : metalOf ? metalOf(piece) : VoxelPiece()) {
+            mask.voxels[voxel] = marks.metal;
+        }
+    }
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,300 @@
+#include "core/tracing/volume/lumen/segment_lumen.h"
+
+#include "core/imaging/interpolate_grid.h"
+#include "core/support/parallel_for.h"
+#include "core/tracing/volume/lumen/bright_pieces.h"
+#include "core/tracing/volume/lumen/bright_skirts.h"
+#include "core/tracing/volume/lumen/mark_tubes.h"
+#include "core/tracing/volume/lumen/metal_in_blood.h"
+#include "core/tracing/volume/stents/stent_width.h"
+#include "core/tracing/volume/stents/stented_lumen.h"
+#include "core/tracing/volume/voxels/voxel_pieces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace angiopose::core {
+namespace {
+
+constexpr TubeBits bits;
+constexpr std::uint8_t core = 4;   ///< evenly as bright as blood
+constexpr std::uint8_t tooBright = 8;
+constexpr std::uint8_t chalk = 16;   ///< too bright, but in a small piece
+constexpr std::uint8_t metal = 32;   ///< too bright, of a stent with blood within
+constexpr std::uint8_t skirt = 64;   ///< see `markSkirts`
+constexpr std::uint8_t wallBits = tooBright | metal;
+
+constexpr double leastTubeFill = 0.25;   ///< share of blood in a voxel of a thin vessel
+constexpr double leastCoreFill = 0.55;
+constexpr double mostFillOfLumen = 1.6;   ///< brighter: bone, metal, contrast before it has mixed
+constexpr double mostMetal = 6.0;   ///< in sections: how bright beyond that says nothing more
+constexpr double mostUneven = 0.18;   ///< standard deviation within a core
+constexpr double mostBrightMl = 0.1;   ///< of pieces brighter than blood: calcifications are smaller
+constexpr double coreReachMm = 1.4;   ///< from a core to its wall; at least two voxels
+constexpr double rimMm = 1.5;   ///< around bone and metal, what blurring makes as bright as blood; at least a voxel
+constexpr int mostWireWidth = 2;   ///< voxels up to its crest
+constexpr double skirtMm = 4.0;   ///< from bone and dense contrast medium, how far streaks and blurring lead
+constexpr double cortexReachMm = 1.4;   ///< from marrow to the shell of its bone; at least two voxels
+constexpr double mostBoneWall = 0.3;   ///< of a vessel's wall
+constexpr double leastCoreShare = 0.2;   ///< of a piece that may lie in bright walls all the same: a stented vessel
+
+class Segmenter {
+public:
+    Segmenter(const Volume& volume, const AxisOrder& order, const BloodLevel& level, int threads)
+        : volume_(volume),
+          order_(order),
+          level_(level),
+          size_(order.geometry.size),
+          threads_(threads),
+          coreReach_(voxelsIn(coreReachMm, 2)),
+          rim_(voxelsIn(rimMm, 1)),
+          skirtReach_(voxelsIn(skirtMm, 2)),
+          cortexReach_(voxelsIn(cortexReachMm, 2)),
+          flags_(order.geometry)
+    {
+    }
+
+    SegmentedLumen run(TracingProgress& progress)
+    {
+        markTooBright(progress);
+        eachSlice(progress, [&](int k) { markCores(k); });
+        openThinStents(progress);
+        markTubes(volume_, order_, level_, leastTubeFill, flags_, bits, threads_, progress);
+        markSkirts(flags_, {tooBright, core | metal, skirt}, fill(), leastTubeFill, skirtReach_, progress);
+        SegmentedLumen lumen{VoxelMask(order_.geometry), {}};
+        eachSlice(progress, [&](int k) { choose(lumen.clear, k); });
+        if (progress.advance(0.0)) {
+            dropMarrow(lumen.clear, progress);
+        }
+        if (progress.advance(0.0)) {
+            lumen.besideWires =
+                lumenBesideWires(lumen.clear, wires(), fill(), rim_.maxCoeff() + mostWireWidth, progress);
+        }
+        return lumen;
+    }
+
+private:
+    /// Along each axis.
+    Eigen::Vector3i voxelsIn(double mm, int least) const
+    {
+        return (mm / order_.geometry.spacingMm.array()).round().cast<int>().max(least);
+    }
+
+    template <class Work>
+    void eachSlice(TracingProgress& progress, const Work& work)
+    {
+        parallelFor(
+            static_cast<std::size_t>(size_.z()), threads_, [&](std::size_t k) { work(static_cast<int>(k)); },
+            [&](double) { return progress.advance(0.0); });
+    }
+
+    template <class Work>
+    void eachVoxel(VoxelMask& mask, int k, const Work& work)
+    {
+        for (int j = 0; j < size_.y(); ++j) {
+            for (int i = 0; i < size_.x(); ++i) {
+                work(i, j, mask.at(i, j, k));
+            }
+        }
+    }
+
+    double fillAt(int i, int j, int k) const
+    {
+        return (volume_.value(order_.stored(i, j, k)) - level_.tissue) / level_.contrast();
+    }
+
+    VoxelFill fill() const
+    {
+        return [this](int i, int j, int k) { return fillAt(i, j, k); };
+    }
+
+    /// What is brighter than blood: large pieces are bone and metal, small ones chalk in the wall of a vessel.
+    void markTooBright(TracingProgress& progress)
+    {
+        eachSlice(progress, [&](int k) {
+            eachVoxel(flags_, k,
+                      [&](int i, int j, std::uint8_t& flag) { flag = fillAt(i, j, k) > mostFillOfLumen ? 1 : 0; });
+        });
+        if (progress.isStopped()) {
+            return;
+        }
+        markBrightPieces(flags_, mostBrightMl, {tooBright, chalk, metal}, [&](const VoxelPiece& piece) {
+            VoxelPiece stent = metalInBlood(piece, order_.geometry, level_, fill());
+            if (!stent.empty()) {
+                stents_.push_back(stent);
+            }
+            return stent;
+        });
+    }
+
+    /// Wires of a wide vessel are its wall. Those of a thin one blur into each other, so that they are all that is seen
+    /// of it.
+    void openThinStents(TracingProgress& progress)
+    {
+        std::vector<VoxelPiece> wide;
+        for (VoxelPiece& stent : stents_) {
+            if (isWideStent(stent, flags_, core, threads_, progress)) {
+                wide.push_back(std::move(stent));
+                continue;
+            }
+            for (const std::uint32_t voxel : stent) {
+                flags_.voxels[voxel] = core;
+            }
+        }
+        stents_ = std::move(wide);
+    }
+
+    StentWires wires() const
+    {
+        return {stents_, [this](int i, int j, int k) {
+                    return isNear(i, j, k, rim_, metal) && !isNear(i, j, k, rim_, tooBright);
+                }};
+    }
+
+    void markCores(int k)
+    {
+        eachVoxel(flags_, k, [&](int i, int j, std::uint8_t& flag) {
+            if (flag == 0 && isEven(i, j, k)) {
+                flag = core;
+            }
+        });
+    }
+
+    /// As bright as blood here and some way off to all six sides; beyond the rim the scan goes on as it ends.
+    bool isEven(int i, int j, int k) const
+    {
+        const int x = coreReach_.x();
+        const int y = coreReach_.y();
+        const int z = coreReach_.z();
+        const std::array<std::array<int, 3>, 7> steps{
+            {{0, 0, 0}, {x, 0, 0}, {-x, 0, 0}, {0, y, 0}, {0, -y, 0}, {0, 0, z}, {0, 0, -z}}};
+        double sum = 0.0;
+        double squares = 0.0;
+        for (const auto& step : steps) {
+            const double fill =
+                fillAt(std::clamp(i + step[0], 0, size_.x() - 1), std::clamp(j + step[1], 0, size_.y() - 1),
+                       std::clamp(k + step[2], 0, size_.z() - 1));
+            if (fill < leastCoreFill || fill > mostFillOfLumen) {
+                return false;
+            }
+            sum += fill;
+            squares += fill * fill;
+        }
+        const double mean = sum / steps.size();
+        return squares / steps.size() - mean * mean < mostUneven * mostUneven;
+    }
+
+    bool isNear(int i, int j, int k, const Eigen::Vector3i& reach, std::uint8_t what) const
+    {
+        for (int z = std::max(0, k - reach.z()); z <= std::min(size_.z() - 1, k + reach.z()); ++z) {
+            for (int y = std::max(0, j - reach.y()); y <= std::min(size_.y() - 1, j + reach.y()); ++y) {
+                for (int x = std::max(0, i - reach.x()); x <= std::min(size_.x() - 1, i + reach.x()); ++x) {
+                    if ((flags_.at(x, y, z) & what) != 0) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    /// Cores, what is bright around them, and tubes with what is bright beside them; but no rim of bone or metal, which
+    /// blurring makes look like blood.
+    void choose(VoxelMask& lumen, int k) const
+    {
+        for (int j = 0; j < size_.y(); ++j) {
+            for (int i = 0; i < size_.x(); ++i) {
+                const std::uint8_t flag = flags_.at(i, j, k);
+                if (flag == 0 || (flag & skirt) != 0 || isNear(i, j, k, rim_, wallBits)) {
+                    continue;
+                }
+                const bool isCore = (flag & core) != 0;
+                if (isCore || (flag & bits.tube) != 0 || isNear(i, j, k, Eigen::Vector3i::Ones(), bits.tube) ||
+                    isNear(i, j, k, coreReach_, core)) {
+                    lumen.at(i, j, k) = isCore ? 2 : 1;
+                }
+            }
+        }
+    }
+
+    void dropMarrow(VoxelMask& lumen, TracingProgress& progress) const
+    {
+        for (const VoxelPiece& piece : piecesOf(lumen)) {
+            if (!progress.advance(0.0)) {
+                return;
+            }
+            if (isMarrow(piece, lumen)) {
+                for (const std::uint32_t voxel : piece) {
+                    lumen.voxels[voxel] = 0;
+                }
+            }
+        }
+    }
+
+    /// Marrow can be as bright as blood, but is uneven and lies in a shell of bone.
+    bool isMarrow(const VoxelPiece& piece, const VoxelMask& lumen) const
+    {
+        std::size_t cores = 0;
+        std::size_t wall = 0;
+        std::size_t boneWall = 0;
+        for (const std::uint32_t voxel : piece) {
+            const Eigen::Vector3i at = flags_.geometry.voxelAt(voxel);
+            cores += lumen.voxels[voxel] > 1 ? 1 : 0;
+            if (isWall(lumen, at)) {
+                ++wall;
+                boneWall += isNear(at.x(), at.y(), at.z(), cortexReach_, tooBright) ? 1 : 0;
+            }
+        }
+        return static_cast<double>(boneWall) > mostBoneWall * static_cast<double>(wall) &&
+               static_cast<double>(cores) < leastCoreShare * static_cast<double>(piece.size());
+    }
+
+    static bool isWall(const VoxelMask& lumen, const Eigen::Vector3i& voxel)
+    {
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const int step : {-1, 1}) {
+                Eigen::Vector3i next = voxel;
+                next[axis] += step;
+                if (lumen.geometry.contains(next) && lumen.at(next.x(), next.y(), next.z()) == 0) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    const Volume& volume_;
+    const AxisOrder& order_;
+    const BloodLevel& level_;
+    Eigen::Vector3i size_;
+    int threads_;
+    Eigen::Vector3i coreReach_;   ///< voxels along each axis, as are those below
+    Eigen::Vector3i rim_;
+    Eigen::Vector3i skirtReach_;
+    Eigen::Vector3i cortexReach_;
+    std::vector<VoxelPiece> stents_;   ///< of all, later of wide vessels alone
+    VoxelMask flags_;
+};
+
+}   // namespace
+
+SegmentedLumen segmentLumen(const Volume& volume, const AxisOrder& order, const BloodLevel& level, int threads,
+                            TracingProgress& progress)
+{
+    return Segmenter(volume, order, level, threads).run(progress);
+}
+
+BloodFill fillOf(const Volume& volume, const AxisOrder& order, const BloodLevel& level, const VoxelMask& lumen)
+{
+    return [&volume, order, level, &lumen](const Eigen::Vector3d& pointMm) {
+        return interpolated(order.geometry, pointMm, [&](const Eigen::Vector3i& at) {
+            const double fill = (volume.value(order.stored(at.x(), at.y(), at.z())) - level.tissue) / level.contrast();
+            const std::uint8_t kind = lumen.at(at.x(), at.y(), at.z());
+            return kind == 2 ? 1.0 : fill >= 0.5 && kind == 0 ? 0.0 : std::clamp(fill, -1.0, mostMetal);
+        });
+    };
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,216 @@
+#include "core/tracing/volume/stents/stented_lumen.h"
+
+#include "core/support/quantile.h"
+#include "core/tracing/volume/stents/wide_basins.h"
+#include "core/tracing/volume/voxels/distance_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double leastFillBetweenWires = 0.5;   ///< the wall between wires
+constexpr double leastBlood = 0.8;   ///< of what is seen between wires
+constexpr double leastNeckWithin = 0.45;   ///< of the thinner lumen's radius, within one vessel
+constexpr double leastOpenShare = 0.5;   ///< of where two pieces meet, in one vessel
+constexpr double mostOpeningInRadii = 4.0;   ///< of a branch; the lumens of a torn aorta meet over more
+constexpr double besideOpeningMm = 10.0;   ///< around an opening, to tell the blood by
+constexpr std::size_t leastInnerOfLumen = 12;   ///< voxels that tell it
+constexpr double mostDifference = 0.15;   ///< between blood of one vessel
+
+using Label = StentSite::Label;
+using Pair = std::pair<Label, Label>;
+
+/// Where two pieces meet.
+struct Contact {
+    std::vector<Eigen::Vector3i> places;
+    std::vector<Eigen::Vector3i> open;   ///< those of them where blood is seen
+
+    VoxelBox box() const
+    {
+        VoxelBox box{open.front(), open.front()};
+        for (const Eigen::Vector3i& at : open) {
+            box.low = box.low.cwiseMin(at);
+            box.high = box.high.cwiseMax(at);
+        }
+        return box;
+    }
+};
+
+/// Grows the pieces of the lumen around stents.
+class Widening {
+public:
+    Widening(const VoxelMask& lumen, const StentWires& wires, const VoxelFill& fill, TracingProgress& progress)
+        : site_(lumen, wires, fill, besideOpeningMm)
+    {
+        labelPieces(progress);
+    }
+
+    /// One voxel further.
+    void advance()
+    {
+        std::vector<Eigen::Vector3i> next;
+        for (const Eigen::Vector3i& from : shore_) {
+            site_.eachBeside(from, [&](const Eigen::Vector3i& to) {
+                if (site_.labelAt(to) == 0 && leads(from, to) && !isParting(to, site_.labelAt(from))) {
+                    take(to, site_.labelAt(from));
+                    next.push_back(to);
+                }
+            });
+        }
+        shore_.swap(next);
+    }
+
+    /// Sets what was left between pieces of one vessel, unless yet another piece is beside it.
+    void join()
+    {
+        std::map<Label, Label> vessels = piecesToVessels();
+        for (const auto& [pair, contact] : contacts_) {
+            const Label vessel = vessels[pair.first];
+            for (const Eigen::Vector3i& at : contact.places) {
+                bool isWithin = vessels[pair.second] == vessel;
+                site_.eachLabelAround(
+                    at, [&](Label its, const Eigen::Vector3i&) { isWithin = isWithin && vessels[its] == vessel; });
+                if (isWithin && site_.labelAt(at) == 0) {
+                    take(at, pair.first);
+                }
+            }
+        }
+    }
+
+    VoxelPiece taken() &&
+    {
+        std::sort(taken_.begin(), taken_.end());
+        return std::move(taken_);
+    }
+
+private:
+    void take(const Eigen::Vector3i& at, Label label)
+    {
+        taken_.push_back(site_.inScan(at));
+        site_.labels.at(at.x(), at.y(), at.z()) = label;
+    }
+
+    /// What hangs together on ways about as wide as itself: a tear in a flap is narrow beside the lumens.
+    void labelPieces(TracingProgress& progress)
+    {
+        VoxelMask part(site_.geometry());
+        for (std::size_t voxel = 0; voxel < part.voxels.size(); ++voxel) {
+            part.voxels[voxel] = site_.lumenAt(part.geometry.voxelAt(voxel)) != 0 ? 1 : 0;
+        }
+        const DistanceMap distances = distanceMap(part, 1, progress);
+        site_.labels.voxels = wideBasins(distances, leastNeckWithin);
+        for (std::size_t voxel = 0; voxel < part.voxels.size(); ++voxel) {
+            if (part.voxels[voxel] != 0) {
+                double& radiusMm = radiusMm_[site_.labels.voxels[voxel]];
+                radiusMm = std::max(radiusMm, distances.mm(voxel));
+                shore_.push_back(part.geometry.voxelAt(voxel));
+            }
+        }
+    }
+
+    /// Up to the crest of a wire, or between wires.
+    bool leads(const Eigen::Vector3i& from, const Eigen::Vector3i& to) const
+    {
+        const double fill = site_.fillAt(to);
+        const bool isRising = site_.isWire(to) && fill > site_.fillAt(from);
+        return fill >= leastFillBetweenWires && (isRising || !site_.isWire(from)) && site_.isBesideWires(to);
+    }
+
+    /// Whether it lies between different pieces; notes where they meet and where blood is seen there.
+    bool isParting(const Eigen::Vector3i& at, Label label)
+    {
+        const bool isBlood = !site_.isWire(at) && site_.fillAt(at) >= leastBlood;
+        std::map<Label, bool> others;   // whether blood is seen on the way
+        site_.eachLabelAround(at, [&](Label its, const Eigen::Vector3i& beside) {
+            if (its != label) {
+                others[its] = others[its] || (isBlood && !site_.isWire(beside));
+            }
+        });
+        for (const auto& [other, isOpen] : others) {
+            Contact& contact = contacts_[std::minmax(label, other)];
+            contact.places.push_back(at);
+            if (isOpen) {
+                contact.open.push_back(at);
+            }
+        }
+        return !others.empty();
+    }
+
+    std::map<Label, Label> piecesToVessels() const
+    {
+        std::map<Label, Label> vessels;
+        for (const auto& [label, radiusMm] : radiusMm_) {
+            vessels[label] = label;
+        }
+        for (const auto& [pair, contact] : contacts_) {
+            if (isOneVessel(pair, contact)) {
+                const Label joined = vessels[pair.second];
+                for (auto& [label, vessel] : vessels) {
+                    vessel = vessel == joined ? vessels[pair.first] : vessel;
+                }
+            }
+        }
+        return vessels;
+    }
+
+    /// One lumen that wires cross, or a branch that leaves between them.
+    bool isOneVessel(const Pair& pair, const Contact& contact) const
+    {
+        if (contact.open.empty() || !isSameBlood(pair, contact)) {
+            return false;
+        }
+        const double openShare = static_cast<double>(contact.open.size()) / static_cast<double>(contact.places.size());
+        const double thinnerMm = std::min(radiusMm_.at(pair.first), radiusMm_.at(pair.second));
+        return openShare >= leastOpenShare || spanMm(contact) <= mostOpeningInRadii * thinnerMm;
+    }
+
+    double spanMm(const Contact& contact) const
+    {
+        const VoxelBox box = contact.box();
+        return site_.geometry().spacingMm.cwiseProduct((box.high - box.low).cast<double>()).norm();
+    }
+
+    /// Or one of them is too thin to tell.
+    bool isSameBlood(const Pair& pair, const Contact& contact) const
+    {
+        const VoxelBox box = contact.box();
+        const Eigen::Vector3i reach = (besideOpeningMm / site_.geometry().spacingMm.array()).ceil().cast<int>();
+        const VoxelBox around{box.low - reach, box.high + reach};
+        const StentSite::Fills first = site_.fillsOf(pair.first, around);
+        const StentSite::Fills second = site_.fillsOf(pair.second, around);
+        if (first.inner.size() < leastInnerOfLumen || second.inner.size() < leastInnerOfLumen) {
+            return std::min(quantile(first.all, 0.9), quantile(second.all, 0.9)) >= leastBlood;
+        }
+        return std::abs(medianOf(first.inner) - medianOf(second.inner)) <= mostDifference;
+    }
+
+    StentSite site_;   ///< labelled with the pieces
+    std::vector<Eigen::Vector3i> shore_;   ///< what was taken last
+    VoxelPiece taken_;   ///< in the whole scan
+    std::map<Label, double> radiusMm_;   ///< of the pieces where they are widest
+    std::map<Pair, Contact> contacts_;   ///< by the pieces that meet
+};
+
+}   // namespace
+
+VoxelPiece lumenBesideWires(const VoxelMask& lumen, const StentWires& wires, const VoxelFill& fill, int steps,
+                            TracingProgress& progress)
+{
+    if (wires.pieces.empty()) {
+        return {};
+    }
+    Widening widening(lumen, wires, fill, progress);
+    for (int n = 0; n < steps && progress.advance(0.0); ++n) {
+        widening.advance();
+    }
+    if (!progress.isStopped()) {
+        widening.join();
+    }
+    return std::move(widening).taken();
+}
+
+}   // namespace angiopose::core

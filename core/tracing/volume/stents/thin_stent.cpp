@@ -1,0 +1,131 @@
+#include "core/tracing/volume/stents/thin_stent.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double leastFillOfStent = 0.7;   ///< of blood, as of a large vessel
+constexpr double mostFillOfStent = 1.6;
+constexpr double leastSlendernessOfStent =
+    1.6;   ///< spread along over spread across: of a tube as long as twice its width
+constexpr double mostAcrossMm = 3.5;   ///< spread across of a tube of 8 mm with its blur
+constexpr double endShare = 0.25;   ///< of half the length
+constexpr double beyondMm = 2.0;   ///< from a tip to the middle of where blood is looked for
+constexpr double aroundMm = 3.0;
+
+/// Where a long thin piece ends, and where it leads to from there.
+struct PieceEnd {
+    Eigen::Vector3d tipMm;
+    Eigen::Vector3d outwards;
+};
+
+/// The outermost part of a piece on one side of its middle, along its longest axis.
+PieceEnd endOf(const std::vector<Eigen::Vector3d>& pointsMm, const Eigen::Vector3d& middleMm,
+               const Eigen::Vector3d& towards)
+{
+    double farthest = 0.0;
+    for (const Eigen::Vector3d& point : pointsMm) {
+        farthest = std::max(farthest, towards.dot(point - middleMm));
+    }
+    Eigen::Vector3d outer = Eigen::Vector3d::Zero();
+    Eigen::Vector3d before = Eigen::Vector3d::Zero();
+    double outerCount = 0.0;
+    double beforeCount = 0.0;
+    for (const Eigen::Vector3d& point : pointsMm) {
+        const double along = towards.dot(point - middleMm) / farthest;
+        if (along > 1.0 - endShare) {
+            outer += point;
+            outerCount += 1.0;
+        } else if (along > 1.0 - 2.0 * endShare) {
+            before += point;
+            beforeCount += 1.0;
+        }
+    }
+    outer /= outerCount;
+    const Eigen::Vector3d outwards =
+        beforeCount > 0.0 ? Eigen::Vector3d(outer - before / beforeCount).normalized() : towards;
+    return {outer + (0.5 * endShare * farthest) * outwards, outwards};
+}
+
+/// A tube too thin to see the blood within its wires, with vessel beyond both its ends.
+class ThinTube {
+public:
+    ThinTube(const VoxelPiece& piece, const VolumeGeometry& grid, const VoxelFill& fill) : grid_(grid), fill_(fill)
+    {
+        for (const std::uint32_t voxel : piece) {
+            pointsMm_.emplace_back(grid.spacingMm.cwiseProduct(grid.voxelAt(voxel).cast<double>()));
+            middleMm_ += pointsMm_.back() / static_cast<double>(piece.size());
+        }
+        Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+        for (const Eigen::Vector3d& point : pointsMm_) {
+            spread += (point - middleMm_) * (point - middleMm_).transpose() / static_cast<double>(piece.size());
+        }
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);   // ascending
+        axis_ = axes.eigenvectors().col(2);
+        acrossMm_ = std::sqrt(std::max(axes.eigenvalues()[1], 0.0));
+        alongMm_ = std::sqrt(std::max(axes.eigenvalues()[2], 0.0));
+    }
+
+    bool isContinuedByBlood() const
+    {
+        return alongMm_ > leastSlendernessOfStent * acrossMm_ && acrossMm_ < mostAcrossMm &&
+               isBloodBeyond(endOf(pointsMm_, middleMm_, axis_)) && isBloodBeyond(endOf(pointsMm_, middleMm_, -axis_));
+    }
+
+private:
+    /// Evenly as bright as blood somewhere close beyond the tip: the vessel may bend there.
+    bool isBloodBeyond(const PieceEnd& end) const
+    {
+        const Eigen::Array3d middle =
+            (end.tipMm + beyondMm * end.outwards).cwiseQuotient(grid_.spacingMm).array().round();
+        const Eigen::Vector3i reach = (aroundMm / grid_.spacingMm.array()).ceil().cast<int>();
+        for (int z = -reach.z(); z <= reach.z(); ++z) {
+            for (int y = -reach.y(); y <= reach.y(); ++y) {
+                for (int x = -reach.x(); x <= reach.x(); ++x) {
+                    const Eigen::Vector3i step(x, y, z);
+                    if (grid_.spacingMm.cwiseProduct(step.cast<double>()).norm() <= aroundMm &&
+                        isBloodAt(middle.matrix().cast<int>() + step)) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    /// Here and at the six places beside it.
+    bool isBloodAt(const Eigen::Vector3i& voxel) const
+    {
+        const auto isBlood = [this](const Eigen::Vector3i& at) {
+            const double fill = grid_.contains(at) ? fill_(at.x(), at.y(), at.z()) : 0.0;
+            return fill >= leastFillOfStent && fill <= mostFillOfStent;
+        };
+        bool isEven = isBlood(voxel);
+        for (int axis = 0; axis < 3 && isEven; ++axis) {
+            const Eigen::Vector3i step = Eigen::Vector3i::Unit(axis);
+            isEven = isBlood(voxel - step) && isBlood(voxel + step);
+        }
+        return isEven;
+    }
+
+    const VolumeGeometry& grid_;
+    const VoxelFill& fill_;
+    std::vector<Eigen::Vector3d> pointsMm_;
+    Eigen::Vector3d middleMm_ = Eigen::Vector3d::Zero();
+    Eigen::Vector3d axis_ = Eigen::Vector3d::UnitZ();
+    double acrossMm_ = 0.0;   ///< standard deviations of the points, as is that along
+    double alongMm_ = 0.0;
+};
+
+}   // namespace
+
+bool isThinStent(const VoxelPiece& piece, const VolumeGeometry& grid, const VoxelFill& fill)
+{
+    return ThinTube(piece, grid, fill).isContinuedByBlood();
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,110 @@
+#include "core/tracing/volume/stents/wide_basins.h"
+
+#include <algorithm>
+
+namespace angiopose::core {
+namespace {
+
+class Flooding {
+public:
+    Flooding(const DistanceMap& distances, double leastNeck)
+        : distances_(distances), leastNeck_(leastNeck), labels_(distances.units.size(), 0)
+    {
+    }
+
+    std::vector<std::uint32_t> run()
+    {
+        std::vector<std::uint32_t> order;
+        for (std::uint32_t voxel = 0; voxel < labels_.size(); ++voxel) {
+            if (distances_.units[voxel] > 0) {
+                order.push_back(voxel);
+            }
+        }
+        std::stable_sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
+            return distances_.units[a] > distances_.units[b];
+        });
+        for (const std::uint32_t voxel : order) {
+            flood(voxel);
+        }
+        for (std::uint32_t& label : labels_) {
+            label = label == 0 ? 0 : basinOf(label);
+        }
+        return std::move(labels_);
+    }
+
+private:
+    struct Basin {
+        std::uint32_t joined = 0;   ///< the basin that it is part of; itself when of none
+        std::uint16_t summit = 0;
+    };
+
+    std::uint32_t basinOf(std::uint32_t label) const
+    {
+        while (basins_[label - 1].joined != label) {
+            label = basins_[label - 1].joined;
+        }
+        return label;
+    }
+
+    std::uint16_t summitOf(std::uint32_t basin) const { return basins_[basin - 1].summit; }
+
+    /// Its highest neighbour's basin takes it; others are joined to that if the way is wide enough.
+    void flood(std::uint32_t voxel)
+    {
+        std::uint32_t own = 0;
+        std::uint16_t highest = 0;
+        eachNeighbour(voxel, [&](std::uint32_t neighbour, std::uint32_t basin) {
+            if (distances_.units[neighbour] > highest) {
+                highest = distances_.units[neighbour];
+                own = basin;
+            }
+        });
+        const std::uint16_t height = distances_.units[voxel];
+        if (own == 0) {
+            basins_.push_back({static_cast<std::uint32_t>(basins_.size() + 1), height});
+            own = basins_.back().joined;
+        }
+        labels_[voxel] = own;
+        eachNeighbour(voxel, [&](std::uint32_t, std::uint32_t basin) { join(basinOf(own), basin, height); });
+    }
+
+    void join(std::uint32_t one, std::uint32_t other, std::uint16_t height)
+    {
+        const auto& [lower, higher] =
+            std::minmax(one, other, [this](std::uint32_t a, std::uint32_t b) { return summitOf(a) < summitOf(b); });
+        if (one != other && height >= leastNeck_ * summitOf(lower)) {
+            basins_[lower - 1].joined = higher;
+        }
+    }
+
+    template <class Visit>
+    void eachNeighbour(std::uint32_t voxel, const Visit& visit) const
+    {
+        const VolumeGeometry& grid = distances_.geometry;
+        const Eigen::Vector3i at = grid.voxelAt(voxel);
+        for (int n = 0; n < 27; ++n) {
+            const Eigen::Vector3i beside = at + Eigen::Vector3i(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+            if (n == 13 || !grid.contains(beside)) {
+                continue;
+            }
+            const auto neighbour = static_cast<std::uint32_t>(grid.index(beside.x(), beside.y(), beside.z()));
+            if (labels_[neighbour] != 0) {
+                visit(neighbour, basinOf(labels_[neighbour]));
+            }
+        }
+    }
+
+    const DistanceMap& distances_;
+    double leastNeck_;
+    std::vector<std::uint32_t> labels_;
+    std::vector<Basin> basins_;
+};
+
+}   // namespace
+
+std::vector<std::uint32_t> wideBasins(const DistanceMap& distances, double leastNeck)
+{
+    return Flooding(distances, leastNeck).run();
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,152 @@
+#include "core/tracing/volume/voxels/chosen_pieces.h"
+
+#include "core/messages/says.h"
+#include "core/tracing/volume/voxels/voxel_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double seedReachMm = 3.0;
+constexpr double farSeedReachMm = 10.0;   ///< to the core of a wide vessel, which begins two voxels inside its wall
+constexpr double worthMentioning = 0.05;   ///< of the voxels that are kept
+
+/// Of those of at least `leastValue`.
+std::optional<std::uint32_t> nearestVoxel(const VoxelMask& mask, const Eigen::Vector3d& placeInPatient, double reachMm,
+                                          std::uint8_t leastValue)
+{
+    const VolumeGeometry& grid = mask.geometry;
+    const Eigen::Vector3d place = grid.patientFromVoxel().inverse() * placeInPatient;
+    const Eigen::Array3d reach = reachMm / grid.spacingMm.array() + 1.0;
+    const Eigen::Vector3i low = (place.array() - reach).floor().max(0.0).cast<int>();
+    const Eigen::Vector3i high = (place.array() + reach).ceil().min(grid.size.cast<double>().array() - 1.0).cast<int>();
+    std::optional<std::uint32_t> nearest;
+    double nearestMm = reachMm;
+    for (int k = low.z(); k <= high.z(); ++k) {
+        for (int j = low.y(); j <= high.y(); ++j) {
+            for (int i = low.x(); i <= high.x(); ++i) {
+                const double away = grid.spacingMm.cwiseProduct(Eigen::Vector3d(i, j, k) - place).norm();
+                if (mask.at(i, j, k) >= leastValue && away <= nearestMm) {
+                    nearestMm = away;
+                    nearest = static_cast<std::uint32_t>(grid.index(i, j, k));
+                }
+            }
+        }
+    }
+    return nearest;
+}
+
+Error noVesselAt(const Eigen::Vector3d& seed)
+{
+    return says::seedInNoVessel(placeInMessage(seed));
+}
+
+Result<std::set<std::size_t>> piecesWithSeeds(const VoxelMask& mask, const std::vector<VoxelPiece>& pieces,
+                                              const std::vector<Eigen::Vector3d>& seedsInPatient)
+{
+    std::set<std::size_t> chosen;
+    for (const Eigen::Vector3d& seed : seedsInPatient) {
+        const std::optional<std::uint32_t> voxel = voxelNear(mask, seed);
+        if (!voxel) {
+            return noVesselAt(seed);
+        }
+        for (std::size_t p = 0; p < pieces.size(); ++p) {
+            if (std::binary_search(pieces[p].begin(), pieces[p].end(), *voxel)) {
+                chosen.insert(p);
+            }
+        }
+    }
+    return chosen;
+}
+
+std::size_t largestPiece(const VoxelMask& mask, const std::vector<VoxelPiece>& pieces)
+{
+    std::size_t best = 0;
+    std::ptrdiff_t mostCore = -1;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        const auto inCore = std::count_if(pieces[p].begin(), pieces[p].end(),
+                                          [&](std::uint32_t voxel) { return mask.voxels[voxel] > 1; });
+        if (inCore > mostCore) {
+            mostCore = inCore;
+            best = p;
+        }
+    }
+    return best;
+}
+
+/// Sets the chosen pieces to 1, all else to 0; how many voxels were kept.
+std::size_t keepOnly(VoxelMask& mask, const std::vector<VoxelPiece>& pieces, const std::set<std::size_t>& chosen)
+{
+    std::fill(mask.voxels.begin(), mask.voxels.end(), std::uint8_t{0});
+    std::size_t kept = 0;
+    for (const std::size_t p : chosen) {
+        kept += pieces[p].size();
+        for (const std::uint32_t voxel : pieces[p]) {
+            mask.voxels[voxel] = 1;
+        }
+    }
+    return kept;
+}
+
+}   // namespace
+
+Message placeInMessage(const Eigen::Vector3d& point)
+{
+    return says::place(Quantity{point.x(), 1}, Quantity{point.y(), 1}, Quantity{point.z(), 1});
+}
+
+std::optional<std::uint32_t> voxelNear(const VoxelMask& mask, const Eigen::Vector3d& seedInPatient)
+{
+    return nearestVoxel(mask, seedInPatient, std::max(seedReachMm, mask.geometry.spacingMm.maxCoeff()), 1);
+}
+
+Result<SeedsInLumen> seedsInLumen(const VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient)
+{
+    SeedsInLumen seeds;
+    for (const Eigen::Vector3d& seed : seedsInPatient) {
+        if (voxelNear(mask, seed)) {
+            seeds.inPatient.push_back(seed);
+            continue;
+        }
+        const auto voxel = nearestVoxel(mask, seed, farSeedReachMm, 2);
+        if (!voxel) {
+            return noVesselAt(seed);
+        }
+        seeds.inPatient.emplace_back(mask.geometry.patientFromVoxel() * mask.geometry.voxelAt(*voxel).cast<double>());
+        seeds.warnings.push_back(
+            says::seedMoved(placeInMessage(seed), inMm((seeds.inPatient.back() - seed).norm(), 1)));
+    }
+    return seeds;
+}
+
+Result<std::optional<Message>> keepChosenPieces(VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient)
+{
+    const std::vector<VoxelPiece> pieces = piecesOf(mask);
+    if (pieces.empty()) {
+        return Error(says::noVesselInVolume());
+    }
+    std::set<std::size_t> chosen{largestPiece(mask, pieces)};
+    if (!seedsInPatient.empty()) {
+        auto found = piecesWithSeeds(mask, pieces, seedsInPatient);
+        if (!found) {
+            return found.error();
+        }
+        chosen = std::move(found).value();
+    }
+    const std::size_t kept = keepOnly(mask, pieces, chosen);
+    std::size_t leftOut = 0;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        const bool isWorthIt = static_cast<double>(pieces[p].size()) > worthMentioning * static_cast<double>(kept);
+        leftOut += !chosen.contains(p) && isWorthIt ? 1 : 0;
+    }
+    if (leftOut == 0) {
+        return std::optional<Message>();
+    }
+    return std::optional(leftOut == 1 ? says::onePieceLeftOut() : says::piecesLeftOut(leftOut));
+}
+
+}   // namespace angiopose::core

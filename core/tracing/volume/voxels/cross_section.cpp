@@ -1,0 +1,143 @@
+#include "core/tracing/volume/voxels/cross_section.h"
+
+#include "core/support/quantile.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace angiopose::core {
+namespace {
+
+constexpr std::size_t rayCount = 24;
+constexpr double stepInVoxels = 0.25;
+constexpr double thinInVoxels = 2.2;   ///< below this radius a section is weighed rather than measured
+constexpr double brighterThanBlood = 1.6;
+constexpr double mostBlood = 1.3;   ///< that counts when a section is weighed
+constexpr double blurInVoxels = 0.8;   ///< from the middle of something thin to half its brightness
+constexpr double leastFillOfCentre = 0.15;   ///< of the centre, to be a vessel at all
+
+struct Ray {
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+    double wallMm = 0.0;
+    bool isOpen = false;   ///< no wall within reach
+};
+
+std::array<Ray, rayCount> raysAcross(const Eigen::Vector3d& tangent)
+{
+    Eigen::Index least = 0;
+    tangent.cwiseAbs().minCoeff(&least);
+    const Eigen::Vector3d u = tangent.cross(Eigen::Vector3d::Unit(least)).normalized();
+    const Eigen::Vector3d v = tangent.cross(u);
+    std::array<Ray, rayCount> rays;
+    for (std::size_t n = 0; n < rayCount; ++n) {
+        const double angle = 2.0 * std::numbers::pi * static_cast<double>(n) / rayCount;
+        rays[n].direction = std::cos(angle) * u + std::sin(angle) * v;
+    }
+    return rays;
+}
+
+/// The wall is where the fill falls below the level. Wires and chalk on it blur far beyond it: there it is where they
+/// are brightest, or as far within their edge as blurring spreads it.
+void findWall(Ray& ray, const SectionPlane& plane, const BloodFill& fill, double level, double reachMm)
+{
+    const double step = stepInVoxels * plane.voxelMm;
+    double before = fill(plane.pointMm);
+    double peak = before;
+    double peakMm = 0.0;
+    for (double away = step; away <= reachMm; away += step) {
+        const double here = fill(plane.pointMm + away * ray.direction);
+        if (here > peak) {
+            peak = here;
+            peakMm = away;
+        }
+        const double least = peak > brighterThanBlood ? 0.5 * peak : level;
+        if (here < least) {
+            const double edgeMm = away - step * std::clamp((least - here) / std::max(before - here, 1e-9), 0.0, 1.0);
+            ray.wallMm = peak > brighterThanBlood ? std::max(peakMm, edgeMm - blurInVoxels * plane.voxelMm) : edgeMm;
+            return;
+        }
+        before = here;
+    }
+    ray.wallMm = reachMm;
+    ray.isOpen = true;
+}
+
+/// Rays that run into a branch or a neighbour end where the others do, roughly.
+double limitToMedian(std::array<Ray, rayCount>& rays)
+{
+    std::vector<double> walls;
+    walls.reserve(rays.size());
+    for (const Ray& ray : rays) {
+        walls.push_back(ray.wallMm);
+    }
+    const double median = medianOf(walls);
+    for (Ray& ray : rays) {
+        ray.isOpen = ray.isOpen || ray.wallMm > 1.6 * median;
+        ray.wallMm = std::min(ray.wallMm, 1.3 * median);
+    }
+    return median;
+}
+
+/// Radius of the disc that holds as much blood as the section, above what its surroundings hold.
+double weighedRadius(const std::array<Ray, rayCount>& rays, const Eigen::Vector3d& centre, const SectionPlane& plane,
+                     const BloodFill& fill, double radius)
+{
+    const double step = stepInVoxels * plane.voxelMm;
+    const double rimMm = radius + 1.5 * plane.voxelMm;
+    std::vector<double> around;
+    around.reserve(rays.size());
+    for (const Ray& ray : rays) {
+        around.push_back(fill(centre + (rimMm + 0.5 * plane.voxelMm) * ray.direction));
+    }
+    const double background = std::min(medianOf(around), 0.6);
+    double blood = 0.0;
+    for (double away = 0.5 * step; away < rimMm; away += step) {
+        double ring = 0.0;
+        for (const Ray& ray : rays) {
+            ring += std::min(fill(centre + away * ray.direction), mostBlood) - background;
+        }
+        blood += ring / rayCount * 2.0 * away * step;   // over π
+    }
+    return std::sqrt(std::max(0.0, blood / (1.0 - background)));
+}
+
+}   // namespace
+
+CrossSection crossSection(const SectionPlane& plane, const BloodFill& fill)
+{
+    CrossSection section{plane.pointMm, plane.expectedRadiusMm};
+    const double centreFill = fill(plane.pointMm);
+    if (centreFill < leastFillOfCentre) {
+        return section;
+    }
+    std::array<Ray, rayCount> rays = raysAcross(plane.tangent);
+    const double reachMm = 2.0 * plane.expectedRadiusMm + 2.0 * plane.voxelMm;
+    for (Ray& ray : rays) {
+        findWall(ray, plane, fill, 0.5 * std::min(1.0, centreFill), reachMm);
+    }
+    section.closed = 1.0 - static_cast<double>(std::ranges::count_if(rays, &Ray::isOpen)) / rayCount;
+    const double median = limitToMedian(rays);
+    double squares = 0.0;
+    double spread = 0.0;
+    Eigen::Vector3d cubes = Eigen::Vector3d::Zero();
+    for (const Ray& ray : rays) {
+        squares += ray.wallMm * ray.wallMm;
+        cubes += ray.wallMm * ray.wallMm * ray.wallMm * ray.direction;
+        spread += ray.isOpen ? 1.0 : 0.0;
+    }
+    section.centreMm += 2.0 / 3.0 * cubes / std::max(squares, 1e-12);
+    section.radiusMm = std::sqrt(squares / rayCount);
+    if (median < thinInVoxels * plane.voxelMm) {
+        // Blurring only widens; a tenth is left to noise.
+        section.radiusMm =
+            std::min(1.1 * section.radiusMm, weighedRadius(rays, section.centreMm, plane, fill, section.radiusMm));
+    }
+    section.trust = std::max(0.02, 1.0 - 3.0 * spread / rayCount);
+    return section;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,89 @@
+#include "core/tracing/volume/voxels/voxel_pieces.h"
+
+#include <algorithm>
+
+namespace angiopose::core {
+namespace {
+
+/// Takes the piece around `seed` out of `left`.
+VoxelPiece takePiece(VoxelMask& left, std::size_t seed)
+{
+    const VolumeGeometry& grid = left.geometry;
+    VoxelPiece piece{static_cast<std::uint32_t>(seed)};
+    left.voxels[seed] = 0;
+    for (std::size_t n = 0; n < piece.size(); ++n) {
+        const Eigen::Vector3i at = grid.voxelAt(piece[n]);
+        const Eigen::Array3i low = (at.array() - 1).max(0);
+        const Eigen::Array3i high = (at.array() + 1).min(grid.size.array() - 1);
+        for (int z = low.z(); z <= high.z(); ++z) {
+            for (int y = low.y(); y <= high.y(); ++y) {
+                for (int x = low.x(); x <= high.x(); ++x) {
+                    const std::size_t next = grid.index(x, y, z);
+                    if (left.voxels[next] != 0) {
+                        left.voxels[next] = 0;
+                        piece.push_back(static_cast<std::uint32_t>(next));
+                    }
+                }
+            }
+        }
+    }
+    std::sort(piece.begin(), piece.end());
+    return piece;
+}
+
+}   // namespace
+
+std::vector<VoxelPiece> piecesOf(const VoxelMask& mask, std::size_t leastVoxels)
+{
+    VoxelMask left = mask;
+    std::vector<VoxelPiece> pieces;
+    for (std::size_t p = 0; p < left.voxels.size(); ++p) {
+        if (left.voxels[p] != 0) {
+            VoxelPiece piece = takePiece(left, p);
+            if (piece.size() >= leastVoxels) {
+                piece.shrink_to_fit();
+                pieces.push_back(std::move(piece));
+            }
+        }
+    }
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [](const VoxelPiece& a, const VoxelPiece& b) { return a.size() > b.size(); });
+    return pieces;
+}
+
+VoxelBox boxOf(const VoxelMask& mask)
+{
+    const VolumeGeometry& grid = mask.geometry;
+    VoxelBox box{grid.size, Eigen::Vector3i::Zero()};
+    for (int k = 0; k < grid.size.z(); ++k) {
+        for (int j = 0; j < grid.size.y(); ++j) {
+            const auto row = mask.voxels.begin() + static_cast<std::ptrdiff_t>(grid.index(0, j, k));
+            const auto isSet = [](std::uint8_t voxel) { return voxel != 0; };
+            const auto from = std::find_if(row, row + grid.size.x(), isSet);
+            if (from == row + grid.size.x()) {
+                continue;
+            }
+            auto last = row + grid.size.x() - 1;
+            while (*last == 0) {
+                --last;
+            }
+            box.low = box.low.cwiseMin(Eigen::Vector3i(static_cast<int>(from - row), j, k));
+            box.high = box.high.cwiseMax(Eigen::Vector3i(static_cast<int>(last - row) + 1, j + 1, k + 1));
+        }
+    }
+    return box;
+}
+
+VoxelBox boxAround(const VoxelPiece& piece, const VolumeGeometry& grid, double aroundMm)
+{
+    VoxelBox box{grid.size, Eigen::Vector3i::Zero()};
+    for (const std::uint32_t voxel : piece) {
+        const Eigen::Vector3i at = grid.voxelAt(voxel);
+        box.low = box.low.cwiseMin(at);
+        box.high = box.high.cwiseMax((at.array() + 1).matrix());
+    }
+    const Eigen::Vector3i reach = (aroundMm / grid.spacingMm.array()).ceil().cast<int>();
+    return {(box.low - reach).cwiseMax(0), (box.high + reach).cwiseMin(grid.size)};
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,264 @@
+#include "io/case/case_file.h"
+
+#include "core/geometry/geometry_checks.h"
+#include "io/angiogram_file.h"
+#include "io/case/case_document.h"
+#include "io/case/case_inputs.h"
+#include "io/case/case_schema.h"
+#include "io/case/saved_files.h"
+#include "io/case/view_inputs.h"
+#include "io/messages/says.h"
+#include "io/support/atomic_file.h"
+#include "io/support/file_error.h"
+#include "io/support/input_bytes.h"
+#include "io/support/json_text.h"
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+namespace angiopose::io {
+namespace {
+
+namespace fs = std::filesystem;
+using core::Case;
+
+constexpr std::size_t maxCaseBytes = 16 << 20;
+
+/// The text of a case file that is JSON.
+core::Result<std::string> readCaseText(const std::string& path)
+{
+    const auto input = openInput(path);
+    if (!input) {
+        return input.error();
+    }
+    const std::string_view content = input.value().view();
+    if (content.size() > maxCaseBytes) {
+        return fileError(path, says::caseTooLarge());
+    }
+    const auto* found = describeContent(content);
+    if (found != nullptr && found != &says::aJsonFile) {
+        return fileError(path, says::caseIsOther((*found)()));
+    }
+    if (const auto valid = checkJson(content, path); !valid) {
+        return valid.error();
+    }
+    return std::string(content);
+}
+
+/// Content, and everything wrong with it.
+CaseDocument examine(const std::string& text)
+{
+    CaseDocument document;
+    document.problems = findSchemaProblems(text);
+    return document.problems.empty() ? parseCaseDocument(text) : document;
+}
+
+/// The document of a case file, its paths absolute. Fails where the file is no case, or one that makes no sense.
+core::Result<CaseDocument> readDocument(const std::string& path)
+{
+    const auto text = readCaseText(path);
+    if (!text) {
+        return text.error();
+    }
+    CaseDocument document = examine(text.value());
+    if (!document.problems.empty()) {
+        return fileError(path, document.problems.front());
+    }
+    makePathsAbsolute(document, path);
+    return document;
+}
+
+/// A view that stands in a case file of its own.
+core::Status readViewOfCase(core::View& view, ViewNotes& notes)
+{
+    auto read = readDocument(view.caseFile.path);
+    if (!read) {
+        return read.error();
+    }
+    CaseDocument document = std::move(read).value();
+    document.values.shown().caseFile = view.caseFile;
+    view = std::move(document.values.shown());
+    notes = std::move(document.notes.front());
+    return core::Done{};
+}
+
+/// A view that cannot be had is a warning: the case opens without.
+void loadOtherViews(Case& loaded, std::vector<ViewNotes> notes, const std::string& path, core::Messages& warnings)
+{
+    core::Messages found;
+    for (std::size_t k = 1; k < loaded.views.size(); ++k) {
+        core::View& view = loaded.views[k];
+        const core::Status read = view.caseFile.path.empty() ? core::Done{} : readViewOfCase(view, notes[k]);
+        if (read) {
+            loadOtherView(view, notes[k], loaded.vessels, path, found);
+        } else {
+            found.push_back(says::caseViewLeftOut(read.error().message));
+        }
+    }
+    for (core::Message& warning : found) {   // what holds for all images of a study is said once
+        if (std::ranges::find(warnings, warning) == warnings.end()) {
+            warnings.push_back(std::move(warning));
+        }
+    }
+}
+
+/// The input that `path` is, if any.
+std::string inputAt(const Case& theCase, const std::string& path)
+{
+    std::vector<const core::InputFile*> files{&theCase.vessels.file, &theCase.vessels.scanFile};
+    for (const core::View& view : theCase.views) {
+        files.insert(files.end(), {&view.imageFile, &view.target.file, &view.caseFile});
+    }
+    for (const core::InputFile* file : files) {
+        std::error_code absent;
+        if (!file->path.empty() && fs::equivalent(file->path, path, absent)) {
+            return file->path;
+        }
+    }
+    return {};
+}
+
+}   // namespace
+
+core::Result<Case> loadCase(const std::string& path, core::Messages& warnings, const ReadObserver& observe,
+                            const MovedInputs& moved)
+{
+    try {
+        auto read = readDocument(path);
+        if (!read) {
+            return read.error();
+        }
+        CaseDocument document = std::move(read).value();
+        for (core::InputFile* file : inputsOf(document)) {
+            const auto place = moved.find(file->path);
+            file->path = place == moved.end() ? file->path : place->second;
+        }
+        std::vector<ViewNotes> notes = document.notes;
+        auto loaded = loadInputs(std::move(document), path, warnings, observe);
+        if (!loaded) {
+            return loaded.error();
+        }
+        Case values = std::move(loaded).value();
+        loadOtherViews(values, std::move(notes), path, warnings);
+        return values;
+    } catch (const std::exception&) {   // a value the schema let through
+        return fileError(path, says::caseWrongKind());
+    }
+}
+
+core::Result<std::vector<MissingInput>> missingInputs(const std::string& casePath)
+{
+    try {
+        auto read = readDocument(casePath);
+        if (!read) {
+            return read.error();
+        }
+        CaseDocument document = std::move(read).value();
+        const Case& values = document.values;
+        std::vector<MissingInput> missing;
+        for (const core::InputFile* file : inputsOf(document)) {
+            const bool isNeeded = file == &values.vessels.file || file == &values.shown().imageFile ||
+                                  file == &values.shown().target.file;
+            if (std::error_code failed; !fs::exists(file->path, failed)) {
+                missing.push_back({file->path, file->sha256, !isNeeded});
+            }
+        }
+        return missing;
+    } catch (const std::exception&) {
+        return fileError(casePath, says::caseWrongKind());
+    }
+}
+
+core::Result<core::Messages> validateCase(const std::string& path)
+{
+    const auto text = readCaseText(path);
+    if (!text) {
+        return text.error();
+    }
+    try {
+        CaseDocument document = examine(text.value());
+        makePathsAbsolute(document, path);
+        for (const core::InputFile* file : {&document.values.vessels.file, &document.values.shown().imageFile,
+                                            &document.values.shown().target.file}) {
+            const bool isSeries = document.values.vessels.input.kind == core::VesselInputKind::Volume &&
+                                  file == &document.values.vessels.file && fs::is_directory(file->path);
+            if (file->path.empty() || isSeries) {
+                continue;
+            }
+            if (const auto input = openInput(file->path); !input) {
+                document.problems.push_back(input.error().message);
+            }
+        }
+        return std::move(document.problems);
+    } catch (const std::exception&) {
+        return fileError(path, says::caseWrongKind());
+    }
+}
+
+core::Result<core::Messages> doubtsOfCase(const std::string& path)
+{
+    const auto text = readCaseText(path);
+    if (!text) {
+        return text.error();
+    }
+    try {
+        CaseDocument document = examine(text.value());
+        makePathsAbsolute(document, path);
+        Case& values = document.values;
+        const auto angiogram = readAngiogram(values.shown().imageFile.path);
+        if (!angiogram) {
+            return angiogram.error();
+        }
+        fillFromHeader(values.shown().geometry.cArm, angiogram.value().cArm);
+        auto doubts = core::findContradictions(values.shown().geometry.cArm, angiogram.value().gantry,
+                                               {angiogram.value().width(), angiogram.value().height()});
+        if (!values.shown().geometry.cameraOverride && !values.shown().initialCameraFromPatient) {
+            for (core::Message& missing : core::findMissing(values.shown().geometry.cArm)) {
+                doubts.push_back(std::move(missing));
+            }
+        }
+        return doubts;
+    } catch (const std::exception&) {
+        return fileError(path, says::caseWrongKind());
+    }
+}
+
+std::optional<core::Message> findUnsavable(const Case& theCase)
+{
+    if (!theCase.vessels.tree && theCase.vessels.scan) {
+        return says::caseScanAlone();
+    }
+    if (theCase.vessels.file.path.empty() || theCase.shown().imageFile.path.empty()) {
+        return says::caseIncomplete();
+    }
+    const auto& initial = theCase.shown().initialCameraFromPatient;
+    if (!core::isRigid(theCase.shown().cameraFromPatient) || (initial && !core::isRigid(*initial))) {
+        return says::casePoseNotRigid();
+    }
+    return {};
+}
+
+core::Status saveCase(const Case& theCase, const std::string& path)
+{
+    if (const std::string input = inputAt(theCase, path); !input.empty()) {
+        return fileError(path, says::caseIsInput());
+    }
+    if (const auto unsavable = findUnsavable(theCase)) {
+        return fileError(path, *unsavable);
+    }
+    Case hashed = theCase;
+    if (auto completed = completeFiles(hashed, path); !completed) {
+        return completed;
+    }
+    try {
+        const fs::path folder = fs::weakly_canonical(fs::absolute(path).parent_path());
+        return writeAtomically(path, caseDocumentText(hashed, folder));
+    } catch (const std::exception&) {   // JSON is UTF-8, file names need not be
+        return fileError(path, says::caseNotUtf8());
+    }
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,116 @@
+#include "core/registration/pose/damped_descent.h"
+
+#include "core/registration/pose/centroid_pose.h"
+
+#include <gtest/gtest.h>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double treeSpreadMm = 40.0;
+
+/// Least squares of atan(steepness · θ − wish), parameter by parameter: a full step from far away overshoots.
+class Arctangents {
+public:
+    using Place = Vector6d;
+    using Step = Vector6d;
+    struct Look {
+        double cost = 0.0;
+    };
+    using Equations = NormalEquations;
+
+    explicit Arctangents(const Vector6d& wish) : wish_(wish) {}
+
+    bool look(const Vector6d& place, Look& look)
+    {
+        ++looks;
+        look.cost = residual(place).squaredNorm();
+        return place.cwiseAbs().maxCoeff() < limit;
+    }
+    NormalEquations equations(const Vector6d& place, const Look&)
+    {
+        ++linearisations;
+        const Vector6d slope = (1.0 + (place - wish_).array().square()).inverse();
+        NormalEquations equations;
+        equations.hessian.diagonal() = slope.cwiseAbs2();
+        equations.gradient = slope.cwiseProduct(residual(place));
+        return equations;
+    }
+    Vector6d step(const Vector6d&, const NormalEquations& equations, double damping) const
+    {
+        return dampedStep(equations, damping);
+    }
+    Vector6d moved(const Vector6d& place, const Vector6d& step) const { return place + step; }
+    std::optional<double> gained(const Look& here, const Look& there) const
+    {
+        return there.cost <= here.cost ? std::optional(here.cost - there.cost) : std::nullopt;
+    }
+    double lengthMm(const Vector6d&, const Vector6d& step) const { return stepLengthMm(step, treeSpreadMm); }
+
+    double limit = 1e9;
+    int looks = 0;
+    int linearisations = 0;
+
+private:
+    Vector6d residual(const Vector6d& place) const { return (place - wish_).array().atan(); }
+
+    Vector6d wish_;
+};
+
+Verdict goOn(const StepOutcome&)
+{
+    return Verdict::Continue;
+}
+
+// Only turns are wrong, and the first full step makes them worse. Measured by its shift alone it would look settled.
+TEST(DampedDescent, ARefusedTurnIsNotTakenForSettled)
+{
+    const Vector6d wish = 2.5 * Vector6d::Unit(1);
+    Arctangents problem(wish);
+    LookPair<Arctangents::Look> looks;
+    DampedDescent descent(problem, Vector6d(Vector6d::Zero()), looks, {.settledMm = 1e-6});
+    const StepOutcome first = descent.step();
+    ASSERT_FALSE(first.isTaken);
+    EXPECT_FALSE(first.isSettled);
+    EXPECT_TRUE(descent.descend(100, goOn).isSettled);
+    EXPECT_LT((descent.place() - wish).norm(), 1e-7);
+}
+
+TEST(DampedDescent, LinearisesOncePerPlaceHoweverManyTriesItTakes)
+{
+    Arctangents problem(2.5 * Vector6d::Unit(1));
+    LookPair<Arctangents::Look> looks;
+    DampedDescent descent(problem, Vector6d(Vector6d::Zero()), looks, {20, 1e-6});
+    EXPECT_TRUE(descent.step().isTaken);
+    EXPECT_EQ(problem.linearisations, 1);
+    EXPECT_GT(problem.looks, 2);
+}
+
+TEST(DampedDescent, NeverStandsWhereItCannot)
+{
+    Arctangents problem(0.9 * Vector6d::Ones());
+    problem.limit = 0.5;
+    LookPair<Arctangents::Look> looks;
+    DampedDescent descent(problem, Vector6d(Vector6d::Zero()), looks, {.settledMm = 1e-6});
+    ASSERT_TRUE(descent.isStanding());
+    descent.descend(60, goOn);
+    EXPECT_LT(descent.place().maxCoeff(), 0.5);
+    EXPECT_GT(descent.place().minCoeff(), 0.4);
+    EXPECT_FALSE(DampedDescent(problem, Vector6d(Vector6d::Ones()), looks, {}).isStanding());
+}
+
+TEST(DampedDescent, AStopEndsItAfterTheStep)
+{
+    Arctangents problem(0.9 * Vector6d::Ones());
+    LookPair<Arctangents::Look> looks;
+    DampedDescent descent(problem, Vector6d(Vector6d::Zero()), looks, {});
+    int steps = 0;
+    const StepOutcome last =
+        descent.descend(50, [&](const StepOutcome&) { return ++steps == 2 ? Verdict::Stop : Verdict::Continue; });
+    EXPECT_TRUE(last.isStopped);
+    EXPECT_EQ(steps, 2);
+}
+
+}   // namespace
+}   // namespace angiopose::core

@@ -1,0 +1,84 @@
+#include "core/tracing/angiogram/frame/burned_in_text.h"
+
+#include "core/tracing/angiogram/trace_angiogram.h"
+#include "tests/support/drawn_vessels.h"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+using namespace angiopose;
+
+namespace {
+
+using core::ImageF;
+using core::Mask2d;
+
+/// "E", "L", "H", 5 × 7 px each.
+constexpr std::array<std::array<std::string_view, 7>, 3> letters{{
+    {"#####", "#....", "#....", "####.", "#....", "#....", "#####"},
+    {"#....", "#....", "#....", "#....", "#....", "#....", "#####"},
+    {"#...#", "#...#", "#...#", "#####", "#...#", "#...#", "#...#"},
+}};
+
+/// Draws letters twice as large, with the upper left corner of the first at (x, y).
+void write(ImageF& frame, int x, int y, int count, float value)
+{
+    for (int k = 0; k < count; ++k) {
+        for (int row = 0; row < 14; ++row) {
+            for (int column = 0; column < 10; ++column) {
+                const auto& letter = letters[static_cast<std::size_t>(k) % letters.size()];
+                if (letter[static_cast<std::size_t>(row / 2)][static_cast<std::size_t>(column / 2)] == '#') {
+                    frame.at(x + 14 * k + column, y + row) = value;
+                }
+            }
+        }
+    }
+}
+
+ImageF angiogram()
+{
+    return test::drawnFrame(300, 300, {test::line({40, 60}, {260, 280}), test::line({40, 250}, {200, 90})}, 3.0,
+                            {.noise = 3.0});
+}
+
+TEST(BurnedInText, IsFoundAndTheVesselsAreNot)
+{
+    for (const float ink : {255.0F, 0.0F}) {
+        ImageF frame = angiogram();
+        write(frame, 170, 20, 7, ink);
+        const Mask2d text = core::burnedInText(frame);
+        for (int y = 20; y < 34; ++y) {
+            for (int x = 170; x < 170 + 7 * 14 - 4; ++x) {
+                ASSERT_NE(text.at(x, y), 0) << x << ' ' << y;
+            }
+        }
+        EXPECT_LT(std::count(text.pixels.begin(), text.pixels.end(), 255), 120 * 40);
+    }
+}
+
+TEST(BurnedInText, NothingIsFoundInAPlainAngiogram)
+{
+    const Mask2d text = core::burnedInText(angiogram());
+    EXPECT_EQ(std::count(text.pixels.begin(), text.pixels.end(), 255), 0);
+    EXPECT_TRUE(core::burnedInText({}).isEmpty());
+    EXPECT_EQ(core::burnedInText(ImageF(5, 5, 3.0F)).pixels, Mask2d(5, 5).pixels);
+}
+
+TEST(BurnedInText, IsKeptOutOfTheTrace)
+{
+    ImageF frame = angiogram();
+    write(frame, 150, 16, 9, 255.0F);
+    write(frame, 150, 40, 9, 255.0F);
+    const auto trace = core::traceAngiogram(frame, core::Polarity::VesselsDark);
+    ASSERT_TRUE(trace) << trace.error().message;
+    EXPECT_EQ(trace.value().fieldMask.at(155, 22), 0);
+    for (const core::Curve2d& curve : trace.value().centerline.curves) {
+        for (const Eigen::Vector2d& point : curve.pointsPx) {
+            EXPECT_FALSE(point.x() > 140.0 && point.y() < 60.0);
+        }
+    }
+}
+
+}   // namespace

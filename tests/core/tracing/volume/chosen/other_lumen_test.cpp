@@ -1,0 +1,80 @@
+#include "core/tracing/volume/chosen/other_lumen.h"
+#include "core/messages/says.h"
+
+#include "core/tracing/volume/trace_vessels.h"
+#include "tests/support/drawn_tubes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace angiopose;
+
+namespace {
+
+using test::Tube;
+
+core::GreatVessel vesselAlong(const Tube& tube)
+{
+    core::Trunk trunk;
+    for (int n = 0; n <= 40; ++n) {
+        trunk.pointsInPatient.emplace_back(tube.fromMm + n / 40.0 * (tube.toMm - tube.fromMm));
+        trunk.radiusMm.push_back(tube.radiusMm);
+    }
+    return {{trunk}};
+}
+
+/// Of vessels beside the first, which is traced.
+double besideMm(const Tube& traced, const std::vector<Tube>& others)
+{
+    const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {80, 80, 200}, {1.0, 1.0, 1.0});
+    std::vector<core::GreatVessel> great{vesselAlong(traced)};
+    for (const Tube& other : others) {
+        great.push_back(vesselAlong(other));
+    }
+    return core::besideLumenMm(test::drawnMask(grid, {traced}), great);
+}
+
+const Tube trueLumen{{0, 0, -90}, {0, 0, 90}, 6.0};
+const Tube falseLumen{{16, 0, -50}, {16, 0, 70}, 8.0};   // two millimetres between them
+
+TEST(OtherLumen, RunsAlongTheTracedOne)
+{
+    EXPECT_NEAR(besideMm(trueLumen, {falseLumen}), 120.0, 10.0);
+    EXPECT_NEAR(besideMm(falseLumen, {trueLumen}), 120.0, 25.0);
+}
+
+TEST(OtherLumen, IsNoVesselThatCrossesOrKeepsAway)
+{
+    const Tube crossing{{-38, 16, 0}, {38, 16, 10}, 9.0};
+    const Tube away{{24, 0, -90}, {24, 0, 90}, 8.0};
+    EXPECT_EQ(besideMm(trueLumen, {crossing}), 0.0);
+    EXPECT_EQ(besideMm(trueLumen, {away}), 0.0);
+}
+
+TEST(OtherLumen, IsNotTheTracedOneItself)
+{
+    EXPECT_EQ(besideMm(trueLumen, {trueLumen}), 0.0);
+}
+
+bool warnsOfOtherLumen(const std::vector<Tube>& tubes, const std::vector<Eigen::Vector3d>& seeds = {})
+{
+    const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {70, 60, 200}, {1.0, 1.0, 1.0});
+    const auto traced = core::traceVessels(test::tubesInTissue(grid, tubes), {.seedsInPatient = seeds});
+    EXPECT_TRUE(traced) << traced.error().message;
+    return traced && std::ranges::any_of(traced.value().warnings, [](const core::Message& warning) {
+               return warning.is(core::says::otherLumenBeside);
+           });
+}
+
+TEST(OtherLumen, IsWarnedAboutUnlessItIsTracedToo)
+{
+    const Tube one{{-10, 0, -90}, {-10, 0, 90}, 8.0};
+    const Tube other{{8, 0, -90}, {8, 0, 90}, 7.0};
+    EXPECT_TRUE(warnsOfOtherLumen({one, other}));
+    EXPECT_TRUE(warnsOfOtherLumen({one, other}, {{8, 0, 0}}));
+    EXPECT_FALSE(warnsOfOtherLumen({one, other}, {{8, 0, 0}, {-10, 0, 0}}));
+    EXPECT_FALSE(warnsOfOtherLumen({one}));
+}
+
+}   // namespace

@@ -1,0 +1,86 @@
+#include "ui/controls/section.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QStyle>
+
+namespace angiopose::ui {
+
+Section::Section(const char* name, const Words& title, Folding folding, QWidget* parent)
+    : QWidget(parent),
+      title_(withText(roleLabel("heading"), title)),
+      hint_(new ElidedLabel("hint")),
+      content_(new QWidget)
+{
+    auto* header = new QHBoxLayout;
+    header->setSpacing(6);
+    if (folding == Folding::Foldable) {
+        fold_ = new QToolButton;
+        fold_->setProperty("role", "fold");
+        fold_->setArrowType(Qt::DownArrow);
+        withName(fold_, [title] { return tr("Fold %1").arg(title()); });
+        connect(fold_, &QToolButton::clicked, this, [this] { setFolded(!isFolded()); });
+        title_->installEventFilter(this);
+        hint_->installEventFilter(this);
+        header->addWidget(fold_);
+    }
+    header->addWidget(title_);
+    hint_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    header->addWidget(hint_, 1);
+
+    setObjectName(QLatin1String(name));
+    contentLayout_ = new QVBoxLayout(content_);
+    contentLayout_->setContentsMargins(0, 0, 0, 0);
+    contentLayout_->setSpacing(6);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(14, 10, 14, 6);
+    layout->setSpacing(8);
+    layout->addLayout(header);
+    layout->addWidget(content_);
+}
+
+void Section::setHint(const QString& hint)
+{
+    hint_->showText(hint);
+}
+
+void Section::setFolded(bool folded)
+{
+    if (folded == isFolded() && fold_ && fold_->arrowType() == (folded ? Qt::RightArrow : Qt::DownArrow)) {
+        return;
+    }
+    content_->setVisible(!folded);
+    if (fold_) {
+        fold_->setArrowType(folded ? Qt::RightArrow : Qt::DownArrow);
+    }
+    emit foldedChanged(folded);
+}
+
+bool Section::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::MouseButtonRelease && (watched == title_ || watched == hint_)) {
+        setFolded(!isFolded());
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+QLabel* roleLabel(const char* role, const QString& text, QWidget* parent)
+{
+    auto* label = new QLabel(text, parent);
+    label->setProperty("role", role);
+    return label;
+}
+
+void setRole(QWidget* widget, const char* role)
+{
+    if (widget->property("role").toByteArray() == role) {
+        return;
+    }
+    widget->setProperty("role", role);
+    widget->style()->unpolish(widget);
+    widget->style()->polish(widget);
+}
+
+}   // namespace angiopose::ui

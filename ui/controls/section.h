@@ -1,0 +1,48 @@
+#pragma once
+
+#include "ui/controls/elided_label.h"
+#include "ui/words/spoken.h"
+
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <QWidget>
+
+namespace angiopose::ui {
+
+enum class Folding { Fixed, Foldable };
+
+/// A part of a column: heading, hint on its right, content below. Told apart by tone and space, not by lines.
+class Section : public QWidget {
+    Q_OBJECT
+public:
+    /// `name` is the object name, by which the folding is remembered.
+    Section(const char* name, const Words& title, Folding folding, QWidget* parent = nullptr);
+
+    void setHint(const QString& hint);
+    void setFolded(bool folded);
+    bool isFoldable() const { return fold_ != nullptr; }
+    bool isFolded() const { return content_->isHidden(); }
+    QVBoxLayout* contentLayout() { return contentLayout_; }
+
+signals:
+    void foldedChanged(bool folded);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    QLabel* title_;
+    ElidedLabel* hint_;
+    QToolButton* fold_ = nullptr;
+    QWidget* content_;
+    QVBoxLayout* contentLayout_;
+};
+
+/// A label of the given role ("heading", "label", "hint", "strong", "attention"): its tone comes from the theme.
+QLabel* roleLabel(const char* role, const QString& text = {}, QWidget* parent = nullptr);
+
+/// Changes the role of a widget and restyles it at once.
+void setRole(QWidget* widget, const char* role);
+
+}   // namespace angiopose::ui

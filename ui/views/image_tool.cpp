@@ -1,0 +1,14 @@
+#include "ui/views/image_tool.h"
+
+#include "ui/views/angiogram_view.h"
+
+namespace angiopose::ui {
+
+ImageTool::ImageTool(AngiogramView& view) : QObject(&view), view_(view) {}
+
+const Color& ImageTool::tone() const
+{
+    return palette(ThemeMode::Dark).accent;   // the angiogram lies on black in every theme
+}
+
+}   // namespace angiopose::ui
