@@ -26,7 +26,21 @@ constexpr int orderRole = Qt::UserRole + 1;
 constexpr int methodColumns = 4;
 constexpr int poseRowSpacing = 10;
 
-enum PoseColumn { Name, Method, Median, P95, Covered, InPlane, Depth, Turn, Time, Author, When, Note, ColumnCount };
+enum PoseColumn {
+    PoseName,
+    PoseMethod,
+    PoseMedian,
+    PoseP95,
+    PoseCovered,
+    PoseInPlane,
+    PoseDepth,
+    PoseTurn,
+    PoseTime,
+    PoseAuthor,
+    PoseWhen,
+    PoseNote,
+    PoseColumnCount
+};
 
 /// Sorts by the number behind the text.
 class Row : public QTreeWidgetItem {
@@ -90,12 +104,12 @@ PoseTable::PoseTable(QWidget* parent)
     table_->setHeaderLabels({tr("Pose"), tr("Method"), tr("median mm"), tr("95 % mm"), tr("covered %"),
                              tr("Δ in plane mm"), tr("Δ depth mm"), tr("Δ turn °"), tr("run ms"), tr("Author"),
                              tr("When"), tr("Note")});
-    for (int column = Median; column <= Time; ++column) {
+    for (int column = PoseMedian; column <= PoseTime; ++column) {
         table_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     }
     table_->header()->setStretchLastSection(true);
-    for (int column = 0; column < ColumnCount; ++column) {
-        if (column != Name && column != Author && column != Note) {
+    for (int column = 0; column < PoseColumnCount; ++column) {
+        if (column != PoseName && column != PoseAuthor && column != PoseNote) {
             table_->setItemDelegateForColumn(column, new ReadOnly(table_));
         }
     }
@@ -176,30 +190,30 @@ QWidget* PoseTable::makeMethods()
 void PoseTable::fillRow(QTreeWidgetItem& item, const PoseRow& row, bool isReference)
 {
     const core::PoseSnapshot& snapshot = row.snapshot;
-    item.setData(Name, poseIdRole, snapshot.id);
-    item.setSizeHint(Note, {0, table_->fontMetrics().height() + poseRowSpacing});   // the one that stretches
-    item.setText(Name, snapshot.id == 0 ? tr("The pose as it is") : QString::fromStdString(snapshot.name));
-    item.setText(Method, methodWords(snapshot.method));
+    item.setData(PoseName, poseIdRole, snapshot.id);
+    item.setSizeHint(PoseNote, {0, table_->fontMetrics().height() + poseRowSpacing});   // the one that stretches
+    item.setText(PoseName, snapshot.id == 0 ? tr("The pose as it is") : QString::fromStdString(snapshot.name));
+    item.setText(PoseMethod, methodWords(snapshot.method));
     const auto& metrics = snapshot.metrics;
-    setNumber(item, Median, metrics ? std::optional(metrics->medianMm) : std::nullopt, 2);
-    setNumber(item, P95, metrics ? std::optional(metrics->p95Mm) : std::nullopt, 2);
-    setNumber(item, Covered, metrics ? std::optional(100.0 * metrics->coverage) : std::nullopt, 0);
-    setNumber(item, InPlane, row.difference.inPlaneMm, 2);
-    setNumber(item, Depth, row.difference.depthMm, 2);
-    setNumber(item, Turn, row.difference.rotationDeg, 2);
-    setNumber(item, Time, snapshot.runMs > 0.0 ? std::optional(snapshot.runMs) : std::nullopt,
+    setNumber(item, PoseMedian, metrics ? std::optional(metrics->medianMm) : std::nullopt, 2);
+    setNumber(item, PoseP95, metrics ? std::optional(metrics->p95Mm) : std::nullopt, 2);
+    setNumber(item, PoseCovered, metrics ? std::optional(100.0 * metrics->coverage) : std::nullopt, 0);
+    setNumber(item, PoseInPlane, row.difference.inPlaneMm, 2);
+    setNumber(item, PoseDepth, row.difference.depthMm, 2);
+    setNumber(item, PoseTurn, row.difference.rotationDeg, 2);
+    setNumber(item, PoseTime, snapshot.runMs > 0.0 ? std::optional(snapshot.runMs) : std::nullopt,
               snapshot.runMs < 10.0 ? 1 : 0);
-    item.setText(Author, QString::fromStdString(snapshot.author));
-    item.setText(When, shortTime(snapshot.time));
-    item.setText(Note, QString::fromStdString(snapshot.note));
+    item.setText(PoseAuthor, QString::fromStdString(snapshot.author));
+    item.setText(PoseWhen, shortTime(snapshot.time));
+    item.setText(PoseNote, QString::fromStdString(snapshot.note));
     if (metrics && !metrics->isTrustworthy) {
-        item.setForeground(Median, toQColor(activePalette().attention));
-        item.setToolTip(Median, tr("This fit was not trustworthy."));
+        item.setForeground(PoseMedian, toQColor(activePalette().attention));
+        item.setToolTip(PoseMedian, tr("This fit was not trustworthy."));
     }
     if (isReference) {
         QFont strong = table_->font();
         strong.setWeight(QFont::DemiBold);
-        item.setFont(Name, strong);
+        item.setFont(PoseName, strong);
     }
     item.setFlags(snapshot.id > 0 ? item.flags() | Qt::ItemIsEditable : item.flags());
 }
@@ -219,13 +233,13 @@ void PoseTable::showRows(const std::vector<PoseRow>& rows, int referenceId)
         if (row.snapshot.id == referenceId) {
             reference_->setText(tr("Differences are told from “%1”, about the centre of the tree. Amber: not "
                                    "trustworthy.")
-                                    .arg(item->text(Name)));
+                                    .arg(item->text(PoseName)));
         }
     }
     table_->header()->setSortIndicator(isFirst ? -1 : table_->header()->sortIndicatorSection(),
                                        table_->header()->sortIndicatorOrder());
     table_->setSortingEnabled(true);
-    for (int column = 0; isFirst && column < ColumnCount; ++column) {
+    for (int column = 0; isFirst && column < PoseColumnCount; ++column) {
         table_->resizeColumnToContents(column);
     }
     updateButtons();
@@ -267,16 +281,16 @@ void PoseTable::updateButtons()
 
 void PoseTable::reportEdit(const QTreeWidgetItem& item, int column)
 {
-    const int id = item.data(Name, poseIdRole).toInt();
+    const int id = item.data(PoseName, poseIdRole).toInt();
     const auto row = std::ranges::find(rows_, id, [](const PoseRow& each) { return each.snapshot.id; });
     if (row == rows_.end() || id == 0) {
         return;
     }
     core::PoseSnapshot edited = row->snapshot;
-    edited.name = item.text(Name).trimmed().toStdString();
-    edited.author = item.text(Author).trimmed().toStdString();
-    edited.note = item.text(Note).trimmed().toStdString();
-    if (column == Name || column == Author || column == Note) {
+    edited.name = item.text(PoseName).trimmed().toStdString();
+    edited.author = item.text(PoseAuthor).trimmed().toStdString();
+    edited.note = item.text(PoseNote).trimmed().toStdString();
+    if (column == PoseName || column == PoseAuthor || column == PoseNote) {
         emit textEdited(edited);
     }
 }
@@ -285,7 +299,7 @@ std::set<int> PoseTable::selectedIds() const
 {
     std::set<int> ids;
     for (const QTreeWidgetItem* item : table_->selectedItems()) {
-        ids.insert(item->data(Name, poseIdRole).toInt());
+        ids.insert(item->data(PoseName, poseIdRole).toInt());
     }
     return ids;
 }

@@ -18,7 +18,15 @@ constexpr int chooserHeight = 420;
 constexpr int seriesRowSpacing = 10;
 constexpr int rowRole = Qt::UserRole;
 
-enum SeriesColumn { Description, Modality, Images, Size, Spacing, Date, ColumnCount };
+enum SeriesColumn {
+    SeriesDescription,
+    SeriesModality,
+    SeriesImages,
+    SeriesSize,
+    SeriesSpacing,
+    SeriesDate,
+    SeriesColumnCount
+};
 
 }   // namespace
 
@@ -73,15 +81,16 @@ void SeriesChooser::fill()
         const SeriesRow& row = rows_[i];
         auto* item = new QTreeWidgetItem(
             list_, {row.description, row.modality, QString::number(row.imageCount), row.size, row.spacingMm, row.date});
-        item->setData(Description, rowRole, static_cast<int>(i));
-        item->setSizeHint(Date, {0, list_->fontMetrics().height() + seriesRowSpacing});   // the one that stretches
-        item->setTextAlignment(Images, Qt::AlignRight | Qt::AlignVCenter);
-        item->setToolTip(Description, row.notes.join(QLatin1Char('\n')));
+        item->setData(SeriesDescription, rowRole, static_cast<int>(i));
+        item->setSizeHint(SeriesDate,
+                          {0, list_->fontMetrics().height() + seriesRowSpacing});   // the one that stretches
+        item->setTextAlignment(SeriesImages, Qt::AlignRight | Qt::AlignVCenter);
+        item->setToolTip(SeriesDescription, row.notes.join(QLatin1Char('\n')));
         if (!row.isOpenable) {
-            item->setForeground(Description, palette().brush(QPalette::Disabled, QPalette::Text));
+            item->setForeground(SeriesDescription, palette().brush(QPalette::Disabled, QPalette::Text));
         }
     }
-    for (int column = 0; column < ColumnCount; ++column) {
+    for (int column = 0; column < SeriesColumnCount; ++column) {
         list_->resizeColumnToContents(column);
     }
     list_->header()->setStretchLastSection(true);
@@ -92,7 +101,7 @@ void SeriesChooser::fill()
 int SeriesChooser::currentRow() const
 {
     const QTreeWidgetItem* item = list_->currentItem();
-    return item ? item->data(Description, rowRole).toInt() : -1;
+    return item ? item->data(SeriesDescription, rowRole).toInt() : -1;
 }
 
 void SeriesChooser::showNotes()

@@ -23,7 +23,7 @@ namespace {
 constexpr int snapshotIdRole = Qt::UserRole;
 constexpr int mostSnapshotRows = 8;
 
-enum SnapshotColumn { Mark, Name, Median, ColumnCount };
+enum SnapshotColumn { SnapshotMark, SnapshotName, SnapshotMedian, SnapshotColumnCount };
 
 QString toQt(const std::string& text)
 {
@@ -73,7 +73,7 @@ SnapshotPanel::SnapshotPanel(QWidget* parent)
 void SnapshotPanel::setUpList()
 {
     withName(list_, [] { return tr("Kept poses"); });
-    list_->setColumnCount(ColumnCount);
+    list_->setColumnCount(SnapshotColumnCount);
     list_->setHeaderHidden(true);
     list_->setRootIsDecorated(true);
     list_->setIndentation(12);
@@ -85,9 +85,9 @@ void SnapshotPanel::setUpList()
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->header()->setStretchLastSection(false);
     list_->header()->setMinimumSectionSize(16);
-    list_->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
-    list_->header()->setSectionResizeMode(Mark, QHeaderView::ResizeToContents);
-    list_->header()->setSectionResizeMode(Median, QHeaderView::ResizeToContents);
+    list_->header()->setSectionResizeMode(SnapshotName, QHeaderView::Stretch);
+    list_->header()->setSectionResizeMode(SnapshotMark, QHeaderView::ResizeToContents);
+    list_->header()->setSectionResizeMode(SnapshotMedian, QHeaderView::ResizeToContents);
     list_->installEventFilter(this);
 }
 
@@ -114,13 +114,13 @@ void SnapshotPanel::connectList()
         }
     });
     connect(list_, &QTreeWidget::itemDoubleClicked, this, [this](const QTreeWidgetItem* item) {
-        if (const int id = item->data(Name, snapshotIdRole).toInt(); id > 0) {
+        if (const int id = item->data(SnapshotName, snapshotIdRole).toInt(); id > 0) {
             emit restoreRequested(id);
         }
     });
     connect(list_, &QTreeWidget::itemChanged, this, [this](const QTreeWidgetItem* item, int column) {
-        if (!showing_ && column == Name) {
-            emit renamed(item->data(Name, snapshotIdRole).toInt(), item->text(Name));
+        if (!showing_ && column == SnapshotName) {
+            emit renamed(item->data(SnapshotName, snapshotIdRole).toInt(), item->text(SnapshotName));
         }
     });
     connect(list_, &QTreeWidget::itemExpanded, this, &SnapshotPanel::fitHeight);
@@ -130,16 +130,16 @@ void SnapshotPanel::connectList()
 
 void SnapshotPanel::fillItem(QTreeWidgetItem& item, const core::PoseSnapshot& snapshot) const
 {
-    item.setData(Name, snapshotIdRole, snapshot.id);
-    item.setText(Name, toQt(snapshot.name));
-    item.setText(Median, snapshot.metrics ? numberText(snapshot.metrics->medianMm, 2) : QStringLiteral("–"));
-    item.setTextAlignment(Median, Qt::AlignRight | Qt::AlignVCenter);
+    item.setData(SnapshotName, snapshotIdRole, snapshot.id);
+    item.setText(SnapshotName, toQt(snapshot.name));
+    item.setText(SnapshotMedian, snapshot.metrics ? numberText(snapshot.metrics->medianMm, 2) : QStringLiteral("–"));
+    item.setTextAlignment(SnapshotMedian, Qt::AlignRight | Qt::AlignVCenter);
     item.setFlags(item.flags() | Qt::ItemIsEditable);
-    for (int column = 0; column < ColumnCount; ++column) {
+    for (int column = 0; column < SnapshotColumnCount; ++column) {
         item.setToolTip(column, toolTipOf(snapshot));
     }
     const bool doubtful = snapshot.metrics && !snapshot.metrics->isTrustworthy;
-    item.setForeground(Median, toQColor(doubtful ? activePalette().attention : activePalette().label));
+    item.setForeground(SnapshotMedian, toQColor(doubtful ? activePalette().attention : activePalette().label));
 }
 
 void SnapshotPanel::addRuns(const std::vector<core::PoseSnapshot>& snapshots)
@@ -150,7 +150,7 @@ void SnapshotPanel::addRuns(const std::vector<core::PoseSnapshot>& snapshots)
     }
     auto* group = new QTreeWidgetItem(list_, {QString(), tr("Runs (%1)").arg(count), QString()});
     group->setFlags(Qt::ItemIsEnabled);
-    group->setForeground(Name, toQColor(activePalette().label));
+    group->setForeground(SnapshotName, toQColor(activePalette().label));
     std::for_each(snapshots.rbegin(), snapshots.rend(), [&](const core::PoseSnapshot& run) {   // newest first
         if (run.kind == core::SnapshotKind::Run) {
             fillItem(*new QTreeWidgetItem(group), run);
@@ -187,10 +187,10 @@ void SnapshotPanel::showMarks(const SnapshotMarks& marks)
     const QScopedValueRollback quiet(showing_, true);
     marks_ = marks;
     for (QTreeWidgetItemIterator each(list_); *each; ++each) {
-        const int id = (*each)->data(Name, snapshotIdRole).toInt();
+        const int id = (*each)->data(SnapshotName, snapshotIdRole).toInt();
         const QString mark = marks.a == id ? tr("A") : marks.b == id ? tr("B") : QString();
-        (*each)->setText(Mark, marks.shown == id ? mark + QStringLiteral("●") : mark);
-        (*each)->setForeground(Mark, toQColor(activePalette().accent));
+        (*each)->setText(SnapshotMark, marks.shown == id ? mark + QStringLiteral("●") : mark);
+        (*each)->setForeground(SnapshotMark, toQColor(activePalette().accent));
     }
 }
 
@@ -198,15 +198,15 @@ void SnapshotPanel::editName(int snapshotId)
 {
     if (QTreeWidgetItem* item = itemOf(snapshotId)) {
         setFolded(false);
-        list_->setCurrentItem(item, Name);
-        list_->editItem(item, Name);
+        list_->setCurrentItem(item, SnapshotName);
+        list_->editItem(item, SnapshotName);
     }
 }
 
 QTreeWidgetItem* SnapshotPanel::itemOf(int snapshotId) const
 {
     for (QTreeWidgetItemIterator each(list_); *each; ++each) {
-        if ((*each)->data(Name, snapshotIdRole).toInt() == snapshotId) {
+        if ((*each)->data(SnapshotName, snapshotIdRole).toInt() == snapshotId) {
             return *each;
         }
     }
@@ -217,7 +217,7 @@ std::set<int> SnapshotPanel::selectedIds() const
 {
     std::set<int> ids;
     for (const QTreeWidgetItem* item : list_->selectedItems()) {
-        ids.insert(item->data(Name, snapshotIdRole).toInt());
+        ids.insert(item->data(SnapshotName, snapshotIdRole).toInt());
     }
     return ids;
 }
@@ -248,7 +248,7 @@ bool SnapshotPanel::eventFilter(QObject* watched, QEvent* event)
 void SnapshotPanel::showContextMenu(const QPoint& position)
 {
     const QTreeWidgetItem* item = list_->itemAt(position);
-    const int id = item ? item->data(Name, snapshotIdRole).toInt() : 0;
+    const int id = item ? item->data(SnapshotName, snapshotIdRole).toInt() : 0;
     if (id == 0) {
         return;
     }

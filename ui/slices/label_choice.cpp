@@ -26,7 +26,7 @@ constexpr int rowPadding = 8;
 constexpr int swatchPx = 10;
 constexpr int labelRole = Qt::UserRole;
 
-enum LabelColumn { Name, Volume };
+enum LabelColumn { LabelName, LabelVolume };
 
 QIcon swatch(const Color& color, double devicePxPerPx)
 {
@@ -88,8 +88,8 @@ LabelChoice::LabelChoice(QWidget* parent)
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->header()->setMinimumSectionSize(1);
     list_->header()->setStretchLastSection(false);
-    list_->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
-    list_->header()->setSectionResizeMode(Volume, QHeaderView::ResizeToContents);
+    list_->header()->setSectionResizeMode(LabelName, QHeaderView::Stretch);
+    list_->header()->setSectionResizeMode(LabelVolume, QHeaderView::ResizeToContents);
     connect(filter_, &QLineEdit::textChanged, this, &LabelChoice::filter);
     connect(list_, &QTreeWidget::itemChanged, this, &LabelChoice::takeTicks);
     connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
@@ -194,10 +194,10 @@ void LabelChoice::fill()
     list_->clear();
     for (const LabelRow& row : rows_) {
         auto* item = new QTreeWidgetItem(list_);
-        item->setData(Name, labelRole, row.label);
-        item->setIcon(Name, swatch(row.color, devicePixelRatioF()));
-        item->setTextAlignment(Volume, Qt::AlignRight | Qt::AlignVCenter);
-        item->setSizeHint(Name, {0, list_->fontMetrics().height() + rowPadding});
+        item->setData(LabelName, labelRole, row.label);
+        item->setIcon(LabelName, swatch(row.color, devicePixelRatioF()));
+        item->setTextAlignment(LabelVolume, Qt::AlignRight | Qt::AlignVCenter);
+        item->setSizeHint(LabelName, {0, list_->fontMetrics().height() + rowPadding});
     }
     {
         const QSignalBlocker quietFilter(filter_);
@@ -228,7 +228,7 @@ void LabelChoice::choose(std::optional<bool> ticked)
     std::set<int> wanted = ticked ? chosen_ : suggested_;
     for (int i = 0; ticked && i < list_->topLevelItemCount(); ++i) {
         const QTreeWidgetItem* item = list_->topLevelItem(i);
-        const int label = item->data(Name, labelRole).toInt();
+        const int label = item->data(LabelName, labelRole).toInt();
         if (item->isHidden()) {
             continue;
         }
@@ -249,8 +249,8 @@ void LabelChoice::takeTicks()
     std::set<int> ticked;
     for (int i = 0; i < list_->topLevelItemCount(); ++i) {
         const QTreeWidgetItem* item = list_->topLevelItem(i);
-        if (item->checkState(Name) == Qt::Checked) {
-            ticked.insert(item->data(Name, labelRole).toInt());
+        if (item->checkState(LabelName) == Qt::Checked) {
+            ticked.insert(item->data(LabelName, labelRole).toInt());
         }
     }
     if (ticked != chosen_) {
@@ -265,7 +265,7 @@ void LabelChoice::setTicks()
     const QSignalBlocker quiet(list_);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         list_->topLevelItem(static_cast<int>(i))
-            ->setCheckState(Name, chosen_.contains(rows_[i].label) ? Qt::Checked : Qt::Unchecked);
+            ->setCheckState(LabelName, chosen_.contains(rows_[i].label) ? Qt::Checked : Qt::Unchecked);
     }
     list_->viewport()->update();   // the blocked signals would have said so
     sayTexts();
@@ -279,9 +279,9 @@ void LabelChoice::sayTexts()
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const LabelRow& row = rows_[i];
         QTreeWidgetItem* item = list_->topLevelItem(static_cast<int>(i));
-        item->setText(Name, textOf(row));
-        item->setText(Volume, volumeText(row.volumeMl));
-        item->setToolTip(Name, textOf(row) + QStringLiteral(" · ") + volumeText(row.volumeMl));
+        item->setText(LabelName, textOf(row));
+        item->setText(LabelVolume, volumeText(row.volumeMl));
+        item->setToolTip(LabelName, textOf(row) + QStringLiteral(" · ") + volumeText(row.volumeMl));
         const bool isChosen = chosen_.contains(row.label);
         volumeMl += isChosen ? row.volumeMl : 0.0;
         count += isChosen ? 1 : 0;

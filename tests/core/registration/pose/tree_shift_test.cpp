@@ -1,6 +1,7 @@
 #include "core/registration/pose/tree_shift.h"
 
 #include "core/registration/problem/registration_problem.h"
+#include "core/registration/registration.h"
 #include "tests/support/clean_case.h"
 
 #include <gtest/gtest.h>
