@@ -27,7 +27,7 @@ TEST(Contestant, NamesWhatIsUnknown)
     for (const auto& [request, named] : {std::pair<std::string, std::string>{"magic", "magic"},
                                          {"dynaweight:seed_magic", "seed_magic"},
                                          {"angiopose:seed_mean", "seed_mean"},   // not an option of this method
-                                         {"dynaweight:off", "more than one"},
+                                         {"dynaweight:off", "'off'"},   // of a switch: has to name it
                                          {"dynaweight:magic=1", "magic"},
                                          {"dynaweight:maxIterations=0", "maxIterations"},
                                          {"", "''"}}) {
