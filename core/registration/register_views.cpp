@@ -61,7 +61,7 @@ public:
         IterationReport report;
         report.stage = "joint";
         report.scalePx = scalePx;
-        report.medianDistancePx = medianPx_;
+        report.medianDistancePx = first_.alignment.medianDistancePx(joint.first, distances_);
         report.progress = aloneShare + (1.0 - aloneShare) * done;
         report.cameraFromPatient = cameraFromPatient(joint.first, first_.problem.tree.centroid);
         report.stepMm = last_ ? shift_.rmsMm(*last_, report.cameraFromPatient) : 0.0;
@@ -76,7 +76,6 @@ private:
     {
         report.iteration = ++iterations_;
         report.progress = (static_cast<double>(view) + report.progress) / static_cast<double>(viewCount_);
-        medianPx_ = report.medianDistancePx;
         isStopped_ = isStopped_ || (observe_ && observe_(report) == Verdict::Stop);
         return isStopped_ ? Verdict::Stop : Verdict::Continue;
     }
@@ -86,7 +85,7 @@ private:
     std::optional<RigidTransform> last_;   ///< of the joint report before
     std::size_t viewCount_;
     const IterationObserver& observe_;
-    double medianPx_ = 0.0;
+    std::vector<double> distances_;
     int iterations_ = 0;
     bool isStopped_ = false;
 };

@@ -79,13 +79,6 @@ RegistrationResult resultOfAll(const MultiViewResult& joint)
     return result;
 }
 
-void takeOver(View& view, RegistrationResult result)
-{
-    view.caseFile = {};   // the view differs from its file now
-    view.cameraFromPatient = result.cameraFromPatient;
-    view.result = std::move(result);
-}
-
 Status registerOne(RegisteredCase& run, const IterationObserver& observe)
 {
     const auto input = registrationInputOf(run.theCase, run.targets.front());
@@ -100,7 +93,7 @@ Status registerOne(RegisteredCase& run, const IterationObserver& observe)
     return Done{};
 }
 
-Status registerTogether(RegisteredCase& run, const IterationObserver& observe, const Course& course)
+Status registerTogether(RegisteredCase& run, const IterationObserver& observe)
 {
     Stopwatch watch;
     const auto inputs = jointInputsOf(viewsAt(run.theCase, run.places), run.theCase.vessels, run.targets);
@@ -116,13 +109,19 @@ Status registerTogether(RegisteredCase& run, const IterationObserver& observe, c
     for (std::size_t k = 0; k < run.places.size(); ++k) {
         RegistrationResult& result = run.joint->views[k];
         result.time.totalMs = totalMs;
-        result.stopReason = course.isStopped() ? StopReason::StoppedByUser : result.stopReason;
         takeOver(run.theCase.views[run.places[k]], k == 0 ? resultOfAll(*run.joint) : result);
     }
     return Done{};
 }
 
 }   // namespace
+
+void takeOver(View& view, RegistrationResult result)
+{
+    view.caseFile = {};
+    view.cameraFromPatient = result.cameraFromPatient;
+    view.result = std::move(result);
+}
 
 Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan, const WorkObserver& observe)
 {
@@ -139,7 +138,7 @@ Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan, const W
     RegisteredCase run{std::move(theCase), std::move(places).value(), std::move(targets).value(), {}};
     const double begin = isTraced || run.places.size() > 1 ? tracingShare : 0.0;
     const IterationObserver observer = solverObserver(course, run.places, begin);
-    const Status status = run.places.size() > 1 ? registerTogether(run, observer, course) : registerOne(run, observer);
+    const Status status = run.places.size() > 1 ? registerTogether(run, observer) : registerOne(run, observer);
     if (!status) {
         return status.error();
     }

@@ -28,6 +28,9 @@ struct RegisteredCase {
     const RegistrationResult& result() const { return *theCase.shown().result; }
 };
 
+/// The view after a run that found this: at its pose, and no longer as its case file has it.
+void takeOver(View& view, RegistrationResult result);
+
 /// The main job: traces the vessels in each view, registers the tree to one view (registerVessels) or to all together
 /// (registerViews), and takes over what was found. Fails naming the view and what it lacks. Stopped before there is any
 /// pose it ends as stopped, later it keeps the best pose.
