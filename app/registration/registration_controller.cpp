@@ -87,9 +87,10 @@ void RegistrationController::continueAfterTracing()
 void RegistrationController::apply(const core::RegisteredCase& registered)
 {
     end();
-    std::vector<core::View> views = registered.theCase.views;
+    std::vector<core::View> views = document_.current().views;   // with what was kept of them meanwhile
     for (const std::size_t place : registered.places) {
         core::View& view = views[place];
+        core::takeOver(view, *registered.theCase.views[place].result);
         view.snapshots = core::withSnapshot(std::move(view.snapshots), snapshotOfRun(*view.result, view.frame));
     }
     const bool areSeveral = registered.joint.has_value();
