@@ -48,26 +48,29 @@ core::Result<std::string> readCaseText(const std::string& path)
     return std::string(content);
 }
 
-/// Content, and everything wrong with it.
-CaseDocument examine(const std::string& text)
-{
-    CaseDocument document;
-    document.problems = findSchemaProblems(text);
-    return document.problems.empty() ? parseCaseDocument(text) : document;
-}
-
-/// The document of a case file, its paths absolute. Fails where the file is no case, or one that makes no sense.
-core::Result<CaseDocument> readDocument(const std::string& path)
+/// Content of a case file, its paths absolute, and everything wrong with it. Fails where the file is no JSON.
+core::Result<CaseDocument> examine(const std::string& path)
 {
     const auto text = readCaseText(path);
     if (!text) {
         return text.error();
     }
-    CaseDocument document = examine(text.value());
-    if (!document.problems.empty()) {
-        return fileError(path, document.problems.front());
+    CaseDocument document;
+    document.problems = findSchemaProblems(text.value());
+    if (document.problems.empty()) {
+        document = parseCaseDocument(text.value());
     }
     makePathsAbsolute(document, path);
+    return document;
+}
+
+/// Likewise, and fails where it is no case, or one that makes no sense.
+core::Result<CaseDocument> readDocument(const std::string& path)
+{
+    auto document = examine(path);
+    if (document && !document.value().problems.empty()) {
+        return fileError(path, document.value().problems.front());
+    }
     return document;
 }
 
@@ -174,13 +177,12 @@ core::Result<std::vector<MissingInput>> missingInputs(const std::string& casePat
 
 core::Result<core::Messages> validateCase(const std::string& path)
 {
-    const auto text = readCaseText(path);
-    if (!text) {
-        return text.error();
-    }
     try {
-        CaseDocument document = examine(text.value());
-        makePathsAbsolute(document, path);
+        auto examined = examine(path);
+        if (!examined) {
+            return examined.error();
+        }
+        CaseDocument document = std::move(examined).value();
         for (const core::InputFile* file : {&document.values.vessels.file, &document.values.shown().imageFile,
                                             &document.values.shown().target.file}) {
             const bool isSeries = document.values.vessels.input.kind == core::VesselInputKind::Volume &&
@@ -200,13 +202,12 @@ core::Result<core::Messages> validateCase(const std::string& path)
 
 core::Result<core::Messages> doubtsOfCase(const std::string& path)
 {
-    const auto text = readCaseText(path);
-    if (!text) {
-        return text.error();
-    }
     try {
-        CaseDocument document = examine(text.value());
-        makePathsAbsolute(document, path);
+        auto examined = examine(path);
+        if (!examined) {
+            return examined.error();
+        }
+        CaseDocument document = std::move(examined).value();
         Case& values = document.values;
         const auto angiogram = readAngiogram(values.shown().imageFile.path);
         if (!angiogram) {
