@@ -13,13 +13,4 @@ T takeResult(const QFutureWatcher<T>& watcher)
     return watcher.future().takeResult();
 }
 
-/// Waits for work that is under way; one whose result was taken would be waited for for ever.
-template <typename T>
-void waitFor(QFutureWatcher<T>& watcher)
-{
-    if (watcher.isRunning()) {
-        watcher.waitForFinished();
-    }
-}
-
 }   // namespace angiopose::app

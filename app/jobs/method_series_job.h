@@ -1,12 +1,11 @@
 #pragma once
 
+#include "app/jobs/job.h"
 #include "core/registration/registration.h"
 #include "core/support/result.h"
 
-#include <QFutureWatcher>
 #include <QObject>
 
-#include <atomic>
 #include <string>
 #include <vector>
 
@@ -18,11 +17,10 @@ class MethodSeriesJob : public QObject {
     Q_OBJECT
 public:
     explicit MethodSeriesJob(QObject* parent = nullptr);
-    ~MethodSeriesJob() override;   ///< stops and waits, for one solver iteration at most
 
     void start(core::RegistrationInput input, core::RegistrationOptions options, std::vector<std::string> methodIds);
-    void requestStop() { stopRequested_ = true; }   ///< returns at once; `ended` follows
-    bool isRunning() const { return running_; }
+    void requestStop();   ///< returns at once; `ended` follows
+    bool isRunning() const { return job_.isRunning(); }
 
 signals:
     void advanced(const QString& methodId, double progress);   ///< over all methods, 0…1
@@ -31,14 +29,24 @@ signals:
     void ended(bool wasStopped);
 
 private:
-    void solve(const core::RegistrationInput& input, core::RegistrationOptions options,
-               const std::vector<std::string>& methodIds);
-    void solveOne(const core::RegistrationInput& input, const core::RegistrationOptions& options, double done,
-                  double share);
+    /// How one method ended.
+    struct Ended {
+        std::string methodId;
+        core::Result<core::RegistrationResult> outcome;
+    };
+    /// How far the series is, and all that has ended by now.
+    struct Report {
+        std::string methodId;
+        double progress = 0.0;
+        std::vector<Ended> ended;
+    };
+    static core::Result<core::Done> solve(const core::RegistrationInput& input, core::RegistrationOptions options,
+                                          const std::vector<std::string>& methodIds, JobLink<Report>& link);
+    void tell(const Report& report);
 
-    std::atomic<bool> stopRequested_{false};
-    QFutureWatcher<void> watcher_;
-    bool running_ = false;
+    std::size_t toldCount_ = 0;   ///< of those that ended
+    bool stopWished_ = false;
+    Job<core::Done, Report> job_;
 };
 
 }   // namespace angiopose::app

@@ -1,7 +1,6 @@
 #include "app/views/view_controller.h"
 
 #include "app/document/edit_case.h"
-#include "app/jobs/future_result.h"
 #include "app/texts/number_text.h"
 #include "core/case/case_views.h"
 #include "ui/main_window.h"
@@ -13,7 +12,6 @@
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QMenu>
-#include <QtConcurrentRun>
 
 #include <algorithm>
 #include <chrono>
@@ -67,22 +65,20 @@ QString titleOf(const core::View& view)
 
 ViewController::ViewController(CaseDocument& document, const TargetProvider& target, ui::MainWindow& window,
                                QObject* parent)
-    : QObject(parent), document_(document), target_(target), window_(window)
+    : QObject(parent),
+      document_(document),
+      target_(target),
+      window_(window),
+      looking_([this](const std::vector<ViewLook>& looks) { showPictures(looks); })
 {
     pause_.setSingleShot(true);
     pause_.setInterval(250ms);
     connect(&pause_, &QTimer::timeout, this, &ViewController::look);
-    connect(&looking_, &QFutureWatcherBase::finished, this, &ViewController::showPictures);
     connect(&document_, &CaseDocument::changed, this, &ViewController::followDocument);
     connect(&target_, &TargetProvider::changed, this, &ViewController::followDocument);
     connect(&document_, &CaseDocument::stateChanged, this, &ViewController::followDocument);
     connectWindow();
     ui::speak(this, [this] { followDocument(); });
-}
-
-ViewController::~ViewController()
-{
-    waitFor(looking_);
 }
 
 void ViewController::connectWindow()
@@ -176,17 +172,15 @@ void ViewController::look()
     if (seen_.views.empty()) {
         return;
     }
-    looking_.setFuture(QtConcurrent::run(
+    looking_.start(
         [snapshot = document_.current(), target = target_.current(), known = looks_,
-         widthPx = window_.views().pictureWidthPx()] { return lookAtViews(snapshot, target, known, widthPx); }));
+         widthPx = window_.views().pictureWidthPx()](JobLink<double>&) -> core::Result<std::vector<ViewLook>> {
+            return lookAtViews(snapshot, target, known, widthPx);
+        });
 }
 
-void ViewController::showPictures()
+void ViewController::showPictures(std::vector<ViewLook> looks)
 {
-    if (looking_.future().resultCount() == 0) {
-        return;
-    }
-    std::vector<ViewLook> looks = takeResult(looking_);
     if (seen_.views.empty()) {
         return;   // of a case that was closed meanwhile
     }

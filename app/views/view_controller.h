@@ -1,10 +1,10 @@
 #pragma once
 
 #include "app/document/case_document.h"
+#include "app/jobs/job.h"
 #include "app/registration/target_provider.h"
 #include "app/views/look_at_view.h"
 
-#include <QFutureWatcher>
 #include <QObject>
 #include <QTimer>
 
@@ -24,7 +24,6 @@ class ViewController : public QObject {
 public:
     ViewController(CaseDocument& document, const TargetProvider& target, ui::MainWindow& window,
                    QObject* parent = nullptr);
-    ~ViewController() override;
 
     bool isLooking() const { return looking_.isRunning(); }   ///< making pictures and numbers of the views
     void showNext();
@@ -49,7 +48,7 @@ private:
     void followDocument();
     void show(int line);
     void showLines();
-    void showPictures();
+    void showPictures(std::vector<ViewLook> looks);
     void look();
     const ViewLook* lookOf(std::size_t place) const;
 
@@ -60,7 +59,7 @@ private:
     Seen seen_;
     std::vector<ViewLook> looks_;
     QTimer pause_;   ///< pictures are drawn when things have come to rest
-    QFutureWatcher<std::vector<ViewLook>> looking_;
+    Job<std::vector<ViewLook>> looking_;
 };
 
 }   // namespace angiopose::app
