@@ -1,7 +1,6 @@
 #include "core/registration/track_frames.h"
 
 #include "core/registration/alignment/pose_ranking.h"
-#include "core/registration/alignment/pose_search.h"
 #include "core/support/quantile.h"
 #include "core/support/stopwatch.h"
 
@@ -35,7 +34,7 @@ bool FrameTracker::isFit(double score) const
     return score >= std::max(fitsAtAll, fitsLikeBefore * medianScore());
 }
 
-Result<TrackedFrame> FrameTracker::next(const Centerline2d& target)
+Result<TrackedFrame> FrameTracker::next(const Centerline2d& target, const SearchObserver& observe)
 {
     if (const auto problem = findProblem(target)) {
         return Error(*problem);
@@ -57,7 +56,7 @@ Result<TrackedFrame> FrameTracker::next(const Centerline2d& target)
 
     if (!isFit(frame.score)) {
         frame.searched = true;
-        pose = searchAround(lines, prediction.start, pose);
+        pose = searchAround(lines, prediction.start, pose, observe);
         frame.score = agreement.of(pose);
         frame.time.searchMs = stopwatch.lapMs();
     }
@@ -69,13 +68,17 @@ Result<TrackedFrame> FrameTracker::next(const Centerline2d& target)
 }
 
 CentroidPose FrameTracker::searchAround(const TargetLines& lines, const CentroidPose& prediction,
-                                        const CentroidPose& refined) const
+                                        const CentroidPose& refined, const SearchObserver& observe) const
 {
     const StartPrior anywhereNear = startPrior(prediction, options_, problem_.freedom);
     PoseRanking ranking(problem_, lines, anywhereNear);
     ranking.add(refined);
     const PoseSearch search(problem_, lines, options_);
-    for (const CentroidPose& found : search.nearby(prediction, [](double) { return Verdict::Continue; })) {
+    const SearchObserver hear = [&observe](double done) { return observe ? observe(done) : Verdict::Continue; };
+    for (const CentroidPose& found : search.nearby(prediction, hear)) {
+        if (hear(1.0) == Verdict::Stop) {
+            break;
+        }
         ranking.add(found);
     }
     Alignment alignment(points_, problem_.camera, lines);

@@ -2,6 +2,7 @@
 
 #include "core/registration/alignment/alignment.h"
 #include "core/registration/alignment/motion_model.h"
+#include "core/registration/alignment/pose_search.h"
 #include "core/registration/matching/target_lines.h"
 
 #include <deque>
@@ -25,14 +26,15 @@ public:
     /// `first`: a checked problem whose start is the registered pose of the frame before the first one tracked.
     FrameTracker(RegistrationProblem first, const RegistrationOptions& options, const MotionModel::Noise& noise = {});
 
-    /// Fails when the target is empty or not finite; the tracker then stays as it was.
-    Result<TrackedFrame> next(const Centerline2d& target);
+    /// Fails when the target is empty or not finite; the tracker then stays as it was. `observe` hears of a search; a
+    /// frame whose search it stopped has been looked at in part only.
+    Result<TrackedFrame> next(const Centerline2d& target, const SearchObserver& observe = {});
 
 private:
     bool isFit(double score) const;
     double medianScore() const;
-    CentroidPose searchAround(const TargetLines& lines, const CentroidPose& prediction,
-                              const CentroidPose& refined) const;
+    CentroidPose searchAround(const TargetLines& lines, const CentroidPose& prediction, const CentroidPose& refined,
+                              const SearchObserver& observe) const;
     void learnFrom(const TrackedFrame& frame, const CentroidPose& pose);
 
     RegistrationProblem problem_;

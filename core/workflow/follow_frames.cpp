@@ -29,14 +29,14 @@ public:
     {
     }
 
-    FollowedFrame step(int frame)
+    FollowedFrame step(int frame, const SearchObserver& observe)
     {
         FollowedFrame followed;
         followed.frame = frame;
         followed.tracked.cameraFromPatient = last_;
         case_.shown().frame = frame;
         const auto target = targetOf(case_.shown());
-        const auto tracked = target ? tracker_.next(target.value()) : Result<TrackedFrame>(target.error());
+        const auto tracked = target ? tracker_.next(target.value(), observe) : Result<TrackedFrame>(target.error());
         if (tracked) {
             followed.tracked = tracked.value();
             last_ = followed.tracked.cameraFromPatient;
@@ -89,7 +89,12 @@ Result<std::vector<FollowedFrame>> followFrames(const Case& theCase, const WorkO
         Walk walk(theCase, problem.value());
         for (int frame = theCase.shown().frame + direction; frame >= 0 && frame < count && !course.isStopped();
              frame += direction) {
-            frames.push_back(walk.step(frame));
+            const double done = static_cast<double>(frames.size()) / count;
+            FollowedFrame followed = walk.step(frame, [&](double) { return course.tell("following", done); });
+            if (course.isStopped()) {
+                break;   // in the midst of this frame
+            }
+            frames.push_back(std::move(followed));
             course.tell("following", static_cast<double>(frames.size()) / count);
         }
     }

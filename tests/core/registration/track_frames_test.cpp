@@ -80,6 +80,29 @@ TEST(FrameTracker, SearchesAfterAJump)
     }
 }
 
+TEST(FrameTracker, HearsStopWhileItSearches)
+{
+    BreathingRun run;
+    FrameTracker tracker = run.tracker();
+    ASSERT_TRUE(tracker.next(run.targetAt(1)));
+    Centerline2d elsewhere = run.targetAt(2);
+    for (Curve2d& curve : elsewhere.curves) {
+        for (Eigen::Vector2d& point : curve.pointsPx) {
+            point.x() += 60.0;
+        }
+    }
+    FrameTracker undisturbed = tracker;
+    int heard = 0;
+    const auto count = [&heard](double) { return ++heard, Verdict::Continue; };
+    ASSERT_TRUE(undisturbed.next(elsewhere, count).value().searched);
+    const int whole = heard;
+    heard = 0;
+    const auto stop = [&heard](double) { return ++heard, Verdict::Stop; };
+    ASSERT_TRUE(tracker.next(elsewhere, stop).value().searched);
+    EXPECT_GT(whole, 3);
+    EXPECT_LE(heard, 2);
+}
+
 TEST(FrameTracker, SaysWhenTheVesselsAreGoneAndFindsThemAgain)
 {
     BreathingRun run;
