@@ -215,11 +215,17 @@ TEST_P(WindowBadFiles, LoadOrAreRefusedByOneMessage)
         w.drop({path});
         takeInsteadOfWhatIsOpen(w);
 
+        const auto isUntouched = [&] {
+            return w.current().vessels.tree == treeBefore && w.current().shown().angiogram == imageBefore &&
+                   !w.current().shown().target.centerline;
+        };
+        EXPECT_TRUE(QTest::qWaitFor(
+            [&] { return !w.controller.isBusy() && (!isUntouched() || !w.dialogs("messageDialog").empty()); },
+            test::patienceMs))
+            << path.toStdString();
         const auto messages = w.dialogs("messageDialog");
-        const bool untouched = w.current().vessels.tree == treeBefore && w.current().shown().angiogram == imageBefore &&
-                               !w.current().shown().target.centerline;
-        needsSample = !untouched;
-        EXPECT_EQ(messages.size(), untouched ? 1 : 0) << path.toStdString();
+        needsSample = !isUntouched();
+        EXPECT_EQ(messages.size(), needsSample ? 0 : 1) << path.toStdString();
         for (QDialog* message : messages) {
             message->close();
         }

@@ -85,6 +85,12 @@ def test_what_the_observer_raises_comes_out(arrays):
 def test_other_threads_run_meanwhile(arrays):
     stamps, isDone = [], threading.Event()
 
+    def stampsDuringARun():
+        before = time.monotonic()
+        angiopose.registerVessels(arrays)
+        after = time.monotonic()
+        return sum(before < stamp < after for stamp in list(stamps))
+
     def work():
         while not isDone.is_set():
             stamps.append(time.monotonic())
@@ -92,12 +98,10 @@ def test_other_threads_run_meanwhile(arrays):
 
     thread = threading.Thread(target=work)
     thread.start()
-    before = time.monotonic()
-    angiopose.registerVessels(arrays)
-    after = time.monotonic()
+    most = max(stampsDuringARun() for _ in range(30))   # other programs may hold up one run or another
     isDone.set()
     thread.join()
-    assert sum(before < stamp < after for stamp in stamps) > 2   # with the lock held: none, or one at either end
+    assert most > 2   # with the lock held: none, or one at either end
 
 
 def test_errors_say_what_is_wrong(arrays):
