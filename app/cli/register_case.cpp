@@ -4,7 +4,9 @@
 #include "app/messages/says.h"
 #include "core/registration/methods/method_info.h"
 #include "core/registration/options/option_text.h"
+#include "core/support/utc_time.h"
 
+#include <cstdlib>
 #include <utility>
 
 namespace angiopose::app {
@@ -58,7 +60,11 @@ core::Status applyArguments(core::Case& theCase, const RegisterArguments& argume
 core::Result<core::RegisteredCase> registerForCommand(core::Case theCase, const std::string& label)
 {
     ProgressLine progress(label);
-    return core::registerCase(std::move(theCase), {}, progress.observer());
+    const char* user = std::getenv("USER");
+    core::RegistrationPlan plan;
+    plan.author = user ? user : "";
+    plan.time = core::utcNow();
+    return core::registerCase(std::move(theCase), std::move(plan), progress.observer());
 }
 
 }   // namespace angiopose::app

@@ -3,6 +3,7 @@
 #include "app/document/edit_case.h"
 #include "app/words/snapshot_texts.h"
 #include "core/registration/methods/method_info.h"
+#include "core/support/utc_time.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/words/message_text.h"
 
@@ -81,7 +82,8 @@ void RegistrationController::continueAfterTracing()
     }
     phase_ = Phase::Solving;
     using Views = core::RegistrationPlan::Views;   // a view whose image is lost is marked in the strip
-    job_.start(document_.current(), {allViews_ ? Views::Loaded : Views::Shown, *target_.current()});
+    job_.start(document_.current(), {allViews_ ? Views::Loaded : Views::Shown, *target_.current(),
+                                     observerName().toStdString(), core::utcNow()});
 }
 
 void RegistrationController::apply(const core::RegisteredCase& registered)

@@ -8,6 +8,7 @@
 #include "core/case/registration_input.h"
 #include "core/simulation/simulated_case.h"
 #include "core/support/random.h"
+#include "core/support/utc_time.h"
 #include "ui/main_window.h"
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
@@ -84,7 +85,7 @@ void BlindTrialController::start(const ui::BlindTrialSetup& setup)
     caseNumber_ = document_.state().caseNumber;
     core::CounterRandom random(setup.seed);
     trial_ = {};
-    trial_.startedAt = timeNow();
+    trial_.startedAt = core::utcNow();
     trial_.observer = setup.observer.toStdString();
     trial_.caseTitle = current.title;
     trial_.imageSha256 = current.shown().imageFile.sha256;

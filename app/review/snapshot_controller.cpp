@@ -2,6 +2,7 @@
 
 #include "app/document/edit_case.h"
 #include "app/words/snapshot_texts.h"
+#include "core/support/utc_time.h"
 #include "ui/main_window.h"
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
@@ -88,7 +89,7 @@ void SnapshotController::keep()
     core::PoseSnapshot kept;
     kept.name = freeName(current.shown().snapshots).toStdString();
     kept.author = observerName().toStdString();
-    kept.time = timeNow();
+    kept.time = core::utcNow();
     kept.method = current.shown().result ? current.shown().result->method : std::string();
     kept.frame = current.shown().frame;
     kept.cameraFromPatient = current.shown().cameraFromPatient;

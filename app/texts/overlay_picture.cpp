@@ -203,10 +203,16 @@ std::map<std::string, std::string> provenanceTexts(const core::Case& theCase)
         {"Angiogram", theCase.shown().imageFile.sha256 + " frame " + std::to_string(theCase.shown().frame)},
         {"cameraFromPatient", poseText(theCase.shown().cameraFromPatient)},
     };
-    if (theCase.shown().result) {
-        texts["Method"] = theCase.shown().result->method;
-        texts["Trustworthy"] = theCase.shown().result->trustworthy ? "yes" : "no";
+    if (const auto& result = theCase.shown().result) {
+        texts["Method"] = result->method;
+        texts["Trustworthy"] = result->trustworthy ? "yes" : "no";
+        for (const core::Message& warning : result->warnings) {
+            texts["Warnings"] += warning.text() + "\n";
+        }
+        texts["Found"] = result->provenance.time;
+        texts["Found by"] = result->provenance.author;
     }
+    std::erase_if(texts, [](const auto& entry) { return entry.second.empty(); });
     return texts;
 }
 

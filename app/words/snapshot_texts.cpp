@@ -1,9 +1,8 @@
 #include "app/words/snapshot_texts.h"
 
 #include "app/preferences/settings.h"
+#include "core/support/utc_time.h"
 #include "ui/panels/snapshot_panel.h"
-
-#include <QDateTime>
 
 namespace angiopose::app {
 
@@ -13,16 +12,11 @@ QString observerName()
     return set.isEmpty() ? qEnvironmentVariable("USER") : set;
 }
 
-std::string timeNow()
-{
-    return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-}
-
 core::PoseSnapshot snapshotOfRun(const core::RegistrationResult& result, int frame)
 {
     core::PoseSnapshot snapshot;
     snapshot.kind = core::SnapshotKind::Run;
-    snapshot.time = timeNow();
+    snapshot.time = core::utcNow();
     snapshot.method = result.method;
     snapshot.author = observerName().toStdString();
     snapshot.name = (ui::methodWords(result.method) + QLatin1Char(' ') + ui::shortTime(snapshot.time)).toStdString();

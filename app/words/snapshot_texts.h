@@ -9,9 +9,6 @@ namespace angiopose::app {
 /// Who sits here: as set for observer studies, or the login name.
 QString observerName();
 
-/// ISO 8601, UTC, to the second.
-std::string timeNow();
-
 /// What a run leaves behind, named after its method and the time.
 core::PoseSnapshot snapshotOfRun(const core::RegistrationResult& result, int frame);
 

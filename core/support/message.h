@@ -87,7 +87,7 @@ std::ostream& operator<<(std::ostream& stream, const Message& message);
 std::string argumentText(const MessageArgument& argument);
 
 /// Highest number of a place in `english`: "… %1 of %2 …" has two.
-consteval std::size_t placesIn(std::string_view english)
+constexpr std::size_t placesIn(std::string_view english)
 {
     std::size_t places = 0;
     for (std::size_t at = 0; at + 1 < english.size(); ++at) {

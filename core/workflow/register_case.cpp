@@ -79,21 +79,23 @@ RegistrationResult resultOfAll(const MultiViewResult& joint)
     return result;
 }
 
-Status registerOne(RegisteredCase& run, const IterationObserver& observe)
+Status registerOne(RegisteredCase& run, const Provenance& provenance, const IterationObserver& observe)
 {
     const auto input = registrationInputOf(run.theCase, run.targets.front());
     if (!input) {
         return input.error();
     }
-    auto result = registerVessels(input.value(), run.theCase.options, observe);
-    if (!result) {
-        return result.error();
+    auto found = registerVessels(input.value(), run.theCase.options, observe);
+    if (!found) {
+        return found.error();
     }
-    takeOver(run.theCase.shown(), std::move(result).value());
+    RegistrationResult result = std::move(found).value();
+    result.provenance = provenance;
+    takeOver(run.theCase.shown(), std::move(result));
     return Done{};
 }
 
-Status registerTogether(RegisteredCase& run, const IterationObserver& observe)
+Status registerTogether(RegisteredCase& run, const Provenance& provenance, const IterationObserver& observe)
 {
     Stopwatch watch;
     const auto inputs = jointInputsOf(viewsAt(run.theCase, run.places), run.theCase.vessels, run.targets);
@@ -109,6 +111,7 @@ Status registerTogether(RegisteredCase& run, const IterationObserver& observe)
     for (std::size_t k = 0; k < run.places.size(); ++k) {
         RegistrationResult& result = run.joint->views[k];
         result.time.totalMs = totalMs;
+        result.provenance = provenance;
         takeOver(run.theCase.views[run.places[k]], k == 0 ? resultOfAll(*run.joint) : result);
     }
     return Done{};
@@ -138,7 +141,9 @@ Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan, const W
     RegisteredCase run{std::move(theCase), std::move(places).value(), std::move(targets).value(), {}};
     const double begin = isTraced || run.places.size() > 1 ? tracingShare : 0.0;
     const IterationObserver observer = solverObserver(course, run.places, begin);
-    const Status status = run.places.size() > 1 ? registerTogether(run, observer) : registerOne(run, observer);
+    const Provenance provenance{std::move(plan.author), std::move(plan.time), ANGIOPOSE_VERSION, run.theCase.options};
+    const Status status =
+        run.places.size() > 1 ? registerTogether(run, provenance, observer) : registerOne(run, provenance, observer);
     if (!status) {
         return status.error();
     }

@@ -5,6 +5,7 @@
 #include "core/workflow/observer.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace angiopose::core {
@@ -16,6 +17,8 @@ struct RegistrationPlan {
 
     Views views = Views::All;
     std::optional<Centerline2d> shownTarget{};   ///< vessels of the shown view where they are known; else traced
+    std::string author{};   ///< who asks for it; kept with the result
+    std::string time{};   ///< when, ISO 8601, UTC; kept with the result
 };
 
 /// A case after its registration.

@@ -6,6 +6,7 @@
 #include "io/case/case_inputs.h"
 #include "io/case/case_schema.h"
 #include "io/case/saved_files.h"
+#include "io/case/stale_results.h"
 #include "io/case/view_inputs.h"
 #include "io/messages/says.h"
 #include "io/support/atomic_file.h"
@@ -140,12 +141,14 @@ core::Result<Case> loadCase(const std::string& path, core::Messages& warnings, c
             file->path = place == moved.end() ? file->path : place->second;
         }
         std::vector<ViewNotes> notes = document.notes;
+        const Case noted = document.values;
         auto loaded = loadInputs(std::move(document), path, warnings, observe);
         if (!loaded) {
             return loaded.error();
         }
         Case values = std::move(loaded).value();
         loadOtherViews(values, std::move(notes), path, warnings);
+        dropStaleResults(noted, values, warnings);
         return values;
     } catch (const std::exception&) {   // a value the schema let through
         return fileError(path, says::caseWrongKind());

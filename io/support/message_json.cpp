@@ -1,6 +1,12 @@
 #include "io/support/message_json.h"
 
+#include "core/messages/catalogue.h"
+#include "io/messages/catalogue.h"
+#include "io/support/lasting_text.h"
+
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace angiopose::io {
 namespace {
@@ -18,6 +24,9 @@ struct ArgumentJson {
         MessageJson json{{"value", quantity.value}};
         if (*quantity.unit != '\0') {
             json["unit"] = quantity.unit;
+        }
+        if (quantity.decimals != 0) {
+            json["decimals"] = quantity.decimals;
         }
         return json;
     }
@@ -45,6 +54,66 @@ MessageJson jsonOf(const core::Message& message)
     return json;
 }
 
+core::Message messageOf(const MessageJson& json);
+
+core::MessageArgument argumentOf(const MessageJson& json)
+{
+    if (json.is_object()) {
+        return core::Quantity{json.at("value").is_null() ? std::nan("") : json.at("value").get<double>(),
+                              json.value("decimals", 0), lasting(json.value("unit", std::string())).data()};
+    }
+    if (!json.is_array()) {
+        return json.get<std::string>();
+    }
+    if (json.empty() || json.front().is_string()) {
+        return json.get<std::vector<std::string>>();
+    }
+    core::Messages messages;
+    for (const MessageJson& each : json) {
+        messages.push_back(messageOf(each));
+    }
+    return messages;
+}
+
+const core::MessageEntry* findEntry(const std::string& id)
+{
+    for (const auto catalogue : {core::messageCatalogue(), io::messageCatalogue()}) {
+        for (const core::MessageEntry* entry : catalogue) {
+            if (id == entry->id) {
+                return entry;
+            }
+        }
+    }
+    return nullptr;
+}
+
+core::Severity severityOf(const std::string& text)
+{
+    for (const core::Severity severity : {core::Severity::Note, core::Severity::Error}) {
+        if (text == core::toText(severity)) {
+            return severity;
+        }
+    }
+    return core::Severity::Warning;
+}
+
+/// One that this version does not have, or not so, keeps its English sentence.
+core::Message messageOf(const MessageJson& json)
+{
+    const core::Severity severity = severityOf(json.value("severity", std::string()));
+    const core::MessageEntry* entry = findEntry(json.at("id").get<std::string>());
+    if (!entry || json.at("arguments").size() != core::placesIn(entry->english)) {
+        return core::Message(json.value("text", std::string())).as(severity);
+    }
+    std::vector<core::MessageArgument> arguments;
+    for (const MessageJson& each : json.at("arguments")) {
+        arguments.push_back(argumentOf(each));
+    }
+    core::Message message = core::Message(*entry, std::move(arguments)).as(severity);
+    const std::string subject = json.value("subject", std::string());
+    return subject.empty() ? message : message.about(subject);
+}
+
 /// Names of files need not be UTF-8.
 std::string textOf(const MessageJson& json)
 {
@@ -65,6 +134,15 @@ std::string messagesJson(const core::Messages& messages)
         list.push_back(jsonOf(message));
     }
     return textOf(list);
+}
+
+core::Messages messagesFrom(std::string_view json)
+{
+    core::Messages messages;
+    for (const MessageJson& each : MessageJson::parse(json)) {
+        messages.push_back(messageOf(each));
+    }
+    return messages;
 }
 
 std::vector<std::string> sentencesOf(const core::Messages& messages)

@@ -3547,6 +3547,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Datei hat sich seit dem Speichern des Falls geändert. Prüfen, ob es die richtige ist.</translation>
     </message>
     <message>
+        <source>what was found in it is left out, because the vessels, the image or the traced curves have changed since. Register again.</source>
+        <comment>case.result-stale</comment>
+        <translation>was darin gefunden wurde, ist weggelassen, weil sich Gefäße, Bild oder gezeichnete Kurven seither geändert haben. Neu registrieren.</translation>
+    </message>
+    <message>
         <source>this is another DICOM image than the one the case was made for.</source>
         <comment>case.other-image</comment>
         <translation>das ist ein anderes DICOM-Bild als das des Falls.</translation>

@@ -3547,6 +3547,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件在病例保存后已更改。请确认是否正确。</translation>
     </message>
     <message>
+        <source>what was found in it is left out, because the vessels, the image or the traced curves have changed since. Register again.</source>
+        <comment>case.result-stale</comment>
+        <translation>其中的结果已略去，因为血管、图像或描绘的曲线此后已改变。请重新配准。</translation>
+    </message>
+    <message>
         <source>this is another DICOM image than the one the case was made for.</source>
         <comment>case.other-image</comment>
         <translation>这与病例所用的 DICOM 图像不同。</translation>

@@ -6,6 +6,7 @@
 #include <QCheckBox>
 #include <QFile>
 #include <QInputDialog>
+#include <QLabel>
 #include <QListWidget>
 #include <QMenu>
 #include <QTemporaryDir>
@@ -197,6 +198,72 @@ TEST(WindowViews, ASavedCaseShowsThemAgain)
     ASSERT_TRUE(again.current().views[1].angiogram);
     EXPECT_EQ(again.current().views[1].cameraFromPatient.matrix(), otherPose);
     EXPECT_EQ(again.window.views().count(), 2);
+}
+
+/// What the window says of the shown pose.
+QStringList wordsOfResult(OpenWindow& w)
+{
+    QStringList words;
+    for (const QLabel* label : w.window.result().findChildren<QLabel*>()) {
+        if (label->isVisible()) {
+            words << label->text();
+        }
+    }
+    return words;
+}
+
+/// Whether the judgement is that of the pose that is shown.
+auto isJudged(OpenWindow& w)
+{
+    return [&w] {
+        const SharedJudgement judgement = w.controller.judgement();
+        return judgement &&
+               judgement->result.cameraFromPatient.matrix() == w.current().shown().cameraFromPatient.matrix();
+    };
+}
+
+TEST(WindowViews, AReopenedCaseSaysOfItsFitWhatItSaidBefore)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("both.angiopose"));
+    QStringList words, steps;
+    std::vector<core::RegistrationResult> results;
+    const auto stepsOf = [](OpenWindow& w) {
+        QStringList texts;
+        for (const QLabel* label : w.window.steps().findChildren<QLabel*>()) {
+            texts << label->text();
+        }
+        return texts;
+    };
+    {
+        OpenWindow w;
+        openBothViews(w);
+        w.press(Qt::Key_R);
+        w.waitForRun();
+        EXPECT_TRUE(QTest::qWaitFor(isJudged(w), test::patienceMs));
+        words = wordsOfResult(w);
+        steps = stepsOf(w);
+        results = {*w.current().views[0].result, *w.current().views[1].result};
+        w.controller.saving().saveTo(path);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !w.controller.document().isModified(); }, test::patienceMs));
+    }
+    OpenWindow again;
+    again.drop({path});
+    EXPECT_TRUE(QTest::qWaitFor(isJudged(again), test::patienceMs));
+    EXPECT_EQ(wordsOfResult(again).join(u'\n').toStdString(), words.join(u'\n').toStdString());
+    EXPECT_EQ(stepsOf(again).join(u'\n').toStdString(), steps.join(u'\n').toStdString());
+    for (std::size_t k = 0; k < 2; ++k) {
+        const auto& result = again.current().views[k].result;
+        ASSERT_TRUE(result) << k;
+        EXPECT_EQ(result->method, results[k].method);
+        EXPECT_EQ(result->trustworthy, results[k].trustworthy);
+        EXPECT_EQ(result->warnings, results[k].warnings);
+        EXPECT_EQ(result->history.size(), results[k].history.size());
+        EXPECT_EQ(result->provenance.time, results[k].provenance.time);
+        EXPECT_FALSE(result->provenance.time.empty());
+    }
+    EXPECT_FALSE(again.controller.document().isModified());
 }
 
 TEST(WindowViews, AViewKeepsTheNameThatTheUserGivesIt)

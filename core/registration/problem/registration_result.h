@@ -94,6 +94,14 @@ struct Hypothesis {
     double score = 0.0;   ///< 0…1, higher is better, comparable within one result
 };
 
+/// Who had a result found, when, by which program and with what.
+struct Provenance {
+    std::string author;   ///< empty: not known
+    std::string time;   ///< ISO 8601, UTC; empty: not known
+    std::string programVersion;   ///< empty: not known
+    RegistrationOptions options;
+};
+
 struct RegistrationResult {
     std::string method;
     RigidTransform cameraFromPatient;
@@ -107,6 +115,7 @@ struct RegistrationResult {
     bool trustworthy = false;
     Messages warnings;   ///< why it is not trustworthy, or what one view cannot tell
     StageTimes time;
+    Provenance provenance;   ///< of a result that a case keeps: see registerCase
 };
 
 }   // namespace angiopose::core

@@ -150,18 +150,24 @@ Json keysOf(const StoredFields<Owner>& fields)
     return knownKeys(objectSchema(propertiesOf(fields)));
 }
 
-/// One of a list, with what the file says of it that this version does not know.
+/// One of a list, with what the file says of it that this version does not know, where an Item has a place for that.
 template <class Item>
 void readItem(const Json& json, Item& item, const StoredFields<Item>& fields, Reading& reading)
 {
     readFields(json, item, fields, reading);
-    item.extraKeys = unknownKeys(json.dump(), keysOf(fields).dump());
+    if constexpr (requires { item.extraKeys; }) {
+        item.extraKeys = unknownKeys(json.dump(), keysOf(fields).dump());
+    }
 }
 
 template <class Item>
 Json itemJson(const Item& item, const StoredFields<Item>& fields, const std::filesystem::path& folder)
 {
-    return Json::parse(withExtraKeys(writeFields(item, fields, folder).dump(), item.extraKeys));
+    Json json = writeFields(item, fields, folder);
+    if constexpr (requires { item.extraKeys; }) {
+        json = Json::parse(withExtraKeys(json.dump(), item.extraKeys));
+    }
+    return json;
 }
 
 /// A list of objects with rows of their own; left out where it is empty.

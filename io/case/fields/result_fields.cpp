@@ -1,0 +1,259 @@
+#include "io/case/fields/result_fields.h"
+
+#include "io/case/fields/json_values.h"
+#include "io/case/fields/option_values.h"
+#include "io/support/lasting_text.h"
+#include "io/support/message_json.h"
+#include "io/support/pose_matrix.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace angiopose::io {
+namespace {
+
+namespace fs = std::filesystem;
+using core::BranchResidual;
+using core::DistanceMetrics;
+using core::Hypothesis;
+using core::IterationReport;
+using core::PoseUncertainty;
+using core::Provenance;
+using core::RegistrationResult;
+using core::StageTimes;
+using core::StopReason;
+
+constexpr std::size_t longestStageName = 40;
+
+/// A number that need not be known: JSON has no NaN, null stands for it.
+Json measureSchema()
+{
+    return {{"type", {"number", "null"}}};
+}
+
+double measureFrom(const Json& value)
+{
+    return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+}
+
+template <class Owner>
+StoredField<Owner> storedMeasure(std::string key, double Owner::*member)
+{
+    StoredField<Owner> field = storedValue(std::move(key), measureSchema(), member);
+    field.read = [member](const Json& value, Owner& owner, Reading&) { owner.*member = measureFrom(value); };
+    return field;
+}
+
+/// A column is a list, a matrix a list of its rows.
+template <class Owner, int Rows, int Columns>
+StoredField<Owner> storedMeasures(std::string key, Eigen::Matrix<double, Rows, Columns> Owner::*member)
+{
+    const auto place = [](auto& json, int row, int column) -> auto&
+    {
+        return Columns == 1 ? json.at(static_cast<std::size_t>(row))
+                            : json.at(static_cast<std::size_t>(row)).at(static_cast<std::size_t>(column));
+    };
+    Json blank = Columns == 1 ? Json(std::vector<double>(Rows))
+                              : Json(std::vector<std::vector<double>>(Rows, std::vector<double>(Columns)));
+    return {std::move(key), listSchema(Columns == 1 ? measureSchema() : listSchema(measureSchema())),
+            [member, place](const Json& value, Owner& owner, Reading&) {
+                for (int i = 0; i < Rows * Columns; ++i) {
+                    (owner.*member)(i / Columns, i % Columns) = measureFrom(place(value, i / Columns, i % Columns));
+                }
+            },
+            [member, place, blank = std::move(blank)](const Owner& owner, const fs::path&) {
+                Json json = blank;
+                for (int i = 0; i < Rows * Columns; ++i) {
+                    place(json, i / Columns, i % Columns) = (owner.*member)(i / Columns, i % Columns);
+                }
+                return json;
+            }};
+}
+
+/// Of anything that has a pose.
+template <class Owner>
+StoredField<Owner> storedPose(core::RigidTransform Owner::*member)
+{
+    return {"cameraFromPatient", definedAs("matrix"),
+            [member](const Json& value, Owner& owner, Reading& reading) {
+                if (const auto pose = poseFromRows(value.get<MatrixRows>())) {
+                    owner.*member = pose.value();
+                } else {
+                    reading.problems.push_back(pose.error().message.about("result"));
+                }
+            },
+            [member](const Owner& owner, const fs::path&) { return Json(rowsOf(owner.*member)); }};
+}
+
+StoredFields<DistanceMetrics> metricsFields()
+{
+    return {storedMeasure("meanProjectionDistancePx", &DistanceMetrics::meanPx),
+            storedMeasure("medianProjectionDistancePx", &DistanceMetrics::medianPx),
+            storedMeasure("p75ProjectionDistancePx", &DistanceMetrics::p75Px),
+            storedMeasure("p95ProjectionDistancePx", &DistanceMetrics::p95Px),
+            storedMeasure("meanProjectionDistanceMm", &DistanceMetrics::meanMm),
+            storedMeasure("medianProjectionDistanceMm", &DistanceMetrics::medianMm),
+            storedMeasure("p75ProjectionDistanceMm", &DistanceMetrics::p75Mm),
+            storedMeasure("p95ProjectionDistanceMm", &DistanceMetrics::p95Mm),
+            storedMeasure("coverage", &DistanceMetrics::coverage),
+            storedMeasure("reverseDistancePx", &DistanceMetrics::reverseMeanPx),
+            storedMeasure("reverseDistanceMm", &DistanceMetrics::reverseMeanMm)};
+}
+
+/// For readers; a file that says otherwise is of another version.
+StoredField<PoseUncertainty> saidField(std::string key, Json said)
+{
+    return {std::move(key), Json::object(), [](const Json&, PoseUncertainty&, Reading&) {},
+            [said = std::move(said)](const PoseUncertainty&, const fs::path&) { return said; }};
+}
+
+StoredFields<PoseUncertainty> uncertaintyFields()
+{
+    return {saidField("order", {"rotationX", "rotationY", "rotationZ", "x", "y", "z"}),
+            saidField("units", {"rad", "rad", "rad", "mm", "mm", "mm"}),
+            saidField("frame", "camera axes about the centroid of the vessel tree"),
+            storedMeasures("covariance", &PoseUncertainty::covariance),
+            storedMeasures("rotationSigmaDeg", &PoseUncertainty::rotationDeg),
+            storedMeasure("inPlaneSigmaMm", &PoseUncertainty::inPlaneMm),
+            storedMeasure("depthSigmaMm", &PoseUncertainty::depthMm),
+            storedValue("observed", listSchema(flagSchema()), &PoseUncertainty::observed),
+            storedMeasures("weakestDirection", &PoseUncertainty::weakestDirection)};
+}
+
+StoredFields<BranchResidual> branchFields()
+{
+    return {storedValue("branch", Json{{"type", "integer"}}, &BranchResidual::branchId),
+            storedValue("points", Json{{"type", "integer"}, {"minimum", 0}}, &BranchResidual::pointCount),
+            storedMeasure("medianPx", &BranchResidual::medianPx), storedMeasure("p95Px", &BranchResidual::p95Px),
+            storedMeasure("agreement", &BranchResidual::agreement)};
+}
+
+StoredFields<Hypothesis> hypothesisFields()
+{
+    return {storedPose(&Hypothesis::cameraFromPatient), storedMeasure("score", &Hypothesis::score)};
+}
+
+StoredFields<StageTimes> timeFields()
+{
+    return {storedMeasure("target", &StageTimes::targetMs), storedMeasure("search", &StageTimes::searchMs),
+            storedMeasure("solve", &StageTimes::solveMs), storedMeasure("total", &StageTimes::totalMs)};
+}
+
+StoredField<IterationReport> stageField()
+{
+    return {"stage", textSchema(),
+            [](const Json& value, IterationReport& report, Reading&) {
+                report.stage = lasting(value.get<std::string>().substr(0, longestStageName));
+            },
+            [](const IterationReport& report, const fs::path&) { return Json(report.stage); }};
+}
+
+StoredFields<IterationReport> iterationFields()
+{
+    return {storedValue("iteration", Json{{"type", "integer"}}, &IterationReport::iteration),
+            stageField(),
+            storedMeasure("progress", &IterationReport::progress),
+            storedMeasure("scalePx", &IterationReport::scalePx),
+            storedMeasure("medianDistancePx", &IterationReport::medianDistancePx),
+            storedMeasure("stepMm", &IterationReport::stepMm),
+            storedPose(&IterationReport::cameraFromPatient),
+            storedIfSet("view", Json{{"type", "integer"}, {"minimum", 0}}, &IterationReport::view)};
+}
+
+StoredField<RegistrationResult> stopReasonField()
+{
+    using enum StopReason;
+    static constexpr std::array reasons{Converged, IterationLimit, NoImprovement, StoppedByUser};
+    Json schema;
+    for (const StopReason reason : reasons) {
+        schema["enum"].push_back(core::toText(reason));
+    }
+    return {"stopReason", std::move(schema),
+            [](const Json& value, RegistrationResult& result, Reading&) {
+                result.stopReason = *std::ranges::find(reasons, value.get<std::string>(),
+                                                       [](StopReason reason) { return core::toText(reason); });
+            },
+            [](const RegistrationResult& result, const fs::path&) { return Json(core::toText(result.stopReason)); }};
+}
+
+StoredField<RegistrationResult> messagesField()
+{
+    return {
+        "messages", about(listSchema(Json{{"type", "object"}}), "The warnings, for programs."),
+        [](const Json& value, RegistrationResult& result, Reading&) { result.warnings = messagesFrom(value.dump()); },
+        [](const RegistrationResult& result, const fs::path&) { return Json::parse(messagesJson(result.warnings)); }};
+}
+
+StoredField<Provenance> runOptionsField()
+{
+    return {"options", about(Json{{"type", "object"}}, "Those it was found with."),
+            [](const Json& value, Provenance& provenance, Reading& reading) {
+                readOptions(value.dump(), provenance.options, reading.problems);
+            },
+            [](const Provenance& provenance, const fs::path&) { return Json::parse(optionsJson(provenance.options)); }};
+}
+
+StoredFields<Provenance> provenanceFields()
+{
+    return {storedIfSet("author", textSchema(), &Provenance::author),
+            storedIfSet("time", about(textSchema(), "ISO 8601, UTC."), &Provenance::time), runOptionsField(),
+            storedIfSet("programVersion", textSchema(), &Provenance::programVersion)};
+}
+
+bool isAt(const core::RigidTransform& pose, const RegistrationResult& result)
+{
+    return pose.matrix() == result.cameraFromPatient.matrix();
+}
+
+}   // namespace
+
+const StoredFields<RegistrationResult>& resultFields()
+{
+    static const StoredFields<RegistrationResult> fields = [] {
+        StoredFields<RegistrationResult> rows{
+            storedValue("method", textSchema(), &RegistrationResult::method),
+            storedGroup<RegistrationResult>("pose", Json::object(),
+                                            {storedPose(&RegistrationResult::cameraFromPatient)}),
+            storedPart("metrics", Json::object(), &RegistrationResult::metrics, metricsFields()),
+            storedPart("uncertainty", Json::object(), &RegistrationResult::uncertainty, uncertaintyFields()),
+            storedList("perBranch", Json::object(), &RegistrationResult::branches, Json::object(), branchFields()),
+            storedList("alternatives", Json::object(), &RegistrationResult::alternatives, Json::object(),
+                       hypothesisFields()),
+            storedValue("trustworthy", flagSchema(), &RegistrationResult::trustworthy),
+            messagesField(),
+            stopReasonField(),
+            storedValue("iterations", Json{{"type", "integer"}, {"minimum", 0}}, &RegistrationResult::iterations),
+            storedPart("timeMs", Json::object(), &RegistrationResult::time, timeFields()),
+        };
+        for (const StoredField<Provenance>& field : provenanceFields()) {
+            rows.push_back(storedThrough<RegistrationResult>(
+                [](auto& result) -> auto& { return result.provenance; }, field));
+        }
+        return rows;
+    }();
+    return fields;
+}
+
+StoredField<core::View> resultField()
+{
+    StoredFields<RegistrationResult> rows = resultFields();
+    rows.push_back(
+        storedList("history", Json::object(), &RegistrationResult::history, Json::object(), iterationFields()));
+    Json schema = objectSchema(propertiesOf(rows),
+                               {"method", "pose", "metrics", "uncertainty", "trustworthy", "messages", "stopReason"});
+    return {"result", about(std::move(schema), "Of the run that found the current pose; absent: found otherwise."),
+            [rows](const Json& value, core::View& view, Reading& reading) {
+                RegistrationResult result;
+                readFields(value, result, rows, reading);
+                if (isAt(view.cameraFromPatient, result)) {
+                    view.result = std::move(result);
+                }
+            },
+            [rows](const core::View& view, const fs::path& folder) {
+                return view.result ? writeFields(*view.result, rows, folder) : Json();
+            }};
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,43 @@
+#include "io/case/stale_results.h"
+
+#include "io/messages/says.h"
+
+#include <utility>
+
+namespace angiopose::io {
+namespace {
+
+/// A file that nobody vouches for is another one.
+bool isAsNoted(const core::InputFile& noted, const core::InputFile& read)
+{
+    return noted.path.empty() || (!noted.sha256.empty() && noted.sha256 == read.sha256);
+}
+
+bool areAsNoted(const core::Vessels& noted, const core::Vessels& read)
+{
+    return isAsNoted(noted.file, read.file) && isAsNoted(noted.scanFile, read.scanFile) &&
+           noted.excludedBranchIds == read.excludedBranchIds;
+}
+
+/// A view of another case file was found with the vessels of that one.
+bool isAsNoted(const core::View& noted, const core::View& read)
+{
+    return noted.caseFile.path.empty() && isAsNoted(noted.imageFile, read.imageFile) &&
+           isAsNoted(noted.target.file, read.target.file);
+}
+
+}   // namespace
+
+void dropStaleResults(const core::Case& noted, core::Case& read, core::Messages& warnings)
+{
+    const bool haveVesselsChanged = !areAsNoted(noted.vessels, read.vessels);
+    for (std::size_t k = 0; k < read.views.size(); ++k) {
+        core::View& view = read.views[k];
+        const bool isStale = view.result && (haveVesselsChanged || !isAsNoted(noted.views[k], view));
+        if (isStale && std::exchange(view.result, std::nullopt) && noted.views[k].caseFile.path.empty()) {
+            warnings.push_back(says::caseResultStale().about(view.imageFile.path));
+        }
+    }
+}
+
+}   // namespace angiopose::io

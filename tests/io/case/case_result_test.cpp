@@ -1,0 +1,174 @@
+#include "core/messages/says.h"
+#include "core/registration/registration.h"
+#include "io/messages/says.h"
+#include "tests/io/case/small_case.h"
+
+#include <cmath>
+
+using namespace angiopose;
+
+namespace {
+
+using test::SmallCase;
+
+/// A result with every field set, as a run could leave it; the pose is that of `theCase`.
+core::RegistrationResult richResult(const core::Case& theCase)
+{
+    core::RegistrationResult result;
+    result.method = "dynaweight";
+    result.cameraFromPatient = theCase.shown().cameraFromPatient;
+    result.stopReason = core::StopReason::StoppedByUser;
+    result.iterations = 12;
+    result.metrics.medianPx = 1.0 / 3.0;
+    result.metrics.coverage = std::nan("");   // nothing was there to cover
+    result.uncertainty.covariance.setConstant(0.1 + 0.2);
+    result.uncertainty.rotationDeg = {0.1, 0.2, 1.0 / 7.0};
+    result.uncertainty.depthMm = 12.5;
+    result.uncertainty.observed = {true, false, true, true, true, false};
+    result.uncertainty.weakestDirection[5] = 1.0;
+    result.branches = {{1, 21, 0.5, 2.5, 0.75}, {2, 9, 1.5, 3.5, 0.25}};
+    result.alternatives = {{theCase.shown().cameraFromPatient, 0.9}};
+    result.trustworthy = false;
+    result.warnings = {core::says::trustPoseUncertain(core::inMm(2.44, 1)), core::says::trustStopped(),
+                       core::says::inView(2, io::says::fileMissing().about("b.dcm")).as(core::Severity::Note)};
+    result.time = {1.0, 2.0, 3.0, 6.5};
+    result.provenance = {"Ada", "2026-05-04T12:30:00Z", "0.1.0", theCase.options};
+    result.provenance.options.maxIterations = 33;
+    core::IterationReport report;
+    report.iteration = 3;
+    report.stage = "refine";
+    report.progress = 0.25;
+    report.scalePx = 7.5;
+    report.medianDistancePx = 4.0 / 3.0;
+    report.stepMm = 0.5;
+    report.cameraFromPatient = theCase.shown().cameraFromPatient;
+    report.view = 1;
+    result.history = {report, report};
+    return result;
+}
+
+class CaseResult : public ::testing::Test {
+protected:
+    CaseResult()
+    {
+        auto loaded = small.load(small.json());
+        EXPECT_TRUE(loaded);
+        theCase = std::move(loaded).value();
+        theCase.shown().result = richResult(theCase);
+        EXPECT_TRUE(io::saveCase(theCase, small.path("saved.angiopose")));
+    }
+
+    core::Case reopened()
+    {
+        small.warnings.clear();
+        auto loaded = io::loadCase(small.path("saved.angiopose"), small.warnings);
+        EXPECT_TRUE(loaded) << loaded.error().message;
+        return std::move(loaded).value();
+    }
+
+    nlohmann::json saved() const { return nlohmann::json::parse(test::readText(small.path("saved.angiopose"))); }
+
+    SmallCase small;
+    core::Case theCase;
+};
+
+TEST_F(CaseResult, IsRestoredToTheLastBit)
+{
+    const core::Case copy = reopened();
+    ASSERT_TRUE(copy.shown().result);
+    const core::RegistrationResult& was = *theCase.shown().result;
+    const core::RegistrationResult& is = *copy.shown().result;
+    EXPECT_EQ(is.method, was.method);
+    EXPECT_EQ(is.cameraFromPatient.matrix(), was.cameraFromPatient.matrix());
+    EXPECT_EQ(is.stopReason, was.stopReason);
+    EXPECT_EQ(is.iterations, was.iterations);
+    EXPECT_EQ(is.metrics.medianPx, was.metrics.medianPx);
+    EXPECT_TRUE(std::isnan(is.metrics.coverage));
+    EXPECT_EQ(is.uncertainty.covariance, was.uncertainty.covariance);
+    EXPECT_EQ(is.uncertainty.rotationDeg, was.uncertainty.rotationDeg);
+    EXPECT_EQ(is.uncertainty.observed, was.uncertainty.observed);
+    EXPECT_EQ(is.uncertainty.weakestDirection, was.uncertainty.weakestDirection);
+    ASSERT_EQ(is.branches.size(), 2U);
+    EXPECT_EQ(is.branches[1].agreement, was.branches[1].agreement);
+    ASSERT_EQ(is.alternatives.size(), 1U);
+    EXPECT_EQ(is.alternatives[0].score, 0.9);
+    EXPECT_FALSE(is.trustworthy);
+    EXPECT_EQ(is.warnings, was.warnings);   // ids, severities, numbers: they can be told in any language
+    EXPECT_EQ(is.time.totalMs, 6.5);
+    EXPECT_EQ(is.provenance.author, "Ada");
+    EXPECT_EQ(is.provenance.time, was.provenance.time);
+    EXPECT_EQ(is.provenance.options, was.provenance.options);
+    ASSERT_EQ(is.history.size(), 2U);
+    EXPECT_EQ(is.history[0].stage, "refine");
+    EXPECT_EQ(is.history[0].medianDistancePx, was.history[0].medianDistancePx);
+    EXPECT_EQ(is.history[1].view, 1U);
+    EXPECT_FALSE(test::anyContains(small.warnings, "Register again"));
+
+    ASSERT_TRUE(io::saveCase(copy, small.path("again.angiopose")));
+    EXPECT_EQ(test::readText(small.path("again.angiopose")), test::readText(small.path("saved.angiopose")));
+    EXPECT_TRUE(io::validateCase(small.path("saved.angiopose")).value().empty());
+}
+
+TEST_F(CaseResult, GoesWithThePoseItFound)
+{
+    nlohmann::json edited = saved();
+    edited["pose"]["current"]["cameraFromPatient"][0][3] = 1.0;
+    small.folder().write("saved.angiopose", edited.dump());
+    EXPECT_FALSE(reopened().shown().result);
+}
+
+TEST_F(CaseResult, GoesWithASentenceWhereItsInputsHaveChanged)
+{
+    for (const char* const input : {"in/tree.csv", "in/image.png"}) {
+        const std::string before = test::readText(small.path(input));
+        if (std::string(input) == "in/tree.csv") {
+            small.folder().write(input, before + "10,16,0,2\n");
+        } else {
+            core::ColorImage other{16, 12, std::vector<std::uint8_t>(16 * 12 * 3, 70)};
+            ASSERT_TRUE(io::writePng(other, small.path(input)));
+        }
+        EXPECT_FALSE(reopened().shown().result) << input;
+        EXPECT_TRUE(test::anyContains(small.warnings, "Register again")) << input;
+        small.folder().write(input, before);
+        EXPECT_TRUE(reopened().shown().result) << input;
+    }
+}
+
+TEST_F(CaseResult, OfFilesThatNobodyVouchesForGoes)
+{
+    nlohmann::json edited = saved();
+    edited["angiogram"]["image"].erase("sha256");
+    small.folder().write("saved.angiopose", edited.dump());
+    EXPECT_FALSE(reopened().shown().result);
+}
+
+TEST_F(CaseResult, KeepsWarningsOfOtherVersionsAsTheirSentence)
+{
+    nlohmann::json edited = saved();
+    edited["result"]["messages"][1] = {{"id", "trust.of-the-future"},
+                                       {"severity", "warning"},
+                                       {"text", "The moon was in the way."},
+                                       {"arguments", {1, 2, 3}}};
+    small.folder().write("saved.angiopose", edited.dump());
+    const core::Case copy = reopened();
+    ASSERT_TRUE(copy.shown().result);
+    EXPECT_EQ(copy.shown().result->warnings[1].text(), "The moon was in the way.");
+}
+
+TEST_F(CaseResult, ThatMakesNoSenseIsRefusedInWords)
+{
+    for (const auto& [key, value] : std::initializer_list<std::pair<const char*, nlohmann::json>>{
+             {"trustworthy", "yes"},
+             {"stopReason", "tired"},
+             {"messages", {{{"text", "no id"}}}},
+             {"uncertainty", {{"covariance", {{1.0}}}}},
+             {"metrics", {{"medianProjectionDistancePx", "far"}}}}) {
+        nlohmann::json edited = saved();
+        edited["result"][key] = value;
+        small.folder().write("saved.angiopose", edited.dump());
+        core::Messages warnings;
+        EXPECT_FALSE(io::loadCase(small.path("saved.angiopose"), warnings)) << key;
+    }
+}
+
+}   // namespace
