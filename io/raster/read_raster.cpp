@@ -33,13 +33,13 @@ bool isFinite(const Raster& raster)
 
 }   // namespace
 
-float Raster::luminance(double red, double green, double blue)
+float Raster::luminance(float red, float green, float blue)
 {
     if (red == green && green == blue) {
-        return static_cast<float>(red);
+        return red;
     }
     wasColour = true;
-    return static_cast<float>(0.299 * red + 0.587 * green + 0.114 * blue);
+    return 0.299F * red + 0.587F * green + 0.114F * blue;
 }
 
 bool looksLikeRaster(std::string_view content)

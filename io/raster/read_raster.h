@@ -16,7 +16,7 @@ struct Raster {
     bool hadAlpha = false;   ///< transparency was ignored
 
     /// Grey of a pixel (Rec. 601), exact where the channels agree; notes where they do not.
-    float luminance(double red, double green, double blue);
+    float luminance(float red, float green, float blue);
 };
 
 /// True when the content begins like one of the formats.
