@@ -3,7 +3,6 @@
 #include "core/tracing/angiogram/frame/drawn_mask.h"
 #include "core/tracing/angiogram/run/suggest_frame.h"
 #include "io/dicom/dicom_file.h"
-#include "io/dicom/open_dicom.h"
 #include "io/dicom/read_dicom.h"
 #include "io/dicom/write_dicom.h"
 #include "io/messages/says.h"

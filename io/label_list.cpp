@@ -1,6 +1,6 @@
 #include "io/label_list.h"
 
-#include "io/dicom/open_dicom.h"
+#include "io/dicom/dicom_file.h"
 #include "io/messages/says.h"
 #include "io/series/dicom_segmentation.h"
 #include "io/support/numbers.h"

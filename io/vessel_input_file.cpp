@@ -2,7 +2,7 @@
 
 #include "core/imaging/fill_surface.h"
 #include "core/tracing/volume/trace_vessels.h"
-#include "io/dicom/open_dicom.h"
+#include "io/dicom/dicom_file.h"
 #include "io/dicom_series.h"
 #include "io/file_hash.h"
 #include "io/label_list.h"

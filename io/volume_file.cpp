@@ -1,6 +1,6 @@
 #include "io/volume_file.h"
 
-#include "io/dicom/open_dicom.h"
+#include "io/dicom/dicom_file.h"
 #include "io/dicom_series.h"
 #include "io/messages/says.h"
 #include "io/series/dicom_segmentation.h"

@@ -13,7 +13,8 @@ constexpr std::size_t preambleSize = 128;
 constexpr std::string_view magic = "DICM";
 constexpr std::string_view deflatedSyntax = "1.2.840.10008.1.2.1.99";
 constexpr std::string_view bigEndianSyntax = "1.2.840.10008.1.2.2";
-constexpr std::size_t maxUnpackedBytes = std::size_t{128} << 20;
+constexpr std::size_t maxDatasetBytes = std::size_t{128} << 20;   // unpacked, as the next
+constexpr std::size_t maxFileBytes = std::size_t{256} << 20;
 constexpr DicomTag transferSyntaxTag = 0x00020010;
 
 bool hasPreamble(std::string_view content)
@@ -74,6 +75,29 @@ bool looksLikeDicom(std::string_view content)
     return hasPreamble(content) || content.starts_with(magic) || startsLikeDataset(content);
 }
 
+core::Result<InputBytes> openDicom(const std::string& path)
+{
+    auto input = openInput(path);
+    if (!input) {
+        return input;
+    }
+    if (looksLikeDicom(input.value().view())) {
+        return input;
+    }
+    if (input.value().view().starts_with("\x1f\x8b")) {
+        auto unpacked = inflated(input.value().view(), Packing::Gzip, maxFileBytes);
+        if (unpacked && looksLikeDicom(*unpacked)) {
+            return InputBytes(std::move(*unpacked));
+        }
+    }
+    return fileError(path, says::dicomNotOne());
+}
+
+bool isDicomFile(const std::string& path)
+{
+    return static_cast<bool>(openDicom(path));
+}
+
 core::Result<DicomFile> parseDicom(std::string_view content, const std::string& path)
 {
     std::string_view rest = content;
@@ -85,7 +109,7 @@ core::Result<DicomFile> parseDicom(std::string_view content, const std::string& 
     DicomFile file;
     file.transferSyntax = readMeta(rest);
     if (file.transferSyntax == deflatedSyntax) {
-        auto unpacked = inflated(rest, Packing::RawDeflate, maxUnpackedBytes);
+        auto unpacked = inflated(rest, Packing::RawDeflate, maxDatasetBytes);
         if (!unpacked) {
             return fileError(path, says::dicomDeflateDamaged());
         }

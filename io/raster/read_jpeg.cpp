@@ -73,12 +73,7 @@ void copyRow(const std::vector<unsigned char>& row, std::size_t y, Raster& raste
     const auto width = static_cast<std::size_t>(frame.width);
     const bool isGrey = row.size() == width;
     for (std::size_t x = 0; x < width; ++x) {
-        float value = isGrey ? row[x] : row[3 * x];
-        if (!isGrey && (row[3 * x] != row[3 * x + 1] || row[3 * x + 1] != row[3 * x + 2])) {
-            raster.wasColour = true;
-            value = 0.299F * value + 0.587F * row[3 * x + 1] + 0.114F * row[3 * x + 2];
-        }
-        frame.pixels[y * width + x] = value;
+        frame.pixels[y * width + x] = isGrey ? row[x] : raster.luminance(row[3 * x], row[3 * x + 1], row[3 * x + 2]);
     }
 }
 

@@ -14,6 +14,9 @@ struct Raster {
     std::vector<core::ImageF> frames;
     bool wasColour = false;   ///< channels differed; their luminance was taken
     bool hadAlpha = false;   ///< transparency was ignored
+
+    /// Grey of a pixel (Rec. 601), exact where the channels agree; notes where they do not.
+    float luminance(float red, float green, float blue);
 };
 
 /// True when the content begins like one of the formats.

@@ -63,7 +63,7 @@ float sampleAt(const std::vector<unsigned char>& row, std::size_t index, const T
     return value;
 }
 
-float greyAt(const std::vector<unsigned char>& row, std::size_t x, const TiffPage& page, bool& wasColour)
+float greyAt(const std::vector<unsigned char>& row, std::size_t x, const TiffPage& page, Raster& raster)
 {
     const std::size_t first = x * page.channels;
     const float value = sampleAt(row, first, page);
@@ -73,12 +73,7 @@ float greyAt(const std::vector<unsigned char>& row, std::size_t x, const TiffPag
                    ? (page.format == SAMPLEFORMAT_IEEEFP ? 0.0F : static_cast<float>((1 << page.bits) - 1)) - value
                    : value;
     }
-    const float green = sampleAt(row, first + 1, page), blue = sampleAt(row, first + 2, page);
-    if (value == green && green == blue) {
-        return value;
-    }
-    wasColour = true;
-    return 0.299F * value + 0.587F * green + 0.114F * blue;
+    return raster.luminance(value, sampleAt(row, first + 1, page), sampleAt(row, first + 2, page));
 }
 
 bool appendPage(TIFF* file, const TiffPage& page, Raster& raster)
@@ -90,7 +85,7 @@ bool appendPage(TIFF* file, const TiffPage& page, Raster& raster)
             return false;
         }
         for (std::uint32_t x = 0; x < page.width; ++x) {
-            frame.at(static_cast<int>(x), static_cast<int>(y)) = greyAt(row, x, page, raster.wasColour);
+            frame.at(static_cast<int>(x), static_cast<int>(y)) = greyAt(row, x, page, raster);
         }
     }
     raster.hadAlpha |= page.channels == 2 || page.channels == 4;

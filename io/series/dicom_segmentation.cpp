@@ -1,8 +1,8 @@
 #include "io/series/dicom_segmentation.h"
 
+#include "io/dicom/dicom_file.h"
 #include "io/dicom/dicom_text.h"
 #include "io/dicom/frame_source.h"
-#include "io/dicom/open_dicom.h"
 #include "io/messages/says.h"
 #include "io/series/segmentation_grid.h"
 #include "io/support/file_error.h"

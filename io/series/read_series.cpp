@@ -2,7 +2,6 @@
 
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/frame_source.h"
-#include "io/dicom/open_dicom.h"
 #include "io/dicom/pixel_layout.h"
 #include "io/messages/says.h"
 #include "io/support/file_error.h"

@@ -2,7 +2,6 @@
 
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/dicom_text.h"
-#include "io/dicom/open_dicom.h"
 #include "io/support/file_error.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 // DCMTK's macros first.
 #include <dcmtk/oflog/oflog.h>
 #include <itkObject.h>
+#include <nifti2_io.h>
 #include <tiffio.h>
 #include <vtkLogger.h>
 #include <vtkNew.h>
@@ -34,6 +35,7 @@ void quietLibraries()
         vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);   // errors go there before the window
         itk::Object::SetGlobalWarningDisplay(false);
         OFLog::configure(OFLogger::OFF_LOG_LEVEL);
+        nifti_set_debug_level(0);
         TIFFSetWarningHandler(nullptr);
         TIFFSetErrorHandler(nullptr);
     });

@@ -1,23 +1,11 @@
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
+#include "io/support/value_cursor.h"
 #include "io/surface/surface_formats.h"
-
-#include <algorithm>
 
 namespace angiopose::io {
 namespace {
-
-std::vector<std::string_view> wordsOf(std::string_view line)
-{
-    std::vector<std::string_view> words;
-    for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
-        const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
-        words.push_back(line.substr(0, end));
-        line.remove_prefix(end);
-    }
-    return words;
-}
 
 /// "12/3/4" → point 12 (from 1), "-1" → the last one so far; a number out of range stays so, to be found later.
 std::size_t pointIndex(std::string_view word, std::size_t pointCount)
@@ -31,30 +19,21 @@ std::size_t pointIndex(std::string_view word, std::size_t pointCount)
 core::Result<PolygonSet> parseObj(std::string_view content, const std::string& path)
 {
     PolygonSet set;
-    for (std::size_t at = 0, line = 1; at < content.size(); ++line) {
-        const std::size_t newline = std::min(content.find('\n', at), content.size());
-        const auto words = wordsOf(content.substr(at, newline - at));
-        at = newline + 1;
-        if (words.empty()) {
-            continue;
-        }
-        if (words[0] == "v") {
-            Eigen::Vector3d point;
-            for (int k = 0; k < 3; ++k) {
-                const auto index = static_cast<std::size_t>(k) + 1;
-                const auto number = index < words.size() ? parseNumber(words[index]) : std::nullopt;
-                if (!number) {
-                    return fileError(path, says::objBadPoint(line));
-                }
-                point[k] = *number;
+    ValueCursor lines(content);
+    for (std::size_t line = 1; lines.left() > 0; ++line) {
+        ValueCursor words(lines.line());
+        const std::string_view kind = words.word();
+        if (kind == "v") {
+            const auto point = words.point();
+            if (!point) {
+                return fileError(path, says::objBadPoint(line));
             }
-            set.points.push_back(point);
-        } else if (words[0] == "f") {
-            std::vector<std::size_t> polygon;
-            for (std::size_t k = 1; k < words.size(); ++k) {
-                polygon.push_back(pointIndex(words[k], set.points.size()));
+            set.points.push_back(*point);
+        } else if (kind == "f") {
+            std::vector<std::size_t>& polygon = set.polygons.emplace_back();
+            while (!words.isAtEnd()) {
+                polygon.push_back(pointIndex(words.word(), set.points.size()));
             }
-            set.polygons.push_back(std::move(polygon));
         }
     }
     return set;

@@ -1,6 +1,6 @@
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
-#include "io/support/numbers.h"
+#include "io/support/value_cursor.h"
 #include "io/surface/surface_formats.h"
 
 #include <cstdint>
@@ -36,34 +36,19 @@ PolygonSet parseBinary(std::string_view content)
     return set;
 }
 
-/// The next word of `rest`, taken off it.
-std::string_view takeWord(std::string_view& rest)
-{
-    const std::size_t first = std::min(rest.find_first_not_of(" \t\r\n"), rest.size());
-    rest.remove_prefix(first);
-    const std::size_t end = std::min(rest.find_first_of(" \t\r\n"), rest.size());
-    const std::string_view word = rest.substr(0, end);
-    rest.remove_prefix(end);
-    return word;
-}
-
 /// "vertex x y z" wherever it occurs; three make a triangle. Nothing when one of them is damaged.
 std::optional<PolygonSet> parseText(std::string_view content)
 {
     PolygonSet set;
-    for (std::string_view word = takeWord(content); !word.empty(); word = takeWord(content)) {
-        if (word != "vertex" && word != "VERTEX") {
+    for (ValueCursor cursor(content); !cursor.isAtEnd();) {
+        if (const auto word = cursor.word(); word != "vertex" && word != "VERTEX") {
             continue;
         }
-        Eigen::Vector3d point;
-        for (int k = 0; k < 3; ++k) {
-            const auto number = parseNumber(takeWord(content));
-            if (!number) {
-                return std::nullopt;
-            }
-            point[k] = *number;
+        const auto point = cursor.point();
+        if (!point) {
+            return std::nullopt;
         }
-        set.points.push_back(point);
+        set.points.push_back(*point);
         const std::size_t count = set.points.size();
         if (count % 3 == 0) {
             set.polygons.push_back({count - 3, count - 2, count - 1});

@@ -1,7 +1,6 @@
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
-#include "io/vessel/legacy_vtk_cells.h"
 #include "io/vessel/legacy_vtk_cursor.h"
 #include "io/vessel/vtk_lines.h"
 
@@ -17,6 +16,21 @@ std::string upper(std::string_view text)
     std::transform(result.begin(), result.end(), result.begin(),
                    [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
     return result;
+}
+
+/// Appends the cell of `length` point ids from `values[first]` on; false when they are not all there, or no ids.
+bool appendCell(const std::vector<double>& values, double first, double length, VtkCells& cells)
+{
+    if (!(first >= 0.0 && length >= 0.0 && first + length <= static_cast<double>(values.size()))) {
+        return false;
+    }
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = begin + static_cast<std::ptrdiff_t>(length);
+    if (!std::all_of(begin, end, [](double id) { return id >= 0.0 && id <= 1e12; })) {
+        return false;
+    }
+    cells.emplace_back(begin, end);
+    return true;
 }
 
 /// Reads the body of one file; each method returns false when the section it reads is damaged.
@@ -51,13 +65,13 @@ private:
     VtkLines result_;
     Place place_ = Place::DataSet;
     std::size_t attributeCount_ = 0;
-    LegacyVtkCells cells_;
+    VtkCellSections cells_;
 };
 
 bool LegacyVtkParser::readSections()
 {
     while (!cursor_.isAtEnd()) {
-        section_ = upper(cursor_.token());
+        section_ = upper(cursor_.word());
         if (!readSection(section_)) {
             return false;
         }
@@ -70,17 +84,19 @@ bool LegacyVtkParser::readSection(const std::string& keyword)
     if (keyword == "POINTS") {
         return readPoints();
     }
-    if (keyword == "LINES") {
-        return readCells(cells_.lines);
+    static const std::map<std::string, VtkCells VtkCellSections::*> cellSections = {
+        {"LINES", &VtkCellSections::lines},
+        {"POLYGONS", &VtkCellSections::polygons},
+        {"TRIANGLE_STRIPS", &VtkCellSections::strips},
+        {"CELLS", &VtkCellSections::mixed}};
+    if (const auto found = cellSections.find(keyword); found != cellSections.end()) {
+        return readCells(cells_.*found->second);
     }
     if (keyword == "VERTICES") {
-        return readCells(cells_.vertices);
-    }
-    if (keyword == "POLYGONS" || keyword == "TRIANGLE_STRIPS") {
-        return readCells(keyword == "POLYGONS" ? cells_.polygons : cells_.strips);
-    }
-    if (keyword == "CELLS") {
-        return readCells(cells_.mixed);
+        VtkCells vertices;
+        const bool isRead = readCells(vertices);
+        cells_.vertexCount = vertices.size();
+        return isRead;
     }
     if (keyword == "CELL_TYPES") {
         return readCellTypes();
@@ -101,8 +117,7 @@ bool LegacyVtkParser::readSection(const std::string& keyword)
 bool LegacyVtkParser::readPoints()
 {
     const auto count = cursor_.count();
-    const std::string type(cursor_.token());
-    const auto values = count ? cursor_.numbers(3 * *count, type) : std::nullopt;
+    const auto values = count ? cursor_.numbers(3 * *count, cursor_.word()) : std::nullopt;
     if (!values) {
         return false;
     }
@@ -119,23 +134,17 @@ bool LegacyVtkParser::readCells(VtkCells& cells)
     if (!count || !size) {
         return false;
     }
-    if (upper(cursor_.peekToken()) == "OFFSETS") {
+    if (upper(cursor_.peekWord()) == "OFFSETS") {
         return readOffsetCells(*count, *size, cells);
     }
     const auto values = cursor_.numbers(*size, "int");
     if (!values) {
         return false;
     }
-    for (std::size_t at = 0; at < values->size();) {
-        const double length = (*values)[at];
-        if (!(length >= 0.0) || length > static_cast<double>(values->size() - at - 1)) {
+    for (std::size_t at = 0; at < values->size(); at += 1 + cells.back().size()) {
+        if (!appendCell(*values, static_cast<double>(at + 1), (*values)[at], cells)) {
             return false;
         }
-        const std::size_t end = at + 1 + static_cast<std::size_t>(length);
-        if (!appendCell(*values, at + 1, end, cells)) {
-            return false;
-        }
-        at = end;
     }
     return cells.size() == *count;
 }
@@ -143,22 +152,17 @@ bool LegacyVtkParser::readCells(VtkCells& cells)
 /// Format 5: offsets and connectivity as two arrays.
 bool LegacyVtkParser::readOffsetCells(std::size_t offsetCount, std::size_t size, VtkCells& cells)
 {
-    cursor_.token();
-    const std::string offsetType(cursor_.token());
-    const auto offsets = cursor_.numbers(offsetCount, offsetType);
-    if (!offsets || upper(cursor_.token()) != "CONNECTIVITY") {
+    cursor_.word();
+    const auto offsets = cursor_.numbers(offsetCount, cursor_.word());
+    if (!offsets || upper(cursor_.word()) != "CONNECTIVITY") {
         return false;
     }
-    const std::string type(cursor_.token());
-    const auto values = cursor_.numbers(size, type);
+    const auto values = cursor_.numbers(size, cursor_.word());
     if (!values) {
         return false;
     }
     for (std::size_t i = 0; i + 1 < offsets->size(); ++i) {
-        const double from = (*offsets)[i];
-        const double to = (*offsets)[i + 1];
-        if (!(from >= 0.0) || !(to >= from) || to > static_cast<double>(size) ||
-            !appendCell(*values, static_cast<std::size_t>(from), static_cast<std::size_t>(to), cells)) {
+        if (!appendCell(*values, (*offsets)[i], (*offsets)[i + 1] - (*offsets)[i], cells)) {
             return false;
         }
     }
@@ -168,11 +172,13 @@ bool LegacyVtkParser::readOffsetCells(std::size_t offsetCount, std::size_t size,
 bool LegacyVtkParser::readCellTypes()
 {
     const auto count = cursor_.count();
-    auto values = count ? cursor_.numbers(*count, "int") : std::nullopt;
+    const auto values = count ? cursor_.numbers(*count, "int") : std::nullopt;
     if (!values || values->size() != cells_.mixed.size()) {
         return false;
     }
-    cells_.types = std::move(*values);
+    for (const double type : *values) {
+        cells_.types.push_back(type >= 0.0 && type < 256.0 ? static_cast<int>(type) : 0);
+    }
     return true;
 }
 
@@ -184,34 +190,33 @@ bool LegacyVtkParser::readAttribute(const std::string& keyword)
     if (keyword == "FIELD") {
         return readField();
     }
-    const std::string name(cursor_.token());
+    const std::string name(cursor_.word());
     if (keyword == "VECTORS" || keyword == "NORMALS" || keyword == "TENSORS") {
-        const std::string type(cursor_.token());
-        return cursor_.skipNumbers((keyword == "TENSORS" ? 9 : 3) * attributeCount_, type);
+        return cursor_.numbers((keyword == "TENSORS" ? 9 : 3) * attributeCount_, cursor_.word()).has_value();
     }
     if (keyword == "COLOR_SCALARS" || keyword == "TEXTURE_COORDINATES" || keyword == "LOOKUP_TABLE") {
         const auto components = cursor_.count();
         const bool isTable = keyword == "LOOKUP_TABLE";
-        const std::string type(keyword == "TEXTURE_COORDINATES" ? cursor_.token() : std::string_view("unsigned_char"));
+        const std::string type(keyword == "TEXTURE_COORDINATES" ? cursor_.word() : std::string_view("unsigned_char"));
         return components && *components < 1'000'000 &&
-               cursor_.skipNumbers(isTable ? 4 * *components : *components * attributeCount_, type);
+               cursor_.numbers(isTable ? 4 * *components : *components * attributeCount_, type).has_value();
     }
     return false;
 }
 
 bool LegacyVtkParser::readScalars()
 {
-    const std::string name(cursor_.token());
-    const std::string type(cursor_.token());
+    const std::string name(cursor_.word());
+    const std::string type(cursor_.word());
     std::size_t components = 1;
-    if (const auto given = parseInteger(cursor_.peekToken())) {
+    if (const auto given = parseInteger(cursor_.peekWord())) {
         components = *given > 0 && *given < 100 ? static_cast<std::size_t>(*given) : 0;
-        cursor_.token();
+        cursor_.word();
     }
-    if (components == 0 || upper(cursor_.token()) != "LOOKUP_TABLE") {
+    if (components == 0 || upper(cursor_.word()) != "LOOKUP_TABLE") {
         return false;
     }
-    cursor_.token();
+    cursor_.word();
     auto values = cursor_.numbers(components * attributeCount_, type);
     if (values && components == 1) {
         keepArray(name, std::move(*values));
@@ -221,10 +226,10 @@ bool LegacyVtkParser::readScalars()
 
 bool LegacyVtkParser::readField()
 {
-    cursor_.token();   // the field's own name
+    cursor_.word();   // the field's own name
     const auto arrays = cursor_.count();
     for (std::size_t i = 0; arrays && i < *arrays; ++i) {
-        while (upper(cursor_.peekToken()) == "METADATA") {
+        while (upper(cursor_.peekWord()) == "METADATA") {
             cursor_.skipParagraph();
         }
         if (cursor_.isAtEnd() || !readFieldArray()) {
@@ -236,10 +241,10 @@ bool LegacyVtkParser::readField()
 
 bool LegacyVtkParser::readFieldArray()
 {
-    const std::string name(cursor_.token());
+    const std::string name(cursor_.word());
     const auto components = cursor_.count();
     const auto tuples = cursor_.count();
-    const std::string type(cursor_.token());
+    const std::string type(cursor_.word());
     if (!components || !tuples || *components > 1000) {
         return false;
     }
@@ -272,15 +277,13 @@ core::Result<VtkLines> parseLegacyVtk(std::string_view content, const std::strin
     LegacyVtkCursor cursor(content);
     cursor.line();
     const std::string title = upper(cursor.line());
-    const std::string format = upper(cursor.token());
+    const std::string format = upper(cursor.word());
     if (format != "ASCII" && format != "BINARY") {
         return fileError(path, says::vtkThirdLine());
     }
-    if (format == "BINARY") {
-        cursor.setBinary();
-    }
-    const bool hasDataSet = upper(cursor.token()) == "DATASET";
-    const std::string kind = upper(cursor.token());
+    cursor.setCoding(format == "BINARY" ? Coding::BigEndian : Coding::Text);
+    const bool hasDataSet = upper(cursor.word()) == "DATASET";
+    const std::string kind = upper(cursor.word());
     if (!hasDataSet || (kind != "POLYDATA" && kind != "UNSTRUCTURED_GRID")) {
         return fileError(path, kind.empty() ? says::vtkNoDataSet() : says::vtkOtherDataSet(kind.substr(0, 40)));
     }

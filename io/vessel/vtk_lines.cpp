@@ -1,6 +1,6 @@
 #include "io/vessel/vtk_lines.h"
 
-#include <algorithm>
+#include <vtkCellType.h>
 #include <array>
 #include <cmath>
 
@@ -23,7 +23,40 @@ const std::vector<double>* findArray(const std::map<std::string, std::vector<dou
     return nullptr;
 }
 
+/// Triangles of strips: every second one is turned round.
+void appendStrips(const VtkCells& strips, VtkCells& triangles)
+{
+    for (const auto& strip : strips) {
+        for (std::size_t k = 2; k < strip.size(); ++k) {
+            const bool isTurned = k % 2 == 1;
+            triangles.push_back({strip[k - 2], strip[isTurned ? k : k - 1], strip[isTurned ? k - 1 : k]});
+        }
+    }
+}
+
 }   // namespace
+
+void addCells(VtkCellSections cells, VtkLines& lines)
+{
+    // Cell data counts vertices first, then lines (vtkPolyData).
+    for (std::size_t i = 0; i < cells.lines.size(); ++i) {
+        lines.set.lines.push_back(std::move(cells.lines[i]));
+        lines.cellOfLine.push_back(cells.vertexCount + i);
+    }
+    for (std::size_t i = 0; i < cells.mixed.size() && i < cells.types.size(); ++i) {
+        const int type = cells.types[i];
+        if (type == VTK_LINE || type == VTK_POLY_LINE) {
+            lines.set.lines.push_back(std::move(cells.mixed[i]));
+            lines.cellOfLine.push_back(i);
+        } else if (type == VTK_TRIANGLE || type == VTK_POLYGON || type == VTK_QUAD) {
+            cells.polygons.push_back(std::move(cells.mixed[i]));
+        }
+        lines.set.hasSurface |= type > VTK_POLY_LINE;
+    }
+    appendStrips(cells.strips, cells.polygons);
+    lines.set.hasSurface |= !cells.polygons.empty();
+    lines.polygons = std::move(cells.polygons);
+}
 
 LineSet lineSetOf(VtkLines lines)
 {

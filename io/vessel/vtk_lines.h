@@ -19,6 +19,20 @@ struct VtkLines {
     std::vector<std::vector<std::size_t>> polygons;   ///< triangles, quads and polygons: a surface
 };
 
+/// Point ids of each cell.
+using VtkCells = std::vector<std::vector<std::size_t>>;
+
+/// The cells of one file, as its sections give them.
+struct VtkCellSections {
+    std::size_t vertexCount = 0;
+    VtkCells lines, polygons, strips;
+    VtkCells mixed;   ///< of an unstructured grid
+    std::vector<int> types;   ///< of those
+};
+
+/// Puts poly-lines (with the cell that each is) and polygons into `lines`.
+void addCells(VtkCellSections cells, VtkLines& lines);
+
 /// Legacy VTK (ASCII or binary, format 1 to 5.1), poly-data or unstructured grid. Own parser: it checks every declared
 /// count against the file's size before it trusts it.
 core::Result<VtkLines> parseLegacyVtk(std::string_view content, const std::string& path);

@@ -12,6 +12,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
@@ -69,59 +70,28 @@ vtkSmartPointer<vtkPointSet> readWith(std::string_view content)
     return reader->GetOutput();
 }
 
-/// Offsets and point ids within bounds; the reader does not check what the arrays say.
-bool isSound(vtkCellArray* cells)
+/// Point ids of each cell; nothing when offsets go astray, which the reader does not check.
+std::optional<VtkCells> cellsOf(vtkCellArray* array)
 {
-    vtkDataArray* offsets = cells->GetOffsetsArray();
-    const vtkIdType size = cells->GetConnectivityArray()->GetNumberOfTuples();
-    if (offsets->GetNumberOfTuples() == 0) {
-        return true;
+    if (!array) {
+        return VtkCells();
     }
+    vtkDataArray* offsets = array->GetOffsetsArray();
     double last = 0.0;
     for (vtkIdType i = 0; i < offsets->GetNumberOfTuples(); ++i) {
         const double offset = offsets->GetComponent(i, 0);
-        if (offset < last || offset > static_cast<double>(size)) {
-            return false;
+        if (offset < last || offset > static_cast<double>(array->GetConnectivityArray()->GetNumberOfTuples())) {
+            return std::nullopt;
         }
         last = offset;
     }
-    return true;
-}
-
-bool appendPolygons(vtkCellArray* cells, VtkLines& lines)
-{
-    if (!isSound(cells)) {
-        return false;
-    }
+    VtkCells cells(static_cast<std::size_t>(array->GetNumberOfCells()));
     const vtkNew<vtkIdList> ids;
-    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
-        cells->GetCellAtId(i, ids);
-        std::vector<std::size_t> polygon;
-        for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k) {
-            polygon.push_back(static_cast<std::size_t>(ids->GetId(k)));   // negative becomes out of range, found later
-        }
-        lines.polygons.push_back(std::move(polygon));
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        array->GetCellAtId(static_cast<vtkIdType>(i), ids);
+        cells[i].assign(ids->begin(), ids->end());   // negative becomes out of range, found later
     }
-    return true;
-}
-
-bool appendLines(vtkCellArray* cells, const std::vector<std::size_t>& cellOfEntry, VtkLines& lines)
-{
-    const vtkNew<vtkIdList> ids;
-    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
-        const std::size_t cell = cellOfEntry[static_cast<std::size_t>(i)];
-        if (cell == static_cast<std::size_t>(-1)) {
-            continue;
-        }
-        cells->GetCellAtId(i, ids);
-        std::vector<std::size_t> line;
-        for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k) {
-            line.push_back(static_cast<std::size_t>(ids->GetId(k)));   // negative becomes out of range, found later
-        }
-        lines.set.lines.push_back(std::move(line));
-        lines.cellOfLine.push_back(cell);
-    }
-    return true;
+    return cells;
 }
 
 std::map<std::string, std::vector<double>> scalarArrays(vtkFieldData* data)
@@ -153,37 +123,31 @@ bool saysRas(vtkFieldData* data)
     return false;
 }
 
-bool collectPolyLines(vtkPolyData* data, VtkLines& lines)
+/// Nothing when the cells are damaged.
+std::optional<VtkCellSections> sectionsOf(vtkPolyData* data)
 {
-    vtkCellArray* cells = data->GetLines();
-    if (!isSound(cells)) {
-        return false;
+    auto lines = cellsOf(data->GetLines()), polygons = cellsOf(data->GetPolys()), strips = cellsOf(data->GetStrips());
+    if (!lines || !polygons || !strips) {
+        return std::nullopt;
     }
-    std::vector<std::size_t> cellOfEntry(static_cast<std::size_t>(cells->GetNumberOfCells()));
-    for (std::size_t i = 0; i < cellOfEntry.size(); ++i) {
-        cellOfEntry[i] = static_cast<std::size_t>(data->GetNumberOfVerts()) + i;
-    }
-    lines.set.hasSurface = data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0;
-    return appendLines(cells, cellOfEntry, lines) && appendPolygons(data->GetPolys(), lines);
+    const auto vertexCount = static_cast<std::size_t>(data->GetNumberOfVerts());
+    return VtkCellSections{vertexCount, std::move(*lines), std::move(*polygons), std::move(*strips), {}, {}};
 }
 
-bool collectGridLines(vtkUnstructuredGrid* grid, VtkLines& lines)
+std::optional<VtkCellSections> sectionsOf(vtkUnstructuredGrid* grid)
 {
-    vtkCellArray* cells = grid->GetCells();
-    if (!cells) {
-        return true;
+    auto cells = cellsOf(grid->GetCells());
+    vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+    const std::size_t typeCount = types ? static_cast<std::size_t>(types->GetNumberOfValues()) : 0;
+    if (!cells || cells->size() != typeCount) {
+        return std::nullopt;
     }
-    if (!isSound(cells) || grid->GetCellTypesArray()->GetNumberOfValues() != cells->GetNumberOfCells()) {
-        return false;
+    VtkCellSections sections;
+    sections.mixed = std::move(*cells);
+    for (std::size_t i = 0; i < typeCount; ++i) {
+        sections.types.push_back(types->GetValue(static_cast<vtkIdType>(i)));
     }
-    std::vector<std::size_t> cellOfEntry;
-    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
-        const int type = grid->GetCellTypesArray()->GetValue(i);
-        const bool isLine = type == VTK_LINE || type == VTK_POLY_LINE;
-        cellOfEntry.push_back(isLine ? static_cast<std::size_t>(i) : static_cast<std::size_t>(-1));
-        lines.set.hasSurface |= type > VTK_POLY_LINE;
-    }
-    return appendLines(cells, cellOfEntry, lines);
+    return sections;
 }
 
 core::Result<VtkLines> linesOf(vtkPointSet* data, const std::string& path)
@@ -197,9 +161,11 @@ core::Result<VtkLines> linesOf(vtkPointSet* data, const std::string& path)
         lines.set.points.emplace_back(data->GetPoint(i));
     }
     auto* poly = vtkPolyData::SafeDownCast(data);
-    if (!(poly ? collectPolyLines(poly, lines) : collectGridLines(vtkUnstructuredGrid::SafeDownCast(data), lines))) {
+    auto sections = poly ? sectionsOf(poly) : sectionsOf(vtkUnstructuredGrid::SafeDownCast(data));
+    if (!sections) {
         return damaged;
     }
+    addCells(std::move(*sections), lines);
     lines.pointArrays = scalarArrays(data->GetPointData());
     lines.cellArrays = scalarArrays(data->GetCellData());
     if (auto* names = vtkStringArray::SafeDownCast(data->GetCellData()->GetAbstractArray("Name"))) {

@@ -48,16 +48,6 @@ std::string metaValue(std::string_view content, std::string_view key)
     return {};
 }
 
-std::string metaValue(std::string_view content, std::initializer_list<std::string_view> keys)
-{
-    for (const std::string_view key : keys) {
-        if (std::string value = metaValue(content, key); !value.empty()) {
-            return value;
-        }
-    }
-    return {};
-}
-
 bool isYes(const std::string& text)
 {
     return !text.empty() && (text.front() == 'T' || text.front() == 't' || text.front() == '1');
@@ -272,7 +262,7 @@ core::Result<StoredVolume> openItkVolume(ItkFormat format, std::string_view cont
     stored.format = nameOf(format);
     stored.geometry = axes.geometry;
     stored.type = *type;
-    if (isMeta && metaValue(content, {"ElementSpacing", "ElementSize"}).empty()) {
+    if (isMeta && metaValue(content, "ElementSpacing").empty() && metaValue(content, "ElementSize").empty()) {
         stored.warnings.push_back(says::volumeSizeAssumed());
     }
     if (!isMeta) {

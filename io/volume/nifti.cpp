@@ -4,6 +4,7 @@
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/support/numbers.h"
+#include "io/support/quiet_libraries.h"
 #include "io/volume/volume_axes.h"
 #include "io/volume/voxel_stream.h"
 
@@ -87,14 +88,10 @@ std::optional<int> versionOf(std::string_view head)
     if (head.size() < sizeof(nifti_1_header) || head.substr(128, 4) == "DICM") {   // its preamble may look like Analyze
         return std::nullopt;
     }
-    const auto size = rawHeader<std::int32_t>(head);
-    const bool isTwo = head.size() >= sizeof(nifti_2_header) && (size == 540 || size == __builtin_bswap32(540));
-    if (isTwo) {
-        return head.substr(4, 2) == "n+" || head.substr(4, 2) == "ni" ? std::optional(2) : std::nullopt;
-    }
-    const std::string_view magic = head.substr(344, 3);
-    const bool isOne = size == 348 || size == static_cast<std::int32_t>(__builtin_bswap32(348));
-    return isOne ? std::optional(magic == "n+1" || magic == "ni1" ? 1 : 0) : std::nullopt;
+    quietLibraries();
+    const int version = nifti_header_version(head.data(), head.size());
+    const bool isWhole = version < 2 || head.size() >= sizeof(nifti_2_header);
+    return version >= 0 && isWhole ? std::optional(version) : std::nullopt;
 }
 
 /// The header of a NIfTI or Analyze file whose version is known.

@@ -33,67 +33,64 @@ struct NrrdHeader {
     std::string problem;   ///< the library's own words; empty when it could be read
 };
 
-/// The lines up to the first blank one; `dataStart` is where data follow.
-std::string headerText(std::string_view content, std::size_t& dataStart)
-{
-    const std::string_view head = content.substr(0, longestHeader);
-    for (std::size_t at = 0; at < head.size();) {
-        const std::size_t newline = std::min(head.find('\n', at), head.size());
-        if (trimmed(head.substr(at, newline - at)).empty()) {
-            dataStart = std::min(newline + 1, head.size());
-            return std::string(head.substr(0, at));
-        }
-        at = newline + 1;
-    }
-    dataStart = content.size();
-    return std::string(head);
-}
-
-/// Where a header says that the data lie; kept from the library, which would go there while it reads the header.
-struct DataPlace {
-    std::string file;   ///< empty: after the header
+/// A header as the library gets it, and where it says that the data lie: the library would go there while it reads.
+struct HeaderText {
+    std::string text;
+    std::string dataFile;   ///< empty: after the header
     int lineSkip = 0;
     int byteSkip = 0;
+    std::size_t end = 0;   ///< in the file, behind the blank line
 };
 
-/// True when the line is the field `name`; takes its value. Some writers give fields as key and value (":=").
-bool isField(std::string_view line, std::string_view name, std::string& value)
+/// The value of a line that is the field `name`, written with blanks or without. Some writers give fields as key and
+/// value (":=").
+std::optional<std::string> fieldValue(std::string_view line, std::string_view name)
 {
-    if (!lowered(line).starts_with(std::string(name) + ":")) {
-        return false;
+    const std::size_t colon = std::min(line.find(':'), line.size());
+    std::string given = lowered(line.substr(0, colon));
+    std::erase(given, ' ');
+    if (colon == line.size() || given != name) {
+        return std::nullopt;
     }
-    line.remove_prefix(name.size() + 1);
-    value = trimmed(line.substr(line.starts_with('=') ? 1 : 0));
-    return true;
+    line.remove_prefix(colon + 1);
+    return std::string(trimmed(line.substr(line.starts_with('=') ? 1 : 0)));
 }
 
-/// The header for the library: without the place of the data, and with what some writers get wrong taken as meant
-/// (directions without a space, or between bars).
-std::string mended(const std::string& header, DataPlace& place)
+/// The lines up to the first blank one. What some writers get wrong is taken as meant: directions without a space, or
+/// between bars.
+HeaderText splitHeader(std::string_view content)
 {
-    const bool hasSpace = header.find("\nspace:") != std::string::npos;
-    const bool needsSpace = !hasSpace && header.find("\nspace d") != std::string::npos &&
-                            header.find("\nspace dimension:") == std::string::npos;
-    std::string text, value;
-    for (std::size_t at = 0; at < header.size() && !place.file.starts_with("LIST");) {
-        const std::size_t newline = std::min(header.find('\n', at), header.size());
-        std::string line = header.substr(at, newline - at);
-        if (isField(line, "data file", value) || isField(line, "datafile", value)) {
-            place.file = value;
-        } else if (isField(line, "line skip", value) || isField(line, "lineskip", value)) {
-            place.lineSkip = parseInteger(value).value_or(-1);
-        } else if (isField(line, "byte skip", value) || isField(line, "byteskip", value)) {
-            place.byteSkip = parseInteger(value).value_or(-2);
+    HeaderText header;
+    header.end = content.size();
+    const std::string_view head = content.substr(0, longestHeader);
+    for (std::size_t at = 0; at < head.size() && !header.dataFile.starts_with("LIST");) {
+        const std::size_t newline = std::min(head.find('\n', at), head.size());
+        std::string line(head.substr(at, newline - at));
+        at = newline + 1;
+        if (trimmed(line).empty()) {
+            header.end = std::min(at, content.size());
+            break;
+        }
+        if (const auto file = fieldValue(line, "datafile")) {
+            header.dataFile = *file;
+        } else if (const auto lines = fieldValue(line, "lineskip")) {
+            header.lineSkip = parseInteger(*lines).value_or(-1);
+        } else if (const auto bytes = fieldValue(line, "byteskip")) {
+            header.byteSkip = parseInteger(*bytes).value_or(-2);
         } else {
             if (line.starts_with("space directions") || line.starts_with("space origin")) {
                 std::erase(line, '|');
             }
-            text += line + "\n";
+            header.text += line + "\n";
         }
-        text += at == 0 && needsSpace ? "space dimension: 3\n" : "";
-        at = newline + 1;
     }
-    return text + "\n";
+    std::string& text = header.text;
+    const auto has = [&text](const char* start) { return text.find(start) != std::string::npos; };
+    if (has("\nspace directions") && !has("\nspace:") && !has("\nspace dimension:")) {
+        text.insert(text.find('\n') + 1, "space dimension: 3\n");
+    }
+    text += "\n";
+    return header;
 }
 
 /// The deepest of the library's complaints, without the names of its functions.
@@ -241,8 +238,8 @@ std::size_t afterLines(std::string_view content, std::size_t at, int count)
 }
 
 /// Fills in where the voxels lie; returns what is wrong.
-std::optional<core::Message> findSource(const NrrdIoState& state, const DataPlace& place, std::string_view content,
-                                        std::size_t dataStart, VoxelSource& source)
+std::optional<core::Message> findSource(const NrrdIoState& state, const HeaderText& header, std::string_view content,
+                                        VoxelSource& source)
 {
     if (state.encoding == nrrdEncodingBzip2) {
         return says::volumeBzip2();
@@ -250,23 +247,23 @@ std::optional<core::Message> findSource(const NrrdIoState& state, const DataPlac
     if (state.encoding != nrrdEncodingRaw && state.encoding != nrrdEncodingGzip) {
         return says::volumeTextNrrd(state.encoding->name);
     }
-    if (place.lineSkip < 0 || place.byteSkip < -1) {
+    if (header.lineSkip < 0 || header.byteSkip < -1) {
         return says::volumeSkips();
     }
-    if (place.file.starts_with("LIST") || place.file.find('%') != std::string::npos) {
+    if (header.dataFile.starts_with("LIST") || header.dataFile.find('%') != std::string::npos) {
         return says::volumeSeveralFiles();
     }
-    if (place.file.empty()) {
-        source.offset = afterLines(content, dataStart, place.lineSkip);
-    } else if (place.lineSkip > 0) {
+    if (header.dataFile.empty()) {
+        source.offset = afterLines(content, header.end, header.lineSkip);
+    } else if (header.lineSkip > 0) {
         return says::volumeSkipsLinesElsewhere();
     } else {
-        source.path = (std::filesystem::path(source.path).parent_path() / place.file).string();
+        source.path = (std::filesystem::path(source.path).parent_path() / header.dataFile).string();
     }
     source.isPacked = state.encoding == nrrdEncodingGzip;
     source.isBigEndian = state.endian == airEndianBig;
-    source.isAtEnd = place.byteSkip == -1;
-    source.skip = place.byteSkip > 0 ? static_cast<std::uint64_t>(place.byteSkip) : 0;
+    source.isAtEnd = header.byteSkip == -1;
+    source.skip = header.byteSkip > 0 ? static_cast<std::uint64_t>(header.byteSkip) : 0;
     return {};
 }
 
@@ -298,9 +295,8 @@ LabelNames slicerSegments(const Nrrd& nrrd)
 
 core::Result<StoredVolume> parseNrrd(std::string_view content, const std::string& path)
 {
-    std::size_t dataStart = 0;
-    DataPlace place;
-    const NrrdHeader header = parsedHeader(mended(headerText(content, dataStart), place));
+    const HeaderText written = splitHeader(content);
+    const NrrdHeader header = parsedHeader(written.text);
     if (!header.problem.empty()) {
         return fileError(path, says::volumeHeaderNotRead(header.problem));
     }
@@ -323,7 +319,7 @@ core::Result<StoredVolume> parseNrrd(std::string_view content, const std::string
     }
     stored.geometry = placed.geometry;
     VoxelSource source{path};
-    if (const auto problem = findSource(*header.state, place, content, dataStart, source)) {
+    if (const auto problem = findSource(*header.state, written, content, source)) {
         return fileError(path, *problem);
     }
     stored.labelNames = slicerSegments(nrrd);

@@ -3947,11 +3947,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das ist ein gzip-Archiv ohne lesbare DICOM-Datei. Auspacken und das Angiogramm selbst wählen.</translation>
     </message>
     <message>
-        <source>the image cannot be decoded: damaged, cut short or of an unusual kind. Export it again.</source>
-        <comment>image.undecodable</comment>
-        <translation>das Bild lässt sich nicht dekodieren: beschädigt, unvollständig oder ungewöhnlich. Neu exportieren.</translation>
-    </message>
-    <message>
         <source>the image is damaged or cut short. Copy or export it again.</source>
         <comment>image.damaged</comment>
         <translation>das Bild ist beschädigt oder unvollständig. Neu kopieren oder exportieren.</translation>
@@ -3965,11 +3960,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>the image has fewer than 8 pixels on a side, or more than this program holds. Export the angiogram at its own size.</source>
         <comment>image.size</comment>
         <translation>das Bild hat weniger als 8 Pixel je Seite, oder mehr als dieses Programm fasst. Das Angiogramm in eigener Größe exportieren.</translation>
-    </message>
-    <message>
-        <source>its pixels are not finite numbers of a known kind. Export it with 8 or 16 bits.</source>
-        <comment>image.pixel-kind</comment>
-        <translation>die Pixel sind keine endlichen Zahlen bekannter Art. Mit 8 oder 16 Bit exportieren.</translation>
     </message>
     <message>
         <source>the frames differ in size. All frames of a run must be equally large.</source>

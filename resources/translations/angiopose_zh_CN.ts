@@ -3947,11 +3947,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这是不含可读 DICOM 文件的 gzip 压缩包。请解压后选择造影图像。</translation>
     </message>
     <message>
-        <source>the image cannot be decoded: damaged, cut short or of an unusual kind. Export it again.</source>
-        <comment>image.undecodable</comment>
-        <translation>图像无法解码：损坏、截断或类型特殊。请重新导出。</translation>
-    </message>
-    <message>
         <source>the image is damaged or cut short. Copy or export it again.</source>
         <comment>image.damaged</comment>
         <translation>图像损坏或截断。请重新复制或导出。</translation>
@@ -3965,11 +3960,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>the image has fewer than 8 pixels on a side, or more than this program holds. Export the angiogram at its own size.</source>
         <comment>image.size</comment>
         <translation>图像边长少于 8 像素，或超出程序容量。请按原尺寸导出。</translation>
-    </message>
-    <message>
-        <source>its pixels are not finite numbers of a known kind. Export it with 8 or 16 bits.</source>
-        <comment>image.pixel-kind</comment>
-        <translation>像素不是已知类型的有限数。请以 8 或 16 位导出。</translation>
     </message>
     <message>
         <source>the frames differ in size. All frames of a run must be equally large.</source>

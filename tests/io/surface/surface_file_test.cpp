@@ -83,6 +83,57 @@ std::string plyText()
            pointLines("") + triangleLines("3 ", 0);
 }
 
+template <class Number>
+std::string bytesOf(Number value, bool isBigEndian)
+{
+    std::string bytes(reinterpret_cast<const char*>(&value), sizeof value);
+    if (isBigEndian) {
+        std::reverse(bytes.begin(), bytes.end());
+    }
+    return bytes;
+}
+
+std::string binaryPly(bool isBigEndian)
+{
+    std::string text = "ply\nformat binary_" + std::string(isBigEndian ? "big" : "little") +
+                       "_endian 1.0\nelement vertex 8\nproperty double x\nproperty float32 y\nproperty float z\n"
+                       "property uchar red\nelement face 12\nproperty list uint8 ushort vertex_index\nend_header\n";
+    for (const Eigen::Vector3d& corner : boxCorners()) {
+        text += bytesOf(corner.x(), isBigEndian) + bytesOf(static_cast<float>(corner.y()), isBigEndian) +
+                bytesOf(static_cast<float>(corner.z()), isBigEndian) + '\xff';
+    }
+    for (const auto& triangle : boxTriangles) {
+        text += '\3';
+        for (const int corner : triangle) {
+            text += bytesOf(static_cast<std::uint16_t>(corner), isBigEndian);
+        }
+    }
+    return text;
+}
+
+std::string dataArray(const std::string& attributes, const std::string& numbers)
+{
+    return "<DataArray " + attributes + " format=\"ascii\">" + numbers + "</DataArray>";
+}
+
+/// The box as cells of VTK's XML: each triangle a strip, or a cell of a grid.
+std::string xmlVtk(bool isGrid)
+{
+    std::string offsets, types;
+    for (std::size_t i = 1; i <= boxTriangles.size(); ++i) {
+        offsets += std::to_string(3 * i) + " ";
+        types += "5 ";
+    }
+    const std::string kind = isGrid ? "UnstructuredGrid" : "PolyData", cells = isGrid ? "Cells" : "Strips";
+    return "<VTKFile type=\"" + kind + "\" version=\"0.1\" byte_order=\"LittleEndian\"><" + kind +
+           "><Piece NumberOfPoints=\"8\" NumberOf" + cells + "=\"12\"><Points>" +
+           dataArray("type=\"Float64\" NumberOfComponents=\"3\"", pointLines("")) + "</Points><" + cells + ">" +
+           dataArray("type=\"Int32\" Name=\"connectivity\"", triangleLines("", 0)) +
+           dataArray("type=\"Int32\" Name=\"offsets\"", offsets) +
+           (isGrid ? dataArray("type=\"UInt8\" Name=\"types\"", types) : "") + "</" + cells + "></Piece></" + kind +
+           "></VTKFile>";
+}
+
 void expectBox(const core::Result<io::LoadedSurface>& surface)
 {
     ASSERT_TRUE(surface) << surface.error().message;
@@ -104,7 +155,11 @@ TEST(ReadSurface, EveryFormatGivesTheSameBox)
     expectBox(io::readSurface(folder.write("box.stl", stlText())));
     expectBox(io::readSurface(folder.write("box.OBJ", pointLines("v ") + triangleLines("f ", 1))));
     expectBox(io::readSurface(folder.write("box.ply", plyText())));
+    expectBox(io::readSurface(folder.write("little.ply", binaryPly(false))));
+    expectBox(io::readSurface(folder.write("big.ply", binaryPly(true))));
     expectBox(io::readSurface(folder.write("box.vtk", legacyVtk("a box"))));
+    expectBox(io::readSurface(folder.write("strips.vtp", xmlVtk(false))));
+    expectBox(io::readSurface(folder.write("grid.vtu", xmlVtk(true))));
     const auto box = io::readSurface(folder.file("box.ply"));
     ASSERT_TRUE(io::writeSurface(box.value().mesh, folder.file("binary.stl")));
     expectBox(io::readSurface(folder.file("binary.stl")));
