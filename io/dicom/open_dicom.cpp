@@ -8,7 +8,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t maxUnpackedBytes = std::size_t{256} << 20;
+constexpr std::size_t maxUnpackedFileBytes = std::size_t{256} << 20;
 
 }   // namespace
 
@@ -22,7 +22,7 @@ core::Result<InputBytes> openDicom(const std::string& path)
         return input;
     }
     if (input.value().view().starts_with("\x1f\x8b")) {
-        auto unpacked = inflated(input.value().view(), Packing::Gzip, maxUnpackedBytes);
+        auto unpacked = inflated(input.value().view(), Packing::Gzip, maxUnpackedFileBytes);
         if (unpacked && looksLikeDicom(*unpacked)) {
             return InputBytes(std::move(*unpacked));
         }
